@@ -193,6 +193,7 @@ std::vector<std::string> freeableNames(const deflection::Arm& arm) {
 }
 
 Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice) {
+  placed.priors = choice.priors;
   Unknowns result;
   if (choice.base) addBase(placed, result.list);
   const auto is_free = [&](const std::string& name) {

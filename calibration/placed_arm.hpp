@@ -25,18 +25,6 @@ struct BasePose {
   bool is_known = false;
 };
 
-struct PlacedArm {
-  deflection::Arm arm;
-  std::vector<BasePose> base_poses;
-};
-
-/// The arm placed at X_WB for every set-up that the readings name, in their order.
-[[nodiscard]] PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool is_known,
-                                         const std::vector<Measurement>& readings);
-
-/// Index of the placing a reading was made at; the set-up must be one of them.
-[[nodiscard]] int basePoseOf(const PlacedArm& placed, const Measurement& reading);
-
 /// One number that a fit may change: of the arm, or one of the six of a placing (a shift [m] along, then a turn [rad]
 /// about, the world's axes, from where the placing started). Stiffnesses change by their compliance, to which readings
 /// are all but linear up to the rigid axis itself; its bound keeps them positive.
@@ -77,6 +65,19 @@ struct Priors {
   double weak = 10;                     ///< of the typical size of all others
   std::map<std::string, double> named;  ///< of single numbers, in internal units; stiffnesses by their compliance
 };
+
+struct PlacedArm {
+  deflection::Arm arm;
+  std::vector<BasePose> base_poses;
+  Priors priors = {};  ///< of the choice of numbers that was made last: those freed beside them have the same
+};
+
+/// The arm placed at X_WB for every set-up that the readings name, in their order.
+[[nodiscard]] PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool is_known,
+                                         const std::vector<Measurement>& readings);
+
+/// Index of the placing a reading was made at; the set-up must be one of them.
+[[nodiscard]] int basePoseOf(const PlacedArm& placed, const Measurement& reading);
 
 /// Why the names cannot be freed; empty where they can.
 struct FreeProblem {

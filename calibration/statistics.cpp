@@ -37,6 +37,8 @@ double chiSquareQuantile(double tail, double degrees_of_freedom) {
   return boost::math::quantile(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), tail));
 }
 
+double medianOfMeanSquare(int count) { return chiSquareQuantile(0.5, count) / count; }
+
 double fisherTail(double F, double freedom_above, double freedom_below) {
   return boost::math::cdf(boost::math::complement(boost::math::fisher_f(freedom_above, freedom_below), F));
 }

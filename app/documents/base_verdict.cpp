@@ -22,12 +22,19 @@ constexpr double kOnLattice = 0.75;        // pitches; a shift beyond the sheet'
 constexpr double kTooGood = 1e-6;          // share of calibrations that fit so well by chance
 constexpr std::size_t kEnoughTouches = 4;  // with them a touch that is off can be told from a model that is
 
-void judgeFit(const BaseCalibration& base, BaseVerdict& verdict) {
+void judgeFit(const BaseCalibration& base, const Units& units, BaseVerdict& verdict) {
   verdict.fit_is_off = calibration::isFitRefused(base);
   if (verdict.fit_is_off) {
     verdict.warnings.push_back(fmt::format(
         "the touches do not fit: their lack of fit is {:.0f} times what their stated noise explains (p = {:.1g})",
         std::sqrt(base.chi2 / std::max(1, base.degrees_of_freedom)), base.p_value));
+    if (base.odd_touch >= 0) {
+      const auto& odd = base.residuals[static_cast<std::size_t>(base.odd_touch)];
+      verdict.to_do.push_back(fmt::format(
+          "touch {} of hole {} does not agree with the others, which fit without it (rms {} instead of {}): "
+          "touch it again, or leave it out (--assume without={})",
+          odd.id, odd.hole, lengthText(base.rms_of_others, units), lengthText(base.rms, units), odd.id));
+    }
     if (base.residuals.size() < kEnoughTouches)
       verdict.to_do.emplace_back(
           "touch a fourth hole, far from the others, and calibrate again: it distinguishes a wrong touch from a wrong "
@@ -116,7 +123,7 @@ FromNominalSigma sigmaOf(const BaseCalibration& base) {
 BaseVerdict judgeBase(const BaseCalibration& base, const Cell& cell) {
   BaseVerdict verdict;
   if (base.status != calibration::CalibrationStatus::kDone) return verdict;
-  judgeFit(base, verdict);
+  judgeFit(base, cell.units, verdict);
   judgeShift(base, cell, verdict);
   judgeTurn(base, cell, verdict);
   if (verdict.is_implausible)

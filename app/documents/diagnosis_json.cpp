@@ -127,6 +127,8 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
                          {"unknown_alone", finiteJson(result.unknown_probability)},
                          {"scatter_alone", finiteJson(result.scatter_probability)}};
   json["model_error"] = lengthJson(result.model_error, units);
+  if (result.repeats.groups > 0)
+    json["repeats"] = {{"groups", result.repeats.groups}, {"noise_ratio", finiteJson(result.repeats.noise_ratio)}};
   if (std::isfinite(result.remainder.floor)) json["remainder"] = remainderJson(result.remainder, units);
   json["detectable"] = nlohmann::json::array();
   for (const auto& entry : result.detectable)

@@ -91,25 +91,38 @@ std::string remainderText(const Diagnosis& result, const Units& units) {
                      followsText(remainder));
 }
 
+/// Where readings that were repeated say that the noise is larger than stated.
+std::string repeatsText(const calibration::Repeats& repeats) {
+  if (repeats.groups == 0) return "";
+  return fmt::format(" Repeated readings scatter {:.2f} times as much as stated, and this is all that is left.",
+                     repeats.noise_ratio);
+}
+
 std::string unexplainedSentence(const Diagnosis& result, const Units& units) {
   if (result.isScatterAlone())
     return fmt::format(
         "The readings scatter by {} beyond their stated noise, and this scatter {}: sigma is too small, the arm does "
-        "not repeat, something unrecorded acts on it, or it changes with a joint too fast for these readings, as with "
-        "the turns of a gear or a screw.",
+        "not repeat, something unrecorded acts on it, or it changes too fast for these readings: with time, or with a "
+        "joint as the turns of a gear or a screw do.",
         lengthText(result.remainder.size, units), kFollowsNothing);
   const std::string rest = remainderText(result, units);
   return fmt::format("Something is missing, and no known effect is certain to be part of it{}.",
                      rest.empty() ? "" : ": " + rest);
 }
 
+constexpr double kWorthNaming = 0.03;  // probability of something unknown beside the explanations
+
 std::string ambiguousSentence(const Diagnosis& result) {
   if (result.alternatives.size() == 1)
     return fmt::format("Most likely {} is missing, but it may be something unknown (probability {:.0f} %).",
                        namesText(result.alternatives.front()), 100 * result.unknown_probability);
+  const std::string unknown =
+      result.unknown_probability < kWorthNaming
+          ? ""
+          : fmt::format(", or something unknown (probability {:.0f} %)", 100 * result.unknown_probability);
   return fmt::format(
-      "One of {} explanations is missing, which these readings cannot distinguish; the most probable is {}.",
-      result.alternatives.size(), namesText(result.alternatives.front()));
+      "One of {} explanations is missing, which these readings cannot distinguish{}; the most probable is {}.",
+      result.alternatives.size(), unknown, namesText(result.alternatives.front()));
 }
 
 std::string inconclusiveSentence(const Diagnosis& result) {
@@ -137,12 +150,13 @@ std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
     case Verdict::kStopped:
       return "Not diagnosed: " + result.reason + ".";
     case Verdict::kAdequate:
-      return fmt::format("Nothing is missing: the error of {} is explained by noise ({}).",
-                         lengthText(result.before.rms, units), lengthText(result.noise_floor, units));
+      return fmt::format("Nothing is missing: the error of {} is explained by noise ({}).{}",
+                         lengthText(result.before.rms, units), lengthText(result.noise_floor, units),
+                         repeatsText(result.repeats));
     case Verdict::kExplained:
-      return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; the noise floor is {}.", first,
+      return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; the noise floor is {}.{}", first,
                          lengthText(result.heldout_before.rms, units), lengthText(result.heldout_after.rms, units),
-                         lengthText(result.noise_floor, units));
+                         lengthText(result.noise_floor, units), repeatsText(result.repeats));
     case Verdict::kPartlyExplained:
       return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; {}.", first,
                          lengthText(result.heldout_before.rms, units), lengthText(result.heldout_after.rms, units),

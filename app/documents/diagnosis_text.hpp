@@ -10,7 +10,7 @@
 namespace tubeplan::app {
 
 /// Of what remains where no term of the unknown discrepancy, smooth functions all, takes it.
-inline constexpr const char* kFollowsNothing = "follows no smooth function of what the readings record";
+inline constexpr const char* kFollowsNothing = "follows no slow function of what the readings record";
 
 /// The ids of the readings at these places.
 [[nodiscard]] std::vector<std::string> idsOf(const std::vector<int>& places,

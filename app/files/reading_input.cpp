@@ -64,7 +64,7 @@ void settleCounts(std::vector<Measurement>& readings, const Cell& cell, const st
   if (first == readings.end()) return;
   if (!cell.tool)
     throw InputError(fmt::format("{}:{}", file, first->line), "steps without a calibration tool in the cell",
-                     "its steps and tolerances", "add `tool` to " + cell.path);
+                     "its steps and tolerances", "add `calibration_tool` to " + cell.path);
   settleSteps(readings, *cell.tool, file);
 }
 
@@ -231,6 +231,11 @@ InputError inputErrorOf(const calibration::ReadingProblem& problem, const std::v
 std::vector<std::string> fitWarnings(const Identification& result, const std::vector<Measurement>& readings) {
   std::vector<std::string> warnings = unnamedSetups(result.fitted.arm, readings);
   if (auto shrunken = shrunkenArm(result, readings); !shrunken.empty()) warnings.push_back(std::move(shrunken));
+  if (result.not_judged > 0)
+    warnings.push_back(
+        fmt::format("{} held-out reading{} not judged: a single touch of a point that nobody measured, or a set-up "
+                    "without a fitted reading, has nothing to be compared with",
+                    result.not_judged, result.not_judged == 1 ? " is" : "s are"));
   return warnings;
 }
 

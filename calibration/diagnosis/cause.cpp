@@ -245,7 +245,7 @@ Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
 }
 
 std::vector<Unknown> placeCause(PlacedArm& placed, const Cause& cause, double level) {
-  if (!cause.frees.empty()) return chooseUnknowns(placed, {cause.frees, false}).list;
+  if (!cause.frees.empty()) return chooseUnknowns(placed, {cause.frees, false, placed.priors}).list;
   std::vector<Unknown> unknowns;
   for (const auto& neutral : cause.effects) {
     placed.arm.effects.push_back(neutral);

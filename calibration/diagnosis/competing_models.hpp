@@ -44,6 +44,7 @@ struct CompetingModel {
   Eigen::VectorXd sizes, sigma;        ///< of the terms' numbers, one after another, in units
   SourceEvidence source;               ///< of the discrepancy where it is most probably of a single source
   Eigen::VectorXd remainder;           ///< of a fit: whitened errors of the discrepancy, most probable; empty: none
+  Eigen::VectorXd remainder_left;      ///< the same beside all that is fitted: what of it is seen as an error
   Eigen::VectorXd remainder_terms;     ///< its weights of the process's terms
   std::vector<Likeness> likenesses;    ///< of a fit beside which something remains, term by term
   Explanation fit;                     ///< of a leader: fitted with everything that is free

@@ -64,7 +64,11 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     result.alternatives.push_back(one.explanation);
     together += one.probability / missing;
   }
-  if (result.alternatives.size() > 1 || named < options.sure)
+  const bool is_ambiguous = result.alternatives.size() > 1 || named < options.sure;
+  // Where only something unknown competes, the next best stands beside the most likely.
+  if (is_ambiguous && result.alternatives.size() == 1 && classes.size() > 1)
+    result.alternatives.push_back(classes[1].explanation);
+  if (is_ambiguous)
     result.verdict = Verdict::kAmbiguous;
   else
     result.verdict = classes.front().scatter_probability > kRemains ? Verdict::kPartlyExplained : Verdict::kExplained;

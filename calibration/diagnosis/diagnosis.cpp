@@ -14,6 +14,7 @@
 #include "calibration/diagnosis/remainder.hpp"
 #include "calibration/diagnosis/set_aside.hpp"
 #include "calibration/estimation/evidence.hpp"
+#include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/held_out.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
@@ -91,6 +92,25 @@ void weighModels(Answer& answer) {
   compareModels(answer.work);
 }
 
+/// Scatter that follows nothing is noise where readings that were repeated scatter as much: they say so of the noise,
+/// whatever is stated.
+void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model, Diagnosis& result) {
+  if (!result.remainder.follows.empty()) return;
+  const Repeats repeats = repeatsBy(work, model);
+  const bool is_larger = repeats.noise_ratio > 1 && repeats.noise_p_value < kLackOfFit;
+  if (!is_larger || !(repeats.lack_of_fit_p_value >= kLackOfFit)) return;
+  result.repeats = repeats;
+  result.remainder = {};
+  if (result.verdict == Verdict::kPartlyExplained) {
+    result.verdict = Verdict::kExplained;
+    return;
+  }
+  result.verdict = Verdict::kAdequate;
+  result.nothing_probability += result.scatter_probability;
+  result.unknown_probability -= result.scatter_probability;
+  result.scatter_probability = 0;
+}
+
 /// The verdict, from the leading models' fits.
 void conclude(Answer& answer) {
   DiagnosisWork& work = answer.work;
@@ -107,6 +127,8 @@ void conclude(Answer& answer) {
   result.model_error = best.model_error;
   if (result.verdict == Verdict::kPartlyExplained) result.remainder = remainderOf(work, posterior.sure_model);
   if (result.verdict == Verdict::kUnexplained) result.remainder = remainderOf(work, best);
+  if (result.verdict == Verdict::kPartlyExplained) takeRepeatsForNoise(work, posterior.sure_model, result);
+  if (result.isScatterAlone()) takeRepeatsForNoise(work, best, result);
 }
 
 /// Up to its models; the verdict is still to be concluded.
@@ -157,9 +179,9 @@ void judgeAll(const Answer& found, Diagnosis& result) {
   const auto folds = foldsOf(work.basis.readings, work.options.folds, work.options.seed);
   const ExplanationModel bare{work.basis.fitted, work.basis.unknowns};
   const auto farthest = farthestQuarter(work.basis.fitted, work.basis.readings);
+  const auto held_out = judgeable(work.basis.fitted, work.basis.readings, found.held_out);
   const auto judged = [&](const ExplanationModel& model, double model_error) {
-    return found.held_out.empty() ? judgeOnFolds(work.basis, model, folds, model_error)
-                                  : judge(model.placed, found.held_out);
+    return found.held_out.empty() ? judgeOnFolds(work.basis, model, folds, model_error) : judge(model.placed, held_out);
   };
   tell(work.options.hooks, "readings kept out");
   result.heldout_before = judged(bare, result.baseline.model_error);

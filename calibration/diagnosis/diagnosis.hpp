@@ -15,6 +15,7 @@
 #include "calibration/diagnosis/diagnosis_views.hpp"
 #include "calibration/diagnosis/verdict.hpp"
 #include "calibration/estimation/identification.hpp"
+#include "calibration/estimation/repeats.hpp"
 
 namespace tubeplan::calibration {
 
@@ -103,6 +104,7 @@ struct Diagnosis {
   std::vector<std::string> not_tried;
   std::vector<int> set_aside;  ///< readings left out as outliers
   Remainder remainder;
+  Repeats repeats;  ///< where their scatter, larger than stated, is all that is left: it counts as noise
   ErrorSize before, after, heldout_before, heldout_after, farthest_before;
   double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms that the stated noise leaves [m]
   double model_error = 0;  ///< m, in each coordinate beyond the stated noise, that no function of the readings follows
@@ -118,7 +120,9 @@ struct Diagnosis {
   DiagnosisViews views;
 
   /// Whether what is missing follows nothing that the readings state: a larger noise than stated would be the same.
-  [[nodiscard]] bool isScatterAlone() const { return verdict == Verdict::kUnexplained && scatter_probability > 0.5; }
+  [[nodiscard]] bool isScatterAlone() const {
+    return verdict == Verdict::kUnexplained && scatter_probability > 0.5 && remainder.follows.empty();
+  }
 };
 
 [[nodiscard]] Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings,

@@ -309,7 +309,7 @@ MatrixXd Discrepancy::columnsAt(const std::vector<Measurement>& readings, const 
     }
   });
   if (!ok) return {};
-  takePointsOff(weights, columns);
+  takeSharedOff(weights, columns);
   return columns;
 }
 

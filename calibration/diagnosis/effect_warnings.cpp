@@ -70,12 +70,13 @@ struct Without {
 };
 
 Without asItStands(const PlacedArm& placed, const std::vector<Measurement>& readings) {
-  std::vector<Measurement> fitted = readings;
-  std::erase_if(fitted, [](const Measurement& reading) { return reading.is_held_out; });
+  std::vector<Measurement> fitted, held_out;
+  for (const auto& reading : readings) (reading.is_held_out ? held_out : fitted).push_back(reading);
   const auto weights = weighReadings(placed, fitted);
   if (!weights) return {};
   const auto residual = whitenedResidual(placed, {}, fitted, *weights, {}, false);
-  return {residual.ok ? residual.r.squaredNorm() : std::numeric_limits<double>::quiet_NaN(), judge(placed, fitted)};
+  return {residual.ok ? residual.r.squaredNorm() : std::numeric_limits<double>::quiet_NaN(),
+          held_out.empty() ? judge(placed, fitted) : judge(placed, judgeable(placed, fitted, held_out))};
 }
 
 Without fitWithout(const Case& c, int effect) {

@@ -45,7 +45,7 @@ ExplanationModel modelOf(const DiagnosisBasis& basis, const Explanation& explana
       addEffectNumbers(found, effect++, model);
       continue;
     }
-    for (Unknown& freed : chooseUnknowns(model.placed, {found.frees, false}).list) {
+    for (Unknown& freed : chooseUnknowns(model.placed, {found.frees, false, model.placed.priors}).list) {
       freed.prior_mean = variableAt(freed, deflection::locate(model.placed.arm, freed.path));
       if (const auto drawn = deflection::findParameter(basis.fitted.arm, freed.name))
         freed.prior_mean = variableAt(freed, drawn->value);

@@ -141,6 +141,12 @@ WeighedDiscrepancy evidenceAt(const AtOptimum& at, const NoiseHypothesis& noise,
   return withSources(evidence, single, noise.options);
 }
 
+/// What of a vector no columns can do.
+VectorXd beside(const MatrixXd& columns, const VectorXd& vector) {
+  if (columns.cols() == 0) return vector;
+  return vector - columns * columns.completeOrthogonalDecomposition().solve(vector);
+}
+
 /// The errors that the discrepancy most probably makes.
 void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std::vector<PriorSize>& sizes,
                    CompetingModel& model) {
@@ -153,6 +159,7 @@ void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std:
     model.remainder = noise.discrepancy * weights;
     model.remainder_terms = noise.principal_terms * weights;
   }
+  if (model.remainder.size() > 0) model.remainder_left = beside(at.residual.jacobian, model.remainder);
 }
 
 /// What the model leaves as an error of its own, in sigmas of its noise: the discrepancy's errors, or, where there are

@@ -105,6 +105,7 @@ bool fillBlock(DiagnosisWork& work, const std::vector<int>& which, Block& block)
   block.weights = std::move(*weights);
   ReadingWeights apart = block.weights;
   apart.points.clear();
+  apart.shared.clear();
   const VectorXd zero = VectorXd::Zero(static_cast<Index>(basis.unknowns.size()));
   auto residual = whitenedResidual(basis.fitted, basis.unknowns, block.readings, apart, zero, true, basis.stop);
   if (!residual.ok) return false;
@@ -122,7 +123,7 @@ void addTo(EvidenceGram& gram, const Block& block, double model_error) {
   MatrixXd all(block.y.size(), block.J.cols() + block.S.cols() + block.Z.cols() + 1);
   all << block.J, block.S, block.Z, block.y;
   if (model_error > 0) whitenAnew(block.readings, block.weights, weights, all);
-  takePointsOff(weights, all);
+  takeSharedOff(weights, all);
   gram.add(all.leftCols(block.J.cols()), all.middleCols(block.J.cols(), block.S.cols()),
            all.middleCols(block.J.cols() + block.S.cols(), block.Z.cols()), all.rightCols<1>());
 }
@@ -162,7 +163,7 @@ void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
 /// The error of a coordinate that this chi-square leaves beyond the stated noise; 0 where the noise is enough.
 double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) {
   if (freedom < 3 || !(chiSquareTail(chi2, freedom) < kLackOfFit)) return 0;
-  const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / std::sqrt(3.);
+  const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / lengthOfRows(work.basis.readings);
   return per_coordinate * std::sqrt(std::max(0.1, chi2 / freedom - 1));
 }
 
@@ -170,7 +171,7 @@ double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) 
 /// readings an unknown function takes much of any noise, and what it leaves is less than there is.
 std::vector<double> noiseScales(const DiagnosisWork& work, double model_error) {
   constexpr double kLeast = 0.7, kMost = 1.5, kFarthest = 6, kStep = 1.08;
-  const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / std::sqrt(3.);
+  const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / lengthOfRows(work.basis.readings);
   const double alone = errorBeyondNoise(work, work.noise.front().evidence->chi2(), degreesLeft(work));
   const double up = std::hypot(per_coordinate, alone) / std::hypot(per_coordinate, model_error);
   std::vector<double> scales;
@@ -192,7 +193,7 @@ bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
     addTo(gram, block, model_error);
   }
   const double floor = noiseFloor(work.basis.readings, work.basis.weights);
-  noise.options.discrepancies = discrepancySizes(std::hypot(floor, std::sqrt(3.) * model_error));
+  noise.options.discrepancies = discrepancySizes(std::hypot(floor, lengthOfRows(work.basis.readings) * model_error));
   noise.options.discrepancy_prior = kDiscrepancy;
   noise.options.source_prior = kSingleSource;
   if (model_error > 0) noise.options.noise_scales = noiseScales(work, model_error);
@@ -214,6 +215,7 @@ double errorBeyondRichest(const DiagnosisWork& work) {
 double logDensityOf(const ReadingWeights& weights) {
   double log = -0.5 * weights.rows * std::log(2 * std::numbers::pi);
   for (const MatrixXd& whitener : weights.whitener) log += std::log(std::abs(whitener.determinant()));
+  for (const SharedNoise& shared : weights.shared) log += (1 - shared.shrink.array()).log().sum();
   return log;
 }
 

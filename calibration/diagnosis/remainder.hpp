@@ -3,11 +3,15 @@
 
 #include "calibration/diagnosis/competing_models.hpp"
 #include "calibration/diagnosis/same_posture.hpp"
+#include "calibration/estimation/repeats.hpp"
 
 namespace tubeplan::calibration {
 
 /// What is left beside a model's causes, and what it follows.
 [[nodiscard]] Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model);
+
+/// What a model leaves by the readings that were made alike: whether their scatter is all of it.
+[[nodiscard]] Repeats repeatsBy(const DiagnosisWork& work, const CompetingModel& model);
 
 /// Of the errors that a model leaves; those of the baseline where it has no causes, or no fit.
 [[nodiscard]] SamePosture samePostureBy(const DiagnosisWork& work, const CompetingModel& model);

@@ -87,6 +87,7 @@ MatrixXd Signatures::columnsAt(const std::vector<Measurement>& readings, const R
   MatrixXd all(weights.rows, static_cast<Index>(columns_.size()));
   ReadingWeights apart = weights;  // what points absorb of a step depends on its time
   apart.points.clear();
+  apart.shared.clear();
   for (const Layer& layer : layers_) {
     goOn(stop);
     const VectorXd zero = VectorXd::Zero(static_cast<Index>(layer.unknowns.size()));
@@ -105,7 +106,7 @@ MatrixXd Signatures::columnsAt(const std::vector<Measurement>& readings, const R
             column.segment(weights.first_row[r], rowsOf(readings[r])).setZero();
       }
   }
-  takePointsOff(weights, all);
+  takeSharedOff(weights, all);
   return all;
 }
 

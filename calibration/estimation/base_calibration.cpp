@@ -136,6 +136,23 @@ BaseCalibration described(const BaseFit& base, const Isometry3d& X_WB_start) {
   return result;
 }
 
+/// Of touches that do not fit: the only one without which the others do.
+void findOddTouch(const deflection::Arm& arm, const std::vector<Measurement>& touches,
+                  const BaseCalibrationOptions& options, BaseCalibration& result) {
+  constexpr std::size_t kLeast = 4;  // three alone fit what they will
+  if (!isFitRefused(result) || touches.size() < kLeast) return;
+  int found = 0;
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    const auto others = withoutReadings(touches, {static_cast<int>(k)});
+    if (!findTouchProblem(others, options).empty()) continue;
+    const BaseFit base = fitBase(arm, others, result.X_WB, options.model_error, options.method);
+    if (!(base.fit.p_value >= kLackOfFit) || ++found > 1) continue;
+    result.odd_touch = static_cast<int>(k);
+    result.rms_of_others = errorSize(others, base.fit.weights, base.fit.residual.error).rms;
+  }
+  if (found != 1) result.odd_touch = -1;
+}
+
 }  // namespace
 
 bool isFitRefused(const BaseCalibration& calibration) { return calibration.p_value < kLackOfFit; }
@@ -153,6 +170,7 @@ BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Meas
   recordResiduals(base.fit, touches, result);
   recordDistances(base.fit, touches, result);
   if (isMistaken(arm, touches, options, result)) return result;
+  findOddTouch(arm, touches, options, result);
   result.covariance = ofStep(base.fit);
   result.status = CalibrationStatus::kDone;
   return result;

@@ -51,6 +51,8 @@ struct BaseCalibration {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   Eigen::Matrix<double, 6, 6> covariance =
       Eigen::Matrix<double, 6, 6>::Constant(std::numeric_limits<double>::quiet_NaN());
+  int odd_touch = -1;  ///< the one touch, of four or more that do not fit, without which the others do
+  double rms_of_others = std::numeric_limits<double>::quiet_NaN();  ///< m, then
   std::vector<TouchResidual> residuals;
   std::vector<DistanceCheck> distances;
   double rms = std::numeric_limits<double>::quiet_NaN();   ///< of the residuals' lengths [m]

@@ -1,5 +1,8 @@
 #include "calibration/estimation/campaign_residual.hpp"
 
+#include <algorithm>
+#include <map>
+
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/predict_all.hpp"
@@ -12,8 +15,8 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 
 namespace {
 
-/// takePointsOff() in place.
-void takeWhatPointsAbsorb(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
+void takeOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
+  decorrelate(weights, columns);
   Eigen::Matrix3Xd common(3, columns.cols());
   const auto rowsOfTouch = [&](int reading) {
     return columns.middleRows<3>(weights.first_row[static_cast<std::size_t>(reading)]);
@@ -49,7 +52,26 @@ std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurem
   return base_poses;
 }
 
-void takePointsOff(const ReadingWeights& weights, MatrixXd& columns) { takeWhatPointsAbsorb(weights, columns); }
+void takeSharedOff(const ReadingWeights& weights, MatrixXd& columns) { takeOff(weights, columns); }
+
+void takeOffWithin(const ReadingWeights& weights, const std::vector<int>& readings, MatrixXd& rows) {
+  decorrelateWithin(weights, readings, rows);
+  std::map<int, Index> first_row;
+  Index row = 0;
+  for (const int k : readings) {
+    first_row[k] = row;
+    row += weights.whitener[static_cast<std::size_t>(k)].rows();
+  }
+  for (const auto& point : weights.points) {
+    if (!std::all_of(point.readings.begin(), point.readings.end(), [&](int k) { return first_row.contains(k); }))
+      continue;
+    std::vector<Index> own;
+    for (const int k : point.readings)
+      for (Index i = 0; i < 3; ++i) own.push_back(first_row.at(k) + i);
+    const MatrixXd touches = rows(own, Eigen::all);
+    rows(own, Eigen::all) = touches - point.Q * (point.Q.transpose() * touches);
+  }
+}
 
 CampaignResidual::CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                    const std::vector<Measurement>& readings, const ReadingWeights& weights,
@@ -105,8 +127,8 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   if (x.size() == 0) jacobian = nullptr;  // no columns: nothing to weight, and nowhere that rows of them could be
   applyWeights(r, jacobian);
   if (error) *error = last_.error;
-  takeWhatPointsAbsorb(weights_, r);
-  if (jacobian) takeWhatPointsAbsorb(weights_, *jacobian);
+  takeOff(weights_, r);
+  if (jacobian) takeOff(weights_, *jacobian);
   if (error) takeEstimatesOff(weights_, *error);
   if (prior_slopes_.size() == 0) return true;
   r.tail(x.size()) = priorResiduals(unknowns_, x);

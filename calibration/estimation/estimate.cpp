@@ -36,6 +36,16 @@ MatrixXd informationOf(const Estimate& estimate, const std::vector<Measurement>&
   return residual.jacobian.transpose() * residual.jacobian;
 }
 
+/// Each variable is known to its typical size, or better by a prior of its own.
+VectorXd informationBeforehand(const std::vector<Unknown>& unknowns) {
+  VectorXd information(static_cast<Index>(unknowns.size()));
+  for (Index k = 0; k < information.size(); ++k) {
+    const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
+    information[k] = std::max(1., std::pow(unknown.typical / unknown.prior_sigma, 2));
+  }
+  return information;
+}
+
 }  // namespace
 
 Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
@@ -50,8 +60,7 @@ Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
   estimate.unknowns = std::move(unknowns.list);
   if (!estimate.problems.empty()) return estimate;
   estimate.x = VectorXd::Zero(static_cast<Index>(estimate.unknowns.size()));
-  // Beforehand each variable is known to its typical size.
-  estimate.information = MatrixXd::Identity(estimate.x.size(), estimate.x.size());
+  estimate.information = informationBeforehand(estimate.unknowns).asDiagonal();
   if (used.empty() || estimate.unknowns.empty()) return estimate;
   IdentificationOptions options;
   options.free = free;

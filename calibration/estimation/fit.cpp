@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 
 #include "calibration/estimation/campaign_residual.hpp"
@@ -18,13 +19,19 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 namespace {
 
 constexpr int kMaxRounds = 3;
-constexpr double kWeightsRest = 1e-3;  // relative change of chi-square by new weights that asks for another round
-constexpr double kMedianOfMeanSquare = 0.79;  // of chi-square of three, over three
-constexpr double kGrossErrorLevel = 0.01;     // chance of taking any reading for a gross error where there is none
+constexpr double kWeightsRest = 1e-3;      // relative change of chi-square by new weights that asks for another round
+constexpr double kGrossErrorLevel = 0.01;  // chance of taking any reading for a gross error where there is none
+constexpr double kNearMinimum = 0.01;      // of chi-square, that a fit which creeps has yet to fall
 constexpr int kMostAlignments = 12;
 constexpr double kAligned = 1e-9;  // change of a placing (m, rad) that asks for no further alignment
 constexpr int kMaxModelErrorRounds = 8;
 constexpr double kModelErrorConverged = 0.01;  // relative change that asks for no further round
+
+/// Weight of a reading whose whitened length is so many times the usual one.
+double robustFactor(double length, RobustLoss loss) {
+  if (loss == RobustLoss::kNone) return 1;
+  return loss == RobustLoss::kHuber ? (length > 1.6 ? 1.6 / length : 1) : 1 / (1 + length * length / 6);
+}
 
 /// Weight of each reading by its whitened length, against the spread of most readings: a model that is off everywhere
 /// must not make every reading an outlier.
@@ -36,18 +43,31 @@ VectorXd robustFactors(const std::vector<Measurement>& readings, const ReadingWe
     size[static_cast<Index>(k)] =
         residual.r.segment(weights.first_row[k], rowsOf(readings[k])).norm() / std::sqrt(weight * rowsOf(readings[k]));
   }
-  const double spread = std::max(1., median({size.begin(), size.end()}) / 0.89);  // median of chi_3 / sqrt 3
+  std::vector<double> sizes;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    sizes.push_back(size[static_cast<Index>(k)] / std::sqrt(medianOfMeanSquare(rowsOf(readings[k]))));
+  const double spread = std::max(1., median(std::move(sizes)));
   VectorXd factors(size.size());
   for (Index k = 0; k < size.size(); ++k) {
-    const double s = size[k] / spread;
-    factors[k] = loss == RobustLoss::kHuber ? (s > 1.6 ? 1.6 / s : 1) : 1 / (1 + s * s / 6);
+    factors[k] = robustFactor(size[k] / spread, loss);
   }
   return factors;
 }
 
-/// Mean square of a reading's three whitened rows that none of so many exceeds but by chance.
-double grossErrorLimit(std::size_t readings) {
-  return chiSquareQuantile(kGrossErrorLevel / static_cast<double>(readings), 3) / 3;
+/// Mean square of a reading's whitened rows that none of so many readings exceeds but by chance.
+double grossErrorLimit(std::size_t readings, int rows) {
+  return chiSquareQuantile(kGrossErrorLevel / static_cast<double>(readings), rows) / rows;
+}
+
+/// Of a reading's whitened square what a robust loss leaves, in the mean over normal noise.
+double shareLeft(int rows, RobustLoss loss) {
+  constexpr int kSteps = 400;
+  double sum = 0;
+  for (int k = 0; k < kSteps; ++k) {
+    const double square = chiSquareQuantile((k + 0.5) / kSteps, rows);
+    sum += square * robustFactor(std::sqrt(square / rows), loss);
+  }
+  return sum / kSteps / rows;
 }
 
 LeastSquaresProblem problemOf(const std::shared_ptr<CampaignResidual>& residual, const std::vector<Unknown>& unknowns,
@@ -160,10 +180,23 @@ class Fitting {
 
   /// Of the readings by their stated noise alone.
   [[nodiscard]] double statedChi2() const {
-    if (fit_.weights.model_error == 0) return fit_.solution.chi2;
+    if (fit_.weights.model_error == 0) return comparable(fit_.residual.r);
     const ReadingWeights stated = reweighted(fit_.weights, readings_, 0, fit_.factors);
-    return whitenedResidual(start_, unknowns_, readings_, stated, fit_.solution.x, false, options_.solver.stop)
-        .r.squaredNorm();
+    return comparable(
+        whitenedResidual(start_, unknowns_, readings_, stated, fit_.solution.x, false, options_.solver.stop).r);
+  }
+
+  /// Squares of which a robust loss has left a share, made comparable with their degrees of freedom.
+  [[nodiscard]] double comparable(const VectorXd& r) const {
+    if (options_.loss == RobustLoss::kNone) return r.squaredNorm();
+    std::map<int, double> left;
+    double chi2 = 0;
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      const int rows = rowsOf(readings_[k]);
+      if (!left.contains(rows)) left[rows] = shareLeft(rows, options_.loss);
+      chi2 += r.segment(fit_.weights.first_row[k], rows).squaredNorm() / left[rows];
+    }
+    return chi2;
   }
 
   /// Encoders' noise reaches a reading by the posture's slopes, and a robust weight by the residual: both follow the
@@ -202,7 +235,19 @@ class Fitting {
     fit_.degrees_of_freedom = fit_.weights.degrees_of_freedom - numbersDetermined(fit_.covariance, unknowns_);
     fit_.chi2 = statedChi2();
     fit_.p_value = chiSquareTail(fit_.chi2, fit_.degrees_of_freedom);
+    if (fit_.solution.status == LeastSquaresStatus::kIterationLimit && distanceToMinimum() < kNearMinimum) {
+      fit_.solution.status = LeastSquaresStatus::kConverged;
+      fit_.solution.reason = "the minimum is nearer than the noise lets it be known";
+    }
     return true;
+  }
+
+  /// What chi-square is expected to fall by yet, to second order: gradient^T covariance gradient. One is a step of one
+  /// standard deviation.
+  [[nodiscard]] double distanceToMinimum() const {
+    const VectorXd gradient = fit_.residual.jacobian.transpose() * fit_.residual.r +
+                              priorSlopes(unknowns_).cwiseProduct(priorResiduals(unknowns_, fit_.solution.x));
+    return gradient.dot(fit_.covariance * gradient);
   }
 
   const PlacedArm& start_;
@@ -253,10 +298,12 @@ class ErrorVariance {
     return high;
   }
 
-  [[nodiscard]] double medianOfMeans(double variance) const {
-    std::vector<double> means;
-    for (std::size_t k = 0; k < squares_.size(); ++k) means.push_back(meanSquare(k, variance));
-    return median(std::move(means));
+  /// Median over the readings of the mean square, each in units of what normal noise makes of it.
+  [[nodiscard]] double usualSquare(double variance) const {
+    std::vector<double> squares;
+    for (std::size_t k = 0; k < squares_.size(); ++k)
+      squares.push_back(meanSquare(k, variance) / medianOfMeanSquare(static_cast<int>(squares_[k].size())));
+    return median(std::move(squares));
   }
 
  private:
@@ -270,15 +317,18 @@ double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeigh
   if (degrees_of_freedom <= 0) return 0;
   const ErrorVariance errors(readings, weights, error);
   // What most readings are off by says which are gross errors: those are no error of the model.
-  const double usual = errors.solve([&](double v) { return errors.medianOfMeans(v) - kMedianOfMeanSquare; });
-  const double limit = grossErrorLimit(readings.size());
+  const double usual = errors.solve([&](double v) { return errors.usualSquare(v) - 1; });
+  std::map<int, double> limits;
   std::vector<std::size_t> kept;
   int freedom = degrees_of_freedom;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (errors.meanSquare(k, usual) <= limit)
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const int rows = rowsOf(readings[k]);
+    if (!limits.contains(rows)) limits[rows] = grossErrorLimit(readings.size(), rows);
+    if (errors.meanSquare(k, usual) <= limits[rows])
       kept.push_back(k);
     else
-      freedom -= rowsOf(readings[k]);
+      freedom -= rows;
+  }
   if (freedom <= 0) return 0;
   const auto chi2At = [&](double variance) {
     double chi2 = 0;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -15,6 +17,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
+constexpr std::size_t kFewPoses = 8;
 constexpr double kSamePosture = 0.01;  // rad, m: readings of one posture differ by noise, or by what a load asks for
 
 /// Numbers postures: one within reach of the first of a group belongs to it.
@@ -61,14 +64,50 @@ std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
   return groups;
 }
 
+namespace {
+
+/// Of each set-up its groups; one of several set-ups counts to the first.
+std::map<std::string, std::vector<int>> groupsBySetup(const std::vector<Measurement>& readings,
+                                                      const std::vector<int>& groups) {
+  std::map<std::string, std::vector<int>> by_setup;
+  std::set<int> known;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (known.insert(groups[k]).second) by_setup[readings[k].setup].push_back(groups[k]);
+  return by_setup;
+}
+
+/// Folds of groups, dealt in the order of `rank` set-up by set-up, so that no fold takes most of one. A set-up whose
+/// base would be left to a few groups is never kept out (-1), where there are others.
+std::vector<int> dealt(std::map<std::string, std::vector<int>> by_setup, const std::vector<int>& rank, int folds) {
+  constexpr int kLeastLeft = 6;
+  const auto leavesFew = [&](const std::vector<int>& groups) {
+    const int count = static_cast<int>(groups.size());
+    return count - (count + folds - 1) / folds < kLeastLeft;
+  };
+  const bool has_large =
+      std::any_of(by_setup.begin(), by_setup.end(), [&](const auto& s) { return !leavesFew(s.second); });
+  std::vector<int> fold(rank.size(), -1);
+  int next = 0;
+  for (auto& [setup, groups] : by_setup) {
+    if (has_large && leavesFew(groups)) continue;
+    std::sort(groups.begin(), groups.end(),
+              [&](int a, int b) { return rank[static_cast<std::size_t>(a)] < rank[static_cast<std::size_t>(b)]; });
+    for (const int group : groups) fold[static_cast<std::size_t>(group)] = next++ % folds;
+  }
+  return fold;
+}
+
+}  // namespace
+
 std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, std::uint64_t seed) {
   const std::vector<int> groups = groupByPose(readings);
   const int count = groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
   std::vector<int> order(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) order[static_cast<std::size_t>(k)] = k;
   RandomStream(seed).shuffle(order);
+  const std::vector<int> fold_of_group = dealt(groupsBySetup(readings, groups), order, std::max(1, folds));
   std::vector<int> result;
-  for (const int group : groups) result.push_back(order[static_cast<std::size_t>(group)] % std::max(1, folds));
+  for (const int group : groups) result.push_back(fold_of_group[static_cast<std::size_t>(group)]);
   return result;
 }
 
@@ -86,6 +125,10 @@ std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Meas
   }
   std::map<std::string, double> least;  // reach of the farthest quarter
   for (const auto& [setup, poses] : reach) {
+    if (reach.size() > 1 && poses.size() < kFewPoses) {  // its base would be left to next to none
+      least[setup] = std::numeric_limits<double>::infinity();
+      continue;
+    }
     std::vector<double> all;
     for (const auto& [group, farthest] : poses) all.push_back(farthest);
     const auto quarter = all.begin() + static_cast<std::ptrdiff_t>(3 * all.size() / 4);
@@ -96,6 +139,21 @@ std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Meas
   for (std::size_t k = 0; k < readings.size(); ++k)
     folds.push_back(reach[readings[k].setup][groups[k]] >= least[readings[k].setup] ? 0 : -1);
   return folds;
+}
+
+std::vector<Measurement> judgeable(const PlacedArm& placed, const std::vector<Measurement>& fitted,
+                                   const std::vector<Measurement>& held_out) {
+  std::set<std::string> setups;
+  for (const auto& reading : fitted) setups.insert(reading.setup);
+  std::map<std::string, int> touches;  // of each unknown point
+  for (const auto& reading : held_out) touches[reading.point] += touchesUnknownPoint(reading) ? 1 : 0;
+  std::vector<Measurement> kept = held_out;
+  std::erase_if(kept, [&](const Measurement& reading) {
+    const bool is_lone = touchesUnknownPoint(reading) && touches[reading.point] < 2;
+    const auto& base = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))];
+    return is_lone || !(base.is_known || setups.contains(reading.setup));
+  });
+  return kept;
 }
 
 ErrorSize judge(const PlacedArm& placed, const std::vector<Measurement>& judged) {
@@ -118,7 +176,7 @@ ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector
     if (kept.empty() || out.empty()) continue;
     const auto fitted = fit(kept);
     if (!fitted) return {};
-    collect(total, squares, lengths, judge(*fitted, out));
+    collect(total, squares, lengths, judge(*fitted, judgeable(*fitted, kept, out)));
   }
   if (total.readings == 0) return {};
   total.rms = std::sqrt(squares / total.readings);
@@ -202,6 +260,7 @@ std::optional<ErrorSize> crossValidateBySteps(const PlacedArm& start, const std:
                                               const std::vector<Measurement>& readings, const Fit& whole,
                                               const std::vector<int>& folds, const WorkHooks& hooks) {
   const bool is_judged_whole = std::all_of(folds.begin(), folds.end(), [](int fold) { return fold >= 0; });
+  if (!whole.weights.shared.empty()) return std::nullopt;  // its rows are not those of one fold
   if (whole.weights.points.empty() && whole.residual.error.size() == whole.weights.rows && is_judged_whole)
     return crossValidateToFirstOrder(unknowns, readings, whole, folds, hooks);
   int fold = 0;

@@ -14,12 +14,18 @@ namespace tubeplan::calibration {
 /// Number of the group each reading belongs to: touches of one point, and readings at one posture, go together.
 [[nodiscard]] std::vector<int> groupByPose(const std::vector<Measurement>& readings);
 
-/// Fold of each reading, 0 to folds - 1, whole groups drawn by the seed; fewer folds where there are fewer groups.
+/// Fold of each reading, 0 to folds - 1, whole groups drawn by the seed, each set-up's shared out evenly; fewer folds
+/// where there are fewer groups. -1: never kept out, of a set-up whose base would be left to a few groups.
 [[nodiscard]] std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, std::uint64_t seed);
 
 /// Fold 0 for the quarter of the poses of each set-up that reach farthest from the base, -1 for the others, which are
 /// never kept out: how a fit carries over to where it was not made.
 [[nodiscard]] std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& readings);
+
+/// Those of the held-out readings that can be judged by a fit to others: not a lone touch of a point that nobody
+/// measured, which is estimated from that touch itself, nor readings of a set-up that no fitted reading places.
+[[nodiscard]] std::vector<Measurement> judgeable(const PlacedArm& placed, const std::vector<Measurement>& fitted,
+                                                 const std::vector<Measurement>& held_out);
 
 /// Errors of `judged` by the model as it is placed; touched points that nobody measured are estimated from the judged
 /// readings themselves.

@@ -53,8 +53,10 @@ std::vector<Unknown> basesOf(const std::vector<Unknown>& unknowns) {
 
 FitOptions fitOptions(const IdentificationOptions& options) { return {options.solver, options.loss}; }
 
-void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& held_out, Identification& result) {
-  if (!held_out.empty()) {
+void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all, Identification& result) {
+  if (!all.empty()) {
+    const auto held_out = judgeable(result.fitted, model.fitted, all);
+    result.not_judged = static_cast<int>(all.size() - held_out.size());
     result.heldout_before = judge(result.start, held_out);
     result.heldout = judge(result.fitted, held_out);
     return;

@@ -107,6 +107,7 @@ struct Identification {
   std::vector<StrongCorrelation> correlations;
   ErrorSize before, after_base, after;  ///< as the model stands; with only the bases fitted; with everything
   ErrorSize heldout_before, heldout;    ///< on readings kept from the fit; before: with only the bases fitted
+  int not_judged = 0;                   ///< readings kept from the fit that it cannot judge (judgeable())
   double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms that noise alone leaves [m]
   double chi2_before = std::numeric_limits<double>::quiet_NaN();
   double chi2 = std::numeric_limits<double>::quiet_NaN();

@@ -57,8 +57,11 @@ std::vector<Alone> judgeAll(const std::vector<Measurement>& readings, const Fit&
 /// Square of the factor by which most readings are off by more than their noise; 1 where they are not.
 double usualSquare(const std::vector<Measurement>& readings, const std::vector<Alone>& all) {
   std::vector<double> sizes;
-  for (std::size_t k = 0; k < all.size(); ++k) sizes.push_back(all[k].square / rowsOf(readings[k]));
-  return std::max(1., median(std::move(sizes)) / 0.79);  // median of chi-square of three, over three
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const int rows = rowsOf(readings[k]);
+    sizes.push_back(all[k].square / (rows * medianOfMeanSquare(rows)));
+  }
+  return std::max(1., median(std::move(sizes)));
 }
 
 }  // namespace

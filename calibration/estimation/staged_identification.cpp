@@ -77,6 +77,12 @@ void carry(const std::vector<Measurement>& readings, Found& found, Identificatio
   found.unknowns = both;
 }
 
+/// A number that a stage frees again is its own, not one that it holds.
+bool isFreed(const Identification& stage, const Unknown& number) {
+  return std::any_of(stage.numbers.begin(), stage.numbers.end(),
+                     [&](const IdentifiedNumber& own) { return own.unknown.name == number.name; });
+}
+
 }  // namespace
 
 std::vector<Identification> identifyInStages(const PlacedArm& start, const std::vector<Measurement>& readings,
@@ -103,7 +109,7 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
     Found carried;
     std::vector<Index> arm_numbers;
     for (std::size_t k = 0; k < found.unknowns.size(); ++k)
-      if (found.unknowns[k].owner == Unknown::Owner::kArm) {
+      if (found.unknowns[k].owner == Unknown::Owner::kArm && !isFreed(result, found.unknowns[k])) {
         carried.unknowns.push_back(found.unknowns[k]);
         arm_numbers.push_back(static_cast<Index>(k));
       }

@@ -1,7 +1,6 @@
 // Touches that cannot place a base, told before anything is solved.
 #include <algorithm>
 #include <set>
-#include <utility>
 
 #include "calibration/estimation/base_calibration.hpp"
 
@@ -29,10 +28,12 @@ std::string findTouchProblem(const std::vector<Measurement>& touches, const Base
       if (touches[i].point != touches[j].point && (*touches[i].p_W - *touches[j].p_W).norm() < kSameHole)
         return "holes " + touches[j].point + " and " + touches[i].point + " are at the same position";
   std::set<std::string> holes;
-  std::set<std::pair<std::string, double>> seen;
-  for (const auto& touch : touches) {
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    const Measurement& touch = touches[k];
     holes.insert(touch.point);
-    if (!seen.insert({touch.point, touch.load}).second)
+    if (std::any_of(touches.begin(), touches.begin() + static_cast<std::ptrdiff_t>(k), [&](const Measurement& before) {
+          return before.point == touch.point && before.load == touch.load && before.wrench == touch.wrench;
+        }))
       return "hole " + touch.point + " is touched twice under the same load (second time by " + touch.id +
              "): every touch needs a hole of its own";
   }

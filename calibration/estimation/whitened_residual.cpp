@@ -29,10 +29,13 @@ void eliminatePoints(const std::vector<Measurement>& readings, ReadingWeights& w
     for (Index i = 0; i < n; ++i)
       stacked.middleRows(3 * i, 3) =
           weights.whitener[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
+    decorrelateWithin(weights, point.readings, stacked);
     const Eigen::HouseholderQR<MatrixXd> qr(stacked);
     point.Q = qr.householderQ() * MatrixXd::Identity(3 * n, 3);
     const MatrixXd R = point.Q.transpose() * stacked;
-    point.estimate = R.inverse() * point.Q.transpose();
+    MatrixXd weighed = point.Q;
+    decorrelateWithin(weights, point.readings, weighed);
+    point.estimate = R.inverse() * weighed.transpose();
     for (Index i = 0; i < n; ++i)
       point.estimate.middleCols(3 * i, 3) *=
           weights.whitener[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
@@ -112,12 +115,14 @@ ReadingWeights reweighted(const ReadingWeights& weights, const std::vector<Measu
   other.degrees_of_freedom = other.rows;
   other.whitener.resize(readings.size());
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    const MatrixXd covariance = other.covariance(k);
+    MatrixXd covariance = other.own_noise[k];
+    covariance.diagonal().array() += model_error * model_error;
     other.whitener[k] = covariance.rows() == 1   ? whitenerOf<1>(covariance)
                         : covariance.rows() == 3 ? whitenerOf<3>(covariance)
                                                  : whitenerOf<Eigen::Dynamic>(covariance);
     if (factors.size()) other.whitener[k] *= std::sqrt(factors[static_cast<Index>(k)]);
   }
+  placeSharedNoise(other);
   eliminatePoints(readings, other);
   return other;
 }
@@ -134,9 +139,13 @@ std::optional<ReadingWeights> weighReadings(const PlacedArm& placed, const std::
     goOn(stop);
     return std::nullopt;
   }
-  weights.noise.resize(readings.size());
+  weights.shared = separateSharedNoise(placed.arm, readings, by_joints);
   for (std::size_t k = 0; k < readings.size(); ++k)
-    weights.noise[k] = readingCovariance(placed.arm, readings[k], by_joints[k]);
+    weights.own_noise.push_back(readingCovariance(placed.arm, readings[k], by_joints[k]));
+  weights.noise = weights.own_noise;
+  for (const auto& shared : weights.shared)
+    for (std::size_t i = 0; i < shared.readings.size(); ++i)
+      weights.noise[static_cast<std::size_t>(shared.readings[i])] += shared.slopes[i] * shared.slopes[i].transpose();
   return reweighted(weights, readings, model_error, factors);
 }
 
@@ -154,6 +163,12 @@ VectorXd errorLengths(const std::vector<Measurement>& readings, const ReadingWei
   for (std::size_t k = 0; k < readings.size(); ++k)
     lengths[static_cast<Index>(k)] = error.segment(weights.first_row[k], rowsOf(readings[k])).norm();
   return lengths;
+}
+
+double lengthOfRows(const std::vector<Measurement>& readings) {
+  double rows = 0;
+  for (const auto& reading : readings) rows += rowsOf(reading);
+  return std::sqrt(rows / static_cast<double>(readings.size()));
 }
 
 double noiseFloor(const std::vector<Measurement>& readings, const ReadingWeights& weights) {

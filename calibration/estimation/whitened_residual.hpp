@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/estimation/shared_noise.hpp"
 #include "calibration/hooks.hpp"
 #include "calibration/measurement.hpp"
 #include "calibration/placed_arm.hpp"
@@ -24,15 +25,17 @@ struct ReadingWeights {
     Eigen::MatrixXd Q;         ///< 3 n x 3
     Eigen::MatrixXd estimate;  ///< 3 x 3 n: takes the stacked tip places to the point
   };
-  std::vector<int> first_row;             ///< of each reading
-  std::vector<Eigen::MatrixXd> whitener;  ///< L^-1 of the covariance L L^T, times the root of its weight
-  std::vector<Eigen::MatrixXd> noise;     ///< covariance of each reading by its own and the encoders' noise [m^2]
+  std::vector<int> first_row;              ///< of each reading
+  std::vector<Eigen::MatrixXd> whitener;   ///< L^-1 of the own covariance L L^T, times the root of its weight
+  std::vector<Eigen::MatrixXd> noise;      ///< covariance of each reading by its own and the encoders' noise [m^2]
+  std::vector<Eigen::MatrixXd> own_noise;  ///< the same without what it shares with other readings
+  std::vector<SharedNoise> shared;
   double model_error = 0;  ///< m, standard deviation of each coordinate beyond the noise, added to every covariance
   std::vector<UnknownPoint> points;
   int rows = 0;
   int degrees_of_freedom = 0;  ///< rows less those of the points
 
-  /// What a reading is weighted by: its noise and the model's own error.
+  /// Of a reading alone: its noise and the model's own error.
   [[nodiscard]] Eigen::MatrixXd covariance(std::size_t reading) const;
 };
 
@@ -61,12 +64,19 @@ struct WhitenedResidual {
                                                 const Eigen::VectorXd& x, bool with_jacobian,
                                                 const StopQuestion& stop = {});
 
-/// Takes what the unknown points absorb off whitened columns (rows of `weights`).
-void takePointsOff(const ReadingWeights& weights, Eigen::MatrixXd& columns);
+/// Takes off columns (rows of `weights`) that each reading's whitener has weighted what readings have in common: noise
+/// of encoders that were read once, and what the unknown points absorb.
+void takeSharedOff(const ReadingWeights& weights, Eigen::MatrixXd& columns);
+
+/// The same of the rows of these readings alone, one after another, as far as they share with no others.
+void takeOffWithin(const ReadingWeights& weights, const std::vector<int>& readings, Eigen::MatrixXd& rows);
 
 /// Length of each reading's error [m].
 [[nodiscard]] Eigen::VectorXd errorLengths(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                            const Eigen::VectorXd& error);
+
+/// Root mean square over the readings of the number of rows: the length that an error of one in each row makes.
+[[nodiscard]] double lengthOfRows(const std::vector<Measurement>& readings);
 
 /// What noise alone leaves: root mean square over the readings of the error's length [m], with the touched points'
 /// estimates taken off.

@@ -21,6 +21,7 @@ struct ReadingScene {
   PlacedArm placed;
   std::vector<Measurement> readings;
   Eigen::Matrix3Xd tips;                    ///< predicted places, m, in the world
+  Eigen::Matrix3Xd seen;                    ///< the same, or the ways to them from where the readings take them
   std::vector<Eigen::Matrix3d> tools;       ///< axes of the deflected tool frame, in the world
   std::vector<Eigen::Matrix3d> radials;     ///< away from the base's axis of gravity, around it, up; in the world
   std::vector<Eigen::Matrix3Xd> moments_L;  ///< of each reading: one column for each row, N m, in the row's own axes
@@ -28,7 +29,7 @@ struct ReadingScene {
 
 /// How a reading's rows change with the tip's place in the world: by all three coordinates, or along the measured line.
 [[nodiscard]] inline MeasuredRows placeSlope(const ReadingScene& scene, std::size_t k) {
-  return predictedSlope(scene.readings[k], {scene.tips.col(static_cast<Eigen::Index>(k)), scene.tools[k]}).by_place;
+  return predictedSlope(scene.readings[k], {scene.seen.col(static_cast<Eigen::Index>(k)), scene.tools[k]}).by_place;
 }
 
 [[nodiscard]] ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& readings);

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kAbsorbed = 1e-6;  // squared share of a column's length below which nothing of it is left
 constexpr int kTrendSteps = 5;
+constexpr Index kFewGroups = 40;
 constexpr PatternFrame kFrames[] = {PatternFrame::kWorld, PatternFrame::kRadial, PatternFrame::kTool};
 
 const Eigen::Matrix3d& axesOf(const ReadingScene& scene, PatternFrame frame, std::size_t k) {
@@ -45,16 +46,6 @@ struct SearchedScene {
   int freedom = 0;
   const StopQuestion& stop;
 
-  void takeOffPoints(MatrixXd& columns) const {
-    for (const auto& point : weights.points) {
-      MatrixXd stacked(3 * static_cast<Index>(point.readings.size()), columns.cols());
-      for (std::size_t i = 0; i < point.readings.size(); ++i)
-        stacked.middleRows(3 * static_cast<Index>(i), 3) = columns.middleRows(rowOf(point.readings[i]), 3);
-      stacked -= (point.Q * (point.Q.transpose() * stacked)).eval();
-      for (std::size_t i = 0; i < point.readings.size(); ++i)
-        columns.middleRows(rowOf(point.readings[i]), 3) = stacked.middleRows(3 * static_cast<Index>(i), 3);
-    }
-  }
   [[nodiscard]] Index rowOf(int reading) const { return weights.first_row[static_cast<std::size_t>(reading)]; }
 
   /// Orthonormal columns of a basis in a frame, less what `others` (orthonormal) and the points absorb.
@@ -67,7 +58,7 @@ struct SearchedScene {
         columns.block(weights.first_row[k], 3 * j, along.rows(), 3) = along * basis(static_cast<Index>(k), j);
     }
     const VectorXd lengths = columns.colwise().norm();
-    takeOffPoints(columns);
+    takeSharedOff(weights, columns);
     goOn(stop);
     columns -= (others * (others.transpose() * columns)).eval();
     return orthonormal(columns, lengths);
@@ -156,9 +147,18 @@ struct Followed {
   int numbers = 0;
 };
 
+/// Each group's mean as a function of its own: of few groups, whatever the readings share with those of other groups.
+MatrixXd membershipOf(const Variable& variable) {
+  MatrixXd basis = MatrixXd::Zero(variable.value.size(), static_cast<Index>(variable.groups.size()));
+  for (Index k = 0; k < variable.value.size(); ++k) basis(k, static_cast<Index>(variable.value[k])) = 1;
+  return basis;
+}
+
 Followed followFunctions(const SearchedScene& search, const Question& question, const MatrixXd& beside,
                          const VectorXd& r) {
-  const MatrixXd columns = search.columnsOf(question.variable->basis, question.frame, beside);
+  const Variable& variable = *question.variable;
+  const MatrixXd basis = variable.groups.empty() ? variable.basis : membershipOf(variable);
+  const MatrixXd columns = search.columnsOf(basis, question.frame, beside);
   return {columns * (columns.transpose() * r), static_cast<int>(columns.cols())};
 }
 
@@ -172,7 +172,7 @@ std::vector<std::vector<int>> membersOf(const Variable& variable) {
 
 /// Analysis of variance by groups: each group's mean is a number of its own. With B the projection on the groups' means
 /// and Q what is fitted, r^T B r has tr B - tr Q^T B Q degrees of freedom. Group by group, so that a group for every
-/// point costs no more than one for all.
+/// point costs no more than one for all. What the readings of a group share with others than each other stays.
 Followed followGroups(const SearchedScene& search, const Variable& variable, const MatrixXd& beside,
                       const VectorXd& r) {
   Followed followed{VectorXd::Zero(r.size()), 0};
@@ -191,7 +191,9 @@ Followed followGroups(const SearchedScene& search, const Variable& variable, con
       own.segment(at, along.rows()) = r.segment(search.rowOf(k), along.rows());
       at += along.rows();
     }
-    const MatrixXd mean = orthonormal(columns, columns.colwise().norm());
+    const VectorXd lengths = columns.colwise().norm();
+    takeOffWithin(search.weights, group, columns);
+    const MatrixXd mean = orthonormal(columns, lengths);
     numbers += static_cast<double>(mean.cols()) - (mean.transpose() * fitted).squaredNorm();
     const VectorXd part = mean * (mean.transpose() * own);
     at = 0;
@@ -218,8 +220,9 @@ PatternTest ask(const SearchedScene& search, const Question& question, const Mat
     beside = joined(others, search.columnsOf(MatrixXd::Ones(variable.value.size(), 1), question.frame, others));
   goOn(search.stop);
   const VectorXd r = search.r - beside * (beside.transpose() * search.r);
-  const Followed followed = variable.groups.empty() ? followFunctions(search, question, beside, r)
-                                                    : followGroups(search, variable, beside, r);
+  const bool is_dense = static_cast<Index>(variable.groups.size()) <= kFewGroups;
+  const Followed followed =
+      is_dense ? followFunctions(search, question, beside, r) : followGroups(search, variable, beside, r);
   test.rest = search.freedom - static_cast<int>(beside.cols() - search.absorbed.cols()) - followed.numbers;
   if (followed.numbers <= 0 || test.rest < 1) return test;
   test.numbers = followed.numbers;

@@ -60,8 +60,9 @@ const std::vector<PatternKind>& patternKinds() {
 }
 
 ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& readings) {
-  ReadingScene scene{true, placed, readings, {}, {}, {}, {}};
+  ReadingScene scene{true, placed, readings, {}, {}, {}, {}, {}};
   scene.tips.resize(3, static_cast<Index>(readings.size()));
+  scene.seen.resize(3, static_cast<Index>(readings.size()));
   scene.tools.resize(readings.size());
   scene.radials.resize(readings.size());
   scene.moments_L.resize(readings.size());
@@ -74,7 +75,15 @@ ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& re
       return;
     }
     const Vector3d tip = X_WB * shape.X_BD.p;
-    scene.tips.col(static_cast<Index>(k)) = tip;
+    scene.tips.col(static_cast<Index>(k)) = scene.seen.col(static_cast<Index>(k)) = tip;
+    if (const auto from = referencePostureOf(readings[k], placed.arm, X_WB)) {
+      const auto reference = deflection::solveFlexibleKinematics(placed.arm, *from);
+      if (reference.status != deflection::KinematicsStatus::kConverged) {
+        ok = false;
+        return;
+      }
+      scene.seen.col(static_cast<Index>(k)) -= X_WB * reference.X_BD.p;
+    }
     scene.tools[k] = X_WB.linear() * shape.X_BD.R;
     scene.radials[k] = radialAxes(tip - X_WB.translation(), placed.arm.gravity_W);
     scene.moments_L[k].resize(3, static_cast<Index>(shape.rows.size()));

@@ -130,6 +130,40 @@ TEST(BaseCalibration, RefusesTheSameHoleTwice) {
   EXPECT_NE(found.reason.find("H1 is touched twice"), std::string::npos);
 }
 
+TEST(BaseCalibration, NamesTheOneTouchThatDoesNotAgreeWithTheOthers) {
+  const auto cell = touchedCell();
+  const Eigen::Isometry3d& X_WB = cell.X_WB_true;
+  std::vector<Measurement> touches;
+  for (const Eigen::Vector4d& q :
+       {Eigen::Vector4d(20, 60, -50, -40), Eigen::Vector4d(-30, 90, -60, 20), Eigen::Vector4d(70, 40, 30, -60),
+        Eigen::Vector4d(0, 100, -90, 0), Eigen::Vector4d(-60, 50, -70, 10), Eigen::Vector4d(45, 80, -30, -20)}) {
+    const auto shape = deflection::solveFlexibleKinematics(
+        cell.arm, {q * kDegree, 0, deflection::gravityInBase(cell.arm, X_WB)}, {1e-14, 100});
+    const std::string name = "H" + std::to_string(touches.size());
+    touches.push_back(plannedTouch({name, name, X_WB * shape.X_BD.p, {}}, q * kDegree, 0, 0.005 * kInch));
+  }
+  BaseCalibrationOptions options;
+  options.mistaken_hole_p_value = 0;
+  EXPECT_EQ(calibrateBase(cell.arm, touches, cell.X_WB_nominal, options).odd_touch, -1) << "they all fit";
+  touches[1].q[1] += 0.2 * kDegree;
+  const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal, options);
+  ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
+  EXPECT_TRUE(isFitRefused(found));
+  EXPECT_EQ(found.odd_touch, 1);
+  EXPECT_LT(found.rms_of_others, found.rms / 3);
+  touches[4].q[1] -= 0.2 * kDegree;
+  EXPECT_EQ(calibrateBase(cell.arm, touches, cell.X_WB_nominal, options).odd_touch, -1) << "two do not agree";
+}
+
+TEST(BaseCalibration, AHoleMayBeTouchedAgainUnderAnotherPush) {
+  const auto cell = touchedCell();
+  auto touches = touchesOf(cell, 0, 1);
+  touches.push_back(touches[0]);
+  EXPECT_NE(findTouchProblem(touches, {}), "");
+  touches.back().wrench = TipWrench{};
+  EXPECT_EQ(findTouchProblem(touches, {}), "");
+}
+
 TEST(BaseCalibration, AHoleMayBeTouchedAgainUnderAnotherLoad) {
   const auto cell = touchedCell();
   auto touches = touchesOf(cell, 0, 1);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "tests/calibration/synthetic_readings.hpp"
@@ -72,6 +73,45 @@ TEST(HeldOut, FoldsSplitNoGroupAndAreEven) {
     }
     EXPECT_EQ(sum, 38u) << "a group in two folds";
   }
+}
+
+/// Positions at postures of their own: so many in set-up A, so many in B.
+std::vector<Measurement> inTwoSetups(int a, int b) {
+  ReadingMaker maker(cobraTwice(), 15, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, a, "A");
+  maker.add(MeasurementKind::kPosition, b, "B");
+  return maker.readings;
+}
+
+TEST(HeldOut, ASetUpIsSharedOutEvenlyOrNotKeptOutAtAll) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const auto even = foldsOf(inTwoSetups(20, 10), 5, seed);
+    for (int fold = 0; fold < 5; ++fold) {
+      EXPECT_EQ(std::count(even.begin(), even.begin() + 20, fold), 4);
+      EXPECT_EQ(std::count(even.begin() + 20, even.end(), fold), 2);
+    }
+    const auto few = foldsOf(inTwoSetups(20, 4), 5, seed);
+    EXPECT_EQ(std::count(few.begin(), few.end(), -1), 4) << "its base would be left to three";
+    EXPECT_EQ(std::count(few.begin() + 20, few.end(), -1), 4);
+  }
+  const auto alone = inTwoSetups(5, 0);
+  for (const int fold : foldsOf(alone, 5, 1)) EXPECT_GE(fold, 0) << "there is no other";
+}
+
+TEST(HeldOut, IsNotJudgedByItself) {
+  PlacedArm placed = cobraTwice();
+  auto readings = inTwoSetups(4, 4);
+  const std::vector<Measurement> fitted(readings.begin(), readings.begin() + 4),
+      of_other(readings.begin() + 4, readings.end());
+  EXPECT_TRUE(judgeable(placed, fitted, of_other).empty()) << "no reading places B";
+  EXPECT_EQ(judgeable(placed, readings, of_other).size(), 4u);
+  placed.base_poses[1].is_known = true;
+  EXPECT_EQ(judgeable(placed, fitted, of_other).size(), 4u);
+  ReadingMaker maker(cobra(), 16, ReadingMaker::Noise::kStated);
+  maker.addTouches(3, {0, 20 * kPound}, false);
+  EXPECT_EQ(judgeable(cobra(), {}, maker.readings).size(), 6u) << "two touches of a point tell of each other";
+  maker.readings.pop_back();
+  EXPECT_EQ(judgeable(cobra(), {}, maker.readings).size(), 4u) << "a lone one of nothing";
 }
 
 TEST(HeldOut, TheSameSeedDrawsTheSameFolds) {

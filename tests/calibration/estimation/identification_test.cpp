@@ -235,6 +235,33 @@ TEST(RobustLoss, ReportsTheErrorThatTheFittedArmHas) {
   EXPECT_NEAR(judge(result.fitted, maker.readings).rms, result.after.rms, 1e-3 * result.after.rms);
 }
 
+// A loss that weakens every reading a little must not make its chi-square look too good.
+TEST(RobustLoss, LeavesTheLackOfFitComparableWithItsFreedom) {
+  for (const auto loss : {RobustLoss::kHuber, RobustLoss::kCauchy}) {
+    double each = 0;
+    constexpr int kSeeds = 12;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      ReadingMaker maker(rigidCobra(), seed, Noise::kStated);
+      maker.add(MeasurementKind::kPosition, 60);
+      auto options = freeing(kOffsets);
+      options.loss = loss;
+      const auto result = identify(rigidCobra(), maker.readings, options);
+      each += result.chi2 / result.degrees_of_freedom / kSeeds;
+    }
+    EXPECT_NEAR(each, 1, 0.06) << static_cast<int>(loss);
+  }
+}
+
+TEST(Stages, ANumberThatIsFreedAgainIsNotHeldBesideItself) {
+  ReadingMaker maker(cobra(), 8, Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 60);
+  const IdentificationStage stage{{"tool.joint_stiffness.z"}, ""};
+  const auto once = identifyInStages(cobra(), maker.readings, {stage}, freeing({}));
+  const auto twice = identifyInStages(cobra(), maker.readings, {stage, stage}, freeing({}));
+  EXPECT_NEAR(twice.back().numbers.front().sigma, once.back().numbers.front().sigma,
+              1e-3 * once.back().numbers.front().sigma);
+}
+
 TEST(RobustLoss, HoldsAgainstGrossErrorsInOneReadingOfTwenty) {
   double worst_plain = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {

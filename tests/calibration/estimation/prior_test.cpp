@@ -180,6 +180,22 @@ TEST(ModelError, IsFoundBesideTheNoise) {
   }
 }
 
+/// Of distances a reading has one row, whose square is smaller than half its mean most of the time.
+TEST(ModelError, IsFoundOfDistancesToo) {
+  constexpr double kSize = 1e-3;
+  double mean = 0;
+  constexpr int kSeeds = 30;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    ReadingMaker maker(cobra(), static_cast<std::uint64_t>(seed), ReadingMaker::Noise::kStated);
+    maker.add(MeasurementKind::kDistance, 60);
+    for (auto& reading : maker.readings) reading.own[0] += maker.noise(kSize);
+    const auto weights = weighReadings(cobra(), maker.readings);
+    const auto residual = whitenedResidual(cobra(), {}, maker.readings, *weights, {}, false);
+    mean += modelErrorOf(maker.readings, *weights, residual.error, weights->degrees_of_freedom) / kSeeds;
+  }
+  EXPECT_NEAR(mean, kSize, 0.04 * kSize);
+}
+
 TEST(ModelError, IsNoneWhereThereIsNoFreedomAndWhereTheNoiseIsEnough) {
   ReadingMaker maker(cobra(), 3, ReadingMaker::Noise::kStated);
   maker.add(MeasurementKind::kPosition, 10);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/calibration/campaign.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
 #include "tests/units.hpp"
 
 namespace tubeplan::calibration {
@@ -55,6 +56,16 @@ struct LinearWorld {
     return searchPatterns(scene, weights, residual, level);
   }
 };
+
+// The length of a way changes along the way, wherever the tip stands.
+TEST(Comparison, theErrorOfAWayLiesAlongIt) {
+  ReadingMaker maker(cobra(), 4, ReadingMaker::Noise::kNone);
+  maker.add(MeasurementKind::kRelative, 6);
+  const auto scene = observe(cobra(), maker.readings);
+  ASSERT_TRUE(scene.ok);
+  for (std::size_t k = 0; k < maker.readings.size(); ++k)
+    EXPECT_LE((scene.seen.col(static_cast<Eigen::Index>(k)) - *maker.readings[k].p_W).norm(), 1e-4) << "the way read";
+}
 
 TEST(Comparison, noiseShowsPatternsNoOftenerThanPromised) {
   LinearWorld world(makeCampaign(deflection::cobraArm(), 3));

@@ -1,0 +1,216 @@
+#include "calibration/estimation/shared_noise.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "calibration/estimation/whitened_residual.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+/// Where encoders were read: readings with these in common have their errors in common.
+using Station = std::pair<std::string, std::vector<double>>;
+
+Station stationOf(const std::string& setup, const Measurement& reading) {
+  std::vector<double> joints(reading.q.begin(), reading.q.end());
+  joints.insert(joints.end(), reading.side_q.begin(), reading.side_q.end());
+  return {setup, std::move(joints)};
+}
+
+/// One reading's share of a station: its columns of `by_joints` from `first`.
+struct Share {
+  int reading = 0;
+  Index first = 0;
+};
+
+VectorXd encoderSigmas(const deflection::Arm& arm) {
+  VectorXd sigmas(arm.jointCount());
+  Index k = 0;
+  for (const auto& joint : arm.joints()) sigmas[k++] = joint.encoder_sigma;
+  return sigmas;
+}
+
+/// Places among all rows of the rows of some readings, where each reading's first row is `first_row_of` it.
+template <class FirstRow>
+std::vector<Index> rowsOfThese(const ReadingWeights& weights, const std::vector<int>& readings,
+                               const FirstRow& first_row_of) {
+  std::vector<Index> rows;
+  for (const int k : readings)
+    for (Index row = 0; row < weights.whitener[static_cast<std::size_t>(k)].rows(); ++row)
+      rows.push_back(first_row_of(k) + row);
+  return rows;
+}
+
+std::vector<Index> rowsOfThese(const ReadingWeights& weights, const std::vector<int>& readings) {
+  return rowsOfThese(weights, readings, [&](int k) { return weights.first_row[static_cast<std::size_t>(k)]; });
+}
+
+/// Where the rows of these readings begin when they stand alone, one after another, and how many there are.
+std::pair<std::map<int, Index>, Index> rowsAlone(const ReadingWeights& weights, const std::vector<int>& readings) {
+  std::map<int, Index> first_row;
+  Index rows = 0;
+  for (const int k : readings) {
+    first_row[k] = rows;
+    rows += weights.whitener[static_cast<std::size_t>(k)].rows();
+  }
+  return {std::move(first_row), rows};
+}
+
+void takeOff(const SharedNoise& shared, const std::vector<Index>& rows, Eigen::Ref<MatrixXd> columns) {
+  const MatrixXd own = columns(rows, Eigen::all);
+  columns(rows, Eigen::all) = own - shared.Q * (shared.shrink.asDiagonal() * (shared.Q.transpose() * own));
+}
+
+/// What a touched point that nobody measured absorbs must not reach beyond its own touches.
+bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& readings) {
+  const auto at = [&](const Share& share) -> const Measurement& {
+    return readings[static_cast<std::size_t>(share.reading)];
+  };
+  const bool is_blind = touchesUnknownPoint(at(shares.front()));
+  return std::all_of(shares.begin(), shares.end(), [&](const Share& share) {
+    return touchesUnknownPoint(at(share)) == is_blind && (!is_blind || at(share).point == at(shares.front()).point);
+  });
+}
+
+/// Stations that long chains of ways hang together by mix all of their readings: too many to be worth it.
+std::vector<bool> areAffordable(const std::vector<const std::vector<Share>*>& stations,
+                                const std::vector<Measurement>& readings, Index joints) {
+  constexpr double kMostNumbers = 5e6;  // of all Q of readings that hang together
+  std::vector<int> leader(readings.size());
+  std::iota(leader.begin(), leader.end(), 0);
+  const auto leaderOf = [&](int k) {
+    while (leader[static_cast<std::size_t>(k)] != k)
+      k = leader[static_cast<std::size_t>(k)] = leader[static_cast<std::size_t>(leader[static_cast<std::size_t>(k)])];
+    return k;
+  };
+  for (const auto* shares : stations)
+    for (const Share& share : *shares)
+      leader[static_cast<std::size_t>(leaderOf(share.reading))] = leaderOf(shares->front().reading);
+  std::map<int, double> rows, stations_of;
+  for (std::size_t k = 0; k < readings.size(); ++k) rows[leaderOf(static_cast<int>(k))] += rowsOf(readings[k]);
+  for (const auto* shares : stations) stations_of[leaderOf(shares->front().reading)] += 1;
+  std::vector<bool> affordable;
+  for (const auto* shares : stations) {
+    const int group = leaderOf(shares->front().reading);
+    affordable.push_back(rows[group] * stations_of[group] * static_cast<double>(joints) <= kMostNumbers);
+  }
+  return affordable;
+}
+
+SharedNoise sharedBy(const std::vector<Share>& shares, const VectorXd& sigmas, std::vector<MatrixXd>& by_joints) {
+  SharedNoise shared;
+  for (const auto& [reading, first] : shares) {
+    auto columns = by_joints[static_cast<std::size_t>(reading)].middleCols(first, sigmas.size());
+    const MatrixXd slopes = columns * sigmas.asDiagonal();
+    columns.setZero();
+    if (!shared.readings.empty() && shared.readings.back() == reading) {  // a way that ends where it began
+      shared.slopes.back() += slopes;
+      continue;
+    }
+    shared.readings.push_back(reading);
+    shared.slopes.push_back(slopes);
+  }
+  return shared;
+}
+
+}  // namespace
+
+std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm, const std::vector<Measurement>& readings,
+                                             std::vector<MatrixXd>& by_joints) {
+  const VectorXd sigmas = encoderSigmas(arm);
+  if (sigmas.isZero(0)) return {};
+  std::map<Station, std::vector<Share>> stations;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    stations[stationOf(readings[k].setup, readings[k])].push_back({static_cast<int>(k), 0});
+    if (const Measurement* from = referenceOf(readings[k]))
+      stations[stationOf(readings[k].setup, *from)].push_back({static_cast<int>(k), sigmas.size()});
+  }
+  std::vector<const std::vector<Share>*> common;
+  for (const auto& [station, shares] : stations)
+    if (shares.size() > 1 && canShare(shares, readings)) common.push_back(&shares);
+  const std::vector<bool> is_affordable = areAffordable(common, readings, sigmas.size());
+  std::vector<SharedNoise> all;
+  for (std::size_t s = 0; s < common.size(); ++s)
+    if (is_affordable[s]) all.push_back(sharedBy(*common[s], sigmas, by_joints));
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.readings.size() < b.readings.size(); });
+  return all;
+}
+
+namespace {
+
+/// What was placed before and reaches a noise's rows, in its order, and all readings that it mixes.
+struct Reach {
+  std::vector<std::size_t> before;
+  std::vector<int> mixed;
+};
+
+Reach reachOf(const std::vector<SharedNoise>& shared, const std::vector<int>& readings,
+              const std::vector<std::vector<std::size_t>>& placed) {
+  Reach reach;
+  std::set<int> mixed(readings.begin(), readings.end());
+  std::set<std::size_t> open;
+  for (const int k : readings)
+    open.insert(placed[static_cast<std::size_t>(k)].begin(), placed[static_cast<std::size_t>(k)].end());
+  while (!open.empty()) {
+    const std::size_t next = *open.begin();
+    open.erase(open.begin());
+    reach.before.push_back(next);
+    for (const int k : shared[next].mixed)
+      if (mixed.insert(k).second)  // rows that were zero until now: what was placed before `next` left them so
+        for (const std::size_t other : placed[static_cast<std::size_t>(k)])
+          if (other > next) open.insert(other);
+  }
+  reach.mixed.assign(mixed.begin(), mixed.end());
+  return reach;
+}
+
+}  // namespace
+
+void placeSharedNoise(ReadingWeights& weights) {
+  constexpr double kSeen = 1e-9;  // of an eigenvalue: what adds less than that to a variance of one
+  std::vector<std::vector<std::size_t>> placed(weights.whitener.size());  // of each reading, what mixes it already
+  for (std::size_t s = 0; s < weights.shared.size(); ++s) {
+    SharedNoise& shared = weights.shared[s];
+    const Reach reach = reachOf(weights.shared, shared.readings, placed);
+    shared.mixed = reach.mixed;
+    const auto [first_row, rows] = rowsAlone(weights, shared.mixed);
+    const auto firstOf = [&](int k) { return first_row.at(k); };
+    MatrixXd U = MatrixXd::Zero(rows, shared.slopes.front().cols());
+    for (std::size_t i = 0; i < shared.readings.size(); ++i) {
+      const MatrixXd& whitener = weights.whitener[static_cast<std::size_t>(shared.readings[i])];
+      U.middleRows(firstOf(shared.readings[i]), whitener.rows()) = whitener * shared.slopes[i];
+    }
+    for (const std::size_t other : reach.before)
+      takeOff(weights.shared[other], rowsOfThese(weights, weights.shared[other].mixed, firstOf), U);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(U.transpose() * U);
+    const Index count = (gram.eigenvalues().array() > kSeen).count();
+    const VectorXd sizes = gram.eigenvalues().tail(count);
+    shared.Q = U * gram.eigenvectors().rightCols(count) * sizes.cwiseSqrt().cwiseInverse().asDiagonal();
+    shared.shrink = (1 - (1 + sizes.array()).rsqrt()).matrix();
+    for (const int k : shared.mixed) placed[static_cast<std::size_t>(k)].push_back(s);
+  }
+}
+
+void decorrelate(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
+  for (const auto& shared : weights.shared) takeOff(shared, rowsOfThese(weights, shared.mixed), columns);
+}
+
+void decorrelateWithin(const ReadingWeights& weights, const std::vector<int>& readings, Eigen::Ref<MatrixXd> rows) {
+  if (weights.shared.empty()) return;
+  const auto first_row = rowsAlone(weights, readings).first;
+  for (const auto& shared : weights.shared)
+    if (std::all_of(shared.mixed.begin(), shared.mixed.end(), [&](int k) { return first_row.contains(k); }))
+      takeOff(shared, rowsOfThese(weights, shared.mixed, [&](int k) { return first_row.at(k); }), rows);
+}
+
+}  // namespace tubeplan::calibration

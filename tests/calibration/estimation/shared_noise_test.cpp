@@ -1,0 +1,151 @@
+// Encoders that were read once for several readings: their noise is in all of these.
+#include "calibration/estimation/shared_noise.hpp"
+
+#include <gtest/gtest.h>
+
+#include "calibration/estimation/fit.hpp"
+#include "calibration/estimation/repeats.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+/// Two stations with three and two shots, one of a single shot, and ways from the first station to all.
+std::vector<Measurement> severalAtAStation() {
+  ReadingMaker maker(cobra(), 21, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 6);
+  auto& readings = maker.readings;
+  readings[1].q = readings[2].q = readings[0].q;
+  readings[4].q = readings[3].q;
+  const auto reference = std::make_shared<const Measurement>(readings[0]);
+  for (int k = 2; k < 6; ++k) {
+    Measurement way = readings[static_cast<std::size_t>(k)];
+    way.kind = MeasurementKind::kRelative;
+    way.reference = reference;
+    way.id += "-way";
+    readings.push_back(way);
+  }
+  return readings;
+}
+
+MatrixXd slopesOf(const Measurement& reading) {
+  const PlacedArm placed = cobra();
+  PredictionRequest request;
+  request.by_joints = true;
+  return predictReading(placed.arm, placed.base_poses.front().X_WB, reading, request).by_joints;
+}
+
+/// By the definition: every station's joints are noise of their own.
+MatrixXd covarianceOf(const std::vector<Measurement>& readings) {
+  const auto arm = cobra().arm;
+  const auto n = static_cast<Index>(readings.size()), joints = arm.jointCount();
+  MatrixXd covariance = MatrixXd::Zero(3 * n, 3 * n);
+  std::vector<VectorXd> stations;
+  std::vector<MatrixXd> by_station;  // 3 n x joints
+  const auto columnsAt = [&](const VectorXd& q) -> MatrixXd& {
+    for (std::size_t s = 0; s < stations.size(); ++s)
+      if (stations[s] == q) return by_station[s];
+    stations.push_back(q);
+    by_station.push_back(MatrixXd::Zero(3 * n, joints));
+    return by_station.back();
+  };
+  for (Index k = 0; k < n; ++k) {
+    const Measurement& reading = readings[static_cast<std::size_t>(k)];
+    covariance.block<3, 3>(3 * k, 3 * k) = statedCovariance(reading);
+    const MatrixXd slopes = slopesOf(reading);
+    columnsAt(reading.q).middleRows(3 * k, 3) += slopes.leftCols(joints);
+    if (const Measurement* from = referenceOf(reading))
+      columnsAt(from->q).middleRows(3 * k, 3) += slopes.rightCols(joints);
+  }
+  for (const MatrixXd& columns : by_station)
+    for (Index j = 0; j < joints; ++j) {
+      const VectorXd column = columns.col(j) * arm.joint(j).encoder_sigma;
+      covariance += column * column.transpose();
+    }
+  return covariance;
+}
+
+void expectWhite(const std::vector<Measurement>& readings, std::size_t shared) {
+  const auto weights = weighReadings(cobra(), readings);
+  ASSERT_TRUE(weights);
+  EXPECT_EQ(weights->shared.size(), shared);
+  MatrixXd whitener = MatrixXd::Zero(weights->rows, weights->rows);
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    whitener.block<3, 3>(weights->first_row[k], weights->first_row[k]) = weights->whitener[k];
+  takeSharedOff(*weights, whitener);
+  const MatrixXd covariance = covarianceOf(readings);
+  const MatrixXd white = whitener * covariance * whitener.transpose();
+  EXPECT_LE((white - MatrixXd::Identity(weights->rows, weights->rows)).norm(), 1e-6);
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    EXPECT_LE((weights->noise[k] - covariance.block<3, 3>(weights->first_row[k], weights->first_row[k])).norm(),
+              1e-9 * weights->noise[k].norm())
+        << "of a reading alone it is as large";
+}
+
+TEST(SharedNoise, IsWhitenedAsTheWholeCovarianceHasIt) {
+  expectWhite(severalAtAStation(), 3);  // two stations with several shots, and one that is a way's end too
+}
+
+/// Each way begins where the one before ended: every station is in two ways, and all hang together.
+TEST(SharedNoise, OfAChainOfWaysIsWhitenedAsTheWholeCovarianceHasIt) {
+  ReadingMaker maker(cobra(), 23, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 12);
+  const auto stations = maker.readings;
+  std::vector<Measurement> ways;
+  for (const std::size_t k : {3, 0, 7, 10, 1, 5, 2, 8, 4, 9, 6}) {  // from station k to the next, in any order
+    Measurement way = stations[k + 1];
+    way.kind = MeasurementKind::kRelative;
+    way.reference = std::make_shared<const Measurement>(stations[k]);
+    ways.push_back(way);
+  }
+  expectWhite(ways, 10);
+}
+
+TEST(SharedNoise, AnArmWithoutEncoderNoiseSharesNone) {
+  PlacedArm exact = cobra();
+  for (auto& row : exact.arm.rows) row.joint.encoder_sigma = 0;
+  const auto weights = weighReadings(exact, severalAtAStation());
+  ASSERT_TRUE(weights);
+  EXPECT_TRUE(weights->shared.empty());
+}
+
+TEST(SharedNoise, OfTouchesStaysWithinTheirPoint) {
+  ReadingMaker maker(cobra(), 22, ReadingMaker::Noise::kStated);
+  maker.addTouches(2, {0, 20 * kPound}, false);
+  for (auto& reading : maker.readings) reading.q = maker.readings.front().q;
+  const auto weights = weighReadings(cobra(), maker.readings);
+  ASSERT_TRUE(weights);
+  EXPECT_TRUE(weights->shared.empty()) << "touches of two points at one posture";
+  std::erase_if(maker.readings, [&](const Measurement& m) { return m.point != maker.readings.front().point; });
+  EXPECT_EQ(weighReadings(cobra(), maker.readings)->shared.size(), 1u);
+}
+
+/// Three shots at each of forty postures, whose encoders were read once.
+TEST(SharedNoise, RepeatedShotsAgreeWithTheStatedNoise) {
+  int refused = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
+    maker.add(MeasurementKind::kPosition, 40);
+    std::vector<Measurement> shots;
+    for (const auto& reading : maker.readings)
+      for (int shot = 0; shot < 3; ++shot) {
+        shots.push_back(reading);
+        shots.back().id += std::string(1, static_cast<char>('a' + shot));
+        // What the maker added stands for the encoders' part; each shot has noise of its own beside it.
+        *shots.back().p_W += maker.noise3(reading.sigma);
+      }
+    const auto weights = weighReadings(cobra(), shots);
+    const auto residual = whitenedResidual(cobra(), {}, shots, *weights, {}, false);
+    const auto repeats = judgeRepeats(shots, *weights, residual.error, residual.r.squaredNorm(), weights->rows);
+    EXPECT_EQ(repeats.groups, 40);
+    refused += repeats.noise_p_value < 0.01;
+  }
+  EXPECT_LE(refused, 2) << "of 20 at the level of 0.01";
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
