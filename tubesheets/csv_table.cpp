@@ -115,6 +115,16 @@ CsvTable parseCsv(std::string_view text) {
   return table;
 }
 
+CsvTable parseCsvOfAnyCase(std::string_view text) {
+  CsvTable table = parseCsv(text);
+  if (table.problem) return table;
+  for (std::string& column : table.columns)
+    std::transform(column.begin(), column.end(), column.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  table.problem = findHeaderProblem(table.columns, table.header_line);
+  return table;
+}
+
 std::optional<double> parseNumber(std::string_view field) {
   double number = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), number);

@@ -31,6 +31,9 @@ struct CsvTable {
 /// open quote, a zero byte.
 [[nodiscard]] CsvTable parseCsv(std::string_view text);
 
+/// The same with the columns' names in small letters: `Row` and `ROW` are `row`.
+[[nodiscard]] CsvTable parseCsvOfAnyCase(std::string_view text);
+
 /// The fields of one line, trimmed and without their quotes; empty when a quote is left open or followed by more text.
 [[nodiscard]] std::optional<std::vector<std::string>> splitCsvLine(std::string_view line, char separator);
 

@@ -128,7 +128,7 @@ std::string formatHoleMap(const Sheet& sheet, const LengthUnit& unit) {
 }
 
 HoleMap parseHoleMap(std::string_view text) {
-  const CsvTable table = parseCsv(text);
+  const CsvTable table = parseCsvOfAnyCase(text);
   if (table.problem) return refusedMap(*table.problem);
   const auto x = findAxis(table, 'x'), y = findAxis(table, 'y');
   for (const auto* axis : {&x, &y})

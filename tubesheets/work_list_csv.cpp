@@ -59,7 +59,7 @@ std::optional<Problem> readLength(const CsvTable& table, const CsvRow& row, cons
 }  // namespace
 
 WorkList parseWorkListCsv(std::string_view text) {
-  const CsvTable table = parseCsv(text);
+  const CsvTable table = parseCsvOfAnyCase(text);
   if (table.problem) return refusedList(*table.problem);
   if (const auto problem = findColumnProblem(table, workListColumns())) return refusedList(*problem);
   WorkList list{WorkListStatus::kRead, std::nullopt, {}};

@@ -15,6 +15,10 @@ namespace tubeplan::app {
 /// Exit codes, a promise to scripts.
 enum ExitCode { kDone = 0, kNegativeAnswer = 1, kBadInput = 2, kInternalError = 3 };
 
+/// The same for a reader, with kStoppedExitCode.
+inline constexpr const char* kExitCodes =
+    "0 done, 1 a negative answer, 2 bad input, 3 a defect of the program, 130 stopped by Ctrl-C";
+
 /// Does the work once the command line is read; returns the exit code. Throws InputError for bad input.
 using Run = std::function<int()>;
 

@@ -23,7 +23,7 @@ std::string overview() {
     text += fmt::format("  {:<10}  {}\n", command.name, command.summary);
     text += fmt::format("  {:<10}    {}\n", "", command.example.substr(0, command.example.find('\n')));
   }
-  return text + "\n`tubeplan COMMAND --help` describes one. Exit code: 0 done, 1 a negative answer, 2 bad input.\n";
+  return text + fmt::format("\n`tubeplan COMMAND --help` describes one. Exit codes: {}.\n", kExitCodes);
 }
 
 // `help`, `help CMD` and no words are other ways to say --help.

@@ -47,9 +47,7 @@ std::string manualPage() {
     for (const auto& option : command.options) page += optionText(option);
     page += fmt::format(".PP\n.nf\n{}\n.fi\n", plain(command.example));
   }
-  return page +
-         ".SH EXIT STATUS\n0 done, 1 a negative answer, 2 bad input, 3 a fault of the program, 130 stopped by "
-         "Ctrl\\-C.\n";
+  return page + fmt::format(".SH EXIT STATUS\n{}.\n", plain(kExitCodes));
 }
 
 }  // namespace tubeplan::app

@@ -62,8 +62,7 @@ Run configureAdd(CLI::App& cli) {
                  "not linear is dimensionless and needs an initial value: 'theta3 += c*sin(k*theta1); k=3'");
   cli.add_option("--readings", options->readings,
                  "measurements (CSV) at which to compute how far the formula overlaps with effects of the catalogue");
-  cli.add_option("--sigma", options->sigma,
-                 "standard deviation of a coordinate where --readings states none, in the cell's length unit");
+  addSigma(cli, options->sigma, "where --readings states none");
   cli.add_option("--out", options->out, "write the cell with the effect to this file")->required();
   return [options] { return run(*options); };
 }

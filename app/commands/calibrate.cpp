@@ -55,9 +55,7 @@ Run configureCalibrate(CLI::App& cli) {
   cli.add_option("MEASUREMENTS", options->measurements, "touches (CSV): three or more holes, each once")->required();
   cli.add_option("--out", options->out, "write the cell with the base found to this file");
   cli.add_option("--setup", options->setup, "which set-up of the file, where it has several");
-  cli.add_option(
-      "--sigma", options->sigma,
-      "standard deviation of a coordinate where neither file nor tool states one, in the cell's length unit");
+  addSigma(cli, options->sigma, "where neither file nor tool states one");
   addAssumeOption(cli, options->assume);
   addJson(cli, options->json);
   return [options] { return run(*options); };

@@ -169,6 +169,20 @@ int run(const CampaignOptions& options) {
   return runRanked(options, ranks);
 }
 
+std::string groupOf(std::string_view kind) { return fmt::format("Of kind {}, in the cell's units", kind); }
+
+/// An option of another kind would do nothing.
+void requireOptionsOf(const CLI::App& cli, const std::string& chosen) {
+  for (const auto& kind : campaignKinds()) {
+    if (kind.name == chosen) continue;
+    for (const auto* option : cli.get_options([&](const auto* one) { return one->get_group() == groupOf(kind.name); }))
+      if (option->count() > 0)
+        throw InputError(option->get_name(), "an option of another kind of campaign",
+                         fmt::format("options of kind {}", chosen),
+                         fmt::format("add --kind {}, or leave it out", kind.name));
+  }
+}
+
 std::string kindHelp() {
   std::string text = "what each run is:";
   for (const auto& kind : campaignKinds()) text += fmt::format("\n{}: {}", kind.name, kind.summary);
@@ -182,7 +196,7 @@ std::string choiceHelp() {
 }
 
 void configureCentring(CLI::App& cli, CampaignRequest& request) {
-  const char* group = "Of kind centre, in the cell's units";
+  const std::string group = groupOf("centre");
   cli.add_option("--truth", request.truth, "the cell about which true arms are drawn (default: CELL)")->group(group);
   cli.add_option("--tubes", request.tubes, "the tubes whose holes may be visited, as for plan")
       ->capture_default_str()
@@ -214,7 +228,7 @@ void configureCentring(CLI::App& cli, CampaignRequest& request) {
 }
 
 void configureDiagnosis(CLI::App& cli, CampaignRequest& request) {
-  const char* group = "Of kind diagnose";
+  const std::string group = groupOf("diagnose");
   cli.add_option("--design", request.design, "the design of the readings, as for simulate")
       ->capture_default_str()
       ->group(group);
@@ -250,7 +264,10 @@ Run configureCampaign(CLI::App& cli) {
   addJson(cli, options->json);
   configureCentring(cli, options->request);
   configureDiagnosis(cli, options->request);
-  return [options] { return run(*options); };
+  return [options, &cli] {
+    requireOptionsOf(cli, options->kind);
+    return run(*options);
+  };
 }
 
 }  // namespace tubeplan::app

@@ -7,6 +7,7 @@
 #include "app/cli/browser.hpp"
 #include "app/files/assumptions.hpp"
 #include "app/files/atomic_file.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
@@ -32,9 +33,16 @@ void addJson(CLI::App& cli, std::string& json) {
   cli.add_option("--json", json, "write the figures as JSON to this file, or - for standard output");
 }
 
+void addSigma(CLI::App& cli, double& sigma, const std::string& when) {
+  cli.add_option("--sigma", sigma, "standard deviation of a coordinate, in the cell's unit of length, " + when)
+      ->check([](const std::string& text) {
+        const auto value = tubesheets::parseNumber(text);
+        return value && *value > 0 ? std::string() : inQuotes(text) + ", not a length above zero";
+      });
+}
+
 void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options) {
-  cli.add_option("--sigma", options.sigma,
-                 "standard deviation of a coordinate where the file states none, in the cell's length unit");
+  addSigma(cli, options.sigma, "where the file states none");
   cli.add_option(
          "--prior", options.priors,
          "NAME=SIGMA, in the cell's units: prior standard deviation of the arm file's values; of `length` and `angle` "

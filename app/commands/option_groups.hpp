@@ -17,6 +17,9 @@ void addJson(CLI::App& cli, std::string& json);
 /// --seed; `of`: what it is the seed of, for --help.
 void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of);
 
+/// --sigma above zero, a standard deviation of a coordinate in the cell's unit of length; `when`: where it counts.
+void addSigma(CLI::App& cli, double& sigma, const std::string& when);
+
 /// --sigma, --prior and --assume, of every command that fits a model to readings.
 void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options);
 

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "app/cli/browser.hpp"
@@ -16,6 +17,7 @@
 #include "app/documents/plan_files.hpp"
 #include "app/documents/plan_text.hpp"
 #include "app/documents/trajectory_yaml.hpp"
+#include "app/files/input_error.hpp"
 
 namespace tubeplan::app {
 
@@ -59,12 +61,27 @@ std::string keptText(const std::string& from, const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;
   const std::size_t tubes = plan.visits.size() + plan.unreachable.size();
   return fmt::format(
-      "kept of {}: the reach of {} of {} tubes, {} of {} travels, {} of {} proofs; {} tubes added, {} taken out\n",
+      "reused from {}: the reach of {} of {} tubes, {} of {} travels, {} of {} proofs; {} tubes added, {} removed\n",
       from, plan.kept.reach, tubes, plan.kept.travels, plan.visits.size() - 1, plan.kept.proofs,
       2 * plan.visits.size() - 1, outcome.tubes_added, outcome.tubes_removed);
 }
 
+/// Into the folder of its own inputs a plan would write over them.
+void requireOtherNames(const PlanOptions& options) {
+  const auto& request = options.request;
+  for (const auto& input : {request.cell, request.touches, request.tubes, request.truth}) {
+    const std::filesystem::path file(input);
+    const auto written = std::filesystem::path(options.out) / file.filename();
+    std::error_code none;
+    const bool is_output = std::ranges::find(kPlanFiles, file.filename().string()) != std::end(kPlanFiles);
+    if (is_output && std::filesystem::equivalent(file, written, none))
+      throw InputError("--out", inQuotes(written.string()) + ", a file that this command reads", "another folder",
+                       "choose another one: it would be lost");
+  }
+}
+
 int run(const PlanOptions& options) {
+  requireOtherNames(options);
   if (options.trajectory) requireAccelerations(readCell(options.request.cell).arm);
   noteStopSignals();  // from the first folder on, so that none is left behind
   OutputFolder folder(options.out, "--out");

@@ -80,7 +80,8 @@ std::optional<deflection::Wrench> parseWrench(const PoseOptions& options, const 
 
 int run(const PoseOptions& options) {
   const Cell cell = readCell(options.cell);
-  deflection::Posture posture{parseJoints(options.joints, cell.arm, cell.units), parseLoad(options.load, cell.units),
+  deflection::Posture posture{parseJoints(options.joints, cell.arm, cell.units, "--joints"),
+                              parseLoad(options.load, cell.units, "--load"),
                               deflection::gravityInBase(cell.arm, cell.X_WB)};
   posture.wrench = parseWrench(options, cell);
   if (!options.side_joints.empty())

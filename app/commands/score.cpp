@@ -117,6 +117,8 @@ nlohmann::json scoredJson(const Scored& scored, const planner::Workcell& cell, c
 
 void printScored(const Scored& scored, const planner::Workcell& cell, const Cell& nominal) {
   const Units& units = nominal.units;
+  fmt::print("scored with the base that {} simulated touches of the true arm give\n",
+             scored.calibration.flexible.residuals.size());
   fmt::print("{}", calibrationText(scored.calibration.flexible, nominal));
   if (!scored.warning.empty()) fmt::print("warning: {}\n", scored.warning);
   const auto scores = modeScores(scored);
@@ -140,8 +142,9 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Cell
     for (int count : counts[mode]) fmt::print("{:7}", count);
     const double unit = units.factor(dimension::kLength);
     const int decimals = lengthDecimals(units);
-    fmt::print("   {:8.{}f}  {:8.{}f}  {:8.{}f}\n", sum / unit / std::max(1, found), decimals, worst / unit, decimals,
-               approach / unit, decimals);
+    const auto none = static_cast<int>(scores.size()) - found;
+    fmt::print("   {:8.{}f}  {:8.{}f}  {:8.{}f}{}\n", sum / unit / std::max(1, found), decimals, worst / unit, decimals,
+               approach / unit, decimals, none > 0 ? fmt::format("   ({} without a posture)", none) : "");
   }
 }
 

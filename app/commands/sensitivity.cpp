@@ -107,7 +107,7 @@ int run(const SensitivityOptions& options) {
   SensitivityReport report;
   calibration::SensitivityTask task;
   calibration::MeasurementChecks checks;
-  task.load = parseLoad(options.load, cell.units);
+  task.load = parseLoad(options.load, cell.units, "--load");
   if (!options.readings.empty()) {
     const auto made = readingsMade(options.readings, cell, 0, options.assume);
     checks = made.checks;

@@ -79,9 +79,7 @@ Run configureTouches(CLI::App& cli) {
       ->capture_default_str();
   cli.add_option("--candidates", request.candidates, "number of candidate holes or postures (60 holes, 600 postures)")
       ->check(CLI::Range(3, 100000));
-  cli.add_option("--sigma", request.sigma,
-                 "standard deviation of a coordinate, in the cell's unit of length (default: that of the readings, or "
-                 "of the tool)");
+  addSigma(cli, request.sigma, "instead of that of the readings, or of the tool");
   cli.add_option("--csv", options->csv, "write the proposals as a measurement table, its coordinates to be filled in");
   addSeed(cli, request.seed, "seed of the random postures and draws");
   addJson(cli, options->json);

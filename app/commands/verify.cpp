@@ -70,13 +70,13 @@ nlohmann::json checkJson(const planner::PlanCheck& check, const Units& units,
           {"units", unitsJson(units)}};
 }
 
-void print(const planner::PlanCheck& check, const Cell& cell) {
+void print(const planner::PlanCheck& check, const Cell& cell, const std::vector<std::string>& warnings) {
   const Units& units = cell.units;
-  for (const auto& warning : cell.warnings) fmt::print("warning: {}\n", warning);
+  for (const auto& warning : warnings) fmt::print("warning: {}\n", warning);
   const double length = units.factor(dimension::kLength);
   fmt::print("{} tubes, {} path rows: {}\n", check.tubes, check.rows, check.findings.empty() ? "proved" : "REFUTED");
-  fmt::print("largest centring error {:.1e} {}, largest deviation from a hole's axis during an approach {:.5f} {}\n",
-             check.worst_centring / length, units.length().name, check.worst_approach / length, units.length().name);
+  fmt::print("largest centring error {:.1e} {}, largest deviation from a hole's axis during an approach {}\n",
+             check.worst_centring / length, units.length().name, lengthText(check.worst_approach, units));
   if (!check.statics_not_covered.empty())
     fmt::print("statics not checked independently: {}\n", check.statics_not_covered);
   else if (std::isfinite(check.worst_statics))
@@ -98,6 +98,21 @@ void print(const planner::PlanCheck& check, const Cell& cell) {
   for (const auto& finding : check.findings) fmt::print("  {}\n", finding);
 }
 
+/// The plan stands on its own base; a cell that was calibrated since knows of another.
+std::string baseDifference(const Cell& cell, const Cell& planned) {
+  constexpr double kSamePlace = 1e-6, kSameTurn = 1e-6;  // m, rad
+  if (!cell.base_known) return "";
+  const double place = (cell.X_WB.translation() - planned.X_WB.translation()).norm();
+  const double turn =
+      Eigen::AngleAxisd(Eigen::Matrix3d(cell.X_WB.linear().transpose() * planned.X_WB.linear())).angle();
+  if (place <= kSamePlace && std::abs(turn) <= kSameTurn) return "";
+  return fmt::format(
+      "the plan is verified at its own base, which stands {} and {:.3g} {} from that of {}: to work with that base "
+      "plan "
+      "again (--from)",
+      lengthText(place, cell.units), angleOf(std::abs(turn), cell.units), cell.units.angle().name, cell.path);
+}
+
 int run(const VerifyOptions& options) {
   const Cell cell = readCell(options.cell);
   const Cell planned = readCell((std::filesystem::path(options.folder) / "cell.yaml").string());
@@ -117,8 +132,10 @@ int run(const VerifyOptions& options) {
   const auto strangers = findIdentityProblems(files, work.sheet);
   check.findings.insert(check.findings.begin(), strangers.begin(), strangers.end());
   if (!check.findings.empty()) check.status = planner::PlanCheckStatus::kRefuted;
-  writeJson(options.json, checkJson(check, cell.units, cell.warnings));
-  if (printsText(options.json)) print(check, cell);
+  std::vector<std::string> warnings = cell.warnings;
+  if (auto moved = baseDifference(cell, planned); !moved.empty()) warnings.push_back(std::move(moved));
+  writeJson(options.json, checkJson(check, cell.units, warnings));
+  if (printsText(options.json)) print(check, cell, warnings);
   return check.findings.empty() ? kDone : kNegativeAnswer;
 }
 

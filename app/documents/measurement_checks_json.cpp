@@ -48,7 +48,7 @@ std::string checkText(const MeasurementCheck& check, const Units& units) {
 std::string checksText(const MeasurementChecks& checks, const Units& units) {
   std::string text;
   for (const auto& check : checks.checks)
-    text += fmt::format("  {}: {}\n", check.severity == CheckSeverity::kMistake ? "MISTAKE SUSPECTED" : "look",
+    text += fmt::format("  {}: {}\n", check.severity == CheckSeverity::kMistake ? "MISTAKE SUSPECTED" : "remark",
                         checkText(check, units));
   return text;
 }

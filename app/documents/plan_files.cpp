@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/documents/calibration_json.hpp"
@@ -226,10 +227,10 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
                                                     modelErrorByTouches(outcome.chances.error, outcome.touches.size())},
                                                    cell_file)
                                 : cellTextAt(outcome.cell, cell_file));
-  if (outcome.touches.empty())
-    folder.remove("touches.csv");
-  else
+  if (!outcome.touches.empty())
     folder.write("touches.csv", touchesCsv(outcome.touches, outcome.cell));
+  else if (std::filesystem::exists(folder.path() / "plan.json"))
+    folder.remove("touches.csv");  // of an earlier plan
   folder.write(kWorkListFile, workListCsv(outcome));
   folder.write("report.html", renderPlanReport(reportJson(request, outcome)));
   folder.commit();

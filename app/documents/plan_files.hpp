@@ -21,6 +21,10 @@ namespace tubeplan::app {
 /// What the report page shows.
 [[nodiscard]] nlohmann::json reportJson(const PlanRequest& request, const PlanOutcome& outcome);
 
+/// All that a plan may write into its folder.
+inline constexpr const char* kPlanFiles[] = {"plan.json",    "path.csv",    "cell.yaml",      "touches.csv",
+                                             "worklist.csv", "report.html", "trajectory.yaml"};
+
 /// All files of a plan, into a folder that appears whole.
 void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFolder& folder);
 

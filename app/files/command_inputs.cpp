@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 
 #include "app/files/input_error.hpp"
 #include "app/files/joint_units.hpp"
+#include "app/files/lower_case.hpp"
 #include "app/files/text_file.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -42,9 +42,7 @@ double parseJoint(const std::string& text, const deflection::Joint<double>& join
 }
 
 bool namesCsvFile(const std::string& request) {
-  std::string extension = std::filesystem::path(request).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".csv";
+  return lowerCase(std::filesystem::path(request).extension().string()) == ".csv";
 }
 
 }  // namespace
@@ -68,9 +66,9 @@ Eigen::VectorXd parseJointsOf(const std::string& text, const std::vector<const d
   return q;
 }
 
-double parseLoad(double load, const Units& units) {
+double parseLoad(double load, const Units& units, const std::string& option) {
   if (!std::isfinite(load) || load < 0)
-    throw InputError("--load", fmt::format("{}", load),
+    throw InputError(option, fmt::format("{}", load),
                      "a finite weight in " + std::string(units.force().name) + ", zero or more");
   return units.toInternal(load, dimension::kForce);
 }

@@ -15,15 +15,16 @@ namespace tubeplan::app {
 /// internal units. Throws InputError for another count, for anything that is no finite number and for a value past its
 /// joint's limits; `option` is where they stand.
 [[nodiscard]] Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units,
-                                          const std::string& option = "--joints");
+                                          const std::string& option);
 
 /// The same of any joints; `whose` they are is for the message.
 [[nodiscard]] Eigen::VectorXd parseJointsOf(const std::string& text,
                                             const std::vector<const deflection::Joint<double>*>& joints,
                                             const Units& units, const std::string& option, const std::string& whose);
 
-/// The hung load in the cell's unit of force, to N. Throws InputError unless it is finite and not negative.
-[[nodiscard]] double parseLoad(double load, const Units& units);
+/// The hung load in the cell's unit of force, to N. Throws InputError unless it is finite and not negative; `option` is
+/// where it stands.
+[[nodiscard]] double parseLoad(double load, const Units& units, const std::string& option);
 
 /// The tubes that --tubes asks for: the selection language of tubesheets/work_list.hpp, or the name of a work list in a
 /// .csv file. Throws InputError for what either refuses; `option` is where they are asked for.

@@ -1,14 +1,17 @@
 #include "app/files/scene_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "app/files/input_error.hpp"
 #include "app/files/mesh_reader.hpp"
 #include "app/files/quantities.hpp"
 #include "app/files/suggestion.hpp"
+#include "deflection/flexible_kinematics.hpp"
 #include "planner/collision/inseparable.hpp"
 
 namespace tubeplan::app {
@@ -225,6 +228,42 @@ SceneSource readScene(const YamlNode& cell, const deflection::Arm& arm, const Un
   throw InputError(findProblemNode(cell, first.path).where(first.path), first.found, first.expected);
 }
 
+namespace {
+
+/// Members that move and that no body is along: what is not given as a shape is not checked.
+std::vector<std::string> bareMembers(const planner::Scene& scene, const deflection::Arm& arm,
+                                     const Eigen::Isometry3d& X_WB) {
+  constexpr double kLong = 0.08;  // of the arm's reach; a shorter one is within what its neighbours' shapes cover
+  constexpr double kNear = 0.2;   // of its length, from its middle
+  std::vector<std::string> bare;
+  const auto active = deflection::activeRows(arm);
+  Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const auto& joint = arm.joint(k);
+    const double middle = (joint.lower + joint.upper) / 2;
+    q[k] = std::isfinite(middle) ? middle : 0;
+  }
+  const auto shape = deflection::solveFlexibleKinematics(arm, {q, 0, deflection::gravityInBase(arm, X_WB)});
+  if (shape.status != deflection::KinematicsStatus::kConverged || active.empty()) return bare;
+  for (auto i = static_cast<std::size_t>(active.front()); i < shape.rows.size(); ++i) {
+    const bool is_last = i + 1 == shape.rows.size();
+    const auto& X_BL = shape.rows[i].X_BL_rigid;
+    const Eigen::Vector3d from = X_BL.p,
+                          to = is_last ? Eigen::Vector3d(X_BL.p + X_BL.R * arm.p_LT) : shape.rows[i + 1].X_BL_rigid.p;
+    const double length = (to - from).norm();
+    if (length < kLong * deflection::reachOf(arm)) continue;
+    const bool is_covered = std::ranges::any_of(scene.bodies, [&](const planner::Body& body) {
+      const auto& X_BO = shape.rows[static_cast<std::size_t>(body.frame_index)].X_BL_rigid;
+      return body.shape->pointDistance(X_BO.R.transpose() * ((from + to) / 2 - X_BO.p)) <= kNear * length;
+    });
+    if (!is_covered)
+      bare.push_back(is_last ? arm.rows[i].name + " to the tip" : arm.rows[i].name + " to " + arm.rows[i + 1].name);
+  }
+  return bare;
+}
+
+}  // namespace
+
 std::vector<std::string> sceneWarnings(const planner::Scene& scene, const std::vector<SceneMesh>& meshes,
                                        const deflection::Arm& arm, const Eigen::Isometry3d& X_WB) {
   std::vector<std::string> warnings;
@@ -234,6 +273,9 @@ std::vector<std::string> sceneWarnings(const planner::Scene& scene, const std::v
                     "checked against one another",
                     planner::bodyLabel(scene.bodies[static_cast<std::size_t>(a)]),
                     planner::bodyLabel(scene.bodies[static_cast<std::size_t>(b)])));
+  if (const auto bare = bareMembers(scene, arm, X_WB); !scene.bodies.empty() && !bare.empty())
+    warnings.push_back(fmt::format("no shape of link_shapes is along the arm from {}: nothing is checked there",
+                                   fmt::join(bare, ", from ")));
   for (const SceneMesh& mesh : meshes) {
     if (!mesh.shape->survey().isClosed())
       warnings.push_back(fmt::format("{} ({}) is {}; the space inside it counts as free", mesh.obstacle, mesh.path,

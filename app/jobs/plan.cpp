@@ -117,7 +117,7 @@ PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
   outcome.compensation = compensationOf(request.compensation);
   outcome.nominal = workcellOf(outcome.cell, "plan tube visits");
   requireSpeeds(outcome.cell);
-  outcome.nominal.load = parseLoad(request.load, outcome.cell.units);
+  outcome.nominal.load = parseLoad(request.load, outcome.cell.units, "--load");
   outcome.nominal.insertion = insertionOf(request, outcome.cell.units);
   outcome.model = outcome.nominal;
   if (!request.truth.empty()) addTruth(request.truth, outcome);

@@ -131,6 +131,7 @@ class ColumnTaker {
 
   std::vector<TakenColumn> take() {
     for (const auto& chosen : choice_.columns) takeChosen(chosen);
+    takeJointsByTheirNames();
     for (std::size_t k = 0; k < targets_.size(); ++k)
       if (!isTaken(k)) takeNamed(k);
     for (std::size_t k = 0; k < targets_.size(); ++k)
@@ -186,6 +187,42 @@ class ColumnTaker {
       throw InputError("--column", "no column " + inQuotes(theirs), alternatives(known), suggestion(theirs, known));
     throw InputError("--column", fmt::format("{} columns {}", found.size(), inQuotes(theirs)), "one",
                      fmt::format("write {}:{}", tables_[found.front().first].file, theirs));
+  }
+
+  /// A joint's own name goes before its number among the joints: `slide, A1, A2` are no numbers. The numbers of those
+  /// that are left count them alone where there are as many: `slide, J1, J2`.
+  void takeJointsByTheirNames() {
+    std::vector<std::size_t> rest;
+    bool is_any_named = false;
+    for (std::size_t k = 0; k < targets_.size(); ++k) {
+      if (!targets_[k].is_joint || isTaken(k)) continue;
+      const auto found = columnsCalled(targets_[k].aliases.front());
+      if (found.size() == 1 && fits(targets_[k], headings_[found[0].first][found[0].second])) {
+        add(k, found[0].first, found[0].second, nullptr);
+        is_any_named = true;
+      } else if (targets_[k].aliases.size() > 1) {
+        rest.push_back(k);
+      }
+    }
+    for (const char* word : kJointWords) {
+      const auto called = [&](std::size_t number) { return columnsCalled(fmt::format("{}{}", word, number)); };
+      bool are_all = is_any_named && !rest.empty() && called(rest.size() + 1).empty();
+      for (std::size_t number = 1; number <= rest.size(); ++number) are_all = are_all && called(number).size() == 1;
+      if (!are_all) continue;
+      for (std::size_t number = 1; number <= rest.size(); ++number) {
+        const auto [table, column] = called(number).front();
+        headings_[table][column].name = targets_[rest[number - 1]].aliases.front();
+      }
+    }
+  }
+
+  /// Those that are not taken yet.
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> columnsCalled(const std::string& name) const {
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (std::size_t t = 0; t < tables_.size(); ++t)
+      for (std::size_t c = 0; c < headings_[t].size(); ++c)
+        if (free_[t][c] && headings_[t][c].name == name) found.emplace_back(t, c);
+    return found;
   }
 
   void takeNamed(std::size_t k) {

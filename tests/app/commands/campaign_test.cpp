@@ -197,6 +197,8 @@ TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
 TEST_F(CampaignCommand, RefusesDamagedTallies) {
   const std::string question = mockup("--tubes spread:30 --runs 4 --out made");
   expectRefused(question + " --resume", "no campaign in ");
+  expectRefused(question + "1 --design bench", "--kind diagnose");
+  expectRefused(mockup("--kind diagnose --runs 1 --holes 4"), "--kind centre");
   ASSERT_EQ(run(question).exit_code, 0);
   const std::string tally = contentOf(folder / "made/tally.json");
   std::string altered = tally;

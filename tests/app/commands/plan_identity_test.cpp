@@ -49,6 +49,34 @@ TEST_F(PlanIdentity, EveryTubeAndPathRowNamesLegRowAndColumn) {
   EXPECT_EQ(run("verify mockup.yaml made").exit_code, 0);
 }
 
+TEST_F(PlanIdentity, APlanIsNotWrittenOverItsOwnInputs) {
+  std::filesystem::create_directories(folder / "own");
+  for (const char* name : {"cobra-arm.yaml", "mockup.yaml"})
+    std::filesystem::copy(folder / name, folder / "own" / (std::string(name) == "mockup.yaml" ? "cell.yaml" : name));
+  const std::string cell = contentOf(folder / "own/cell.yaml");
+  const Outcome outcome = run("plan own/cell.yaml --tubes R20C40 --out own");
+  EXPECT_EQ(outcome.exit_code, 2);
+  expectSays(outcome.err, "a file that this command reads");
+  EXPECT_EQ(contentOf(folder / "own/cell.yaml"), cell);
+  // A table of touches that this plan does not read is none of its own.
+  std::filesystem::create_directories(folder / "beside");
+  (void)write("beside/touches.csv", "mine");
+  ASSERT_EQ(run("plan mockup.yaml --tubes R20C40 --out beside").exit_code, 0);
+  EXPECT_EQ(contentOf(folder / "beside/touches.csv"), "mine");
+}
+
+TEST_F(PlanIdentity, APlanForAnotherBaseIsVerifiedAtItsOwnAndSaysSo) {
+  EXPECT_EQ(run("verify mockup.yaml made").out.find("its own base"), std::string::npos);
+  const std::string cell = contentOf(folder / "made/cell.yaml");
+  const auto at = cell.find("position: [");
+  ASSERT_NE(at, std::string::npos);
+  std::string moved = cell.substr(0, at) + "position: [1.5, 2.5" + cell.substr(cell.find(',', cell.find(',', at) + 1));
+  if (moved.find("known: false") != std::string::npos) moved = changed(moved, "known: false", "known: true");
+  (void)write("made/moved.yaml", moved);
+  const Outcome verified = run("verify made/moved.yaml made");
+  expectSays(verified.out, "warning: the plan is verified at its own base, which stands ");
+}
+
 TEST_F(PlanIdentity, ThePlanOfOneLegIsRefusedOnTheOther) {
   const Outcome verified = run("verify cold.yaml made");
   EXPECT_EQ(verified.exit_code, 1);

@@ -138,7 +138,7 @@ TEST_F(Resume, AFewTubesMoreAndLessKeepTheRestOfThePlan) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::size_t tubes = old["tubes"].size();
   expectSays(outcome.out, "the reach of " + std::to_string(tubes - 2) + " of " + std::to_string(tubes) + " tubes");
-  expectSays(outcome.out, "2 tubes added, 2 taken out");
+  expectSays(outcome.out, "2 tubes added, 2 removed");
   std::smatch travels;
   ASSERT_TRUE(std::regex_search(outcome.out, travels, std::regex("(\\d+) of (\\d+) travels")));
   EXPECT_GE(std::stoi(travels[1]), std::stoi(travels[2]) - 16);

@@ -153,7 +153,8 @@ TEST_F(LookAhead, touchesRefusesWhatMakesNoSense) {
   expectRefused(bench + " --goal base", {"tubesheet"});
   expectRefused(bench + " --tubes R1C1", {"tubesheet"});
   expectRefused(bench + " --loads=-5", {"--loads", "zero or more"});
-  expectRefused(bench + " --sigma=-1", {"--sigma"});
+  expectRefused(bench + " --sigma=-1", {"--sigma", "-1", "above zero"});
+  expectRefused(bench + " --sigma 0", {"--sigma", "above zero"});
   expectRefused(bench + " --readings none.csv", {"none.csv"});
   expectRefused(bench + " --optimal Q", {"--optimal"});
   expectRefused(mockup + " --count 2", {"--count", "three or more"});

@@ -17,7 +17,7 @@ class CommandInputs : public FolderTest {
   const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
 
   [[nodiscard]] std::string jointsRefusal(const std::string& text) const {
-    return messageOf([&] { (void)parseJoints(text, cell.arm, cell.units); });
+    return messageOf([&] { (void)parseJoints(text, cell.arm, cell.units, "--joints"); });
   }
   [[nodiscard]] std::string tubesRefusal(const std::string& text) const {
     return messageOf([&] { (void)readTubes(text, *cell.sheet); });
@@ -25,11 +25,11 @@ class CommandInputs : public FolderTest {
 };
 
 TEST_F(CommandInputs, readJointsInTheCellsUnit) {
-  const Eigen::VectorXd q = parseJoints("-36.688, 46.138,-35.856,1e1", cell.arm, cell.units);
+  const Eigen::VectorXd q = parseJoints("-36.688, 46.138,-35.856,1e1", cell.arm, cell.units, "--joints");
   ASSERT_EQ(q.size(), 4);
   EXPECT_DOUBLE_EQ(q[0], -36.688 * std::numbers::pi / 180);
   EXPECT_DOUBLE_EQ(q[3], 10 * std::numbers::pi / 180);
-  EXPECT_NO_THROW((void)parseJoints("175,180,-155,-135", cell.arm, cell.units));
+  EXPECT_NO_THROW((void)parseJoints("175,180,-155,-135", cell.arm, cell.units, "--joints"));
 }
 
 TEST_F(CommandInputs, refuseOtherJoints) {
@@ -41,9 +41,9 @@ TEST_F(CommandInputs, refuseOtherJoints) {
 }
 
 TEST_F(CommandInputs, refuseImpossibleLoads) {
-  EXPECT_NEAR(parseLoad(30, cell.units), 133.44664845781, 1e-9);
-  EXPECT_THROW((void)parseLoad(-1, cell.units), InputError);
-  EXPECT_THROW((void)parseLoad(std::nan(""), cell.units), InputError);
+  EXPECT_NEAR(parseLoad(30, cell.units, "--load"), 133.44664845781, 1e-9);
+  EXPECT_THROW((void)parseLoad(-1, cell.units, "--load"), InputError);
+  EXPECT_THROW((void)parseLoad(std::nan(""), cell.units, "--load"), InputError);
 }
 
 TEST_F(CommandInputs, readTubesFromWordsAndFiles) {

@@ -113,6 +113,22 @@ TEST_F(ForeignReadingsTest, takesOneTableWithJointsAndPlaces) {
   EXPECT_EQ(parseMeasurementTable(readings.text, "r", cell.arm).readings.size(), 2u);
 }
 
+// An arm whose first joint is no A or J: exact names, and numbers of the others alone.
+TEST_F(ForeignReadingsTest, aJointsOwnNameGoesBeforeItsNumber) {
+  Cell shifted = cell;
+  const char* kNames[] = {"slide", "A1", "A2", "A3"};
+  int k = 0;
+  for (auto& row : shifted.arm.rows)
+    if (row.joint.type != deflection::JointType::kPassive) row.joint.name = kNames[k++];
+  for (const char* heading : {"slide_deg,A1_deg,A2_deg,A3_deg", "slide_deg,J1_deg,J2_deg,J3_deg"}) {
+    const ForeignRequest request{
+        {parseForeignTable(std::string(heading) + ",x_mm,y_mm,z_mm\n10,45,-35,12,1,2,3\n", "t")}, {{}, {}}, ""};
+    const auto readings = readForeign(request, shifted.arm);
+    EXPECT_NE(readings.text.find("slide_deg,A1_deg,A2_deg,A3_deg"), std::string::npos) << readings.text;
+    EXPECT_NE(readings.text.find(",10,45,-35,12,1,2,3"), std::string::npos) << readings.text;
+  }
+}
+
 TEST_F(ForeignReadingsTest, takesATrackersPointsBesideALogByName) {
   const auto readings = read({{"points.txt", "Job::Arm::P2 4 5 6\nJob::Arm::P1 1 2 3\nJob::Arm::P9 7 8 9\n"},
                               {"joints.csv", "Name,A1,A2,A3,A4\nP1,10,45,-35,12\nP2,20,45,-35,12\nP3,30,45,-35,12\n"}},
