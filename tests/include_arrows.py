@@ -20,8 +20,8 @@ ARROWS = {
     'calibration/design': 'calibration calibration/measurements calibration/estimation calibration/simulation',
     'calibration/forecast': 'calibration calibration/measurements calibration/estimation',
     'calibration/measurement_checks': 'calibration calibration/measurements calibration/estimation',
-    'calibration/diagnosis': 'calibration calibration/measurements calibration/estimation calibration/design',
-    'calibration/patterns': 'calibration calibration/measurements calibration/estimation calibration/diagnosis',
+    'calibration/patterns': 'calibration calibration/measurements calibration/estimation',
+    'calibration/diagnosis': 'calibration calibration/measurements calibration/estimation calibration/design calibration/patterns',
     # A plan of visits stands on top of planner's folders, the cell that they all look at beneath most of them.
     'planner/scene': 'deflection tubesheets',
     'planner/workcell': 'planner/scene',

@@ -234,7 +234,7 @@ namespace {
 std::vector<std::string> bareMembers(const planner::Scene& scene, const deflection::Arm& arm,
                                      const Eigen::Isometry3d& X_WB) {
   constexpr double kLong = 0.08;  // of the arm's reach; a shorter one is within what its neighbours' shapes cover
-  constexpr double kNear = 0.2;   // of its length, from its middle
+  constexpr double kNear = 0.25;  // of its length, from its middle
   std::vector<std::string> bare;
   const auto active = deflection::activeRows(arm);
   Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));

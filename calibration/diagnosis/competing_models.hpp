@@ -75,7 +75,7 @@ struct NoiseHypothesis {
 /// All that one diagnosis linearises about its baseline.
 struct DiagnosisWork {
   const DiagnosisOptions& options;
-  DiagnosisBasis basis;
+  FittedBasis basis;
   CauseList causes;
   std::unique_ptr<Signatures> signatures;
   std::unique_ptr<Discrepancy> discrepancy;

@@ -26,17 +26,17 @@ std::vector<int> fittedOf(const std::vector<Measurement>& readings, const std::v
   return fitted;
 }
 
-WhitenedResidual residualOf(const DiagnosisBasis& basis, const PlacedArm& placed) {
+WhitenedResidual residualOf(const FittedBasis& basis, const PlacedArm& placed) {
   return whitenedResidual(placed, {}, basis.readings, basis.weights, VectorXd(0), false);
 }
 
-std::optional<ToolPose> predictedTool(const DiagnosisBasis& basis, const Measurement& reading) {
+std::optional<ToolPose> predictedTool(const FittedBasis& basis, const Measurement& reading) {
   const auto base_pose = static_cast<std::size_t>(basePoseOf(basis.fitted, reading));
   return toolAt(basis.fitted.arm, basis.fitted.base_poses[base_pose].X_WB, reading);
 }
 
 /// Measured less predicted as a vector.
-Vector3d missAt(const DiagnosisBasis& basis, std::size_t k, const std::optional<ToolPose>& tool,
+Vector3d missAt(const FittedBasis& basis, std::size_t k, const std::optional<ToolPose>& tool,
                 const WhitenedResidual& residual) {
   if (!residual.ok || !tool) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   const Measurement& reading = basis.readings[k];
@@ -47,7 +47,7 @@ Vector3d missAt(const DiagnosisBasis& basis, std::size_t k, const std::optional<
   return -predictedSlope(reading, seen).by_place.transpose() * residual.error.segment(row, rowsOf(reading));
 }
 
-std::vector<ReadingView> readingViews(const DiagnosisBasis& basis, const std::vector<Explanation>& shown,
+std::vector<ReadingView> readingViews(const FittedBasis& basis, const std::vector<Explanation>& shown,
                                       const std::vector<int>& given) {
   std::vector<WhitenedResidual> after;
   for (const auto& explanation : shown) after.push_back(residualOf(basis, explanation.fitted));
@@ -65,7 +65,7 @@ std::vector<ReadingView> readingViews(const DiagnosisBasis& basis, const std::ve
 }
 
 /// What an effect at its found size would do to the whitened readings of the model without any.
-VectorXd signatureOf(const DiagnosisBasis& basis, const FoundEffect& found, const PlacedArm& fitted) {
+VectorXd signatureOf(const FittedBasis& basis, const FoundEffect& found, const PlacedArm& fitted) {
   PlacedArm with = basis.fitted;
   if (found.frees.empty()) with.arm.effects.push_back(found.fitted);
   for (const auto& name : found.frees)
@@ -88,7 +88,7 @@ bool isKept(std::size_t k, double share) {
   return turn - std::floor(turn) < share;
 }
 
-std::vector<AddedVariablePoint> addedPointsOf(const DiagnosisBasis& basis, const std::vector<int>& given,
+std::vector<AddedVariablePoint> addedPointsOf(const FittedBasis& basis, const std::vector<int>& given,
                                               const VectorXd& signature, const VectorXd& left, int most_points) {
   // A little fewer than allowed: the even spread is exact to a few readings only.
   const bool is_thinned = signature.size() > most_points;
@@ -103,7 +103,7 @@ std::vector<AddedVariablePoint> addedPointsOf(const DiagnosisBasis& basis, const
   return points;
 }
 
-void addVariables(const DiagnosisBasis& basis, const Explanation& explanation, int index, const std::vector<int>& given,
+void addVariables(const FittedBasis& basis, const Explanation& explanation, int index, const std::vector<int>& given,
                   int most_points, std::vector<AddedVariable>& added) {
   std::vector<VectorXd> signatures;
   for (const auto& effect : explanation.effects) signatures.push_back(signatureOf(basis, effect, explanation.fitted));
@@ -136,7 +136,7 @@ std::vector<Explanation> explanationsShown(const Diagnosis& result) {
   return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kMostShown))};
 }
 
-DiagnosisViews viewsOf(const DiagnosisBasis& basis, const Diagnosis& result, const std::vector<Measurement>& readings,
+DiagnosisViews viewsOf(const FittedBasis& basis, const Diagnosis& result, const std::vector<Measurement>& readings,
                        int most_points) {
   const auto given = fittedOf(readings, result.set_aside);
   assert(given.size() == basis.readings.size());

@@ -11,7 +11,7 @@
 namespace tubeplan::calibration {
 
 struct Diagnosis;
-struct DiagnosisBasis;
+struct FittedBasis;
 struct Explanation;
 
 /// Where a reading was taken, and by how much each model misses it: measured less predicted, in the world frame. Of a
@@ -49,7 +49,7 @@ struct DiagnosisViews {
 
 /// Views of a diagnosis whose verdict stands. `readings` are those it was given; `basis` holds those of them that were
 /// fitted.
-[[nodiscard]] DiagnosisViews viewsOf(const DiagnosisBasis& basis, const Diagnosis& result,
+[[nodiscard]] DiagnosisViews viewsOf(const FittedBasis& basis, const Diagnosis& result,
                                      const std::vector<Measurement>& readings, int most_points = 2000);
 
 }  // namespace tubeplan::calibration

@@ -183,7 +183,7 @@ DiscriminatingMeasurements proposeUnlessStopped(const Diagnosis& diagnosis, cons
   }
   result.columns = columnsMissing(diagnosis);
   result.explanations = openExplanations(diagnosis, options.most_explanations);
-  const DiagnosisBasis basis = basisOf(diagnosis.baseline, fittedReadings(diagnosis, readings));
+  const FittedBasis basis = basisOf(diagnosis.baseline, fittedReadings(diagnosis, readings));
   if (result.explanations.size() < 2 || !basis.residual.ok) {
     result.status = DiscriminationStatus::kNothingToDiscriminate;
     result.reason = diagnosis.verdict == Verdict::kAmbiguous

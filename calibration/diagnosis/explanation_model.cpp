@@ -22,17 +22,7 @@ void addEffectNumbers(const FoundEffect& found, int effect, ExplanationModel& mo
 
 }  // namespace
 
-DiagnosisBasis basisOf(const Identification& baseline, const std::vector<Measurement>& readings,
-                       const StopQuestion& stop) {
-  DiagnosisBasis basis{readings, baseline.fitted, fittedUnknowns(baseline), {}, {}, stop};
-  if (auto weights = weighReadings(basis.fitted, readings, {}, 0, stop)) basis.weights = std::move(*weights);
-  if (basis.weights.rows > 0)
-    basis.residual =
-        whitenedResidual(basis.fitted, basis.unknowns, readings, basis.weights, zerosOf(basis.unknowns), true, stop);
-  return basis;
-}
-
-ExplanationModel modelOf(const DiagnosisBasis& basis, const Explanation& explanation) {
+ExplanationModel modelOf(const FittedBasis& basis, const Explanation& explanation) {
   ExplanationModel model{explanation.fitted, basis.unknowns};
   for (auto& unknown : model.unknowns)
     if (unknown.owner == Unknown::Owner::kArm)
@@ -55,7 +45,7 @@ ExplanationModel modelOf(const DiagnosisBasis& basis, const Explanation& explana
   return model;
 }
 
-ErrorSize judgeOnFolds(const DiagnosisBasis& basis, const ExplanationModel& model, const std::vector<int>& folds,
+ErrorSize judgeOnFolds(const FittedBasis& basis, const ExplanationModel& model, const std::vector<int>& folds,
                        double model_error) {
   const VectorXd start = zerosOf(model.unknowns);
   const LeastSquaresOptions solver{1e-5, kRefitIterations, LeastSquaresMethod::kLevenbergMarquardt, basis.stop};

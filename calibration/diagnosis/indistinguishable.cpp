@@ -27,7 +27,7 @@ double medianSigma(const std::vector<Measurement>& readings) {
 
 }  // namespace
 
-std::vector<Measurement> readingsOverRange(const DiagnosisBasis& basis, std::uint64_t seed) {
+std::vector<Measurement> readingsOverRange(const FittedBasis& basis, std::uint64_t seed) {
   RandomStream random(seed);
   const auto& arm = basis.fitted.arm;
   double heaviest = 0;
@@ -61,7 +61,7 @@ std::vector<Measurement> readingsOverRange(const DiagnosisBasis& basis, std::uin
   return all;
 }
 
-RangeViews::RangeViews(const DiagnosisBasis& basis, std::uint64_t seed)
+RangeViews::RangeViews(const FittedBasis& basis, std::uint64_t seed)
     : basis_(basis), readings_(readingsOverRange(basis, seed)) {
   if (auto weights = weighReadings(basis.fitted, readings_)) weights_ = std::move(*weights);
 }

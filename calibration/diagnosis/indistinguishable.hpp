@@ -9,7 +9,7 @@
 namespace tubeplan::calibration {
 
 /// Readings of the tip all over the arm's range, under the loads and conditions that the readings had.
-[[nodiscard]] std::vector<Measurement> readingsOverRange(const DiagnosisBasis& basis, std::uint64_t seed);
+[[nodiscard]] std::vector<Measurement> readingsOverRange(const FittedBasis& basis, std::uint64_t seed);
 
 /// What an explanation predicts over the range.
 struct RangeView {
@@ -22,14 +22,14 @@ struct RangeView {
 /// Views explanations of one diagnosis over the arm's range.
 class RangeViews {
  public:
-  RangeViews(const DiagnosisBasis& basis, std::uint64_t seed);
+  RangeViews(const FittedBasis& basis, std::uint64_t seed);
   [[nodiscard]] RangeView of(const Explanation& explanation) const;
 
   /// Where the explanation, as fitted, has the tip [m], reading after reading; empty where it has it nowhere.
   [[nodiscard]] Eigen::VectorXd tipsBy(const Explanation& explanation) const;
 
  private:
-  const DiagnosisBasis& basis_;
+  const FittedBasis& basis_;
   std::vector<Measurement> readings_;
   ReadingWeights weights_;
 };

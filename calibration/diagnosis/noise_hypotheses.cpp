@@ -98,7 +98,7 @@ MatrixXd signaturesOf(DiagnosisWork& work, const std::vector<int>& which, const 
 }
 
 bool fillBlock(DiagnosisWork& work, const std::vector<int>& which, Block& block) {
-  const DiagnosisBasis& basis = work.basis;
+  const FittedBasis& basis = work.basis;
   block.readings = picked(basis.readings, which);
   auto weights = weighReadings(basis.fitted, block.readings, {}, 0, basis.stop);
   if (!weights) return false;

@@ -28,7 +28,7 @@ struct Left {
 };
 
 std::optional<Left> leftBy(const DiagnosisWork& work, const CompetingModel& model) {
-  const DiagnosisBasis& basis = work.basis;
+  const FittedBasis& basis = work.basis;
   ExplanationModel fitted{basis.fitted, basis.unknowns};
   if (!model.terms.empty() && hasFit(model)) fitted = modelOf(basis, model.fit);
   Left left{fitted.placed, {}, 0};
@@ -73,7 +73,7 @@ Repeats repeatsBy(const DiagnosisWork& work, const CompetingModel& model) {
 }
 
 SamePosture samePostureBy(const DiagnosisWork& work, const CompetingModel& model) {
-  const DiagnosisBasis& basis = work.basis;
+  const FittedBasis& basis = work.basis;
   if (model.terms.empty() || !hasFit(model)) return judgeSamePosture(basis.readings, basis.weights, basis.residual.r);
   const auto residual = whitenedResidual(model.fit.fitted, {}, basis.readings, basis.weights, {}, false);
   return residual.ok ? judgeSamePosture(basis.readings, basis.weights, residual.r) : SamePosture{};

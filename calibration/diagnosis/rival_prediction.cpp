@@ -15,7 +15,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 /// Covariance of the unknowns by the readings and their priors; by these alone where the model cannot be evaluated.
-MatrixXd covarianceOf(const DiagnosisBasis& basis, const ExplanationModel& model) {
+MatrixXd covarianceOf(const FittedBasis& basis, const ExplanationModel& model) {
   const auto residual =
       whitenedResidual(model.placed, model.unknowns, basis.readings, basis.weights, zerosOf(model.unknowns), true);
   return posteriorCovariance(residual.ok ? residual.jacobian : MatrixXd(), model.unknowns);
@@ -155,7 +155,7 @@ class Race {
 
 }  // namespace
 
-std::vector<RivalModel> rivalModelsOf(const DiagnosisBasis& basis, const std::vector<Explanation>& explanations) {
+std::vector<RivalModel> rivalModelsOf(const FittedBasis& basis, const std::vector<Explanation>& explanations) {
   std::vector<RivalModel> rivals;
   for (const auto& explanation : explanations) {
     RivalModel rival{modelOf(basis, explanation), explanation.criterion, {}};

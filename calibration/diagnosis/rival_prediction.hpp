@@ -15,7 +15,7 @@ struct RivalModel {
   Eigen::MatrixXd covariance;  ///< of the unknowns
 };
 
-[[nodiscard]] std::vector<RivalModel> rivalModelsOf(const DiagnosisBasis& basis,
+[[nodiscard]] std::vector<RivalModel> rivalModelsOf(const FittedBasis& basis,
                                                     const std::vector<Explanation>& explanations);
 
 /// That each is true, if one of them is.

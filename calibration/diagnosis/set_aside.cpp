@@ -50,10 +50,18 @@ std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set
       continue;
     }
     const auto& X_WB = fit.fitted.base_poses[static_cast<std::size_t>(basePoseOf(fit.fitted, reading))].X_WB;
-    const auto predicted = predictReading(fit.fitted.arm, X_WB, reading);
+    PredictionRequest request;
+    request.by_joints = true;
+    const auto predicted = predictReading(fit.fitted.arm, X_WB, reading, request);
+    if (!predicted.ok) {
+      missed.push_back(k);
+      continue;
+    }
+    Eigen::MatrixXd covariance = readingCovariance(fit.fitted.arm, reading, predicted.by_joints);
+    covariance.diagonal().array() += fit.model_error * fit.model_error;
+    const Eigen::VectorXd error = predicted.value - *reading.p_W;
     const double limit = chiSquareQuantile(level / static_cast<double>(readings.size()), rows);
-    const double sigma = std::hypot(reading.sigma, fit.model_error);
-    if (!predicted.ok || (predicted.value - *reading.p_W).squaredNorm() > limit * sigma * sigma) missed.push_back(k);
+    if (error.dot(covariance.llt().solve(error)) > limit) missed.push_back(k);
   }
   return missed;
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "calibration/diagnosis/explanation_model.hpp"
 #include "calibration/estimation/evidence.hpp"
 #include "calibration/estimation/fit.hpp"
+#include "calibration/estimation/fitted_basis.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/patterns/variable_words.hpp"
@@ -133,7 +133,7 @@ bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, con
 Evaluation evaluateFitted(const Comparison& result, const std::vector<Measurement>& fitted) {
   Evaluation after = evaluate(result.fitted, fitted);
   if (!after.ok || result.refit.status == IdentificationStatus::kNotRun) return after;
-  DiagnosisBasis basis = basisOf(result.refit, fitted);
+  FittedBasis basis = basisOf(result.refit, fitted);
   after.ok = basis.residual.ok;
   after.residual = std::move(basis.residual);
   return after;

@@ -4,65 +4,31 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
-#include <tuple>
 
 #include "app/files/foreign/clock_time.hpp"
 #include "app/files/foreign/foreign_heading.hpp"
 #include "app/files/input_error.hpp"
-#include "app/files/joint_units.hpp"
-#include "app/files/measurement_columns.hpp"
 #include "app/files/suggestion.hpp"
-#include "calibration/measurements/measurement_kinds.hpp"
-#include "deflection/side_chains.hpp"
 #include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
-/// Before a joint's number.
-constexpr std::array kJointWords{"j", "joint", "axis", "a", "q", "theta", "encoder"};
-
-void addJoints(const deflection::Arm& arm, std::vector<ColumnTarget>& targets) {
-  int number = 0;
-  for (const auto& joint : arm.joints()) {
-    ++number;
-    std::vector<std::string> aliases = {parseHeading(joint.name).name};
-    for (const char* name : kJointWords) aliases.push_back(fmt::format("{}{}", name, number));
-    targets.push_back(
-        {.quantity = joint.name, .unit = unitKindOf(joint), .is_joint = true, .aliases = std::move(aliases)});
-  }
-  for (const auto* joint : deflection::sideJoints(arm))
-    targets.push_back({.quantity = joint->name,
-                       .unit = unitKindOf(*joint),
-                       .is_joint = true,
-                       .aliases = {parseHeading(joint->name).name}});
-  for (const auto& joint : arm.joints()) {
-    const std::string name = jointColumnName(joint) + "_dir";
-    targets.push_back({.quantity = name, .unit = std::nullopt, .aliases = {parseHeading(name).name}});
-  }
-}
-
-void addOwn(std::vector<ColumnTarget>& targets) {
-  for (const auto& kind : calibration::measurementKinds())
-    for (const auto& [name, quantity] : kind.columns) {
-      const bool is_there =
-          std::any_of(targets.begin(), targets.end(), [&](const auto& t) { return t.quantity == name; });
-      if (is_there) continue;
-      std::optional<UnitKind> unit;
-      if (quantity != deflection::Quantity::kNone) unit = unitKindOf(quantity);
-      targets.push_back({.quantity = name, .unit = unit, .aliases = {parseHeading(name).name}});
-    }
-}
-
 std::string exampleOf(UnitKind kind) { return kind == UnitKind::kLength ? "mm" : unitNames(kind).front(); }
+
+/// Whether a joint may be called by its number; those beside the chain to the tip are not counted.
+bool isNumbered(const ColumnTarget& target) { return target.is_joint && target.aliases.size() > 1; }
+
+/// Of a heading that is this target's and no other's.
+std::string settledName(const ColumnTarget& target) { return "=" + target.quantity; }
 
 /// A heading that states a unit of another kind is of something else: "x (deg)" is no place.
 bool fits(const ColumnTarget& target, const ForeignHeading& heading) {
   if (heading.unit && target.unit != heading.unit->kind) return false;
-  return std::find(target.aliases.begin(), target.aliases.end(), heading.name) != target.aliases.end();
+  return heading.name == settledName(target) ||
+         std::find(target.aliases.begin(), target.aliases.end(), heading.name) != target.aliases.end();
 }
 
 /// What the columns of a table without headings are by how many there are: a name where the first is not of numbers (or
@@ -110,14 +76,48 @@ void countFromOne(std::vector<std::vector<ForeignHeading>>& tables, std::size_t 
   }
 }
 
+/// A joint's own name goes before its number among the joints: `slide, A1, A2` are no numbers. The numbers of those
+/// that are left count them alone where there are as many: `slide, J1, J2`.
+void settleJoints(std::vector<std::vector<ForeignHeading>>& tables, const std::vector<ColumnTarget>& targets) {
+  const auto called = [&](const std::string& name) {
+    std::vector<ForeignHeading*> found;
+    for (auto& headings : tables)
+      for (auto& heading : headings)
+        if (heading.name == name) found.push_back(&heading);
+    return found;
+  };
+  std::vector<const ColumnTarget*> rest;
+  bool is_any_named = false;
+  for (const auto& target : targets) {
+    if (!target.is_joint) continue;
+    const auto found = called(target.aliases.front());
+    if (found.size() == 1 && fits(target, *found.front())) {
+      found.front()->name = settledName(target);
+      is_any_named = true;
+    } else if (isNumbered(target)) {
+      rest.push_back(&target);
+    }
+  }
+  for (const char* word : kJointWords) {
+    const auto numbered = [&](std::size_t number) { return called(fmt::format("{}{}", word, number)); };
+    bool are_all = is_any_named && !rest.empty() && numbered(rest.size() + 1).empty();
+    for (std::size_t number = 1; number <= rest.size(); ++number) are_all = are_all && numbered(number).size() == 1;
+    if (!are_all) continue;
+    std::vector<ForeignHeading*> columns;
+    for (std::size_t number = 1; number <= rest.size(); ++number) columns.push_back(numbered(number).front());
+    for (std::size_t k = 0; k < rest.size(); ++k) columns[k]->name = settledName(*rest[k]);
+    return;
+  }
+}
+
 /// Of every table.
 std::vector<std::vector<ForeignHeading>> allHeadings(const std::vector<ForeignTable>& tables,
                                                      const std::vector<ColumnTarget>& targets) {
   std::vector<std::vector<ForeignHeading>> headings;
   for (const auto& table : tables) headings.push_back(headingsOf(table, targets));
-  const auto isNumbered = [](const ColumnTarget& target) { return target.is_joint && target.aliases.size() > 1; };
   const auto joints = std::count_if(targets.begin(), targets.end(), isNumbered);
   countFromOne(headings, static_cast<std::size_t>(joints));
+  settleJoints(headings, targets);
   return headings;
 }
 
@@ -131,7 +131,6 @@ class ColumnTaker {
 
   std::vector<TakenColumn> take() {
     for (const auto& chosen : choice_.columns) takeChosen(chosen);
-    takeJointsByTheirNames();
     for (std::size_t k = 0; k < targets_.size(); ++k)
       if (!isTaken(k)) takeNamed(k);
     for (std::size_t k = 0; k < targets_.size(); ++k)
@@ -187,42 +186,6 @@ class ColumnTaker {
       throw InputError("--column", "no column " + inQuotes(theirs), alternatives(known), suggestion(theirs, known));
     throw InputError("--column", fmt::format("{} columns {}", found.size(), inQuotes(theirs)), "one",
                      fmt::format("write {}:{}", tables_[found.front().first].file, theirs));
-  }
-
-  /// A joint's own name goes before its number among the joints: `slide, A1, A2` are no numbers. The numbers of those
-  /// that are left count them alone where there are as many: `slide, J1, J2`.
-  void takeJointsByTheirNames() {
-    std::vector<std::size_t> rest;
-    bool is_any_named = false;
-    for (std::size_t k = 0; k < targets_.size(); ++k) {
-      if (!targets_[k].is_joint || isTaken(k)) continue;
-      const auto found = columnsCalled(targets_[k].aliases.front());
-      if (found.size() == 1 && fits(targets_[k], headings_[found[0].first][found[0].second])) {
-        add(k, found[0].first, found[0].second, nullptr);
-        is_any_named = true;
-      } else if (targets_[k].aliases.size() > 1) {
-        rest.push_back(k);
-      }
-    }
-    for (const char* word : kJointWords) {
-      const auto called = [&](std::size_t number) { return columnsCalled(fmt::format("{}{}", word, number)); };
-      bool are_all = is_any_named && !rest.empty() && called(rest.size() + 1).empty();
-      for (std::size_t number = 1; number <= rest.size(); ++number) are_all = are_all && called(number).size() == 1;
-      if (!are_all) continue;
-      for (std::size_t number = 1; number <= rest.size(); ++number) {
-        const auto [table, column] = called(number).front();
-        headings_[table][column].name = targets_[rest[number - 1]].aliases.front();
-      }
-    }
-  }
-
-  /// Those that are not taken yet.
-  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> columnsCalled(const std::string& name) const {
-    std::vector<std::pair<std::size_t, std::size_t>> found;
-    for (std::size_t t = 0; t < tables_.size(); ++t)
-      for (std::size_t c = 0; c < headings_[t].size(); ++c)
-        if (free_[t][c] && headings_[t][c].name == name) found.emplace_back(t, c);
-    return found;
   }
 
   void takeNamed(std::size_t k) {
@@ -300,49 +263,6 @@ class ColumnTaker {
 };
 
 }  // namespace
-
-std::vector<ColumnTarget> columnTargets(const deflection::Arm& arm) {
-  const auto text = [](const char* name, std::vector<std::string> aliases) {
-    return ColumnTarget{.quantity = name, .unit = std::nullopt, .is_number = false, .aliases = std::move(aliases)};
-  };
-  const auto number = [](std::string name, UnitKind unit, std::vector<std::string> aliases) {
-    return ColumnTarget{.quantity = std::move(name), .unit = unit, .aliases = std::move(aliases)};
-  };
-  std::vector<ColumnTarget> targets = {
-      text("id", {"id", "no", "nr", "number", "index", "reading", "measurement"}),
-      text("kind", {"kind"}),
-      text("point", {"point", "pointname", "pointid", "name", "target", "label", "hole", "tube"}),
-      text("setup", {"setup"}),
-      text("split", {"split"}),
-      text("from", {"from"}),
-      text("row", {"armrow", "link", "linkname"}),  // not `row`: lists of anything count their rows
-      number("load", UnitKind::kForce, {"load", "payload", "mass", "weight"}),
-  };
-  addJoints(arm, targets);
-  for (const char* axis : {"x", "y", "z"}) {
-    std::vector<std::string> aliases;
-    for (const char* form : {"{}", "pos{}", "p{}", "t{}", "{}pos", "measured{}", "{}measured", "meas{}", "{}meas"})
-      aliases.push_back(fmt::format(fmt::runtime(form), axis));
-    targets.push_back(number(axis, UnitKind::kLength, std::move(aliases)));
-  }
-  for (const char* name : {"tool_x", "tool_y", "tool_z", "sigma_x", "sigma_y", "sigma_z"})
-    targets.push_back(number(name, UnitKind::kLength, {parseHeading(name).name}));
-  addOwn(targets);
-  for (const char* name : {"dx", "dy", "dz"})
-    targets.push_back({.quantity = name, .unit = std::nullopt, .aliases = {name}});
-  for (const char* name : {"rho_xy", "rho_xz", "rho_yz"})
-    targets.push_back({.quantity = name, .unit = std::nullopt, .aliases = {parseHeading(name).name}});
-  targets.push_back(number("sigma", UnitKind::kLength, {"sigma", "std", "stddev", "standarddeviation"}));
-  targets.push_back(number("turn_sigma", UnitKind::kAngle, {"turnsigma"}));
-  for (const auto& [word, letter, unit] :
-       {std::tuple("force", "f", UnitKind::kForce), std::tuple("moment", "torque", UnitKind::kTorque)})
-    for (const char* axis : {"x", "y", "z"})
-      targets.push_back(number(fmt::format("{}_{}", word, axis), unit,
-                               {fmt::format("{}{}", letter, axis), fmt::format("{}{}", word, axis)}));
-  targets.push_back(number("temperature", UnitKind::kTemperature, {"temperature", "temp"}));
-  targets.push_back(number("time", UnitKind::kTime, {"time", "timestamp", "t"}));
-  return targets;
-}
 
 std::optional<std::size_t> findNames(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
   const auto headings = headingsOf(table, targets);

@@ -1,6 +1,7 @@
 // Which column of foreign tables is which of a measurement table's.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,6 +12,9 @@
 #include "deflection/arm.hpp"
 
 namespace tubeplan::app {
+
+/// Before a joint's number.
+inline constexpr std::array kJointWords{"j", "joint", "axis", "a", "q", "theta", "encoder"};
 
 /// A quantity that a measurement table may have, and what it is called elsewhere.
 struct ColumnTarget {

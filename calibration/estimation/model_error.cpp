@@ -1,0 +1,95 @@
+// modelErrorOf: what a model's own error is beside the noise.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "calibration/estimation/fit.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kGrossErrorLevel = 0.01;  // chance of taking any reading for a gross error where there is none
+
+/// Mean square of a reading's whitened rows that none of so many readings exceeds but by chance.
+double grossErrorLimit(std::size_t readings, int rows) {
+  return chiSquareQuantile(kGrossErrorLevel / static_cast<double>(readings), rows) / rows;
+}
+
+/// Errors of readings against their noise and a further variance of every coordinate.
+class ErrorVariance {
+ public:
+  ErrorVariance(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error) {
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(weights.noise[k]);
+      noise_.push_back(axes.eigenvalues().cwiseMax(0));
+      squares_.push_back(
+          (axes.eigenvectors().transpose() * error.segment(weights.first_row[k], rowsOf(readings[k]))).cwiseAbs2());
+    }
+  }
+
+  /// The square of a reading's error in units of its variance, over its rows.
+  [[nodiscard]] double meanSquare(std::size_t reading, double variance) const {
+    return (squares_[reading].array() / (noise_[reading].array() + variance)).mean();
+  }
+
+  /// The variance at which `size(variance)`, which falls with it, comes down to nothing.
+  template <class Size>
+  [[nodiscard]] double solve(const Size& size) const {
+    if (!(size(0.) > 0)) return 0;
+    double low = 0, high = 0;
+    for (const auto& squares : squares_) high = std::max(high, squares.maxCoeff());
+    for (high *= 4; size(high) > 0; high *= 4) low = high;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = (low + high) / 2;
+      (size(middle) > 0 ? low : high) = middle;
+    }
+    return high;
+  }
+
+  /// Median over the readings of the mean square, each in units of what normal noise makes of it.
+  [[nodiscard]] double usualSquare(double variance) const {
+    std::vector<double> squares;
+    for (std::size_t k = 0; k < squares_.size(); ++k)
+      squares.push_back(meanSquare(k, variance) / medianOfMeanSquare(static_cast<int>(squares_[k].size())));
+    return median(std::move(squares));
+  }
+
+ private:
+  std::vector<VectorXd> noise_, squares_;
+};
+
+}  // namespace
+
+double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error,
+                    int degrees_of_freedom) {
+  if (degrees_of_freedom <= 0) return 0;
+  const ErrorVariance errors(readings, weights, error);
+  // What most readings are off by says which are gross errors: those are no error of the model.
+  const double usual = errors.solve([&](double v) { return errors.usualSquare(v) - 1; });
+  std::map<int, double> limits;
+  std::vector<std::size_t> kept;
+  int freedom = degrees_of_freedom;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const int rows = rowsOf(readings[k]);
+    if (!limits.contains(rows)) limits[rows] = grossErrorLimit(readings.size(), rows);
+    if (errors.meanSquare(k, usual) <= limits[rows])
+      kept.push_back(k);
+    else
+      freedom -= rows;
+  }
+  if (freedom <= 0) return 0;
+  const auto chi2At = [&](double variance) {
+    double chi2 = 0;
+    for (const std::size_t k : kept) chi2 += rowsOf(readings[k]) * errors.meanSquare(k, variance);
+    return chi2;
+  };
+  if (!(chiSquareTail(chi2At(0), freedom) < kLackOfFit)) return 0;
+  return std::sqrt(errors.solve([&](double v) { return chi2At(v) - freedom; }));
+}
+
+}  // namespace tubeplan::calibration
