@@ -101,12 +101,12 @@ export function variableTitle({name, unit}) {
 }
 
 /**
- * By the program's own names: "moment forearm.z", "sense of theta4", "direction of theta4", "theta1 and theta2".
+ * By the program's own names: "moment forearm.z", "sense of theta4", "direction of theta4", "cycles of theta1", "theta1 and theta2".
  * @param {string | undefined} name @param {readonly Variable[]} variables @returns {Variable | null}
  */
 export function findVariable(name, variables) {
   if (!name) return null;
-  const first = name.split(" and ")[0];
+  const first = name.split(" and ")[0].replace(/^cycles of /, "");
   const sense = /^(?:sense|direction) of (.+)$/.exec(first);
   const key = sense ? `${sense[1]}_dir` : first.startsWith("moment ") ? first.replace(/\W/g, "_") : first;
   return variables.find((entry) => entry.key === key || entry.name === key) ?? null;

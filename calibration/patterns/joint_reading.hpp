@@ -1,7 +1,7 @@
 // An error that goes with a joint's reading.
 //
 // Basis: sine and cosine once per turn of a revolute joint, which over part of a turn make a straight line and a bow;
-// the length and its square for a slide.
+// the length and its square for a slide. Apart from them, two to four cycles per turn.
 #pragma once
 
 #include <cmath>
@@ -28,6 +28,15 @@ inline std::vector<Variable> variables(const ReadingScene& scene) {
         variable.value, slides ? [](double q) { return q; } : [](double q) { return std::sin(q); });
     variable.basis.col(1) = centred(
         variable.value, slides ? [](double q) { return q * q; } : [](double q) { return std::cos(q); });
+    list.push_back(variable);
+    if (slides) continue;
+    variable.name = cyclesOf(joint.name);
+    variable.basis.resize(variable.value.size(), 6);
+    for (int cycle = 2; cycle <= 4; ++cycle) {
+      const Eigen::VectorXd phase = cycle * variable.value;
+      variable.basis.col(2 * cycle - 4) = centred(phase, [](double p) { return std::sin(p); });
+      variable.basis.col(2 * cycle - 3) = centred(phase, [](double p) { return std::cos(p); });
+    }
     list.push_back(std::move(variable));
   }
   return list;

@@ -62,6 +62,13 @@ const std::vector<PatternKind>& patternKinds();
 /// step and a slow swing alike.
 [[nodiscard]] Eigen::MatrixXd slowWaves(const Eigen::VectorXd& value);
 
+/// The next waves of the course, up to one cycle for eight readings and twelve at most; none where those would be no
+/// more than the first.
+[[nodiscard]] Eigen::MatrixXd fasterWaves(const Eigen::VectorXd& value);
+
+/// What a variable is called where the error goes through several cycles of it.
+[[nodiscard]] inline std::string cyclesOf(const std::string& variable) { return "cycles of " + variable; }
+
 /// A variable that says which group each reading belongs to; the names in their first order.
 [[nodiscard]] Variable groupVariable(const std::string& name, const std::vector<std::string>& group_of_reading);
 

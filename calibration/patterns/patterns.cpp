@@ -120,6 +120,19 @@ MatrixXd slowWaves(const VectorXd& value) {
   return waves;
 }
 
+MatrixXd fasterWaves(const VectorXd& value) {
+  constexpr Index kFirst = 4, kMostCycles = 12, kReadingsOfCycle = 8;  // the slow waves are the first three
+  const Index cycles = std::min(kMostCycles, value.array().isFinite().count() / kReadingsOfCycle);
+  if (2 * cycles < kFirst) return {};
+  const auto [least, most] = rangeOf(value);
+  MatrixXd waves(value.size(), 2 * cycles - kFirst + 1);
+  for (Index k = 0; k < waves.cols(); ++k) {
+    const VectorXd phase = (value.array() - least) * (static_cast<double>(k + kFirst) * EIGEN_PI / (most - least));
+    waves.col(k) = centred(phase, [](double p) { return std::cos(p); });
+  }
+  return waves;
+}
+
 Variable groupVariable(const std::string& name, const std::vector<std::string>& group_of_reading) {
   Variable variable{name, VariableUnit::kNone, VectorXd(static_cast<Index>(group_of_reading.size())), {}, {}};
   std::map<std::string, std::size_t> index;

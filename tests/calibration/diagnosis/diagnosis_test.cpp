@@ -189,6 +189,20 @@ TEST(Diagnosis, TakesTheScatterOfRepeatedReadingsForNoise) {
 }
 
 // Waves too short for the slow ones of the unknown function: what `compare` finds is not called scatter.
+TEST(Diagnosis, DoesNotCallScatterWhatGoesThroughCyclesInTime) {
+  const auto cell = shippedBench();
+  auto readings = benchReadings(cell, "", "", {}, 120, 5);
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    readings[k].time = 60. * static_cast<double>(k);
+    readings[k].p_W->z() += 4 * readings[k].sigma * std::sin(14 * std::numbers::pi * static_cast<double>(k) / 120);
+  }
+  const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+  EXPECT_EQ(found.verdict, Verdict::kUnexplained);
+  EXPECT_FALSE(found.isScatterAlone());
+  ASSERT_FALSE(found.remainder.follows.empty());
+  EXPECT_EQ(found.remainder.follows.front().first, "cycles of time");
+}
+
 TEST(Diagnosis, DoesNotCallScatterWhatFollowsAPattern) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 120, 5);

@@ -196,7 +196,7 @@ TEST(Comparison, whatOnlyNoiseMovesIsNotAsked) {
     return list;
   };
   EXPECT_EQ(names(observe(placed, readings), "position"), (std::vector<std::string>{"position x", "position y"}));
-  EXPECT_EQ(names(observe(placed, readings), "joint").size(), 4u);
+  EXPECT_EQ(names(observe(placed, readings), "joint").size(), 8u) << "each joint, and its cycles";
   const auto still = makeCampaign(deflection::cobraArm(), 22, {1, 40, kReadingSigma, kReadingSigma});
   EXPECT_TRUE(names(observe(placed, still), "joint").empty());
   EXPECT_TRUE(names(observe(placed, still), "position").empty());
