@@ -107,9 +107,8 @@ std::string baseDifference(const Cell& cell, const Cell& planned) {
       Eigen::AngleAxisd(Eigen::Matrix3d(cell.X_WB.linear().transpose() * planned.X_WB.linear())).angle();
   if (place <= kSamePlace && std::abs(turn) <= kSameTurn) return "";
   return fmt::format(
-      "the plan is verified at its own base, which stands {} and {:.3g} {} from that of {}: to work with that base "
-      "plan "
-      "again (--from)",
+      "the plan is verified at its own base, which stands {} and {:.3g} {} from that of {}: to work with "
+      "that base plan again (--from)",
       lengthText(place, cell.units), angleOf(std::abs(turn), cell.units), cell.units.angle().name, cell.path);
 }
 

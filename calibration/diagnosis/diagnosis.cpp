@@ -95,9 +95,8 @@ void weighModels(Answer& answer) {
 /// Scatter that follows nothing is noise where readings that were repeated scatter as much: they say so of the noise,
 /// whatever is stated.
 void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model, Diagnosis& result) {
-  if (!result.remainder.follows.empty()) return;
   const Repeats repeats = repeatsBy(work, model);
-  const bool is_larger = repeats.noise_ratio > 1 && repeats.noise_p_value < kLackOfFit;
+  const bool is_larger = repeats.noise_ratio > 1 && disagreesWithStatedNoise(repeats, kLackOfFit);
   if (!is_larger || !(repeats.lack_of_fit_p_value >= kLackOfFit)) return;
   result.repeats = repeats;
   result.remainder = {};
@@ -125,10 +124,11 @@ void conclude(Answer& answer) {
   result.nothing_criterion = -2 * modelOfNothing(work).logWeight();
   const CompetingModel& best = work.models.front();
   result.model_error = best.model_error;
-  if (result.verdict == Verdict::kPartlyExplained) result.remainder = remainderOf(work, posterior.sure_model);
-  if (result.verdict == Verdict::kUnexplained) result.remainder = remainderOf(work, best);
-  if (result.verdict == Verdict::kPartlyExplained) takeRepeatsForNoise(work, posterior.sure_model, result);
-  if (result.isScatterAlone()) takeRepeatsForNoise(work, best, result);
+  const bool is_part = result.verdict == Verdict::kPartlyExplained;
+  if (!is_part && result.verdict != Verdict::kUnexplained) return;
+  const CompetingModel& named = is_part ? posterior.sure_model : best;
+  result.remainder = remainderOf(work, named);
+  if (is_part ? result.remainder.follows.empty() : result.isScatterAlone()) takeRepeatsForNoise(work, named, result);
 }
 
 /// Up to its models; the verdict is still to be concluded.

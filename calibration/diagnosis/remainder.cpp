@@ -18,8 +18,6 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kPatternLevel = 0.01;  // as `compare` has it
-
 /// What a model leaves, with the columns of all that is fitted.
 struct Left {
   PlacedArm placed;

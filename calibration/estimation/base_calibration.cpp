@@ -1,6 +1,8 @@
 #include "calibration/estimation/base_calibration.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "calibration/estimation/fit.hpp"
 #include "calibration/statistics.hpp"
@@ -141,16 +143,15 @@ void findOddTouch(const deflection::Arm& arm, const std::vector<Measurement>& to
                   const BaseCalibrationOptions& options, BaseCalibration& result) {
   constexpr std::size_t kLeast = 4;  // three alone fit what they will
   if (!isFitRefused(result) || touches.size() < kLeast) return;
-  int found = 0;
-  for (std::size_t k = 0; k < touches.size(); ++k) {
-    const auto others = withoutReadings(touches, {static_cast<int>(k)});
+  std::vector<std::pair<int, double>> found;  // touches without which the others fit, and the others' rms
+  for (int k = 0; k < static_cast<int>(touches.size()); ++k) {
+    const auto others = withoutReadings(touches, {k});
     if (!findTouchProblem(others, options).empty()) continue;
     const BaseFit base = fitBase(arm, others, result.X_WB, options.model_error, options.method);
-    if (!(base.fit.p_value >= kLackOfFit) || ++found > 1) continue;
-    result.odd_touch = static_cast<int>(k);
-    result.rms_of_others = errorSize(others, base.fit.weights, base.fit.residual.error).rms;
+    if (base.fit.p_value >= kLackOfFit)
+      found.emplace_back(k, errorSize(others, base.fit.weights, base.fit.residual.error).rms);
   }
-  if (found != 1) result.odd_touch = -1;
+  if (found.size() == 1) std::tie(result.odd_touch, result.rms_of_others) = found.front();
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "calibration/estimation/campaign_residual.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -15,8 +14,8 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 
 namespace {
 
-void takeOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
-  decorrelate(weights, columns);
+/// In place, what the unknown points absorb.
+void takePointsOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
   Eigen::Matrix3Xd common(3, columns.cols());
   const auto rowsOfTouch = [&](int reading) {
     return columns.middleRows<3>(weights.first_row[static_cast<std::size_t>(reading)]);
@@ -52,16 +51,14 @@ std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurem
   return base_poses;
 }
 
-void takeSharedOff(const ReadingWeights& weights, MatrixXd& columns) { takeOff(weights, columns); }
+void takeSharedOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
+  decorrelate(weights, columns);
+  takePointsOff(weights, columns);
+}
 
 void takeOffWithin(const ReadingWeights& weights, const std::vector<int>& readings, MatrixXd& rows) {
   decorrelateWithin(weights, readings, rows);
-  std::map<int, Index> first_row;
-  Index row = 0;
-  for (const int k : readings) {
-    first_row[k] = row;
-    row += weights.whitener[static_cast<std::size_t>(k)].rows();
-  }
+  const auto first_row = rowsAlone(weights, readings).first;
   for (const auto& point : weights.points) {
     if (!std::all_of(point.readings.begin(), point.readings.end(), [&](int k) { return first_row.contains(k); }))
       continue;
@@ -127,8 +124,8 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   if (x.size() == 0) jacobian = nullptr;  // no columns: nothing to weight, and nowhere that rows of them could be
   applyWeights(r, jacobian);
   if (error) *error = last_.error;
-  takeOff(weights_, r);
-  if (jacobian) takeOff(weights_, *jacobian);
+  takeSharedOff(weights_, r);
+  if (jacobian) takeSharedOff(weights_, *jacobian);
   if (error) takeEstimatesOff(weights_, *error);
   if (prior_slopes_.size() == 0) return true;
   r.tail(x.size()) = priorResiduals(unknowns_, x);

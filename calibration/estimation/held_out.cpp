@@ -17,7 +17,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kFewPoses = 8;
+constexpr std::size_t kLeastLeft = 6;  // groups of a set-up that a fit without the others places its base by
 constexpr double kSamePosture = 0.01;  // rad, m: readings of one posture differ by noise, or by what a load asks for
 
 /// Numbers postures: one within reach of the first of a group belongs to it.
@@ -79,10 +79,9 @@ std::map<std::string, std::vector<int>> groupsBySetup(const std::vector<Measurem
 /// Folds of groups, dealt in the order of `rank` set-up by set-up, so that no fold takes most of one. A set-up whose
 /// base would be left to a few groups is never kept out (-1), where there are others.
 std::vector<int> dealt(std::map<std::string, std::vector<int>> by_setup, const std::vector<int>& rank, int folds) {
-  constexpr int kLeastLeft = 6;
   const auto leavesFew = [&](const std::vector<int>& groups) {
-    const int count = static_cast<int>(groups.size());
-    return count - (count + folds - 1) / folds < kLeastLeft;
+    const auto parts = static_cast<std::size_t>(folds);
+    return groups.size() - (groups.size() + parts - 1) / parts < kLeastLeft;
   };
   const bool has_large =
       std::any_of(by_setup.begin(), by_setup.end(), [&](const auto& s) { return !leavesFew(s.second); });
@@ -125,7 +124,7 @@ std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Meas
   }
   std::map<std::string, double> least;  // reach of the farthest quarter
   for (const auto& [setup, poses] : reach) {
-    if (reach.size() > 1 && poses.size() < kFewPoses) {  // its base would be left to next to none
+    if (reach.size() > 1 && 3 * poses.size() / 4 < kLeastLeft) {
       least[setup] = std::numeric_limits<double>::infinity();
       continue;
     }

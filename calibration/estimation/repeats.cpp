@@ -97,4 +97,8 @@ Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeig
   return result;
 }
 
+bool disagreesWithStatedNoise(const Repeats& repeats, double level) {
+  return repeats.groups > 0 && repeats.noise_p_value < level;
+}
+
 }  // namespace tubeplan::calibration

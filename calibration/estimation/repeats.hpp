@@ -29,4 +29,7 @@ struct Repeats {
 [[nodiscard]] Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                    const Eigen::VectorXd& error, double chi2, int freedom);
 
+/// Whether the repeats say that the stated noise is wrong, at this level: then lack of fit is judged by them.
+[[nodiscard]] bool disagreesWithStatedNoise(const Repeats& repeats, double level);
+
 }  // namespace tubeplan::calibration

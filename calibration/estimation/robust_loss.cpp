@@ -45,9 +45,7 @@ VectorXd robustFactors(const std::vector<Measurement>& readings, const ReadingWe
     sizes.push_back(size[static_cast<Index>(k)] / std::sqrt(medianOfMeanSquare(rowsOf(readings[k]))));
   const double spread = std::max(1., median(std::move(sizes)));
   VectorXd factors(size.size());
-  for (Index k = 0; k < size.size(); ++k) {
-    factors[k] = robustFactor(size[k] / spread, loss);
-  }
+  for (Index k = 0; k < size.size(); ++k) factors[k] = robustFactor(size[k] / spread, loss);
   return factors;
 }
 

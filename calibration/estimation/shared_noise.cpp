@@ -54,17 +54,6 @@ std::vector<Index> rowsOfThese(const ReadingWeights& weights, const std::vector<
   return rowsOfThese(weights, readings, [&](int k) { return weights.first_row[static_cast<std::size_t>(k)]; });
 }
 
-/// Where the rows of these readings begin when they stand alone, one after another, and how many there are.
-std::pair<std::map<int, Index>, Index> rowsAlone(const ReadingWeights& weights, const std::vector<int>& readings) {
-  std::map<int, Index> first_row;
-  Index rows = 0;
-  for (const int k : readings) {
-    first_row[k] = rows;
-    rows += weights.whitener[static_cast<std::size_t>(k)].rows();
-  }
-  return {std::move(first_row), rows};
-}
-
 void takeOff(const SharedNoise& shared, const std::vector<Index>& rows, Eigen::Ref<MatrixXd> columns) {
   const MatrixXd own = columns(rows, Eigen::all);
   columns(rows, Eigen::all) = own - shared.Q * (shared.shrink.asDiagonal() * (shared.Q.transpose() * own));
@@ -123,6 +112,16 @@ SharedNoise sharedBy(const std::vector<Share>& shares, const VectorXd& sigmas, s
 }
 
 }  // namespace
+
+std::pair<std::map<int, Index>, Index> rowsAlone(const ReadingWeights& weights, const std::vector<int>& readings) {
+  std::map<int, Index> first_row;
+  Index rows = 0;
+  for (const int k : readings) {
+    first_row[k] = rows;
+    rows += weights.whitener[static_cast<std::size_t>(k)].rows();
+  }
+  return {std::move(first_row), rows};
+}
 
 std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm, const std::vector<Measurement>& readings,
                                              std::vector<MatrixXd>& by_joints) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "calibration/measurement.hpp"
@@ -31,6 +33,10 @@ struct ReadingWeights;
 [[nodiscard]] std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm,
                                                            const std::vector<Measurement>& readings,
                                                            std::vector<Eigen::MatrixXd>& by_joints);
+
+/// Where the rows of these readings begin when they stand alone, one after another, and how many there are.
+[[nodiscard]] std::pair<std::map<int, Eigen::Index>, Eigen::Index> rowsAlone(const ReadingWeights& weights,
+                                                                             const std::vector<int>& readings);
 
 /// Q and shrink of what the weights share, by their whiteners.
 void placeSharedNoise(ReadingWeights& weights);

@@ -66,7 +66,7 @@ struct WhitenedResidual {
 
 /// Takes off columns (rows of `weights`) that each reading's whitener has weighted what readings have in common: noise
 /// of encoders that were read once, and what the unknown points absorb.
-void takeSharedOff(const ReadingWeights& weights, Eigen::MatrixXd& columns);
+void takeSharedOff(const ReadingWeights& weights, Eigen::Ref<Eigen::MatrixXd> columns);
 
 /// The same of the rows of these readings alone, one after another, as far as they share with no others.
 void takeOffWithin(const ReadingWeights& weights, const std::vector<int>& readings, Eigen::MatrixXd& rows);

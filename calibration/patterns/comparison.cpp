@@ -222,10 +222,6 @@ const char* wordsOf(Adequacy adequacy) {
   return "";
 }
 
-bool disagreesWithStatedNoise(const Repeats& repeats, double level) {
-  return repeats.groups > 0 && repeats.noise_p_value < level;
-}
-
 Comparison compare(const PlacedArm& start, const std::vector<Measurement>& readings, const ComparisonOptions& options) {
   try {
     return compareUnlessStopped(start, readings, options);

@@ -12,9 +12,9 @@
 namespace tubeplan::calibration {
 
 struct ComparisonOptions {
-  IdentificationOptions refit;  ///< what is free; nothing may be
-  double level = 0.01;          ///< of each ground on which a model that is right may be said to fall short
-  WorkHooks hooks;              ///< of the refit too
+  IdentificationOptions refit;   ///< what is free; nothing may be
+  double level = kPatternLevel;  ///< of each ground on which a model that is right may be said to fall short
+  WorkHooks hooks;               ///< of the refit too
   const Identification* refitted = nullptr;  ///< the refit, where it is made already
 };
 
@@ -71,8 +71,5 @@ struct Comparison {
 
 [[nodiscard]] Comparison compare(const PlacedArm& start, const std::vector<Measurement>& readings,
                                  const ComparisonOptions& options);
-
-/// Whether the repeats say that the stated noise is wrong, at this level: then lack of fit is judged by them.
-[[nodiscard]] bool disagreesWithStatedNoise(const Repeats& repeats, double level);
 
 }  // namespace tubeplan::calibration

@@ -54,6 +54,8 @@ struct PatternSearch {
   std::vector<std::string> not_tested;  ///< and why
 };
 
+inline constexpr double kPatternLevel = 0.01;  ///< of a finding, unless another is asked for
+
 /// `residual` is that of a fit, at its optimum, with the Jacobian by what was fitted; predicted less measured. Unwinds
 /// where it was stopped.
 [[nodiscard]] PatternSearch searchPatterns(const ReadingScene& scene, const ReadingWeights& weights,
