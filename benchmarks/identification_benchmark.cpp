@@ -40,7 +40,7 @@ void evaluate(benchmark::State& state, MakeCampaign make, bool jacobian) {
   }
 }
 
-/// All of the program's identification: what the readings tell, weights, the fit, intervals.
+/// All of the program's identification: what the readings determine, weights, the fit, intervals.
 void identify(benchmark::State& state) {
   const auto session = touchSession();
   calibration::IdentificationOptions options;

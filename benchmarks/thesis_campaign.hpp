@@ -21,9 +21,9 @@ struct Campaign {
 [[nodiscard]] Campaign thesisCampaign();
 
 /// What the program is given to find the thesis's eleven stiffnesses: 45 points that nobody measured, each touched bare
-/// and under 20, 30 and 40 lb, within 0.0005 in (at 0.005 in several of the eleven cannot be told). Stiffnesses that
-/// the thesis found to be rigid give a little here, so that the touches tell all eleven. Each starts a factor of three
-/// off, up and down in turn.
+/// and under 20, 30 and 40 lb, within 0.0005 in (at 0.005 in several of the eleven are not identifiable). Stiffnesses
+/// that the thesis found to be rigid give a little here, so that the touches determine all eleven. Each starts a factor
+/// of three off, up and down in turn.
 struct TouchSession {
   calibration::PlacedArm start;
   std::vector<calibration::Measurement> readings;

@@ -1,4 +1,4 @@
-// How long work tells how far it is, and how it is asked to stop.
+// How long work reports its progress, and how it is asked to stop.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,8 @@ inline void goOn(const StopQuestion& stop) {
   if (shouldStop(stop)) throw WorkStopped{};
 }
 
-inline void tell(const WorkHooks& hooks, std::string_view stage, std::size_t done = 0, std::size_t total = 0) {
+inline void reportProgress(const WorkHooks& hooks, std::string_view stage, std::size_t done = 0,
+                           std::size_t total = 0) {
   goOn(hooks.stop);
   if (hooks.progress) hooks.progress(stage, done, total);
 }

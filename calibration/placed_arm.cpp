@@ -58,7 +58,8 @@ double angleStiffnessOf(const Parameter& parameter, const deflection::Arm& arm) 
 }
 
 /// The change of a stiffness's inverse by which its part gives what a part may well give under the arm's weight, or
-/// all that it is drawn to give. Not the start alone: that may be far too stiff, and what is told must not hang on it.
+/// all that it is drawn to give. Not the start alone: that may be far too stiff, and what is reported must not depend
+/// on it.
 double typicalCompliance(const Parameter& parameter, const deflection::Arm& arm) {
   const double moment = usualWeightOf(arm) * deflection::reachOf(arm);
   const double of_angle = kMayGive / moment * angleStiffnessOf(parameter, arm);

@@ -1,4 +1,4 @@
-// The stepped calibration tool: how far it enters a hole tells how well it was centred (thesis section 5.5, table 5.7).
+// The stepped calibration tool: how far it enters a hole shows how well it was centred (thesis section 5.5, table 5.7).
 #pragma once
 
 #include <Eigen/Core>

@@ -83,7 +83,7 @@ void findSheetWork(const Cell& cell, const SensitivityOptions& options, Sensitiv
   task.hole_axis_W = planner::kHoleAxis_W;
 }
 
-/// Sigma of every number of the arm, as the readings tell it.
+/// Sigma of every number of the arm, as the readings determine it.
 std::vector<double> posteriorSigmas(const calibration::Estimate& estimate, const deflection::Arm& arm) {
   const auto n = estimate.information.rows();
   const Eigen::MatrixXd covariance = estimate.information.ldlt().solve(Eigen::MatrixXd::Identity(n, n));

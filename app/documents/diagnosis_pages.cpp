@@ -103,12 +103,12 @@ nlohmann::json stepPictures(const CellReadings& input, const ImprovementStep& st
 
 std::string improvementPage(const CellReadings& input, std::uint64_t seed, const Improvement& result) {
   nlohmann::json page = pageOf("Improvement", input, seed, improvementJson(result, input.readings, input.cell.units));
-  page["models"] = ladderModels(page["rungs"]);
-  if (!page["rungs"].empty()) {
-    const auto& first = page["rungs"].front()["rms"];
+  page["models"] = ladderModels(page["models"]);
+  if (!page["models"].empty()) {
+    const auto& first = page["models"].front()["rms"];
     page["rms"] = {{"noise_floor", first["noise_floor"]},
                    {"heldout_before", first["heldout"]},
-                   {"heldout_after", page["rungs"].back()["rms"]["heldout"]}};
+                   {"heldout_after", page["models"].back()["rms"]["heldout"]}};
   }
   for (std::size_t k = 0; k < result.steps.size() && !result.models.empty(); ++k)
     page["steps"][k]["figures"] =

@@ -97,18 +97,18 @@ json readingJson(const Measurement& reading, const deflection::Arm& arm, const U
 }
 
 json modelComparisonJson(const Diagnosis& result, const Units& units) {
-  const auto rung = [&](const std::string& name, double rms, double heldout) {
+  const auto row = [&](const std::string& name, double rms, double heldout) {
     return json{{"name", name}, {"rms", briefLength(rms, units)}, {"heldout_rms", briefLength(heldout, units)}};
   };
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto& base_poses = result.baseline.fitted.base_poses;
   const bool is_placed =
       std::all_of(base_poses.begin(), base_poses.end(), [](const auto& base_pose) { return base_pose.is_known; });
-  json ladder = {is_placed ? rung("as given", result.baseline.before.rms, kNone)
-                           : rung("as given, only its base fitted", result.baseline.after_base.rms, kNone),
-                 rung("refitted", result.before.rms, result.heldout_before.rms)};
+  json ladder = {is_placed ? row("as given", result.baseline.before.rms, kNone)
+                           : row("as given, only its base fitted", result.baseline.after_base.rms, kNone),
+                 row("refitted", result.before.rms, result.heldout_before.rms)};
   for (const auto& explanation : calibration::explanationsShown(result))
-    ladder.push_back(rung("with " + explanationText(explanation), explanation.after.rms, explanation.heldout.rms));
+    ladder.push_back(row("with " + explanationText(explanation), explanation.after.rms, explanation.heldout.rms));
   return ladder;
 }
 

@@ -55,7 +55,7 @@ nlohmann::json pairJson(const DiscriminatingMeasurements& result, const Discrimi
           {"against", explanationName(result, pair.other)},
           {"criterion_gap_now", finiteJson(pair.now)},
           {"criterion_gap_expected", finiteJson(pair.expected)},
-          {"probability_told", finiteJson(pair.probability)}};
+          {"probability_distinguished", finiteJson(pair.probability)}};
 }
 
 std::string firstMeans(const DiscriminatingMeasurements& result) {

@@ -41,9 +41,9 @@ std::string ladderStepsText(const LadderSteps& steps, const Units& units) {
          fmt::format("; {} random holes within its reach ({} drawn beyond it)\n", steps.holes, steps.out_of_reach);
 }
 
-nlohmann::json ladderModels(const nlohmann::json& rungs) {
+nlohmann::json ladderModels(const nlohmann::json& models) {
   nlohmann::json models = nlohmann::json::array();
-  for (const auto& compared : rungs) {
+  for (const auto& compared : models) {
     models.push_back({{"name", compared["name"]},
                       {"rms", compared["rms"]["fitted"]},
                       {"heldout_rms", compared["rms"]["heldout"]},
@@ -60,8 +60,8 @@ std::string ladderPage(const nlohmann::json& figures, const std::string& measure
                          {"measurements", measurements},
                          {"seed", seed},
                          {"units", figures["units"]},
-                         {"models", ladderModels(figures["rungs"])}};
-  for (const auto& compared : figures["rungs"]) page["noise_floor"] = compared["rms"]["noise_floor"];
+                         {"models", ladderModels(figures["models"])}};
+  for (const auto& compared : figures["models"]) page["noise_floor"] = compared["rms"]["noise_floor"];
   page["step_table"] = figures["step_table"];
   stateOrigin(page);
   return renderLadderReport(page);

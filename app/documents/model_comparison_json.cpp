@@ -37,27 +37,27 @@ std::string stepsText(const std::vector<ModelComparisonRow>& comparison, const U
 }  // namespace
 
 nlohmann::json modelComparisonJson(const std::vector<ModelComparisonRow>& comparison, const Units& units) {
-  nlohmann::json json = {{"units", unitsJson(units)}, {"rungs", nlohmann::json::array()}};
+  nlohmann::json json = {{"units", unitsJson(units)}, {"models", nlohmann::json::array()}};
   for (const auto& compared : comparison) {
-    json["rungs"].push_back({{"name", compared.name},
-                             {"fitted_numbers", compared.fitted_numbers},
-                             {"rms",
-                              {{"as_it_stands", lengthJson(compared.as_it_stands.rms, units)},
-                               {"fitted", lengthJson(compared.fitted.rms, units)},
-                               {"heldout", lengthJson(compared.heldout.rms, units)},
-                               {"noise_floor", lengthJson(compared.noise_floor, units)}}},
-                             {"mean",
-                              {{"as_it_stands", lengthJson(compared.as_it_stands.mean, units)},
-                               {"fitted", lengthJson(compared.fitted.mean, units)},
-                               {"heldout", lengthJson(compared.heldout.mean, units)}}},
-                             {"worst",
-                              {{"as_it_stands", lengthJson(compared.as_it_stands.max, units)},
-                               {"fitted", lengthJson(compared.fitted.max, units)},
-                               {"heldout", lengthJson(compared.heldout.max, units)}}},
-                             {"chi2_per_dof", compared.chi2_per_dof}});
+    json["models"].push_back({{"name", compared.name},
+                              {"fitted_numbers", compared.fitted_numbers},
+                              {"rms",
+                               {{"as_it_stands", lengthJson(compared.as_it_stands.rms, units)},
+                                {"fitted", lengthJson(compared.fitted.rms, units)},
+                                {"heldout", lengthJson(compared.heldout.rms, units)},
+                                {"noise_floor", lengthJson(compared.noise_floor, units)}}},
+                              {"mean",
+                               {{"as_it_stands", lengthJson(compared.as_it_stands.mean, units)},
+                                {"fitted", lengthJson(compared.fitted.mean, units)},
+                                {"heldout", lengthJson(compared.heldout.mean, units)}}},
+                              {"worst",
+                               {{"as_it_stands", lengthJson(compared.as_it_stands.max, units)},
+                                {"fitted", lengthJson(compared.fitted.max, units)},
+                                {"heldout", lengthJson(compared.heldout.max, units)}}},
+                              {"chi2_per_dof", compared.chi2_per_dof}});
     if (!compared.steps) continue;
-    json["rungs"].back()["steps"] = stepTableJson(*compared.steps, units);
-    if (!compared.steps->reason.empty()) json["rungs"].back()["no_steps"] = compared.steps->reason;
+    json["models"].back()["steps"] = stepTableJson(*compared.steps, units);
+    if (!compared.steps->reason.empty()) json["models"].back()["no_steps"] = compared.steps->reason;
   }
   return json;
 }

@@ -67,7 +67,7 @@ double designFigure(const SensitivityReport& report, std::size_t n) {
   return isDesignable(number) ? perCent(number, number.deflection) : kNotDesignable;
 }
 
-/// Error at work of one sigma where readings tell it, else of one per cent.
+/// Error at work of one sigma where readings determine it, else of one per cent.
 double estimateFigure(const SensitivityReport& report, std::size_t n) {
   const auto& number = report.figures.numbers[n];
   const double sigma = sigmaOf(report, n);

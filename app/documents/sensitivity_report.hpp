@@ -17,7 +17,8 @@ struct SensitivityReport {
   int work = 0, work_lost = 0;       ///< postures; tubes of the list that are out of reach
   bool has_sheet = false;            ///< else errors are whole, not across the holes
   std::vector<std::string> touches;  ///< holes that place the base, or names of postures; empty: the base is known
-  std::vector<double> sigmas;        ///< of each number [its unit], NaN where no reading tells; empty without readings
+  std::vector<double>
+      sigmas;  ///< of each number [its unit], NaN where no reading determines it; empty without readings
 };
 
 [[nodiscard]] nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell);

@@ -35,7 +35,7 @@ struct ReadingNoise {
 };
 
 struct TouchOutcome : TouchProposals {
-  Cell cell;                       ///< as known: with what the readings tell
+  Cell cell;                       ///< as known: with what the readings determine
   ReadingNoise noise, base_noise;  ///< of readings for the parameters, and of touches for the base
   std::vector<double> loads;       ///< N
   std::string setup;               ///< that new readings belong to; empty where there is one for all

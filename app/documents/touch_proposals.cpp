@@ -84,7 +84,7 @@ nlohmann::json numberJson(const NumberForecast& number, const Units& units) {
            {{"now", finiteJson(number.now / factor)},
             {"after", finiteJson(number.after / factor)},
             {"random", finiteJson(number.random / factor)}}},
-          {"told", {{"now", number.is_identifiable_now}, {"after", number.is_identifiable_after}}}};
+          {"identifiable", {{"now", number.is_identifiable_now}, {"after", number.is_identifiable_after}}}};
 }
 
 nlohmann::json proposalJson(const TouchOutcome& outcome, const TouchProposal& proposal, const ReadingNoise& noise) {
@@ -112,8 +112,8 @@ std::string proposedJointsText(const TouchOutcome& outcome, const Eigen::VectorX
   return text;
 }
 
-/// What a reading tells most of.
-std::string tellsText(const TouchProposal& proposal, std::size_t index) {
+/// What a reading is most informative about.
+std::string informativeText(const TouchProposal& proposal, std::size_t index) {
   const auto& step = proposal.next.design.steps[index];
   const auto& name = proposal.next.numbers[static_cast<std::size_t>(step.most_helped)].unknown.name;
   return fmt::format("   {} (sigma x {:.2g})", name, step.helped_by);
@@ -123,16 +123,16 @@ std::string proposedText(const TouchOutcome& outcome, const TouchProposal& propo
   const Units& units = outcome.cell.units;
   std::string joints, text;
   for (const auto& joint : outcome.cell.arm.joints()) joints += fmt::format(" {:>9}", joint.name);
-  const bool tells = letter == 'N';  // of the base, all of them tell all
+  const bool names_numbers = letter == 'N';  // every reading is informative about the whole base
   text += fmt::format("  {:<5} {:<8} {:<9} {:>8}{}{}\n", "", "", "point", std::string(units.force().name), joints,
-                      tells ? "   most informative about" : "");
-  std::size_t told = proposal.next.design.steps.size();
+                      names_numbers ? "   most informative about" : "");
+  std::size_t last_step = proposal.next.design.steps.size();
   for (const auto& named : nameReadings(proposal, letter)) {
     text += fmt::format("  {:<5} {:<8} {:<9} {:8.4g}{}", named.id, kindOf(*named.reading).name, named.point,
                         named.reading->load / units.factor(dimension::kForce),
                         proposedJointsText(outcome, named.reading->q));
-    if (tells && named.step != told) text += tellsText(proposal, named.step);
-    told = named.step;
+    if (names_numbers && named.step != last_step) text += informativeText(proposal, named.step);
+    last_step = named.step;
     text += "\n";
   }
   return text;
@@ -181,8 +181,8 @@ std::string baseText(const TouchOutcome& outcome) {
   return text;
 }
 
-std::string shareText(double sigma, bool is_told) {
-  return is_told ? fmt::format("{:.3g}", sigma) : "not identifiable";
+std::string shareText(double sigma, bool is_identifiable) {
+  return is_identifiable ? fmt::format("{:.3g}", sigma) : "not identifiable";
 }
 
 std::string parametersText(const TouchOutcome& outcome) {

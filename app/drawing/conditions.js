@@ -47,7 +47,7 @@ export const PAIR_HEADS = ["if it is", "rather than", "BIC apart now", "expected
 
 /**
  * @param {{if_true?: unknown, against?: unknown, criterion_gap_now?: unknown, criterion_gap_expected?: unknown,
- *    probability_told?: unknown}} pair
+ *    probability_distinguished?: unknown}} pair
  */
 export function pairCells(pair) {
   return [
@@ -55,6 +55,6 @@ export function pairCells(pair) {
     String(pair.against ?? ""),
     short(pair.criterion_gap_now),
     short(pair.criterion_gap_expected),
-    probability(pair.probability_told),
+    probability(pair.probability_distinguished),
   ];
 }

@@ -1,7 +1,7 @@
 // The ladder of errors: each model's, fitted and held out, over the noise floor.
 import {fixed, isNumber, short} from "./numbers.js";
 
-/** @typedef {{name: string, fitted: number | null, heldout: number | null}} Rung */
+/** @typedef {{name: string, fitted: number | null, heldout: number | null}} ComparedModel */
 
 /** What the two kinds of bars and the line are. */
 export const LADDER_WORDS = {
@@ -14,17 +14,17 @@ export const LADDER_WORDS = {
  * Model names as files are long: their last part tells them apart, else they stay whole.
  * @param {readonly string[]} names
  */
-export function rungNames(names) {
+export function modelNames(names) {
   const brief = names.map((name) => name.replace(/^.*\//, "").replace(/\.yaml\b/, ""));
   return new Set(brief).size === new Set(names).size ? brief : [...names];
 }
 
 /**
  * Where the axis ends: at the largest error, unless that would press the others against the left.
- * @param {readonly Rung[]} rungs @param {number | null} floor
+ * @param {readonly ComparedModel[]} models @param {number | null} floor
  */
-export function axisEnd(rungs, floor) {
-  const errors = rungs.map((rung) => Math.max(rung.fitted ?? 0, rung.heldout ?? 0));
+export function axisEnd(models, floor) {
+  const errors = models.map((model) => Math.max(model.fitted ?? 0, model.heldout ?? 0));
   const others = Math.max(floor ?? 0, ...errors.slice(1));
   const largest = Math.max(floor ?? 0, ...errors) || 1;
   return errors.length > 1 && others > 0 && largest > 4 * others ? 1.7 * others : 1.06 * largest;
@@ -46,18 +46,18 @@ export function barOf(value, end) {
 }
 
 /**
- * The rungs of a list as documents have it: bare errors, or inside {rms}.
- * @param {readonly any[]} entries @returns {Rung[]}
+ * The models of a list as documents have it: bare errors, or inside {rms}.
+ * @param {readonly any[]} entries @returns {ComparedModel[]}
  */
-export function rungsOf(entries) {
-  const names = rungNames(entries.map((entry) => String(entry.name ?? entry.model ?? entry.cell ?? "")));
+export function comparedModels(entries) {
+  const names = modelNames(entries.map((entry) => String(entry.name ?? entry.model ?? entry.cell ?? "")));
   return entries
     .map((entry, k) => ({
       name: names[k],
       fitted: errorOf(entry.rms),
       heldout: errorOf(entry.heldout_rms ?? entry.heldout),
     }))
-    .filter((rung) => rung.fitted !== null || rung.heldout !== null);
+    .filter((model) => model.fitted !== null || model.heldout !== null);
 }
 
 /** A root mean square, given bare or inside {rms}. @param {any} value @returns {number | null} */

@@ -7,7 +7,7 @@ import {extentOf} from "./frames.js";
 /** The holes one by one in each array; `state` counts in `states`, whose words for a reader are `state_words`.
  *  @typedef {{row: number[], column: number[], u: number[], v: number[], x: number[], y: number[], z: number[],
  *    state: number[], states: string[], state_words: string[]}} HoleArrays */
-/** In the direction (u, v) from the middle; where it stands in the world, as far as it is told.
+/** In the direction (u, v) from the middle; where it stands in the world, where that is known.
  *  @typedef {{u: number, v: number, center?: [number, number, number], diameter?: number}} Manway */
 /** @typedef {{name: string, pitch: number, hole_diameter: number, leg: string, leg_words: string, viewing_side: string,
  *    view_words: string, manway: Manway | null, holes: HoleArrays}} SheetSource */

@@ -1,4 +1,4 @@
-// A value beside its sigma: with as many digits as that tells, sigma with two.
+// A value beside its sigma: with as many digits as that warrants, sigma with two.
 import {fixed, isNumber, MISSING, short, unitText} from "./numbers.js";
 
 /**

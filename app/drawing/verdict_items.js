@@ -80,7 +80,7 @@ function remainderItems({remainder, units}) {
   return [`${short(remainder.size)} ${units?.length ?? ""} remains that ${what}.`];
 }
 
-/** Effects that no reading could tell from those that were found. @param {{effects: FoundEffect[]}} explanation */
+/** Effects that no reading could distinguish from those that were found. @param {{effects: FoundEffect[]}} explanation */
 function equalsText({effects}) {
   const equals = effects.flatMap((effect) =>
     (effect.also ?? []).map((other) => `${effectTitle(other)} in place of ${effectTitle(effect)}`),

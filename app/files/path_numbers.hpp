@@ -1,4 +1,5 @@
-// The numbers of a path's rows, in the file's units: what tells a path from an altered one, or from another plan's.
+// The numbers of a path's rows, in the file's units: what distinguishes a path from an altered one, or from another
+// plan's.
 #pragma once
 
 #include <Eigen/Core>

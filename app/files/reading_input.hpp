@@ -67,7 +67,7 @@ using ReadingFiles = std::vector<std::string>;
 [[nodiscard]] std::vector<calibration::Measurement> parseReadings(const std::string& text, const std::string& file,
                                                                   const Cell& cell, double sigma = 0);
 
-/// Readings that do not tell enough, as bad input of their file: with the line where one reading is to blame.
+/// Readings that do not determine enough, as bad input of their file: with the line where one reading is to blame.
 [[nodiscard]] InputError inputErrorOf(const calibration::ReadingProblem& problem,
                                       const std::vector<calibration::Measurement>& readings, const std::string& file);
 
@@ -75,7 +75,7 @@ using ReadingFiles = std::vector<std::string>;
 [[nodiscard]] std::vector<std::string> fitWarnings(const calibration::Identification& result,
                                                    const std::vector<calibration::Measurement>& readings);
 
-/// Readings that do not tell what is free, as bad input of their file.
+/// Readings that do not determine what is free, as bad input of their file.
 [[nodiscard]] InputError refusalOf(const std::optional<calibration::ReadingProblem>& problem, const std::string& reason,
                                    const CellReadings& input);
 

@@ -46,7 +46,7 @@ class Descriptor {
     return true;
   }
 
-  /// Some file systems tell only here that a write has failed.
+  /// Some file systems report only here that a write has failed.
   [[nodiscard]] bool close() {
     const int number = std::exchange(number_, -1);
     return number < 0 || ::close(number) == 0 || errno == EINTR;

@@ -13,8 +13,9 @@ namespace tubeplan::app {
 
 struct CalibrationOutcome {
   calibration::BaseCalibration calibration;
-  std::optional<ModelError> model_error;  ///< as the touches tell it, where the cell does not have it from elsewhere
-  nlohmann::json figures;                 ///< as `tubeplan calibrate --json` writes them
+  std::optional<ModelError>
+      model_error;         ///< as the touches determine it, where the cell does not have it from elsewhere
+  nlohmann::json figures;  ///< as `tubeplan calibrate --json` writes them
 };
 
 /// `file` is where the touches come from, for messages. Throws InputError for too few touches, or holes that do not

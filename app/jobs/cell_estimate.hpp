@@ -1,4 +1,4 @@
-// What a cell and its readings tell of the model, for commands that look ahead.
+// What a cell and its readings determine of the model, for commands that look ahead.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 namespace tubeplan::app {
 
 /// The readings of a measurement file with a sigma each; none for an empty name. `sigma` [m] stands in where the file
-/// states none; 0: InputError then, unless the cell's tool tells it.
+/// states none; 0: InputError then, unless it follows from the cell's tool.
 /// `assume` as in MeasurementOptions.
 [[nodiscard]] ReadingsWithChecks readingsMade(const std::string& file, Cell& cell, double sigma,
                                               const std::vector<std::string>& assume = {});
 
-/// What the readings tell of the free numbers. `where` names what they were asked by, for the InputError about a name
-/// that is no number of the arm.
+/// What the readings determine of the free numbers. `where` names what they were asked by, for the InputError about a
+/// name that is no number of the arm.
 [[nodiscard]] calibration::Estimate estimateOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,
                                                const calibration::FreeChoice& free, const std::string& where);
 

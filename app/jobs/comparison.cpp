@@ -10,7 +10,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// A refusal is bad input: a list `identify` that names no parameters, readings that tell nothing.
+/// A refusal is bad input: a list `identify` that names no parameters, readings that determine nothing.
 void requireCompared(const calibration::Comparison& result, const CellReadings& input) {
   if (result.status == calibration::ComparisonStatus::kDone) return;
   if (result.verdict != calibration::Adequacy::kNotRun) return;

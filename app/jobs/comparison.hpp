@@ -23,7 +23,7 @@ struct ComparisonOutcome {
 };
 
 /// `refitted`: the refit, where it is made already. Throws InputError for a list `identify` that names no parameters
-/// and for readings that tell nothing, JobStopped.
+/// and for readings that determine nothing, JobStopped.
 [[nodiscard]] ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request,
                                              const WorkHooks& hooks = {},
                                              const calibration::Identification* refitted = nullptr);

@@ -30,12 +30,12 @@ struct DiagnosisOutcome {
   nlohmann::json figures;  ///< as `tubeplan diagnose --json` writes them
 };
 
-/// The diagnosis alone, without further readings and warnings; not run where the readings tell nothing.
+/// The diagnosis alone, without further readings and warnings; not run where the readings determine nothing.
 [[nodiscard]] calibration::Diagnosis diagnoseReadings(const Cell& cell,
                                                       const std::vector<calibration::Measurement>& readings,
                                                       const DiagnosisRequest& request, const WorkHooks& hooks = {});
 
-/// Throws InputError for readings that tell nothing, JobStopped.
+/// Throws InputError for readings that determine nothing, JobStopped.
 [[nodiscard]] DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request,
                                              const WorkHooks& hooks = {});
 

@@ -50,7 +50,7 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   return result;
 }
 
-/// A refusal is bad input: names that are no parameters, readings that tell nothing.
+/// A refusal is bad input: names that are no parameters, readings that determine nothing.
 void requireAccepted(const Identification& result, const IdentificationRequest& request, const CellReadings& input) {
   if (result.status != IdentificationStatus::kRefused) return;
   const Cell& cell = input.cell;

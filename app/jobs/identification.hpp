@@ -39,7 +39,7 @@ struct IdentificationOutcome {
   nlohmann::json figures;  ///< as `tubeplan identify --json` writes them
 };
 
-/// Throws InputError for names that are no parameters, nothing to free and readings that tell nothing,
+/// Throws InputError for names that are no parameters, nothing to free and readings that determine nothing,
 /// JobStopped.
 [[nodiscard]] IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
                                                   const WorkHooks& hooks = {});

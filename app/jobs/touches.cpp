@@ -73,7 +73,7 @@ void noteEstimate(const Estimate& estimate, const Units& units, std::vector<std:
     notes.push_back("new readings belong to the last set-up, '" + lastSetup(estimate) + "'");
 }
 
-/// Takes what the readings tell into the task, and stands the cell accordingly.
+/// Takes what the readings determine into the task, and stands the cell accordingly.
 void learn(const TouchRequest& request, const std::vector<Measurement>& readings, const std::string& named_by,
            TouchTask& task, TouchOutcome& outcome) {
   if (wants(request, "parameters")) {

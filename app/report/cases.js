@@ -21,7 +21,7 @@ export function modesOf(report) {
 
 export function modeName(report, key) { return modesOf(report).find((mode) => mode.key === key)?.name ?? key; }
 
-/// The number of steps that enter at a centring error, by the tool's tolerances; null when it cannot be told.
+/// The number of steps that enter at a centring error, by the tool's tolerances; null when it is not known.
 function knownSteps(error, steps) {
   const tolerances = list(steps).map((step) => step.tolerance);
   if (!isNumber(error) || tolerances.length === 0 || !tolerances.every(isNumber)) return null;

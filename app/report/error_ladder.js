@@ -1,21 +1,21 @@
 // The error of each model in turn, fitted and held-out side by side, over the noise floor.
-import {axisEnd, barOf, errorOf, floorText, LADDER_WORDS, rungsOf, timesFloor} from "../drawing/ladder.js";
+import {axisEnd, barOf, errorOf, floorText, LADDER_WORDS, comparedModels, timesFloor} from "../drawing/ladder.js";
 import {append, el, figure, label, notRecorded, svg} from "./elements.js";
 import {lengthText, lengthUnit, list, object} from "./values.js";
 
-/// The rungs of a diagnosis, a comparison or a ladder.
-function reportRungs(report) {
+/// The models of a diagnosis, a comparison or a ladder.
+function reportModels(report) {
   const given = list(report.ladder).length > 0 ? list(report.ladder) : list(report.models);
-  return rungsOf(given);
+  return comparedModels(given);
 }
 
 export function noiseFloorOf(report) { return errorOf(report.noise_floor ?? object(report.rms)?.noise_floor); }
 
 export function ladderSection(report) {
-  const rungs = reportRungs(report);
-  if (rungs.length === 0) return [notRecorded("The errors of the models")];
+  const models = reportModels(report);
+  if (models.length === 0) return [notRecorded("The errors of the models")];
   const floor = noiseFloorOf(report);
-  const picture = figure("Error of each model", (width) => drawLadder(report, rungs, floor, width));
+  const picture = figure("Error of each model", (width) => drawLadder(report, models, floor, width));
   return [
     el("p", {class: "lead"},
        "Root mean square of the readings' errors. An overfitted model does well on the readings " +
@@ -48,18 +48,18 @@ function hatching() {
   return svg("svg", {width: 0, height: 0, class: "patterns", "aria-hidden": "true"}, pattern);
 }
 
-function drawLadder(report, rungs, floor, width) {
+function drawLadder(report, models, floor, width) {
   const tall = 17, head = 22, gap = 16, top = 20, left = 2, room = 190;
-  const end = axisEnd(rungs, floor), scale = (width - room) / end;
-  const bars = (rung) => [["error-fitted", rung.fitted], ["error-heldout", rung.heldout]].filter(([, v]) => v !== null);
-  const height = top + rungs.reduce((sum, rung) => sum + head + bars(rung).length * (tall + 3) + gap, 0);
+  const end = axisEnd(models, floor), scale = (width - room) / end;
+  const bars = (model) => [["error-fitted", model.fitted], ["error-heldout", model.heldout]].filter(([, v]) => v !== null);
+  const height = top + models.reduce((sum, model) => sum + head + bars(model).length * (tall + 3) + gap, 0);
   const drawing = svg("svg", {viewBox: `0 0 ${width} ${height}`, width, height, class: "chart"});
   const texts = [];
   let y = top;
-  for (const rung of rungs) {
-    texts.push(label(left, y + 15, rung.name, {class: "part"}));
+  for (const model of models) {
+    texts.push(label(left, y + 15, model.name, {class: "part"}));
     y += head;
-    for (const [kind, value] of bars(rung)) {
+    for (const [kind, value] of bars(model)) {
       append(drawing, ladderBar(kind, value, {left, y, tall, end, scale}));
       texts.push(ladderText(report, value, floor, {left, y, tall, end, scale}));
       y += tall + 3;

@@ -52,7 +52,7 @@ export function conditionsText(report, reading) {
   return [ofJoints.join(", "), ...others].filter((text) => text).join("; ");
 }
 
-/// [{name, unit}] of the joints, numbered where the page is not told their names.
+/// [{name, unit}] of the joints, numbered where the page does not have their names.
 export function jointNames(report, reading) {
   const given = list(report.joints);
   return (Array.isArray(reading.joints) ? reading.joints : []).map((_, i) => ({

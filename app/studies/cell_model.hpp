@@ -34,7 +34,7 @@ struct ModelError {
 
 /// Internal units throughout.
 struct CellModel {
-  deflection::Arm arm;  ///< with the tool axis that the cell tells, where the arm file does not
+  deflection::Arm arm;  ///< with the tool axis that the cell states, where the arm file does not
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< world = tube-sheet frame
   bool base_known = false;
   bool tool_axis_stated = false;            ///< by the arm file or by the scene; else the arm has the default

@@ -1,4 +1,4 @@
-// How long work outside the planner tells what it is at, and how it ends where it is asked to stop.
+// How long work outside the planner reports its progress, and how it ends where it is asked to stop.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ inline void beginStep(const WorkHooks& hooks, std::string_view step, std::size_t
   if (hooks.progress) hooks.progress(step, done, total);
 }
 
-/// For the parts of a step: what they tell comes after its name, "diagnosis 2: catalogue".
+/// For the parts of a step: their progress comes after its name, "diagnosis 2: catalogue".
 inline WorkHooks within(const WorkHooks& hooks, const std::string& step) {
   if (!hooks.progress) return hooks;
   return {[progress = hooks.progress, step](std::string_view stage, std::size_t done, std::size_t total) {

@@ -24,7 +24,7 @@ class Connection : public httplib::Stream {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `is_closing` tells whether the server is about to end.
+  /// `is_closing` says whether the server is about to end.
   Connection(int socket, const ConnectionLimits& limits, std::function<bool()> is_closing);
 
   /// Waits for the next request; false where none comes.

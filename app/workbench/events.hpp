@@ -1,4 +1,4 @@
-// What all browsers are told: that the state has changed, how far the jobs are, and where a running arm is. Each
+// What is sent to all browsers: that the state has changed, how far the jobs are, and where a running arm is. Each
 // listener asks for what is newer than what it has seen, so that a slow one holds up nobody and nothing is kept for it.
 #pragma once
 
@@ -23,7 +23,7 @@ class Events {
   struct News {
     bool state_changed = false;
     std::vector<std::string> jobs;  ///< the newest of each job that has moved, as JSON
-    std::string live;               ///< the newest that a running arm has told, as JSON; empty: nothing new
+    std::string live;               ///< the newest from a running arm, as JSON; empty: nothing new
     bool closed = false;
   };
 

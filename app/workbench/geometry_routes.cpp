@@ -9,7 +9,7 @@
 #include "app/workbench/request_numbers.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
-#include "calibration/diagnosis/twins.hpp"
+#include "calibration/diagnosis/confounding.hpp"
 #include "deflection/weights.hpp"
 
 namespace tubeplan::app {
@@ -50,24 +50,25 @@ Answer signature(Workbench& workbench, const Request& request) {
   return answerOf(signatureJson(cell, request.asked("effect"), request.asked("at"), most_load));
 }
 
-constexpr std::size_t kMostForTwins = 300;  // readings spread over all: what they share hangs little on how many
+constexpr std::size_t kMostForConfounding = 300;  // readings spread over all: what they share hangs little on how many
 
 /// Of the causes, by the readings in use and the numbers that are fitted: which hide behind which.
-Answer twins(Workbench& workbench, const Request&) {
+Answer confounding(Workbench& workbench, const Request&) {
   const Session session = workbench.session();
   if (!session.readings) return refusal(404, InputError("measurements", "none loaded", "some"));
   const Cell& cell = currentModel(session).cell;
   const auto all = readingsInUse(*session.readings);
   std::vector<calibration::Measurement> some;
-  for (std::size_t k = 0; k < all.size(); k += (all.size() + kMostForTwins - 1) / kMostForTwins) some.push_back(all[k]);
+  for (std::size_t k = 0; k < all.size(); k += (all.size() + kMostForConfounding - 1) / kMostForConfounding)
+    some.push_back(all[k]);
   auto placed = startOf(cell, all);
   const auto fitted = calibration::chooseUnknowns(placed, freeNumbersOf(cell)).list;
   nlohmann::json causes = nlohmann::json::array();
-  for (const auto& cause : calibration::findTwins(placed, some, fitted)) {
+  for (const auto& cause : calibration::findConfounding(placed, some, fitted)) {
     nlohmann::json list = nlohmann::json::array();
-    for (const auto& twin : cause.twins)
-      list.push_back({{"effect", twin.effect}, {"at", twin.at}, {"share", twin.share}});
-    causes.push_back({{"effect", cause.effect}, {"at", cause.at}, {"kept", cause.kept}, {"twins", list}});
+    for (const auto& other : cause.confounded)
+      list.push_back({{"effect", other.effect}, {"at", other.at}, {"share", other.share}});
+    causes.push_back({{"effect", cause.effect}, {"at", cause.at}, {"kept", cause.kept}, {"confounded", list}});
   }
   return answerOf({{"readings", some.size()}, {"causes", causes}});
 }
@@ -82,8 +83,12 @@ Answer select(Workbench& workbench, const Request& request) {
 }
 
 constexpr Route kGeometryRoutes[] = {
-    {"GET", "sheet", sheet},         {"GET", "scene", scene}, {"POST", "pose", pose},
-    {"GET", "catalogue", catalogue}, {"GET", "twins", twins}, {"POST", "select", select},
+    {"GET", "sheet", sheet},
+    {"GET", "scene", scene},
+    {"POST", "pose", pose},
+    {"GET", "catalogue", catalogue},
+    {"GET", "confounding", confounding},
+    {"POST", "select", select},
     {"GET", "signature", signature},
 };
 

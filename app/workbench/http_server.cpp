@@ -247,12 +247,12 @@ class HttpServer::Implementation : public httplib::Server {
     auto spoken = std::make_shared<std::chrono::steady_clock::time_point>();
     response.set_chunked_content_provider(
         "text/event-stream",
-        [this, seen, spoken](std::size_t, httplib::DataSink& sink) { return tell(*seen, *spoken, sink); },
+        [this, seen, spoken](std::size_t, httplib::DataSink& sink) { return sendNews(*seen, *spoken, sink); },
         [&events](bool) { events.leave(); });
   }
 
   /// What is new since the last time, or now and then a heartbeat.
-  bool tell(Events::Seen& seen, std::chrono::steady_clock::time_point& spoken, httplib::DataSink& sink) {
+  bool sendNews(Events::Seen& seen, std::chrono::steady_clock::time_point& spoken, httplib::DataSink& sink) {
     const auto news = workbench_.events().wait(seen, kGlanceAtListener);
     if (news.closed || !sink.is_writable()) return false;
     std::string text;

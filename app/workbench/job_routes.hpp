@@ -26,14 +26,14 @@ using ResultWork = std::function<nlohmann::json(const Session& began, JobContext
 [[nodiscard]] Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label,
                                     JobInput input, ResultWork work);
 
-/// The comparison of what is there as a job; with the ladder over the stack, which is told as soon as it is there: the
+/// The comparison of what is there as a job; with the ladder over the stack, which is sent as soon as it is there: the
 /// current model is fitted once for both.
 [[nodiscard]] Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder);
 
 /// The diagnosis of what is there as a job.
 [[nodiscard]] Answer beginDiagnosis(Workbench& workbench, const DiagnosisRequest& asked);
 
-/// What work tells becomes the job's stages; a job asked to stop ends wherever it is.
+/// Progress of the work becomes the job's stages; a job asked to stop ends wherever it is.
 [[nodiscard]] WorkHooks hooksOf(JobContext& context);
 
 /// The same for the planner.

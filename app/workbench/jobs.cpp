@@ -26,7 +26,7 @@ struct Jobs::Job {
   std::string kind, label, status = "running", stage = "waiting", result;
   std::size_t done = 0, total = 0;
   std::uint64_t moment = 0;  ///< of its newest change
-  Clock::time_point stage_began = Clock::now(), told;
+  Clock::time_point stage_began = Clock::now(), reported;
   nlohmann::json error;
   JobWork work;
   std::atomic<bool> stop = false;
@@ -46,8 +46,8 @@ class Jobs::Context : public JobContext {
     job_.done = done;
     job_.total = total;
     job_.moment = jobs_.events_.nextMoment();
-    if (!is_new && now - job_.told < kBetweenNews) return;
-    job_.told = now;
+    if (!is_new && now - job_.reported < kBetweenNews) return;
+    job_.reported = now;
     jobs_.events_.jobMoved(job_.id, jobs_.jsonOf(job_).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   }
   bool stopRequested() const override { return job_.stop; }

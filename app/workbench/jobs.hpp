@@ -21,7 +21,7 @@
 
 namespace tubeplan::app {
 
-/// What a job's work is given: where to tell how far it is, and whether it shall go on.
+/// What a job's work is given: where to report its progress, and whether it shall go on.
 class JobContext {
  public:
   virtual ~JobContext() = default;
@@ -29,7 +29,7 @@ class JobContext {
   [[nodiscard]] virtual bool stopRequested() const = 0;
 };
 
-/// Throws JobStopped where that has been asked for; tells the stage that begins.
+/// Throws JobStopped where that has been asked for; reports the stage that begins.
 void beginStage(JobContext& context, std::string_view stage, std::size_t done = 0, std::size_t total = 0);
 
 /// The work; returns the name of the result that it has put into the state. Throws InputError, JobStopped.

@@ -26,7 +26,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMostTail = 64u << 10;  // of a log of encoders: its last row is in it
 
-void tell(Workbench& workbench, json news) {
+void publish(Workbench& workbench, json news) {
   workbench.events().liveMoved(news.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
@@ -94,12 +94,12 @@ json showEncoders(Workbench& workbench, const Eigen::VectorXd& q, double load, c
                      {"source", source},
                      {"tip", vectorJson(cell.X_WB * deflection::toIsometry(shape.X_BD).translation(), cell.units,
                                         dimension::kLength)}};
-  tell(workbench, news);
+  publish(workbench, news);
   return news;
 }
 
 void showLiveProblem(Workbench& workbench, const InputError& error, const std::string& source) {
-  tell(workbench, {{"source", source}, {"problem", errorJson(error)}});
+  publish(workbench, {{"source", source}, {"problem", errorJson(error)}});
 }
 
 std::size_t takeArrived(Workbench& workbench, const std::string& text, const std::string& name, bool passes_known) {

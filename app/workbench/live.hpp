@@ -33,7 +33,7 @@ class WatchedFile {
  public:
   explicit WatchedFile(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// Takes what is new; what is wrong with it is told to all browsers, once.
+  /// Takes what is new; what is wrong with it is sent to all browsers, once.
   void look(Workbench& workbench);
 
  private:

@@ -105,7 +105,7 @@ Answer inverse(Workbench& workbench, const Request& request) {
   return answerOf(answer);
 }
 
-/// Throws what tells why there is no plan.
+/// Throws the reason why there is no plan.
 void requirePlanned(const PlanOutcome& outcome) {
   if (outcome.plan.status == planner::VisitPlanStatus::kStopped) throw JobStopped{};
   if (outcome.plan.status == planner::VisitPlanStatus::kPlanned) return;

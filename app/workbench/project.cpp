@@ -124,6 +124,22 @@ std::vector<TouchMade> touchesMade(const json& entry, const Cell& cell, const st
   return made;
 }
 
+/// Keys of results as earlier programs wrote them, and as they are now.
+constexpr std::pair<const char*, const char*> kRenamedKeys[] = {
+    {"rungs", "models"}, {"told", "identifiable"}, {"probability_told", "probability_distinguished"}};
+
+void renameKeys(json& document) {
+  if (document.is_object())
+    for (const auto& [before, now] : kRenamedKeys)
+      if (const auto found = document.find(before); found != document.end() && !document.contains(now)) {
+        json value = std::move(*found);
+        document.erase(found);
+        document[now] = std::move(value);
+      }
+  if (document.is_structured())
+    for (auto& part : document) renameKeys(part);
+}
+
 std::map<std::string, std::map<int, ResultPointer>> resultsOf(const json& entry) {
   std::map<std::string, std::map<int, ResultPointer>> results;
   for (const auto& [name, list] : entry.items())
@@ -132,6 +148,7 @@ std::map<std::string, std::map<int, ResultPointer>> resultsOf(const json& entry)
       result->model = wholeNumber<int>(item.at("model"));
       result->revision = wholeNumber<std::uint64_t>(item.at("revision"));
       result->document = item.at("document");
+      renameKeys(result->document);
       results[name][result->model] = std::move(result);
     }
   return results;

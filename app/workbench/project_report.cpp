@@ -72,7 +72,7 @@ json historyJson(const Session& session) {
 
 json modelsOfLadder(const Session& session) {
   const auto ladder = findResult(session, "ladder");
-  return ladder ? ladderModels(ladder->document["rungs"]) : json::array();
+  return ladder ? ladderModels(ladder->document["models"]) : json::array();
 }
 
 /// As a shell takes it for one word.
@@ -157,8 +157,8 @@ json projectReportJson(const Session& session, const ProjectReportRequest& reque
   if (session.readings) report["set_aside"] = session.readings->set_aside;
   if (const auto fitted = findResult(session, "identify", currentModel(session).id))
     report["parameters"] = fitted->document["parameters"];
-  if (const auto ladder = findResult(session, "ladder"); ladder && !ladder->document["rungs"].empty())
-    report["noise_floor"] = ladder->document["rungs"].back()["rms"]["noise_floor"];
+  if (const auto ladder = findResult(session, "ladder"); ladder && !ladder->document["models"].empty())
+    report["noise_floor"] = ladder->document["models"].back()["rms"]["noise_floor"];
   return report;
 }
 

@@ -31,8 +31,8 @@ class SessionKeeper {
   /// What begin() found is put aside under another name, to be opened by hand.
   void putAside();
 
-  /// Writes the situation unless a later one is already written. Whoever returns knows it written; a failure is told
-  /// once on standard error and in problem().
+  /// Writes the situation unless a later one is already written. Whoever returns knows it written; a failure is
+  /// reported once on standard error and in problem().
   void keep(const Session& session);
 
   /// Why nothing is kept; empty where it is.

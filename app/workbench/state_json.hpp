@@ -1,4 +1,4 @@
-// The situation as browsers see it: small, and told whole at every change.
+// The situation as browsers see it: small, and sent whole at every change.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -77,7 +77,7 @@ bool Workbench::change(const std::function<bool(Session&)>& step) {
     ++changed.revision;
     session_ = changed;
   }
-  keeper_.keep(changed);  // before anybody is told
+  keeper_.keep(changed);  // before it is sent to anybody
   events_.stateChanged();
   return true;
 }

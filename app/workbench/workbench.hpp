@@ -32,8 +32,8 @@ class Workbench {
 
   [[nodiscard]] Session session() const;
 
-  /// Changes the situation, as one step for all who look at it, and tells everybody. A step that returns false changes
-  /// nothing; whether it did is returned.
+  /// Changes the situation, as one step for all who look at it, and sends it to everybody. A step that returns false
+  /// changes nothing; whether it did is returned.
   bool change(const std::function<bool(Session&)>& step);
 
   /// Instead of all there is, unless a job works on it: with that cell's session kept from now on, an earlier one of it

@@ -14,7 +14,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kIdentifiable = 0.5;  // of its typical size: a number whose sigma is less is told by readings
+constexpr double kIdentifiable = 0.5;  // of its typical size: a number whose sigma is less is identifiable
 
 /// Which candidates' shapes settle, as known.
 std::vector<int> settled(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates) {

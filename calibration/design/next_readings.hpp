@@ -10,7 +10,7 @@
 
 namespace tubeplan::calibration {
 
-/// What can be proposed: one reading, or the touches of one unknown place under several loads, which tell nothing
+/// What can be proposed: one reading, or the touches of one unknown place under several loads, which determine nothing
 /// singly. Sigma is what the reading would have; the set-up is filled in.
 struct ReadingCandidate {
   std::vector<Measurement> readings;

@@ -1,5 +1,5 @@
-// Which further readings tell the most of a linear model: greedy choice, then exchange of one for another until no swap
-// helps (Fedorov, Theory of Optimal Experiments, 1972).
+// Which further readings determine the most of a linear model: greedy choice, then exchange of one for another until no
+// swap helps (Fedorov, Theory of Optimal Experiments, 1972).
 #pragma once
 
 #include <Eigen/Core>

@@ -40,7 +40,7 @@ IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
 
 Identification fitBaseline(const PlacedArm& start, const std::vector<Measurement>& readings,
                            const DiagnosisOptions& options, RobustLoss loss = RobustLoss::kNone) {
-  tell(options.hooks, "fit");
+  reportProgress(options.hooks, "fit");
   IdentificationOptions how = baselineOptions(options);
   if (loss != RobustLoss::kNone) how.loss = loss;
   Identification baseline = identify(start, readings, how);
@@ -183,7 +183,7 @@ void judgeAll(const Answer& found, Diagnosis& result) {
   const auto judged = [&](const ExplanationModel& model, double model_error) {
     return found.held_out.empty() ? judgeOnFolds(work.basis, model, folds, model_error) : judge(model.placed, held_out);
   };
-  tell(work.options.hooks, "readings kept out");
+  reportProgress(work.options.hooks, "readings kept out");
   result.heldout_before = judged(bare, result.baseline.model_error);
   result.heldout_after = result.heldout_before;
   result.farthest_before = judgeOnFolds(work.basis, bare, farthest, result.baseline.model_error);
@@ -191,7 +191,7 @@ void judgeAll(const Answer& found, Diagnosis& result) {
   const auto judgeEach = [&](std::vector<Explanation>& explanations) {
     const std::size_t most = std::min(explanations.size(), kMostJudged);
     for (std::size_t k = 0; k < most; ++k) {
-      tell(work.options.hooks, "readings kept out", k + 1, most + 1);
+      reportProgress(work.options.hooks, "readings kept out", k + 1, most + 1);
       const ExplanationModel model = modelOf(work.basis, explanations[k]);
       explanations[k].heldout = judged(model, explanations[k].model_error);
       explanations[k].farthest = judgeOnFolds(work.basis, model, farthest, explanations[k].model_error);

@@ -1,4 +1,4 @@
-// Which physical effect a model lacks: named where the readings can tell it, and said so where they cannot.
+// Which physical effect a model lacks: named where the readings show it, and said so where they cannot.
 //
 // One idea: every hypothesis (nothing missing; a cause at its place; several; each with an unknown remainder or
 // without; the unknown alone) has a prior and an evidence, the probability of the readings with its numbers integrated
@@ -46,7 +46,7 @@ struct FoundEffect {
   std::vector<std::string> frees;  ///< numbers of the arm's file that are freed instead of an effect
   std::vector<FoundNumber> numbers;
   std::vector<std::pair<std::string, std::string>>
-      also;  ///< effect and place of others that no reading could tell from it
+      also;  ///< effect and place of others that no reading could distinguish from it
 };
 
 /// A model with causes added, fitted with everything that is free.

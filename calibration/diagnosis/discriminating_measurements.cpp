@@ -191,7 +191,7 @@ DiscriminatingMeasurements proposeUnlessStopped(const Diagnosis& diagnosis, cons
                         : "no effect is probable enough to choose readings for";
     return result;
   }
-  tell(options.hooks, "next readings");
+  reportProgress(options.hooks, "next readings");
   const auto rivals = rivalModelsOf(basis, result.explanations);
   const auto predictions = predictByRivals(rivals, candidates, options.hooks.stop);
   const auto steps = chooseDiscriminating(rivals, predictions, options.count, options.hooks.stop);

@@ -254,7 +254,7 @@ std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& eff
   std::vector<EffectWarning> warnings;
   std::size_t done = 0;
   for (const int e : effects) {
-    tell(hooks, "effects of the cell", done++, effects.size());
+    reportProgress(hooks, "effects of the cell", done++, effects.size());
     if (isLarge(c, effects.size()) && !fittedNumbers(c.with, e).empty())
       judgeByCovariance(c, e, warnings);
     else
@@ -293,7 +293,7 @@ std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vect
   look.hooks = quiet.hooks;
   const Case c{start, readings, quiet, fitted, fitted.heldout, limits};
   return unlessStopped([&] {
-    tell(options.hooks, "effects of the cell");
+    reportProgress(options.hooks, "effects of the cell");
     return warningsOf(c, freed, look, options.hooks);
   });
 }

@@ -1,4 +1,4 @@
-// Causes that no reading could tell apart: over the whole range of the arm they predict the same, so that they are one
+// Causes that no reading could distinguish: over the whole range of the arm they predict the same, so that they are one
 // cause with several names.
 #pragma once
 
@@ -34,7 +34,8 @@ class RangeViews {
   ReadingWeights weights_;
 };
 
-/// Whether even readings all over the range could hardly tell the two, each with its numbers fitted anew to them.
+/// Whether even readings all over the range could hardly distinguish the two, each with its numbers fitted anew to
+/// them.
 [[nodiscard]] bool areTheSame(const RangeView& a, const RangeView& b);
 
 }  // namespace tubeplan::calibration

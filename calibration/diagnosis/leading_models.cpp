@@ -110,7 +110,7 @@ void fitNearest(DiagnosisWork& work) {
       if (!models[k].is_fitted && models[k].logWeight() > best - window && &models[k] != variant)
         next.push_back(&models[k]);
     if (next.empty()) return;
-    tell(work.options.hooks, "models", fitted, limit);
+    reportProgress(work.options.hooks, "models", fitted, limit);
     tbb::parallel_for(std::size_t{0}, next.size(), [&](std::size_t k) { fitModel(work, *next[k]); });
     fitted += next.size();
   }

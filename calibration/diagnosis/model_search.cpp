@@ -112,8 +112,8 @@ void compareModels(DiagnosisWork& work) {
   // One that says many causes at once leaves little to gain beside it; a few single ones may still say it better.
   std::array<double, 2> best{nothing.logWeight(), nothing.logWeight()};
   for (int depth = 1; depth <= work.options.most_causes; ++depth) {
-    tell(work.options.hooks, "causes", static_cast<std::size_t>(depth),
-         static_cast<std::size_t>(work.options.most_causes));
+    reportProgress(work.options.hooks, "causes", static_cast<std::size_t>(depth),
+                   static_cast<std::size_t>(work.options.most_causes));
     level = extended(work, leadersOf(work, level, kMostSeeds));
     if (level.empty()) break;
     work.models.insert(work.models.end(), level.begin(), level.end());

@@ -187,7 +187,7 @@ bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
   noise.weights = reweighted(work.basis.weights, work.basis.readings, model_error);
   EvidenceGram gram;
   for (const auto& which : blocksOf(work.basis.readings)) {
-    tell(work.options.hooks, "catalogue");
+    reportProgress(work.options.hooks, "catalogue");
     Block block;
     if (!fillBlock(work, which, block)) return false;
     addTo(gram, block, model_error);

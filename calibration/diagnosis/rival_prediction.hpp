@@ -8,7 +8,7 @@
 
 namespace tubeplan::calibration {
 
-/// An explanation with what the readings so far tell of its numbers.
+/// An explanation with what the readings so far determine of its numbers.
 struct RivalModel {
   ExplanationModel model;
   double criterion = 0;

@@ -13,7 +13,7 @@ using Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// As if it were made under no load and from no direction: what is left to tell it from others is the posture.
+/// As if it were made under no load and from no direction: what is left to distinguish it from others is the posture.
 Measurement byPostureAlone(Measurement reading) {
   reading.load = 0;
   reading.wrench = {};

@@ -2,8 +2,8 @@
 // readings state. Most errors of machines are such, known or not.
 //
 // Each source is a part of the discrepancy's process (discrepancy.hpp) by itself, with a size of its own: it needs far
-// less freedom than all of the process, so that an error of one source is told from noise, and from a cause with a name
-// that only resembles it, much earlier.
+// less freedom than all of the process, so that an error of one source is distinguished from noise, and from a cause
+// with a name that only resembles it, much earlier.
 #pragma once
 
 #include <Eigen/Core>

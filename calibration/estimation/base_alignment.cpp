@@ -35,7 +35,7 @@ void alignBases(PlacedArm& placed, const std::vector<Measurement>& readings) {
       const Eigen::Map<const Eigen::Matrix3Xd> from(tips.front().data(), 3, n), to(places.front().data(), 3, n);
       const Eigen::Matrix3Xd centred = from.colwise() - from.rowwise().mean();
       const auto spread = centred.jacobiSvd().singularValues();
-      if (spread[1] < 1e-6 * spread[0]) break;  // all in one line: the turn about it cannot be told
+      if (spread[1] < 1e-6 * spread[0]) break;  // all in one line: the turn about it is not determined
       const Eigen::Isometry3d before = base_pose.X_WB;
       base_pose.X_WB = Eigen::Isometry3d(Eigen::umeyama(from, to, false));
       if ((base_pose.X_WB.matrix() - before.matrix()).norm() < kAligned) break;

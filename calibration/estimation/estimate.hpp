@@ -1,4 +1,4 @@
-// What readings made so far tell of the free numbers, as information that further readings add to.
+// What readings made so far determine of the free numbers, as information that further readings add to.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 namespace tubeplan::calibration {
 
 /// The model as known: where its free numbers stand, and how well. Every number is taken as known beforehand to its
-/// typical size (Unknown::typical), so that what no reading tells has a sigma too.
+/// typical size (Unknown::typical), so that what no reading determines has a sigma too.
 struct Estimate {
   std::vector<FreeProblem> problems;  ///< why the names cannot be freed; the rest is not to be used then
   std::string note;                   ///< why the readings could not be fitted: the drawing's values stand in then
@@ -22,7 +22,7 @@ struct Estimate {
   Eigen::MatrixXd information;  ///< of the variables over their typical sizes
 };
 
-/// Fits the readings (any number, also none; those held out are left alone) and counts what they tell.
+/// Fits the readings (any number, also none; those held out are left alone) and counts what they determine.
 [[nodiscard]] Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                     const std::vector<Measurement>& readings, const FreeChoice& free);
 

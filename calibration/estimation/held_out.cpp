@@ -169,7 +169,7 @@ ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector
   double squares = 0, lengths = 0;
   const int count = folds.empty() ? 0 : *std::max_element(folds.begin(), folds.end()) + 1;
   for (int fold = 0; fold < count; ++fold) {
-    tell(hooks, "readings kept out", static_cast<std::size_t>(fold), static_cast<std::size_t>(count));
+    reportProgress(hooks, "readings kept out", static_cast<std::size_t>(fold), static_cast<std::size_t>(count));
     std::vector<Measurement> kept, out;
     for (std::size_t k = 0; k < readings.size(); ++k) (folds[k] == fold ? out : kept).push_back(readings[k]);
     if (kept.empty() || out.empty()) continue;
@@ -243,7 +243,7 @@ std::optional<ErrorSize> crossValidateToFirstOrder(const std::vector<Unknown>& u
   const int count = folds.empty() ? 0 : *std::max_element(folds.begin(), folds.end()) + 1;
   VectorXd error = whole.residual.error;
   for (int fold = 0; fold < count; ++fold) {
-    tell(hooks, "readings kept out", static_cast<std::size_t>(fold), static_cast<std::size_t>(count));
+    reportProgress(hooks, "readings kept out", static_cast<std::size_t>(fold), static_cast<std::size_t>(count));
     const auto rows = rowsOutside(fold, folds, readings, whole.weights);
     if (rows.empty()) return std::nullopt;
     const auto step = stepTo(rows, whole, unknowns);

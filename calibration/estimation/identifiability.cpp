@@ -52,7 +52,7 @@ std::vector<NumberIdentifiability> judgeIdentifiability(const MatrixXd& jacobian
     numbers[n].with = partnersOf(k, covariance);
     if (!numbers[n].with.empty()) numbers[n].verdict = Identifiability::kInCombination;
   }
-  // As sharp as the prior of one that the readings cannot tell from it.
+  // As sharp as the prior of one that the readings cannot distinguish from it.
   for (std::size_t n = 0; n < unknowns.size(); ++n) {
     if (numbers[n].verdict != Identifiability::kYes) continue;
     const auto k = static_cast<Index>(n);

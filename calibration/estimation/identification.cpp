@@ -153,7 +153,8 @@ bool fitFromStarts(FittedModel& model, Identification& result) {
   FitOptions options = fitOptions(model.options);
   options.solver.observe = model.options.observe;
   for (int s = 0; s < starts; ++s) {
-    tell(model.options.hooks, "fit", static_cast<std::size_t>(s), starts > 1 ? static_cast<std::size_t>(starts) : 0);
+    reportProgress(model.options.hooks, "fit", static_cast<std::size_t>(s),
+                   starts > 1 ? static_cast<std::size_t>(starts) : 0);
     options.weights = s == 0 && model.start_weights ? &*model.start_weights : nullptr;
     Fit fit = fitUnknowns(model.start, model.unknowns, model.fitted,
                           s == 0 ? VectorXd(VectorXd::Zero(count)) : drawStart(model.unknowns, model.options.seed, s),

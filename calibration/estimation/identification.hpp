@@ -1,4 +1,4 @@
-// The numbers of the model found from readings, each with its uncertainty and a word on whether the readings can tell
+// The numbers of the model found from readings, each with its uncertainty and a word on whether the readings determine
 // it (Calkins 1994, chapter 3).
 //
 // Example, compiled and run by tests/examples:
@@ -57,7 +57,7 @@ struct IdentificationOptions {
   double drop_level = 0;        ///< above 0: numbers that the readings do not need at this level are given up
   bool intervals_by_profile = true;
   WorkHooks hooks;                 ///< the solver is stopped by these too
-  IterationObserver observe = {};  ///< of the fits to all readings, from every start; refits of some are not told
+  IterationObserver observe = {};  ///< of the fits to all readings, from every start; refits of some are not reported
 };
 
 enum class IdentificationStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };
@@ -99,7 +99,7 @@ struct Identification {
   IdentificationStatus status = IdentificationStatus::kNotRun;
   std::string reason;
   std::vector<FreeProblem> problems;              ///< why refused: names that cannot be freed
-  std::optional<ReadingProblem> reading_problem;  ///< why refused: readings that do not tell enough
+  std::optional<ReadingProblem> reading_problem;  ///< why refused: readings that do not determine enough
   std::vector<std::string> dropped;               ///< "NAME: why", numbers that the readings do not need
   PlacedArm start, fitted;                        ///< with only the bases placed; with everything
   std::vector<IdentifiedNumber> numbers;

@@ -76,7 +76,7 @@ void describeNumbers(const FittedModel& model, Identification& result) {
   const MatrixXd& covariance = model.fit.covariance;
   const auto identifiable = judgeIdentifiability(model.fit.residual.jacobian, covariance, unknowns, x);
   for (std::size_t n = 0; n < unknowns.size(); ++n) {
-    tell(model.options.hooks, "intervals", n, unknowns.size());
+    reportProgress(model.options.hooks, "intervals", n, unknowns.size());
     const auto k = static_cast<Index>(n);
     IdentifiedNumber number;
     const Unknown& unknown = number.unknown = unknowns[n];

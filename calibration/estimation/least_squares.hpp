@@ -31,7 +31,7 @@ struct LeastSquaresStop {
   int max_iterations;
 };
 
-/// An iteration of a method, as whoever watches is told it.
+/// An iteration of a method, as it is reported to whoever watches.
 struct LeastSquaresIteration {
   std::string_view method;  ///< by its name in leastSquaresMethods(), of the one that is at work
   int iteration = 0;        ///< 0: the start
@@ -48,7 +48,7 @@ struct LeastSquaresOptions {
   std::optional<int> max_iterations = std::nullopt;
   LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
   StopQuestion stop = {};          ///< asked before every evaluation
-  IterationObserver observe = {};  ///< told every iteration, the start too; it changes no result
+  IterationObserver observe = {};  ///< called at every iteration, the start too; it changes no result
 };
 
 enum class LeastSquaresStatus { kNotRun, kConverged, kIterationLimit, kFailed, kStopped };

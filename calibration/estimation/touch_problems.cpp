@@ -1,4 +1,4 @@
-// Touches that cannot place a base, told before anything is solved.
+// Touches that cannot place a base, found before anything is solved.
 #include <algorithm>
 #include <set>
 

@@ -91,7 +91,7 @@ VectorXd columnWeights(const std::vector<const Slopes*>& reference, const std::v
   return weights;
 }
 
-/// What the touches tell of the model's error, and through it of the tip elsewhere.
+/// What the touches determine of the model's error, and through it of the tip elsewhere.
 class TouchEvidence {
  public:
   TouchEvidence(const TipErrorQuestion& question, const std::vector<Slopes>& at_touches, const VectorXd& weights,

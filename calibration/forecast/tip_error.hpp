@@ -7,7 +7,7 @@
 //      y = (A G - 1) (D theta + w - n),     e = D_h theta + w_h + n_h - A_h G (D theta + w - n)
 // with y the residuals at the touches, e the tip's error at a hole, A and A_h their slopes by the base, G what the
 // touches' fit makes of errors, D and D_h the effects' columns (theta ~ N(0, tau^2)), w the errors of postures' own, n
-// the noise. Z spans what no base takes up (Z^T A = 0): Z^T y tells tau, and for each tau what it tells of e. With
+// the noise. Z spans what no base takes up (Z^T A = 0): Z^T y determines tau, and for each tau what is known of e. With
 // three touches Z has three columns, and tau a wide posterior: e is a mixture with tails like Student's. The prior of
 // tau is half-Cauchy (Gelman 2006, "Prior distributions for variance parameters in hierarchical models").
 #pragma once

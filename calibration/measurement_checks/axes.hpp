@@ -34,7 +34,7 @@ inline bool areWritten(const CheckedReadings& checked) {
                      [&](const Measurement& reading) { return reading.p_W && !isPlacedBySheet(checked, reading); });
 }
 
-/// Of what is written and what the sheet tells alike: both are the places that were measured.
+/// Of what is written and what the sheet gives alike: both are the places that were measured.
 inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& readings) {
   for (auto& reading : readings) {
     if (reading.p_W) *reading.p_W = to_world * *reading.p_W;

@@ -1,4 +1,4 @@
-// One coordinate in another unit than its column says. Places that the sheet tells stay.
+// One coordinate in another unit than its column says. Places that the sheet gives stay.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// Coordinates and measured distances in another unit than their columns say. Places that the sheet tells stay.
+// Coordinates and measured distances in another unit than their columns say. Places that the sheet gives stay.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"

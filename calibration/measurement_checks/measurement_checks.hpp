@@ -1,6 +1,6 @@
 // What looks wrong with readings before any physics is asked: the ordinary mistakes (mistake.hpp), tried one by one.
 //
-// How a mistake is told. Readings are fitted twice, as they are and as they would be taken if the mistake had been
+// How a mistake is found. Readings are fitted twice, as they are and as they would be taken if the mistake had been
 // made: once by the drawing alone, with the base where that is not known and the tip, for the error in metres; once
 // with all that the drawing leaves open and every stiffness within its priors, and a prior of the base about its
 // nominal place, for the probability (robust_fit.hpp). A mistake is suspected where both speak for it:

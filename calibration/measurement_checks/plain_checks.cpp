@@ -24,7 +24,7 @@ std::string shortText(double value) {
 }
 
 /// Joint readings that are all as small as angles in radians are, and would be within the joints' limits if they were.
-/// Touches of points that nobody measured fit either way, so no error tells.
+/// Touches of points that nobody measured fit either way, so no error shows it.
 std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
   constexpr double kTurn = 2 * std::numbers::pi;
   constexpr std::size_t kFew = 4;
@@ -71,7 +71,7 @@ std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
                           {}};
 }
 
-/// Beams that bend further under these readings than so few segments tell, by more than half the readings' noise. The
+/// Beams that bend further under these readings than so few segments follow, by more than half the readings' noise. The
 /// heaviest loads are looked at, and others among them.
 std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
   constexpr std::size_t kMostSolved = 8;

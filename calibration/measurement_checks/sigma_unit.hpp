@@ -1,4 +1,4 @@
-// The stated noise in another unit than its column says. No error tells it, only how small the error is beside it: it
+// The stated noise in another unit than its column says. No error shows it, only how small the error is beside it: it
 // is looked for apart (measurement_checks.cpp), so that no form of it is tried here.
 #pragma once
 

@@ -99,7 +99,7 @@ Eigen::Matrix3d correlationMatrix(const Eigen::Vector3d& correlation) {
 Eigen::Vector3d correlationNumbers(const Eigen::Matrix3d& matrix) { return {matrix(0, 1), matrix(0, 2), matrix(1, 2)}; }
 
 bool isPossibleCorrelation(const Eigen::Vector3d& correlation) {
-  constexpr double kLeastOwn = 1e-9;  // share of the variance that no combination of the others tells
+  constexpr double kLeastOwn = 1e-9;  // share of the variance that no combination of the others determines
   if (!correlation.allFinite()) return false;
   return correlationMatrix(correlation).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > kLeastOwn;
 }

@@ -10,7 +10,7 @@
 
 namespace tubeplan::calibration {
 
-/// Why readings tell nothing, or not enough.
+/// Why readings determine nothing, or not enough.
 struct ReadingProblem {
   int reading = -1;  ///< the one to blame, where there is one
   std::string found, expected, advice;

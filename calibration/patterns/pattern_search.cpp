@@ -270,7 +270,7 @@ std::vector<PatternTest> distinctFindings(const SearchedScene& search, const std
 PatternSearch searchPatterns(const ReadingScene& scene, const ReadingWeights& weights, const WhitenedResidual& residual,
                              double level, const WorkHooks& hooks) {
   PatternSearch result;
-  tell(hooks, "patterns");
+  reportProgress(hooks, "patterns");
   SearchedScene search{scene,      weights, orthonormal(residual.jacobian, residual.jacobian.colwise().norm()),
                        residual.r, 0,       hooks.stop};
   search.freedom = weights.degrees_of_freedom - static_cast<int>(search.absorbed.cols());

@@ -1,7 +1,7 @@
 // An error that goes with where in the world the tip is.
 //
 // Basis: a coordinate and its square, from the middle of the readings. Of a touch, the touched place: the predicted tip
-// is that place plus the error. A coordinate that hardly differs is not asked, for then noise is all that it tells.
+// is that place plus the error. A coordinate that hardly differs is not asked, for then it shows noise alone.
 #pragma once
 
 #include "calibration/measurements/measurement_kinds.hpp"

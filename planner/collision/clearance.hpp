@@ -15,7 +15,7 @@ namespace tubeplan::planner {
 struct Clearance {
   /// m; a lower value of the true distance, negative where things overlap. Infinite where there is nothing to touch.
   double distance = std::numeric_limits<double>::quiet_NaN();
-  /// m; distance less what the scene requires. Free means zero or more; NaN means it could not be told, and is not
+  /// m; distance less what the scene requires. Free means zero or more; NaN means it could not be computed, and is not
   /// free.
   double margin = std::numeric_limits<double>::quiet_NaN();
   std::string body;   ///< the arm's body that comes nearest

@@ -1,4 +1,4 @@
-// How far a body may stand from where the model has it, as far as the base's calibration tells.
+// How far a body may stand from where the model has it, by the uncertainty of the base's calibration.
 //
 // A point p moves by t + w x (p - p_WB) where the base is off by a shift t and a small turn w. Its standard deviation
 // is a convex function of p, in every direction, so that none within a capsule exceeds that of the capsule's ends and

@@ -56,7 +56,7 @@ struct ShapeRow {
 
 /// Builds a shape from its numbers, [m] and [rad], field after field as the row lists them, and of a row that names one
 /// the mesh [m]. A wrong count, a number that is not finite, a size that is not above zero, a zero direction, a mesh
-/// that cannot be used or what the row itself finds wrong is told as the problem.
+/// that cannot be used or what the row itself finds wrong is given as the problem.
 [[nodiscard]] MadeShape makeShape(const ShapeRow& row, std::span<const double> numbers,
                                   const TriangleMesh* mesh = nullptr);
 

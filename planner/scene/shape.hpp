@@ -1,4 +1,4 @@
-// What a shape in a scene can tell: how far a body is from it. The shapes themselves are in the table,
+// What a shape in a scene answers: how far a body is from it. The shapes themselves are in the table,
 // scene_shapes.cpp.
 //
 // Frames: F is the frame a shape is given in (the world W for an obstacle, a link's frame L for a body).
@@ -44,7 +44,8 @@ class Shape {
   /// The same of a capsule given in frame F.
   [[nodiscard]] virtual Separation separationFrom(const Capsule& body_F) const = 0;
 
-  /// Whether the shape is known to be `distance` [m] or more from the capsule, where that is quicker told than how far.
+  /// Whether the shape is known to be `distance` [m] or more from the capsule, where that is found quicker than how
+  /// far.
   [[nodiscard]] virtual bool isFartherThan(double /*distance*/, const Capsule& /*body_F*/) const { return false; }
 
   /// Whether a distance takes a search among many parts, so that what is quicker had better be asked first.

@@ -1,4 +1,4 @@
-// A surface of triangles as data, and what can be told of it as a whole.
+// A surface of triangles as data, and what is known of it as a whole.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -43,7 +43,7 @@ class LipschitzMargins {
     std::size_t body, other;
     bool with_body;
   };
-  /// What one look at the capsule's middle tells of a pair.
+  /// What one look at the capsule's middle shows of a pair.
   struct Look {
     const Pair* pair;
     Capsule capsule;  ///< in the other's frame

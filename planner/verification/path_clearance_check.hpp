@@ -7,7 +7,7 @@ namespace tubeplan::planner {
 
 using TellFinding = std::function<void(std::string what)>;
 
-/// At the path's rows and everywhere between them. All joint values must be there, and finite. `find` is told what is
+/// At the path's rows and everywhere between them. All joint values must be there, and finite. `find` is given what is
 /// wrong; `result` gets the least margin and the tightest pair.
 void checkPathClearance(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options,
                         const PlanHooks& hooks, const TellFinding& find, PlanCheck& result);

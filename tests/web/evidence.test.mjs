@@ -17,7 +17,7 @@ async function compared(name, hide, more = {}) {
   const server = await serve(made.folder, "bench.yaml", [path.join(made.folder, `${name}.csv`)]);
   const tab = await openTab(browser, `${server.address}#error`);
   await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000}); // compared at once
-  await tab.waitForSelector(".rung >> text=as given, rigid"); // the ladder, not what the comparison shows before it
+  await tab.waitForSelector(".ladder-row >> text=as given, rigid"); // the ladder, not what the comparison shows before it
   await tab.waitForFunction(() => !document.querySelector(".job"));
   // Moments and levers come by themselves, and the plot is made anew with them: a loop would be lost.
   await tab.waitForFunction(() =>
@@ -62,7 +62,7 @@ describe("the plot of the errors", () => {
       assert.match(legend, new RegExp(`after: with ${hide.split("@")[0]}`));
       await tab.click(".next:has-text('Add')");
       await tab.waitForFunction(
-        () => document.querySelectorAll(".rung").length >= 3 && !document.querySelector(".job"),
+        () => document.querySelectorAll(".ladder-row").length >= 3 && !document.querySelector(".job"),
       );
       await tab.waitForSelector(".residual-plot .series-legend >> text=/before: as given, refitted/");
       await opensOn(tab, wanted);
@@ -111,7 +111,9 @@ describe("figures", () => {
     for (const size of await tab.locator(".ranking .size").allInnerTexts())
       assert.doesNotMatch(size, /\d{7}|,\d{3},\d{3}/);
     await tab.click(".next:has-text('Add')");
-    await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 3 && !document.querySelector(".job"));
+    await tab.waitForFunction(
+      () => document.querySelectorAll(".ladder-row").length >= 3 && !document.querySelector(".job"),
+    );
     assert.equal(await tab.locator(".verdict-figures .bad").count(), 0);
     await close();
   });
@@ -132,7 +134,7 @@ describe("no known effect", () => {
 describe("a reading", () => {
   it("names itself under the pointer, brings the arm there, and is set aside and taken back", async () => {
     const {tab, server, close} = await compared("asked", "hysteresis@theta4:0.06deg");
-    const before = await tab.innerText(".rung.now .bar-text >> nth=0");
+    const before = await tab.innerText(".ladder-row.now .bar-text >> nth=0");
     await tab.click(".evidence [role=tab]:has-text('Readings')");
     await tab.waitForSelector(".reading-space .reading-row");
     const worst = await tab.innerText(".reading-space .reading-row >> nth=0 >> .link");
@@ -149,7 +151,7 @@ describe("a reading", () => {
     await tab.click(".evidence [role=tab]:has-text('Readings')");
     await tab.click(`input[aria-label='Use reading ${worst}']`);
     await tab.waitForFunction((was) => {
-      const now = document.querySelector(".rung.now .bar-text")?.innerText;
+      const now = document.querySelector(".ladder-row.now .bar-text")?.innerText;
       return now && now !== was && !document.querySelector(".job");
     }, before);
     let state = await stateOf(server);
@@ -158,7 +160,8 @@ describe("a reading", () => {
     await tab.waitForFunction(() => document.querySelectorAll(".reading-space .reading-row").length === 1);
     await tab.click("text=/Take all 1 back/");
     await tab.waitForFunction(
-      (was) => document.querySelector(".rung.now .bar-text")?.innerText === was && !document.querySelector(".job"),
+      (was) =>
+        document.querySelector(".ladder-row.now .bar-text")?.innerText === was && !document.querySelector(".job"),
       before,
     );
     state = await stateOf(server);
@@ -187,7 +190,7 @@ describe("a reading", () => {
     return {set_aside, held_out};
   };
   const rest = (tab) =>
-    tab.waitForFunction(() => !document.querySelector(".job") && document.querySelectorAll(".rung").length >= 2);
+    tab.waitForFunction(() => !document.querySelector(".job") && document.querySelectorAll(".ladder-row").length >= 2);
 
   it("is picked out with others by a loop in the plot, set aside, and taken back by undo", async () => {
     const {tab, server, close} = await compared("loop", "hysteresis@theta4:0.06deg");

@@ -29,7 +29,7 @@ async function cardOf(tab, name) {
 }
 
 const heldOut = async (tab) =>
-  parseFloat((await tab.locator(".rung.now .bar-text").last().innerText()).replace(/,/g, ""));
+  parseFloat((await tab.locator(".ladder-row.now .bar-text").last().innerText()).replace(/,/g, ""));
 
 async function run(browser, folder, row, index) {
   const {hide} = row,
@@ -57,9 +57,9 @@ async function run(browser, folder, row, index) {
     );
     const opened = await variable(tab);
     const isOwn = new RegExp(row.opens_on).test(opened);
-    const rungs = await tab.locator(".rung").count();
+    const models = await tab.locator(".ladder-row").count();
     await click(`.explanation >> nth=${k} >> .button:has-text('Add')`);
-    await tab.waitForFunction((n) => document.querySelectorAll(".rung").length > n, rungs, LIMIT);
+    await tab.waitForFunction((n) => document.querySelectorAll(".ladder-row").length > n, models, LIMIT);
     await idle(tab);
     const left = await heldOut(tab);
     const share = left / promised - 1;

@@ -118,14 +118,18 @@ describe("readings of a running arm", () => {
       });
     assert.equal((await send(rows.slice(60, 70))).status, 202);
     await count(70);
-    await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 2 && !document.querySelector(".job"));
+    await tab.waitForFunction(
+      () => document.querySelectorAll(".ladder-row").length >= 2 && !document.querySelector(".job"),
+    );
     assert.equal((await send(rows.slice(60, 61))).status, 422);
     for (const row of rows.slice(70, 80)) {
       appendFileSync(watched, `${row}\n`);
       await pause(120);
     }
     await count(80);
-    await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 2 && !document.querySelector(".job"));
+    await tab.waitForFunction(
+      () => document.querySelectorAll(".ladder-row").length >= 2 && !document.querySelector(".job"),
+    );
     assert.equal((await stateOf(server)).measurements.readings, 80);
     assert.equal((await stateOf(server)).results.compare?.model, 0);
     assert.deepEqual(errorsOf(tab), []);

@@ -24,9 +24,9 @@ after(async () => {
   made?.remove();
 });
 
-/** Held-out error over the noise floor of the lowest rung, as the page shows it. */
+/** Held-out error over the noise floor of the last model, as the page shows it. */
 async function timesFloor(tab) {
-  const text = await tab.locator(".rung.now .bar-text").last().innerText();
+  const text = await tab.locator(".ladder-row.now .bar-text").last().innerText();
   return Number(/([\d.]+) × floor/.exec(text)[1]);
 }
 
@@ -38,7 +38,7 @@ describe("the loop", () => {
     await tab.waitForSelector(".verdict h1 >> text=The model falls short", {
       timeout: 60000,
     });
-    await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 2);
+    await tab.waitForFunction(() => document.querySelectorAll(".ladder-row").length >= 2);
     assert.ok((await timesFloor(tab)) > 2, "before, the error must stand well above the floor");
     await tab.click(".next:has-text('Diagnose')"); // 3
     await tab.click(".next:has-text('Add hysteresis at theta4')", {
@@ -47,7 +47,7 @@ describe("the loop", () => {
     await tab.waitForSelector(".verdict h1 >> text=At the noise floor", {
       timeout: 60000,
     });
-    await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 3);
+    await tab.waitForFunction(() => document.querySelectorAll(".ladder-row").length >= 3);
     const times = await timesFloor(tab);
     assert.ok(times < 1.15, `after, the held-out error is ${times} times the floor`);
     assert.match(await tab.innerText(".verdict ul"), /fell from 0\.0\d+ to 0\.00\d+ in/);
@@ -67,7 +67,7 @@ describe("the loop", () => {
     await one.waitForSelector(".models >> text=hysteresis@theta4");
     await one.reload();
     await one.waitForSelector(".models >> text=hysteresis@theta4");
-    await one.waitForFunction(() => document.querySelectorAll(".rung").length >= 3);
+    await one.waitForFunction(() => document.querySelectorAll(".ladder-row").length >= 3);
     assert.equal(await one.evaluate(() => location.hash), "#error");
     assert.deepEqual([...one.errors, ...other.errors], []);
     await one.context().close();
@@ -122,7 +122,7 @@ describe("the loop", () => {
     await tab.keyboard.press("Escape");
     await tab.fill(".formula input", "theta3 += c*sin(theta1)");
     await tab.click(".formula >> text=Try");
-    await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 4, null, {timeout: 60000});
+    await tab.waitForFunction(() => document.querySelectorAll(".ladder-row").length >= 4, null, {timeout: 60000});
     await tab.waitForFunction(() => !document.querySelector(".job"));
     await tab.click("button[title^='Undo']");
     await tab.waitForSelector(".models >> text=hysteresis@theta4");
@@ -231,18 +231,18 @@ describe("the catalogue", () => {
     await tab.focus(".effect-list [aria-selected=true]");
     await tab.keyboard.press("ArrowDown");
     await tab.waitForSelector(".effects-view h2 >> text=tool-weight");
-    // Twins of one number each are so both ways.
-    const {causes} = (await ask(server, "twins")).body;
-    const twinsOf = (effect, at) => causes.find((cause) => cause.effect === effect && cause.at === at).twins;
-    const has = (list, effect, at) => list.some((twin) => twin.effect === effect && twin.at === at);
-    assert.ok(has(twinsOf("link-length", "mezzanine-beam"), "link-length", "mezzanine-platform"));
-    assert.ok(has(twinsOf("link-length", "mezzanine-platform"), "link-length", "mezzanine-beam"));
+    // Effects of one number each are confounded both ways.
+    const {causes} = (await ask(server, "confounded")).body;
+    const confoundingOf = (effect, at) => causes.find((cause) => cause.effect === effect && cause.at === at).confounded;
+    const has = (list, effect, at) => list.some((other) => other.effect === effect && other.at === at);
+    assert.ok(has(confoundingOf("link-length", "mezzanine-beam"), "link-length", "mezzanine-platform"));
+    assert.ok(has(confoundingOf("link-length", "mezzanine-platform"), "link-length", "mezzanine-beam"));
     assert.ok(
-      has(twinsOf("joint-offset", "theta4"), "tool-offset", "tool"),
+      has(confoundingOf("joint-offset", "theta4"), "tool-offset", "tool"),
       "a turn of the tool is a shift of its tip",
     );
-    assert.ok(!has(twinsOf("tool-offset", "tool"), "joint-offset", "theta4"), "but not the other way");
-    assert.deepEqual(twinsOf("joint-offset", "theta2"), []);
+    assert.ok(!has(confoundingOf("tool-offset", "tool"), "joint-offset", "theta4"), "but not the other way");
+    assert.deepEqual(confoundingOf("joint-offset", "theta2"), []);
     assert.deepEqual(tab.errors, []);
     await tab.context().close();
   });

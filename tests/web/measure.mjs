@@ -168,13 +168,13 @@ async function newLadder(tab, what) {
     await tab.mouse.move(box.x + x * box.width, box.y + y * box.height, {steps: 5});
   await tab.mouse.up();
   const picked = (await tab.innerText(".selection-bar b")).split(" ")[0];
-  const before = await tab.innerText(".ladder-rungs");
+  const before = await tab.innerText(".ladder-rows");
   const start = Date.now();
   await tab.click(".selection-bar >> text=Set aside");
   await tab.waitForFunction(
     (was) => {
-      const now = document.querySelector(".ladder-rungs")?.innerText;
-      return now && now !== was && document.querySelectorAll(".rung-bars").length >= 2;
+      const now = document.querySelector(".ladder-rows")?.innerText;
+      return now && now !== was && document.querySelectorAll(".ladder-bars").length >= 2;
     },
     before,
     {timeout: 60000, polling: 20},
@@ -217,7 +217,7 @@ async function hoverLatency(browser, folder) {
   await tab.click(".selection-bar >> text=Undo");
   await settled(tab);
   await ask(own, "add", {causes: ["hysteresis@theta4"]});
-  await tab.waitForSelector(".rung >> nth=2", {timeout: 120000});
+  await tab.waitForSelector(".ladder-row >> nth=2", {timeout: 120000});
   await settled(tab);
   await newLadder(tab, "a loop, one effect in the model");
   await tab.context().close();

@@ -85,7 +85,7 @@ describe("the work", () => {
     server = await serve(made.folder, "bench.yaml", [], state); // the readings were kept too
     const tab = await openTab(browser, `${server.address}#error`);
     await tab.waitForSelector(".models >> text=hysteresis@theta4");
-    await tab.waitForFunction(() => document.querySelectorAll(".rung").length >= 3);
+    await tab.waitForFunction(() => document.querySelectorAll(".ladder-row").length >= 3);
     await tab.waitForSelector(".residual-plot .series-legend >> text=/before: as given, refitted/");
     await tab.click("button[title^='Undo']");
     await tab.waitForSelector(".models >> text=as given");
@@ -196,8 +196,8 @@ describe("the report of a project", () => {
       near(document.chi2_per_dof, chi2_per_dof, name);
     }
     const {document} = figures.find(({words}) => words[1] === "ladder");
-    assert.equal(document.rungs.length, report.models.length);
-    document.rungs.forEach((rung, k) => near(rung.rms.heldout, report.models[k].heldout_rms, rung.name));
+    assert.equal(document.models.length, report.models.length);
+    document.models.forEach((model, k) => near(model.rms.heldout, report.models[k].heldout_rms, model.name));
   });
 
   it("is a page that draws itself, and a PDF where there is a Chromium", async () => {

@@ -47,7 +47,7 @@ describe("the models as steps", () => {
     await tab.waitForSelector(`${steps}[aria-current] >> text=− hysteresis@theta4`, LIMIT);
     await idle(tab);
     assert.deepEqual((await stateOf(server)).models.at(-1).effects, []);
-    await tab.waitForFunction(() => document.querySelectorAll(".rung").length === 4);
+    await tab.waitForFunction(() => document.querySelectorAll(".ladder-row").length === 4);
     await tab.click(".model-panel label:has-text('hysteresis at theta4') input");
     await tab.waitForFunction(() => document.querySelectorAll(".model-panel ol button").length === 4, null, LIMIT);
     await idle(tab);
@@ -150,7 +150,7 @@ describe("several explanations", () => {
     await idle(tab);
     await tab.click(".reading-checks li:has-text('30 readings joined the 40 before') >> text=Take out again");
     await tab.waitForSelector(".verdict-figures dd >> text=40", LIMIT);
-    await tab.waitForSelector(".rung >> text=/× floor/", LIMIT);
+    await tab.waitForSelector(".ladder-row >> text=/× floor/", LIMIT);
     await tab.waitForFunction(() => !document.querySelector(".reading-checks"), null, LIMIT);
     await idle(tab);
     await drop(tab, "third.csv", others.replaceAll("\nx", "\ny"));
@@ -175,7 +175,7 @@ describe("readings that look wrong", () => {
     await tab.click(".next:has-text('Take coordinates=in'):not([disabled])", LIMIT);
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
     assert.equal(await tab.locator(".reading-checks .mistake").count(), 0);
-    await tab.waitForSelector(".rung >> text=/× floor/");
+    await tab.waitForSelector(".ladder-row >> text=/× floor/");
     await tab.click(".reading-checks li:has-text('Taken with coordinates=in') >> text=Take back");
     await tab.waitForSelector(".reading-checks .mistake");
     await idle(tab);

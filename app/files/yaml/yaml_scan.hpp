@@ -1,4 +1,4 @@
-// Where pieces of YAML text end: what the parser does not tell.
+// Where pieces of YAML text end: which the parser does not report.
 #pragma once
 
 #include <string_view>

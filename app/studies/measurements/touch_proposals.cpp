@@ -95,7 +95,7 @@ class TouchSearch {
     return kept;
   }
 
-  /// The best three (and more) of all, where no reading tells anything yet.
+  /// The best three (and more) of all, where no reading determines anything yet.
   [[nodiscard]] calibration::Design exhaustiveChoice(const std::vector<ReachedHole>& holes,
                                                      const calibration::PosedDesign& posed, int count) const {
     std::vector<calibration::TouchPlan> plans;

@@ -17,7 +17,7 @@ struct TouchTask {
   CellModel cell;                                            ///< as estimated
   std::optional<planner::Workcell> under_sheet;              ///< of cells with a sheet
   std::vector<int> tubes;                                    ///< of the work list: where the tip must be known
-  std::optional<calibration::Estimate> of_base, of_numbers;  ///< what the readings made tell; none: not asked for
+  std::optional<calibration::Estimate> of_base, of_numbers;  ///< what the readings made determine; none: not asked for
   bool is_first = true;                                      ///< no reading was made yet
   bool by_touch = true;                                      ///< readings for the numbers touch; else the tip's place
   double base_sigma = 0, sigma = 0;  ///< m, of touches for the base, of readings for the numbers

@@ -81,7 +81,7 @@ struct Improvement {
   }
 };
 
-/// Readings that tell nothing end it as not fitted, the fit refused. Throws JobStopped.
+/// Readings that determine nothing end it as not fitted, the fit refused. Throws JobStopped.
 [[nodiscard]] Improvement improveModel(const CellModel& cell, const std::vector<calibration::Measurement>& readings,
                                        const ImprovementRequest& request, const WorkHooks& hooks = {});
 

@@ -33,7 +33,7 @@ class RunSums {
   [[nodiscard]] double standardError() const;  ///< of the mean; NaN below two runs
 
   /// Of a quantity that is 0 or 1: Wilson's interval with as many independent cases as give this standard error. Where
-  /// all are alike nothing tells it: a run then counts as one case.
+  /// all are alike nothing determines it: a run then counts as one case.
   [[nodiscard]] Probability probability() const;
 
   void put(TallyWords& words) const;

@@ -16,7 +16,7 @@ namespace tubeplan::app {
 /// environment. Nothing of MPI is touched unless this says so.
 [[nodiscard]] bool areRanksLaunched();
 
-/// How many of them are on this machine, 1 where that is not told.
+/// How many of them are on this machine, 1 where that is not known.
 [[nodiscard]] int ranksOnThisMachine();
 
 /// One for the life of the process, in a program built for it.

@@ -1,4 +1,4 @@
-// What touches of a calibrated base tell of the arm's error beyond its model, where the arm works.
+// What touches of a calibrated base determine of the arm's error beyond its model, where the arm works.
 #pragma once
 
 #include <optional>

@@ -25,7 +25,7 @@ std::vector<double> mixed(const std::vector<calibration::TipErrorCase>& cases, c
 }
 
 std::optional<calibration::StatedModelError> statedBy(const CellModel& cell, bool has_touches) {
-  // What earlier touches told of the model the new ones tell again, perhaps being the same.
+  // What earlier touches said of the model the new ones say again, perhaps being the same.
   if (!cell.model_error || (has_touches && !isFoundElsewhere(cell.model_error))) return std::nullopt;
   return calibration::StatedModelError{cell.model_error->sigma, cell.model_error->degrees_of_freedom};
 }

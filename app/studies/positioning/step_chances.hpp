@@ -11,7 +11,7 @@
 
 namespace tubeplan::app {
 
-/// ModelError::from of an error that the touches of a calibration tell.
+/// ModelError::from of an error estimated from the touches of a calibration.
 inline constexpr const char* kByTouches = "touches";
 
 struct StepChances {

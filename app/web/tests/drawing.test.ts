@@ -179,7 +179,13 @@ describe("readings", () => {
       [1, "8.00"],
       [0, "–"],
     ]);
-    expect(pairCells({if_true: "A", against: "B", probability_told: 1})).toEqual(["A", "B", "–", "–", "100.0\u00a0%"]);
+    expect(pairCells({if_true: "A", against: "B", probability_distinguished: 1})).toEqual([
+      "A",
+      "B",
+      "–",
+      "–",
+      "100.0\u00a0%",
+    ]);
   });
   it("are marked from many sigmas on, by a sign too", () => {
     expect(sigmasText(5.04, READING_SIGMAS)).toEqual({text: "▲ 5.0", isMany: true});

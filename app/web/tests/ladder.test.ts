@@ -1,36 +1,36 @@
 import {describe, expect, it} from "vitest";
-import {axisEnd, barOf, rungNames, rungsOf, timesFloor} from "../../drawing/ladder.js";
+import {axisEnd, barOf, modelNames, comparedModels, timesFloor} from "../../drawing/ladder.js";
 import {acceptanceOf} from "../source/error/ladder";
 import {jointsAt, sampleAt} from "../source/plan/sampling";
 
-const rung = (fitted: number, heldout: number) => ({name: "", fitted, heldout, worst: 2 * heldout, centred: null});
+const model = (fitted: number, heldout: number) => ({name: "", fitted, heldout, worst: 2 * heldout, centred: null});
 
 describe("the ladder", () => {
   it("cuts a first error that would hide all others, and only that", () => {
-    expect(axisEnd([rung(0.776, 0.776), rung(0.0187, 0.0194)], 0.0057)).toBeCloseTo(1.7 * 0.0194);
-    expect(axisEnd([rung(0.03, 0.03), rung(0.0187, 0.0194)], 0.0057)).toBeCloseTo(1.06 * 0.03);
-    expect(axisEnd([rung(0.03, 0.03)], 0.0057)).toBeCloseTo(1.06 * 0.03);
+    expect(axisEnd([model(0.776, 0.776), model(0.0187, 0.0194)], 0.0057)).toBeCloseTo(1.7 * 0.0194);
+    expect(axisEnd([model(0.03, 0.03), model(0.0187, 0.0194)], 0.0057)).toBeCloseTo(1.06 * 0.03);
+    expect(axisEnd([model(0.03, 0.03)], 0.0057)).toBeCloseTo(1.06 * 0.03);
   });
   it("accepts by the errors that no fit has seen, the largest among them", () => {
-    expect(acceptanceOf(rung(0.01, 0.02), 0.05)).toBe("accepted");
-    expect(acceptanceOf(rung(0.01, 0.02), 0.03)).toBe("in part");
-    expect(acceptanceOf(rung(0.01, 0.02), 0.015)).toBe("rejected");
-    expect(acceptanceOf(rung(0.01, 0.02), null)).toBe(null);
-    expect(acceptanceOf({...rung(0.01, 0.02), worst: null}, 0.05)).toBe(null);
+    expect(acceptanceOf(model(0.01, 0.02), 0.05)).toBe("accepted");
+    expect(acceptanceOf(model(0.01, 0.02), 0.03)).toBe("in part");
+    expect(acceptanceOf(model(0.01, 0.02), 0.015)).toBe("rejected");
+    expect(acceptanceOf(model(0.01, 0.02), null)).toBe(null);
+    expect(acceptanceOf({...model(0.01, 0.02), worst: null}, 0.05)).toBe(null);
   });
   it("names models by the last part of their files, where that tells them apart", () => {
-    expect(rungNames(["/tmp/cells/bench.yaml, rigid", "hysteresis@theta4"])).toEqual([
+    expect(modelNames(["/tmp/cells/bench.yaml, rigid", "hysteresis@theta4"])).toEqual([
       "bench, rigid",
       "hysteresis@theta4",
     ]);
-    expect(rungNames(["a/bench.yaml", "b/bench.yaml"])).toEqual(["a/bench.yaml", "b/bench.yaml"]);
+    expect(modelNames(["a/bench.yaml", "b/bench.yaml"])).toEqual(["a/bench.yaml", "b/bench.yaml"]);
   });
   it("reads errors bare or inside {rms}, and leaves out models without any", () => {
     const entries = [
       {name: "one", rms: 0.02, heldout_rms: {rms: 0.03}},
       {model: "two", rms: null},
     ];
-    expect(rungsOf(entries)).toEqual([{name: "one", fitted: 0.02, heldout: 0.03}]);
+    expect(comparedModels(entries)).toEqual([{name: "one", fitted: 0.02, heldout: 0.03}]);
   });
   it("tells sizes by the floor, and cuts bars at the axis", () => {
     expect(timesFloor(0.0059, 0.0057)).toBe("1.04 × floor");

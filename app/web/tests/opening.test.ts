@@ -137,7 +137,7 @@ async function opened(row: Row): Promise<{cause: EffectAt; variable: string; pro
   await done(server, "add", {causes: effects.map(({add, effect, at}) => add ?? `${effect}@${at}`)});
   const ladder = await ask<LadderDocument>(server, "results/ladder");
   await ask(server, "undo", {});
-  return {cause, variable, promised: heldout_rms ?? rms, left: ladder.rungs.at(-1)!.rms.heldout ?? NaN};
+  return {cause, variable, promised: heldout_rms ?? rms, left: ladder.models.at(-1)!.rms.heldout ?? NaN};
 }
 
 describe.skipIf(program === "")("the plot opens on the variable that a hidden effect lives on", () => {

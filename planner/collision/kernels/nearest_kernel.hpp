@@ -1,8 +1,8 @@
 // The nearest pair of each of the postures side by side. See plain_cell.hpp for what is given.
 //
 // Pairs are taken one after the other, all postures at once. Before a search, or two segments, the sphere around the
-// capsule tells whether a pair can be nearer than the nearest so far; a lane where it cannot is left as it is even when
-// its neighbours go on, so that every posture has the same bits in any company.
+// capsule decides whether a pair can be nearer than the nearest so far; a lane where it cannot is left as it is even
+// when its neighbours go on, so that every posture has the same bits in any company.
 #pragma once
 
 #include "planner/collision/kernels/distance_kernel.hpp"

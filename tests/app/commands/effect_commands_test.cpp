@@ -67,7 +67,7 @@ TEST_F(EffectCommands, AHiddenEffectIsNamedAddedAndTheErrorFalls) {
 
   const auto ladder = run("ladder " + readings + " " + bench() + " " + path("fitted.yaml") + " --json -");
   ASSERT_EQ(ladder.exit_code, 0) << ladder.err;
-  const json comparison = json::parse(ladder.out)["rungs"];
+  const json comparison = json::parse(ladder.out)["models"];
   EXPECT_GT(comparison[0]["rms"]["heldout"].get<double>(), 1.5 * comparison[1]["rms"]["heldout"].get<double>());
 
   // What was fitted is the cell that every other command reads.
@@ -83,8 +83,8 @@ TEST_F(EffectCommands, ImproveGoesThroughTheLoopByItself) {
   const json figures = json::parse(improved.out);
   EXPECT_EQ(figures["steps"][0]["added"][0], "encoder-eccentricity@theta3");
   EXPECT_TRUE(figures["steps"].back()["added"].empty());
-  EXPECT_LT(figures["rungs"].back()["rms"]["heldout"].get<double>(),
-            1.1 * figures["rungs"].back()["rms"]["noise_floor"].get<double>());
+  EXPECT_LT(figures["models"].back()["rms"]["heldout"].get<double>(),
+            1.1 * figures["models"].back()["rms"]["noise_floor"].get<double>());
   const Cell cell = readCell(path("improved.yaml"));
   ASSERT_EQ(cell.arm.effects.size(), 1U);
   EXPECT_NEAR(cell.arm.effects[0].values[1] / cell.units.factor(dimension::kAngle), 0.08, 0.01);
@@ -112,7 +112,7 @@ TEST_F(EffectCommands, TheTutorialDoesWhatItSays) {
     EXPECT_TRUE(std::filesystem::exists(folder / page)) << page;
   const auto ladder = run("ladder campaign/measurements.csv " + shipped("mockup.yaml") +
                           " identified.yaml complete.yaml --rigid --truth real.yaml --json -");
-  const json comparison = json::parse(ladder.out)["rungs"];
+  const json comparison = json::parse(ladder.out)["models"];
   ASSERT_EQ(comparison.size(), 4U);
   for (std::size_t k = 1; k < 4; ++k) {
     EXPECT_LT(comparison[k]["rms"]["heldout"], comparison[k - 1]["rms"]["heldout"]);

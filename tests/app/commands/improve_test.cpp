@@ -52,11 +52,11 @@ TEST_F(Improve, WritesTheModelThatItReports) {
   simulate("hysteresis@theta4:0.06deg");
   const json figures = improved();
   EXPECT_EQ(figures["end"], "adequate");
-  ASSERT_EQ(figures["rungs"].size(), 2U);
+  ASSERT_EQ(figures["models"].size(), 2U);
   EXPECT_EQ(figures["steps"][0]["added"], json({"hysteresis@theta4"}));
   EXPECT_LT(figures["steps"][0]["farthest_rms"]["after"], figures["steps"][0]["farthest_rms"]["before"]);
   const auto compared = run("compare new.yaml set/measurements.csv --json -");
-  const double reported = figures["rungs"][1]["rms"]["fitted"];
+  const double reported = figures["models"][1]["rms"]["fitted"];
   EXPECT_NEAR(json::parse(compared.out)["rms"]["before"].get<double>(), reported, 0.01 * reported);
 }
 
@@ -69,8 +69,8 @@ TEST_F(Improve, FitsWithoutWhatItSetsAside) {
   const json figures = improved();
   EXPECT_EQ(figures["end"], "adequate") << figures.dump(1);
   ASSERT_EQ(figures["set_aside"].size(), 1U);
-  ASSERT_EQ(figures["rungs"].size(), 2U);
-  const auto& last = figures["rungs"][1];
+  ASSERT_EQ(figures["models"].size(), 2U);
+  const auto& last = figures["models"][1];
   EXPECT_LT(last["rms"]["fitted"].get<double>(), 1.3 * last["rms"]["noise_floor"].get<double>());
   const auto without = run("compare new.yaml set/measurements.csv --json - --assume without=" +
                            figures["set_aside"][0].get<std::string>());

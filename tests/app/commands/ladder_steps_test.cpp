@@ -48,20 +48,20 @@ TEST_F(LadderSteps, moreOfTheModelIsMoreSteps) {
   measure();
   const json found =
       ladder("mockup.yaml mockup-true.yaml --rigid --truth mockup-true.yaml --holes 150 --report page.html");
-  ASSERT_EQ(found["rungs"].size(), 3u);
-  EXPECT_EQ(found["rungs"][0]["name"], "mockup.yaml, rigid");
+  ASSERT_EQ(found["models"].size(), 3u);
+  EXPECT_EQ(found["models"][0]["name"], "mockup.yaml, rigid");
   EXPECT_EQ(found["step_table"]["real_arm"], "mockup-true.yaml");
   EXPECT_EQ(found["step_table"]["unmodelled_sigma"], 0);
-  const double rigid = meanSteps(found["rungs"][0]["steps"], 150), drawn = meanSteps(found["rungs"][1]["steps"], 150),
-               true_arm = meanSteps(found["rungs"][2]["steps"], 150);
+  const double rigid = meanSteps(found["models"][0]["steps"], 150), drawn = meanSteps(found["models"][1]["steps"], 150),
+               true_arm = meanSteps(found["models"][2]["steps"], 150);
   EXPECT_LT(rigid, drawn);
   EXPECT_LT(drawn, true_arm);
   // The true arm, known to the last digit, centres every tool; what then keeps a step out is the tool's lean.
-  EXPECT_EQ(found["rungs"][2]["steps"]["zero"], 0);
-  EXPECT_LT(found["rungs"][2]["steps"]["centring_error"]["p95"], 1e-6);
+  EXPECT_EQ(found["models"][2]["steps"]["zero"], 0);
+  EXPECT_LT(found["models"][2]["steps"]["centring_error"]["p95"], 1e-6);
   const std::string page = contentOf(folder / "page.html");
   expectSays(page, "function ladderStepsSection(");
-  expectSays(page, "\"steps\":" + found["rungs"][0]["steps"]["counts"].dump());
+  expectSays(page, "\"steps\":" + found["models"][0]["steps"]["counts"].dump());
 }
 
 TEST_F(LadderSteps, withoutATruthTheBestModelStandsInWithTheNoiseFloor) {
@@ -70,12 +70,12 @@ TEST_F(LadderSteps, withoutATruthTheBestModelStandsInWithTheNoiseFloor) {
   const json found = ladder(cells);
   const std::string real = found["step_table"]["real_arm"];
   EXPECT_TRUE(real.starts_with("mockup-true.yaml, with an unmodelled error")) << real;
-  const double floor = found["rungs"][1]["rms"]["noise_floor"], sigma = found["step_table"]["unmodelled_sigma"];
+  const double floor = found["models"][1]["rms"]["noise_floor"], sigma = found["step_table"]["unmodelled_sigma"];
   EXPECT_NEAR(sigma * std::sqrt(3.), floor, 1e-9);
-  EXPECT_LT(meanSteps(found["rungs"][0]["steps"], 120), meanSteps(found["rungs"][1]["steps"], 120));
-  EXPECT_LT(found["rungs"][1]["steps"]["three"], 120) << "the unmodelled error costs steps";
-  EXPECT_EQ(ladder(cells)["rungs"][0]["steps"], found["rungs"][0]["steps"]) << "the same seed, the same holes";
-  EXPECT_NE(ladder(cells + " --seed 2")["rungs"][0]["steps"], found["rungs"][0]["steps"]);
+  EXPECT_LT(meanSteps(found["models"][0]["steps"], 120), meanSteps(found["models"][1]["steps"], 120));
+  EXPECT_LT(found["models"][1]["steps"]["three"], 120) << "the unmodelled error costs steps";
+  EXPECT_EQ(ladder(cells)["models"][0]["steps"], found["models"][0]["steps"]) << "the same seed, the same holes";
+  EXPECT_NE(ladder(cells + " --seed 2")["models"][0]["steps"], found["models"][0]["steps"]);
   const Outcome text = run("ladder set/measurements.csv " + cells);
   expectSays(text.out, "holes by number of inserted steps");
   expectSays(text.out, "true arm: mockup-true.yaml");
@@ -87,11 +87,11 @@ TEST_F(LadderSteps, aCellWithoutASheetHasNoneUnlessOneIsNamed) {
   write("plain.yaml", cell.substr(0, cell.find("tubesheet:")));
   const json found = ladder("plain.yaml --holes 50");
   expectSays(found["step_table"]["reason"], "--sheet CELL");
-  EXPECT_FALSE(found["rungs"][0].contains("steps"));
+  EXPECT_FALSE(found["models"][0].contains("steps"));
   expectSays(run("ladder set/measurements.csv plain.yaml").out, "no step table: ");
   const std::string under = " --truth mockup-true.yaml --holes 50";
-  EXPECT_EQ(ladder("plain.yaml --sheet mockup.yaml" + under)["rungs"][0]["steps"],
-            ladder("mockup.yaml" + under)["rungs"][0]["steps"])
+  EXPECT_EQ(ladder("plain.yaml --sheet mockup.yaml" + under)["models"][0]["steps"],
+            ladder("mockup.yaml" + under)["models"][0]["steps"])
       << "the same model under the same sheet";
 }
 

@@ -135,7 +135,7 @@ TEST_F(LookAhead, touchesServesBaseAndParametersTogether) {
   EXPECT_EQ(found["next_readings"][0]["for"], "base");
   EXPECT_EQ(found["next_readings"][7]["for"], "parameters");
   EXPECT_EQ(found["parameters"]["numbers"].size(), 7u);
-  EXPECT_TRUE(found["parameters"]["numbers"][6]["told"]["after"]);
+  EXPECT_TRUE(found["parameters"]["numbers"][6]["identifiable"]["after"]);
 }
 
 TEST_F(LookAhead, theSameSeedGivesTheSameBytes) {

@@ -120,7 +120,7 @@ class RandomCalls {
                                           "/api/measurements",
                                           "/api/leverage?at=theta3,forearm.z",
                                           "/api/leverage?at=%00",
-                                          "/api/twins",
+                                          "/api/confounding",
                                           "/api/touches",
                                           "/api/results/compare",
                                           "/api/results/compare?model=-1e999",

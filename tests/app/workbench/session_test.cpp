@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/workbench/project.hpp"
 #include "tests/app/test_files.hpp"
 
 namespace tubeplan::app {
@@ -34,6 +35,19 @@ TEST(Session, OldDocumentsOfOtherModelsGiveWayToNewOnes) {
   EXPECT_TRUE(findResult(session, "compare", currentModel(session).id));
   EXPECT_TRUE(findResult(session, "diagnose", currentModel(session).id));
   EXPECT_EQ(session.results["compare"].size(), 1u);
+}
+
+class KeptSession : public FolderTest {};
+
+/// Their keys had other names before.
+TEST_F(KeptSession, ResultsOfAnEarlierProgramAreReadFromItsProjects) {
+  Session session;
+  const int id = pushModel(session, "as given", "given", readCell((shippedCells() / "bench.yaml").string()));
+  putResult(session, "ladder", id, {{"rungs", {{{"name", "as given"}, {"rms", 1}}}}});
+  putResult(session, "diagnose", id, {{"pairs", {{{"probability_told", 0.5}}}}});
+  const Session read = readProject(write("before.tubeplan", projectText(session)));
+  EXPECT_EQ(findResult(read, "ladder", id)->document, json({{"models", {{{"name", "as given"}, {"rms", 1}}}}}));
+  EXPECT_EQ(findResult(read, "diagnose", id)->document, json({{"pairs", {{{"probability_distinguished", 0.5}}}}}));
 }
 
 }  // namespace

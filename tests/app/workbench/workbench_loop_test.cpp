@@ -51,7 +51,7 @@ TEST_F(WorkbenchLoop, addingFitsAndClimbsAndCanBeUndone) {
   EXPECT_EQ(state["models"][2]["effects"][0]["effect"], "joint-offset");
   const double offset = state["models"][2]["effects"][0]["parameters"]["offset"]["value"];
   EXPECT_NEAR(offset, 0.3, 0.1);
-  const json ladder = get("/api/results/ladder").body["rungs"];
+  const json ladder = get("/api/results/ladder").body["models"];
   ASSERT_EQ(ladder.size(), 4u);  // rigid, as given, fitted, with the offset
   EXPECT_LT(ladder[3]["rms"]["heldout"], ladder[2]["rms"]["heldout"]);
   EXPECT_EQ(get("/api/results/identify").body["model"], 2);
@@ -73,7 +73,7 @@ TEST_F(WorkbenchLoop, anyStepIsGoneBackToAndEffectsAndFreeNumbersAreSwitchedOff)
   serve("bench.yaml");
   simulate();
   done("/api/add", {{"causes", {"joint-offset@theta3"}}});
-  const json with = get("/api/results/ladder").body["rungs"].back();
+  const json with = get("/api/results/ladder").body["models"].back();
   EXPECT_EQ(post("/api/models/go", {{"model", 7}}).status, 404);
   EXPECT_EQ(post("/api/remove", {{"causes", {"joint-offset@theta2"}}}).status, 422);
   EXPECT_EQ(post("/api/remove", {{"causes", {"free@forearm.dh.a"}}}).status, 422);
@@ -83,7 +83,7 @@ TEST_F(WorkbenchLoop, anyStepIsGoneBackToAndEffectsAndFreeNumbersAreSwitchedOff)
   ASSERT_EQ(state["models"].size(), 3u);
   EXPECT_TRUE(state["models"][2]["effects"].empty());
   EXPECT_EQ(state["models"][2]["free"], state["models"][0]["free"]) << "its numbers go with it";
-  const json ladder = get("/api/results/ladder").body["rungs"];
+  const json ladder = get("/api/results/ladder").body["models"];
   ASSERT_EQ(ladder.size(), 4u);  // rigid, as given, with the offset, without it
   EXPECT_GT(ladder[3]["rms"]["heldout"], 2 * ladder[2]["rms"]["heldout"].get<double>());
   EXPECT_NEAR(ladder[3]["rms"]["fitted"], ladder[1]["rms"]["fitted"], 1e-6);
@@ -97,7 +97,7 @@ TEST_F(WorkbenchLoop, anyStepIsGoneBackToAndEffectsAndFreeNumbersAreSwitchedOff)
   state = post("/api/models/go", {{"model", 1}}).body;
   EXPECT_EQ(state["model"], 1);
   EXPECT_EQ(state["models"].size(), 4u);
-  EXPECT_EQ(get("/api/results/ladder").body["rungs"].back(), with);
+  EXPECT_EQ(get("/api/results/ladder").body["models"].back(), with);
   EXPECT_EQ(post("/api/models/go", {{"model", 3}}).body["can_redo"], false);
 }
 

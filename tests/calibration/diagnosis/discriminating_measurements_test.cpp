@@ -85,10 +85,10 @@ struct Tally {
   int open = 0, by_choice = 0, at_random = 0;
 };
 
-Tally tallyOf(const HiddenOne& twin, int seeds) {
+Tally tallyOf(const HiddenOne& hidden, int seeds) {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(seeds); ++seed) {
-    Bench bench(twin.effect, twin.at, twin.values, seed);
+    Bench bench(hidden.effect, hidden.at, hidden.values, seed);
     const Diagnosis before = bench.diagnosed();
     const auto candidates = candidatesOf(bench, before);
     DiscriminationOptions few;  // so few that it matters which
@@ -96,7 +96,7 @@ Tally tallyOf(const HiddenOne& twin, int seeds) {
     const auto next = proposeDiscriminatingMeasurements(before, bench.readings, candidates, few);
     if (next.status != DiscriminationStatus::kDone) continue;
     ++tally.open;
-    const std::string truth = std::string(twin.effect) + "@" + twin.at;
+    const std::string truth = std::string(hidden.effect) + "@" + hidden.at;
     Bench other = bench;
     for (const auto& chosen : next.readings)
       for (const auto& reading : candidates[static_cast<std::size_t>(chosen.candidate)].readings) bench.take(reading);
@@ -112,9 +112,9 @@ Tally tallyOf(const HiddenOne& twin, int seeds) {
 
 TEST(DiscriminatingMeasurements, GetTheHiddenEffectNamedMoreOftenThanRandomOnes) {
   Tally all;
-  for (const HiddenOne& twin :
+  for (const HiddenOne& hidden :
        {HiddenOne{"encoder-eccentricity", "theta4", {0.0012, 0.0012}}, HiddenOne{"joint-scale", "theta2", {0.0006}}}) {
-    const Tally tally = tallyOf(twin, 3);
+    const Tally tally = tallyOf(hidden, 3);
     all.open += tally.open;
     all.by_choice += tally.by_choice;
     all.at_random += tally.at_random;

@@ -1,4 +1,4 @@
-// What readings determine: exact twins, numbers that none depends on, the redundancies of geometry.
+// What readings determine: exactly confounded numbers, numbers that none depends on, the redundancies of geometry.
 #include "calibration/estimation/identifiability.hpp"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ std::vector<Measurement> preciseReadings(const PlacedArm& placed, int count) {
   return readings;
 }
 
-TEST(Identifiability, TwinsAreDeterminedInCombinationAndNameEachOther) {
+TEST(Identifiability, ConfoundedNumbersAreDeterminedInCombinationAndNameEachOther) {
   IdentificationOptions options;
   options.free = {{"latch-link.beam.Iz", "tool.joint_stiffness.z", "latch-link.beam.E"}, false};
   options.folds = 0;
@@ -229,8 +229,8 @@ TEST(Identifiability, SingularValuesAreThoseOfTheColumnsInTypicalSizes) {
   EXPECT_GE(result.singular_values[0], result.singular_values[1]);
 }
 
-/// Of twins with priors of one and ten the second is known within one: only as well as the first is.
-TEST(Identifiability, WhatOnlyATwinsPriorDeterminesIsNotYes) {
+/// Of two confounded numbers with priors of one and ten the second is known within one: only as well as the first is.
+TEST(Identifiability, WhatOnlyThePriorOfAConfoundedNumberDeterminesIsNotYes) {
   std::vector<Unknown> unknowns(3);
   for (auto& unknown : unknowns) unknown.typical = unknown.prior_sigma = 10;
   unknowns[0].typical = unknowns[0].prior_sigma = 1;
@@ -240,9 +240,9 @@ TEST(Identifiability, WhatOnlyATwinsPriorDeterminesIsNotYes) {
   jacobian(3, 2) = 1e3;
   const auto found =
       judgeIdentifiability(jacobian, posteriorCovariance(jacobian, unknowns), unknowns, Eigen::VectorXd::Zero(3));
-  for (const int twin : {0, 1}) {
-    EXPECT_EQ(found[static_cast<std::size_t>(twin)].verdict, kInCombination) << twin;
-    EXPECT_EQ(found[static_cast<std::size_t>(twin)].with, (std::vector<int>{1 - twin})) << twin;
+  for (const int k : {0, 1}) {
+    EXPECT_EQ(found[static_cast<std::size_t>(k)].verdict, kInCombination) << k;
+    EXPECT_EQ(found[static_cast<std::size_t>(k)].with, (std::vector<int>{1 - k})) << k;
   }
   EXPECT_EQ(found[2].verdict, kYes);
 }

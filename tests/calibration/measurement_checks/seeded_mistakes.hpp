@@ -194,11 +194,11 @@ inline Made jointOrder(SeededSet& s, SeededRandom& random) {
 inline Made shiftedRows(SeededSet& s, SeededRandom& random) {
   if (areHoles(s)) return std::nullopt;
   auto& readings = s.table.readings;
-  const auto told = readings;
+  const auto unshifted = readings;
   const int by = random() % 2 ? 1 : -1;
   const int count = static_cast<int>(readings.size());
   for (int k = 0; k < count; ++k) {
-    const auto& from = told[static_cast<std::size_t>((k - by + count) % count)];
+    const auto& from = unshifted[static_cast<std::size_t>((k - by + count) % count)];
     auto& to = readings[static_cast<std::size_t>(k)];
     to.point = from.point, to.p_W = from.p_W, to.own[0] = from.own[0];
   }

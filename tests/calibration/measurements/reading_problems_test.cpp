@@ -1,4 +1,4 @@
-// Readings that tell nothing are refused with a reason.
+// Readings that determine nothing are refused with a reason.
 #include "calibration/measurements/reading_problems.hpp"
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@ const SILENCE = 3000;
 export const isFollowing = signal(true);
 const heard = signal(false);
 
-/** Whether a running arm tells where it is. */
+/** Whether a running arm reports where it is. */
 export const isLive = computed(() => heard.value);
 
 let silence: ReturnType<typeof setTimeout> | undefined;

@@ -1,5 +1,5 @@
 // The catalogue by kinds: each with its law, its numbers and where it can be on this arm, and what these readings say of it.
-import type {CatalogueDocument, DiagnoseDocument, TwinsDocument} from "../server/documents";
+import type {CatalogueDocument, DiagnoseDocument, ConfoundingDocument} from "../server/documents";
 
 export interface EffectPlace {
   at: string;
@@ -7,7 +7,7 @@ export interface EffectPlace {
   kept: number | null;
   /** The least size that would have been seen, in words of number and unit; null where it was not asked. */
   least: {number: string; size: number | null; unit: string; isBeyondUsual: boolean} | null;
-  twins: {effect: string; at: string; share: number}[];
+  confounded: {effect: string; at: string; share: number}[];
 }
 
 export interface EffectKind {
@@ -24,10 +24,10 @@ const keyOf = ({effect, at}: {effect: string; at: string}) => `${effect}@${at}`;
 
 export function kindsOf(
   catalogue: CatalogueDocument,
-  twins: TwinsDocument | null,
+  confounding: ConfoundingDocument | null,
   diagnosis: DiagnoseDocument | null,
 ): EffectKind[] {
-  const asked = new Map((twins?.causes ?? []).map((cause) => [keyOf(cause), cause]));
+  const asked = new Map((confounding?.causes ?? []).map((cause) => [keyOf(cause), cause]));
   const seen = new Map((diagnosis?.detectable ?? []).map((entry) => [keyOf(entry), entry]));
   const kinds = new Map<string, EffectKind>();
   for (const {effect, at, ...about} of catalogue.effects) {
@@ -41,7 +41,7 @@ export function kindsOf(
       least: least
         ? {number: least.number, size: least.size, unit: least.unit, isBeyondUsual: least.beyond_plausible}
         : null,
-      twins: cause?.twins ?? [],
+      confounded: cause?.confounded ?? [],
     });
   }
   return [...kinds.values()];

@@ -1,9 +1,9 @@
 // The effects that this arm can have: laws, numbers with their usual sizes, places, and which of them the readings that
-// are open could hardly tell from one another.
+// are open could hardly distinguish.
 import {computed, effect as follow, signal} from "@preact/signals";
 import {isNumber, percent, plural, short} from "../../../drawing/numbers.js";
 import {currentDiagnosis} from "../error/loop";
-import type {CatalogueDocument, TwinsDocument} from "../server/documents";
+import type {CatalogueDocument, ConfoundingDocument} from "../server/documents";
 import {get} from "../server/requests";
 import {cell, report, state} from "../server/workbench";
 import {view} from "../shell/page_state";
@@ -12,14 +12,14 @@ import {SignaturePicture} from "./signature_picture";
 import {filteredKinds, kindsOf, type EffectKind, type EffectPlace} from "./effect_kinds";
 
 const catalogue = signal<CatalogueDocument | null>(null);
-const twins = signal<TwinsDocument | null>(null);
+const confounding = signal<ConfoundingDocument | null>(null);
 const chosen = signal("");
 const filter = signal("");
 /** The place whose signature is drawn, while the effect has it. */
 const drawnPlace = signal("");
 
 /** Asked anew for another model or other readings, while one looks. */
-function whileLooking<T>(path: string, into: typeof catalogue | typeof twins, keyOf: () => string): void {
+function whileLooking<T>(path: string, into: typeof catalogue | typeof confounding, keyOf: () => string): void {
   const key = computed(() => (view.value === "effects" && state.value ? keyOf() : ""));
   let fetched = "";
   follow(() => {
@@ -38,13 +38,13 @@ function whileLooking<T>(path: string, into: typeof catalogue | typeof twins, ke
 }
 const modelKey = () => `${state.value!.folder} ${cell.value?.file} ${state.value!.model}`;
 whileLooking<CatalogueDocument>("/api/catalogue", catalogue, modelKey);
-whileLooking<TwinsDocument>("/api/twins", twins, () => {
+whileLooking<ConfoundingDocument>("/api/confounding", confounding, () => {
   const readings = state.value!.measurements;
   return readings ? `${modelKey()} ${readings.name} ${readings.change}` : "none";
 });
 
 const kinds = computed(() =>
-  catalogue.value ? kindsOf(catalogue.value, twins.value, currentDiagnosis.value) : ([] as EffectKind[]),
+  catalogue.value ? kindsOf(catalogue.value, confounding.value, currentDiagnosis.value) : ([] as EffectKind[]),
 );
 
 export function EffectsView() {
@@ -145,8 +145,8 @@ function PlaceTable({kind, shown}: {kind: EffectKind; shown: string}) {
   return (
     <table class="place-table">
       <caption class="muted">
-        {twins.value
-          ? `By ${plural(twins.value.readings, "reading")} and the numbers that are fitted`
+        {confounding.value
+          ? `By ${plural(confounding.value.readings, "reading")} and the numbers that are fitted`
           : "Open readings to see how observable this effect is"}
         {hasLeast ? "" : "; the least size that would be seen, after a diagnosis"}
       </caption>
@@ -182,7 +182,7 @@ function PlaceRow({
   hasLeast: boolean;
   isShown: boolean;
 }) {
-  const {at, kept, least, twins: others} = place;
+  const {at, kept, least, confounded: others} = place;
   return (
     <tr>
       <td>
@@ -198,7 +198,7 @@ function PlaceRow({
           {least && isNumber(least.size) ? `${short(least.size)} ${unitOf(least)}` : "–"}
         </td>
       ) : null}
-      <td class="twins">
+      <td class="confounded">
         {kept === null
           ? "–"
           : kept < 1e-3

@@ -67,11 +67,11 @@ const answer = computed<Answer | null>(() => {
 /** How the last change of the model has changed the error, where the ladder knows. */
 function fallOfError(): Answer | null {
   const document = ladder.value.document;
-  if (!document || document.model !== state.value?.model || document.rungs.length < 2 || !state.value.can_undo)
+  if (!document || document.model !== state.value?.model || document.models.length < 2 || !state.value.can_undo)
     return null;
-  const {rungs, floor, unit} = ladderOf(document);
-  const before = rungs.at(-2)!,
-    now = rungs.at(-1)!;
+  const {models, floor, unit} = ladderOf(document);
+  const before = models.at(-2)!,
+    now = models.at(-1)!;
   if (now.heldout === null || before.heldout === null) return null;
   const isAtFloor = floor !== null && now.heldout < 1.25 * floor;
   const [from, to] = [short(before.heldout), short(now.heldout)];
@@ -148,11 +148,11 @@ function VerdictBand() {
         <dd>{state.value?.measurements?.readings}</dd>
         <dt>chi² per degree of freedom</dt>
         <dd>
-          <Misfit chi2={document?.chi2_per_dof ?? ladder.value.document?.rungs.at(-1)?.chi2_per_dof} />
+          <Misfit chi2={document?.chi2_per_dof ?? ladder.value.document?.models.at(-1)?.chi2_per_dof} />
         </dd>
         <dt>noise floor</dt>
         <dd>
-          {short(document?.rms.noise_floor ?? ladder.value.document?.rungs.at(-1)?.rms.noise_floor)}{" "}
+          {short(document?.rms.noise_floor ?? ladder.value.document?.models.at(-1)?.rms.noise_floor)}{" "}
           {units.value.length}
         </dd>
       </dl>

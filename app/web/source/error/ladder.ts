@@ -1,8 +1,8 @@
-// The ladder of errors as figures: its rungs, and whether a model is accepted.
-import {rungNames, type Rung as BareRung} from "../../../drawing/ladder.js";
+// The ladder of errors as figures: its models, and whether a model is accepted.
+import {modelNames, type ComparedModel as BareModel} from "../../../drawing/ladder.js";
 import type {CompareDocument, LadderDocument} from "../server/documents";
 
-export interface Rung extends BareRung {
+export interface ComparedModel extends BareModel {
   /** The largest error: held out, else fitted. */
   worst: number | null;
   /** Of so many holes, in how many every step of the tool would go in; null where there is no sheet. */
@@ -10,22 +10,22 @@ export interface Rung extends BareRung {
 }
 
 export interface Ladder {
-  rungs: Rung[];
+  models: ComparedModel[];
   floor: number | null;
   unit: string;
 }
 
 export function ladderOf(document: LadderDocument): Ladder {
-  const names = rungNames(document.rungs.map(({name}) => name));
+  const names = modelNames(document.models.map(({name}) => name));
   return {
-    rungs: document.rungs.map((rung, k) => ({
+    models: document.models.map((model, k) => ({
       name: names[k],
-      fitted: rung.rms.fitted,
-      heldout: rung.rms.heldout,
-      worst: rung.worst.heldout ?? rung.worst.fitted,
-      centred: rung.steps ? {holes: rung.steps.holes, all: rung.steps.counts.at(-1) ?? 0} : null,
+      fitted: model.rms.fitted,
+      heldout: model.rms.heldout,
+      worst: model.worst.heldout ?? model.worst.fitted,
+      centred: model.steps ? {holes: model.steps.holes, all: model.steps.counts.at(-1) ?? 0} : null,
     })),
-    floor: document.rungs.at(-1)?.rms.noise_floor ?? null,
+    floor: document.models.at(-1)?.rms.noise_floor ?? null,
     unit: document.units.length,
   };
 }
@@ -33,10 +33,10 @@ export function ladderOf(document: LadderDocument): Ladder {
 /** Of a comparison alone: the model as it stands, and refitted. */
 export function ladderOfComparison({ladder, rms, units}: CompareDocument): Ladder {
   return {
-    rungs: (ladder ?? []).map((rung) => ({
-      name: rung.name,
-      fitted: rung.rms,
-      heldout: rung.heldout_rms,
+    models: (ladder ?? []).map((model) => ({
+      name: model.name,
+      fitted: model.rms,
+      heldout: model.heldout_rms,
       worst: null,
       centred: null,
     })),
@@ -48,9 +48,9 @@ export function ladderOfComparison({ladder, rms, units}: CompareDocument): Ladde
 export type Acceptance = "accepted" | "in part" | "rejected";
 
 /** A model against a tolerance: by its errors on readings that it has not seen, where there are any. */
-export function acceptanceOf(rung: Rung, tolerance: number | null): Acceptance | null {
-  const rms = rung.heldout ?? rung.fitted;
-  if (tolerance === null || rms === null || rung.worst === null) return null;
-  if (rung.worst <= tolerance) return "accepted";
+export function acceptanceOf(model: ComparedModel, tolerance: number | null): Acceptance | null {
+  const rms = model.heldout ?? model.fitted;
+  if (tolerance === null || rms === null || model.worst === null) return null;
+  if (model.worst <= tolerance) return "accepted";
   return rms <= tolerance ? "in part" : "rejected";
 }

@@ -4,7 +4,7 @@ import {short} from "../../../drawing/numbers.js";
 import {cell, state} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
 import {axisEnd, barOf, floorText, LADDER_WORDS, timesFloor} from "../../../drawing/ladder.js";
-import {type Acceptance, acceptanceOf, ladderOf, ladderOfComparison, type Ladder, type Rung} from "./ladder";
+import {type Acceptance, acceptanceOf, ladderOf, ladderOfComparison, type Ladder, type ComparedModel} from "./ladder";
 import {compare, ladder} from "./loop";
 
 // ---- the tolerance: the user's, one for each cell, kept in this browser
@@ -35,13 +35,13 @@ function shownLadder(): Ladder | null {
 export function LadderBars() {
   const shown = shownLadder();
   if (!shown) return <p class="muted">The errors of the models stand here once readings are compared.</p>;
-  const {rungs, floor, unit} = shown;
-  const end = axisEnd(rungs, floor);
+  const {models, floor, unit} = shown;
+  const end = axisEnd(models, floor);
   const limit = tolerance();
-  const isCurrent = (index: number) => index === rungs.length - 1 && state.value?.models.length !== undefined;
+  const isCurrent = (index: number) => index === models.length - 1 && state.value?.models.length !== undefined;
   return (
     <div class="ladder">
-      <div class="ladder-rungs">
+      <div class="ladder-rows">
         {floor !== null && (
           <div class="ladder-floor">
             <i style={{left: `${(100 * floor) / end}%`}}>
@@ -54,12 +54,12 @@ export function LadderBars() {
             <i class="limit" style={{left: `${(100 * limit) / end}%`}} />
           </div>
         )}
-        {rungs.map((rung, index) => (
-          <div class={`rung ${isCurrent(index) ? "now" : ""}`} key={`${index}`}>
-            <RungName rung={rung} limit={limit} />
-            <div class="rung-bars">
-              <Bar kind="fitted" value={rung.fitted} end={end} floor={floor} unit={unit} />
-              <Bar kind="heldout" value={rung.heldout} end={end} floor={floor} unit={unit} />
+        {models.map((model, index) => (
+          <div class={`ladder-row ${isCurrent(index) ? "now" : ""}`} key={`${index}`}>
+            <ModelName model={model} limit={limit} />
+            <div class="ladder-bars">
+              <Bar kind="fitted" value={model.fitted} end={end} floor={floor} unit={unit} />
+              <Bar kind="heldout" value={model.heldout} end={end} floor={floor} unit={unit} />
             </div>
           </div>
         ))}
@@ -91,10 +91,10 @@ const MARKS: Record<Acceptance, [string, string]> = {
 };
 
 /** What a model is called, whether it is accepted, and what it is worth under the sheet. */
-function RungName({rung, limit}: {rung: Rung; limit: number | null}) {
-  const acceptance = acceptanceOf(rung, limit);
+function ModelName({model, limit}: {model: ComparedModel; limit: number | null}) {
+  const acceptance = acceptanceOf(model, limit);
   return (
-    <span class="rung-name" title={rung.name}>
+    <span class="ladder-name" title={model.name}>
       {acceptance ? (
         <b
           class={`acceptance ${acceptance.replace(" ", "-")}`}
@@ -105,10 +105,10 @@ function RungName({rung, limit}: {rung: Rung; limit: number | null}) {
           {MARKS[acceptance][0]}
         </b>
       ) : null}
-      {rung.name}
-      {rung.centred ? (
+      {model.name}
+      {model.centred ? (
         <small title="holes of the sheet in which every step of the tool would go in, were this model to steer">
-          all steps: {rung.centred.all} of {rung.centred.holes}
+          all steps: {model.centred.all} of {model.centred.holes}
         </small>
       ) : null}
     </span>

@@ -7,7 +7,7 @@ import {view} from "../shell/page_state";
 
 export const moments = signal<MomentsDocument | null>(null);
 
-/** What they hang on: the readings, as their comparison tells them apart, and the model. */
+/** What they hang on: the readings, as their comparison has them, and the model. */
 const key = computed(() => {
   const now = state.value;
   if (!now?.measurements || view.value !== "error") return "";

@@ -1,4 +1,4 @@
-// "A or B": the readings that would split what these cannot, and what else would tell.
+// "A or B": the readings that would discriminate, and what else would.
 import {PAIR_HEADS, pairCells} from "../../../drawing/conditions.js";
 import {PosteriorPicture} from "./posterior_picture";
 import {RunSheetPanel} from "./run_sheet_panel";

@@ -69,7 +69,7 @@ function perSample(document: PathDocument): PathDocument["clearance"] {
 
 // ---- where in the path a time is
 
-/** The visit that a sample belongs to: told by the path, else counted by its approaches. */
+/** The visit that a sample belongs to: from the path, else counted by its approaches. */
 export const visitOfSample = computed<Int32Array>(() => {
   const document = path.value;
   if (!document) return new Int32Array(0);

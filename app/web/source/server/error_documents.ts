@@ -94,7 +94,7 @@ export interface DiagnosedReading extends ErrorReading {
   position: Vector3;
 }
 
-/** A reading that would tell explanations apart, with the posture, load and sense of arrival to take it at. */
+/** A reading that would discriminate between explanations, with the posture, load and sense of arrival to take it at. */
 export interface NextReading {
   point?: string;
   kind?: string;
@@ -130,7 +130,7 @@ export interface DiagnoseDocument {
       against: string;
       criterion_gap_now: number;
       criterion_gap_expected: number;
-      probability_told: number;
+      probability_distinguished: number;
     }[];
   };
   warnings: (string | {sentence: string})[];
@@ -173,7 +173,7 @@ export interface IdentifyDocument {
 }
 
 export interface LadderDocument {
-  rungs: {
+  models: {
     name: string;
     chi2_per_dof: number;
     fitted_numbers: number;
@@ -210,10 +210,10 @@ export interface SignatureDocument {
   shift_unit: string;
 }
 
-/** Which causes the readings can hardly tell from one another. */
-export interface TwinsDocument {
+/** Which causes the readings can hardly distinguish. */
+export interface ConfoundingDocument {
   readings: number;
-  causes: {effect: string; at: string; kept: number; twins: {effect: string; at: string; share: number}[]}[];
+  causes: {effect: string; at: string; kept: number; confounded: {effect: string; at: string; share: number}[]}[];
 }
 
 /** How far joints and axes take the tip at each reading, three numbers for each name; where base and tool stand. */

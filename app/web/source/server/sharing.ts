@@ -1,4 +1,4 @@
-// What is the same in two answers is one object, so that whoever looks at a part is not told of a change elsewhere.
+// What is the same in two answers is one object, so that whoever looks at a part does not hear of a change elsewhere.
 
 function isParted(value: unknown): value is Record<string, unknown> {
   return typeof value === "object" && value !== null;

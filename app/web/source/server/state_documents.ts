@@ -37,7 +37,7 @@ export interface EffectAt {
   add?: string;
   /** The law of a formula of the user. */
   formula?: string;
-  /** Other names of it, that no reading could tell from it. */
+  /** Other names of it, that no reading could distinguish from it. */
   also?: {effect: string; at: string}[];
   parameters?: Record<string, EffectNumber | number | string>;
 }

@@ -1,4 +1,4 @@
-// The server's state as signals: told by /api/events, the same in every browser; results fetched when they change.
+// The server's state as signals: from /api/events, the same in every browser; results fetched when they change.
 import {computed, effect, signal, type Signal} from "@preact/signals";
 import type {Job, LiveNews, Model, Problem, SceneDocument, SheetDocument, Units, WorkbenchState} from "./documents";
 import {asProblem, get, isMissing, post} from "./requests";
@@ -204,7 +204,7 @@ function isUnderWay(path: string): boolean {
   return starting.peek().includes(path) || runningJob(path.slice(path.lastIndexOf("/") + 1)) !== null;
 }
 
-/** Starts a job and waits for its end, as the events tell it; false where it failed, was stopped, or is under way. */
+/** Starts a job and waits for its end, by the events; false where it failed, was stopped, or is under way. */
 export async function runJob(title: string, path: string, body: unknown = {}): Promise<boolean> {
   if (isUnderWay(path)) return false;
   try {
@@ -259,20 +259,20 @@ export async function stopJobs(...kinds: string[]): Promise<void> {
   );
 }
 
-// Failures of jobs are told wherever the job was started.
-const told = new Set<string>();
+// Failures of jobs are reported wherever the job was started.
+const reported = new Set<string>();
 let isFirst = true;
 effect(() => {
   for (const job of jobs.value.values()) {
     const id = String(job.id);
-    if (job.status !== "failed" || told.has(id)) continue;
-    told.add(id);
+    if (job.status !== "failed" || reported.has(id)) continue;
+    reported.add(id);
     if (!isFirst && job.error) report(`${job.label || job.kind} failed`, job.error);
   }
   if (state.value !== null) isFirst = false;
 });
 
-// What a running arm sends may be wrong: told once, wherever one looks.
+// What a running arm sends may be wrong: reported once, wherever one looks.
 effect(() => {
   const {problem, source} = liveNews.value ?? {};
   if (problem) report(`${source}: not taken`, problem);

@@ -106,7 +106,7 @@ export class SheetDrawing {
     }
     this.drawOver(colours);
     this.parts = {ground: false, holes: false, over: false};
-    performance.clearMeasures("sheet"); // whoever watches is told of each; none are kept
+    performance.clearMeasures("sheet"); // whoever watches hears of each; none are kept
     performance.measure("sheet", {start});
   }
 

@@ -9,15 +9,15 @@ import {addEffects, addFormula, ladder, removeCauses, startCompare} from "../err
 import type {EffectAt, EffectNumber, Model} from "../server/documents";
 import {currentModel, order, runningJobs, state, units} from "../server/workbench";
 
-/** The held-out error of each model, as far as the ladder of the current one has them: its last rungs are the stack. */
+/** The held-out error of each model, as far as the ladder of the current one has them: its last models are the stack. */
 const heldOut = computed<Map<number, number | null>>(() => {
   const now = state.value,
     document = ladder.value.document;
   if (!now || !document) return new Map();
   const top = now.models.findIndex((model) => model.id === document.model);
-  const first = document.rungs.length - 1 - top;
+  const first = document.models.length - 1 - top;
   return new Map(
-    now.models.slice(0, top + 1).map((model, k) => [model.id, document.rungs[first + k]?.rms.heldout ?? null]),
+    now.models.slice(0, top + 1).map((model, k) => [model.id, document.models[first + k]?.rms.heldout ?? null]),
   );
 });
 

@@ -71,7 +71,7 @@ TEST_F(PredictedCentring, isWhatTheTrueArmDoes) {
     write("found.yaml", changed(contentOf(folder / "found.yaml"), "known: false", "known: true"));
     const Outcome outcome = run("ladder set/measurements.csv found.yaml --truth mockup-true.yaml --holes 200 --json -");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    real += json::parse(outcome.out)["rungs"][0]["steps"]["centring_error"]["median"].get<double>() / 3;
+    real += json::parse(outcome.out)["models"][0]["steps"]["centring_error"]["median"].get<double>() / 3;
   }
   EXPECT_GT(real, predicted / 2.5);
   EXPECT_LT(real, 2.5 * predicted);

@@ -1,4 +1,4 @@
-#include "calibration/diagnosis/twins.hpp"
+#include "calibration/diagnosis/confounding.hpp"
 
 #include <Eigen/SVD>
 #include <algorithm>
@@ -47,8 +47,8 @@ std::vector<Signature> signaturesOf(const std::vector<Cause>& causes, const Sign
 
 }  // namespace
 
-std::vector<CauseTwins> findTwins(const PlacedArm& placed, const std::vector<Measurement>& readings,
-                                  const std::vector<Unknown>& fitted) {
+std::vector<Confounding> findConfounding(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                                         const std::vector<Unknown>& fitted) {
   const auto weights = weighReadings(placed, readings);
   if (!weights) return {};
   auto causes = listCauses(placed, readings, fitted).causes;
@@ -62,15 +62,15 @@ std::vector<CauseTwins> findTwins(const PlacedArm& placed, const std::vector<Mea
         whitenedResidual(placed, fitted, readings, *weights, VectorXd::Zero(static_cast<Index>(fitted.size())), true)
             .jacobian);
   const auto signatures = signaturesOf(causes, list, columns, others);
-  std::vector<CauseTwins> found;
+  std::vector<Confounding> found;
   for (std::size_t a = 0; a < causes.size(); ++a) {
-    CauseTwins entry{causes[a].effect, causes[a].at, signatures[a].kept, {}};
+    Confounding entry{causes[a].effect, causes[a].at, signatures[a].kept, {}};
     for (std::size_t b = 0; b < causes.size(); ++b) {
       const double share = a == b ? 0 : shareOf(signatures[a].basis, signatures[b].basis);
-      if (share >= kTwinShare) entry.twins.push_back({causes[b].effect, causes[b].at, share});
+      if (share >= kConfoundedShare) entry.confounded.push_back({causes[b].effect, causes[b].at, share});
     }
-    std::stable_sort(entry.twins.begin(), entry.twins.end(),
-                     [](const Twin& x, const Twin& y) { return x.share > y.share; });
+    std::stable_sort(entry.confounded.begin(), entry.confounded.end(),
+                     [](const ConfoundedCause& x, const ConfoundedCause& y) { return x.share > y.share; });
     found.push_back(std::move(entry));
   }
   return found;
