@@ -1,6 +1,7 @@
 // What several estimators ask of a sample and of the distributions of its squares.
 #pragma once
 
+#include <map>
 #include <vector>
 
 namespace tubeplan::calibration {
@@ -16,6 +17,17 @@ namespace tubeplan::calibration {
 
 /// The value that chi-square exceeds with probability `tail`, between 0 and 1; there must be freedom.
 [[nodiscard]] double chiSquareQuantile(double tail, double degrees_of_freedom);
+
+/// chiSquareQuantile of one tail for readings of so many rows, which are many: each number of rows is worked out once.
+class ChiSquareLimit {
+ public:
+  explicit ChiSquareLimit(double tail) : tail_(tail) {}
+  [[nodiscard]] double operator()(int degrees_of_freedom);
+
+ private:
+  double tail_;
+  std::map<int, double> known_;
+};
 
 /// Median of the mean of so many squares of standard normal numbers: 0.45 of one, 0.79 of three.
 [[nodiscard]] double medianOfMeanSquare(int count);

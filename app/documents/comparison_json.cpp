@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -168,18 +169,32 @@ std::string equivalentsText(const Comparison& result, const Units& units) {
   return text;
 }
 
+std::string errorClause(const Comparison& result, const Units& units) {
+  return fmt::format("the error is {} as given and {} after the refit; noise alone explains {}",
+                     lengthText(result.as_it_stands.errors.rms, units, 3),
+                     lengthText(result.after_refit.errors.rms, units, 3),
+                     lengthText(result.after_refit.noise_floor, units, 3));
+}
+
+/// The error, then each of the verdict's reasons.
+std::vector<std::string> comparisonSentences(const Comparison& result, const Units& units) {
+  std::vector<std::string> sentences = {errorClause(result, units)};
+  sentences.insert(sentences.end(), result.grounds.begin(), result.grounds.end());
+  for (auto& sentence : sentences) {
+    sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+    sentence += '.';
+  }
+  return sentences;
+}
+
 }  // namespace
 
 std::string comparisonSentence(const Comparison& result, const Units& units) {
-  const auto& after = result.after_refit;
-  const std::string sizes =
-      fmt::format("the error is {} as given and {} after the refit; noise alone explains {}",
-                  lengthText(result.as_it_stands.errors.rms, units, 3), lengthText(after.errors.rms, units, 3),
-                  lengthText(after.noise_floor, units, 3));
-  if (result.verdict == Adequacy::kAdequate) return fmt::format("The model is adequate: {}.", sizes);
+  const std::string error = errorClause(result, units);
+  if (result.verdict == Adequacy::kAdequate) return fmt::format("The model is adequate: {}.", error);
   if (result.verdict == Adequacy::kInconclusive)
-    return fmt::format("No verdict is possible: {}; {}.", fmt::join(result.grounds, ", and "), sizes);
-  return fmt::format("The model falls short, since {}: {}.", fmt::join(result.grounds, ", and "), sizes);
+    return fmt::format("No verdict is possible: {}; {}.", fmt::join(result.grounds, ", and "), error);
+  return fmt::format("The model falls short, since {}: {}.", fmt::join(result.grounds, ", and "), error);
 }
 
 json comparisonJson(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
@@ -192,6 +207,7 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
                  {"verdict_words", wordsOf(result.verdict)},
                  {"grounds", result.grounds},
                  {"sentence", comparisonSentence(result, units)},
+                 {"sentences", comparisonSentences(result, units)},
                  {"noise", noiseSentence(result)},
                  {"chi2_per_dof", finiteJson(after.chi2 / std::max(1, after.degrees_of_freedom))},
                  {"p_value", finiteJson(after.p_value)},

@@ -40,6 +40,7 @@ nlohmann::json effectJson(const FoundEffect& effect, const deflection::Arm& arm,
                          {"parameters", parameters},
                          {"also", also},
                          {"add", additionText(effect, arm, units)}};
+  if (!effect.also.empty()) json["also_words"] = alsoText(effect);
   if (!effect.frees.empty()) json["frees"] = effect.frees;
   addEffectWords(effect.effect, json);
   return json;
@@ -106,6 +107,7 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
   nlohmann::json json = {{"verdict", nameOf(result.verdict)},
                          {"verdict_words", wordsOf(result.verdict)},
                          {"sentence", diagnosisSentence(result, units)},
+                         {"sentences", diagnosisSentences(result, units)},
                          {"units", unitsJson(units)}};
   json["alternatives"] = nlohmann::json::array();
   for (const auto& alternative : result.alternatives)

@@ -19,95 +19,115 @@ namespace {
 using calibration::Diagnosis, calibration::Explanation, calibration::FoundEffect, calibration::FoundNumber,
     calibration::Measurement, calibration::Verdict;
 
-std::string numberText(const FoundNumber& number, const Units& units) {
-  const Dimension unit = dimensionOf(number.quantity);
-  const std::string name = units.nameOf(unit) == "1" ? "" : " " + units.nameOf(unit);
-  if (std::isnan(number.sigma)) return fmt::format("{} {:.3g}{}", number.name, number.value / units.factor(unit), name);
-  return fmt::format("{} {:.3g} ± {:.2g}{}", number.name, number.value / units.factor(unit),
-                     number.sigma / units.factor(unit), name);
+constexpr int kDigits = 3;  // of a length in a sentence
+
+/// "0.0586 ± 0.0010": sigma to two digits, the value to the same decimals.
+std::string withSigmaText(double value, double sigma) {
+  constexpr double kLeastPlain = 1e-3, kMostPlain = 1e5;
+  const double size = std::max(std::abs(value), sigma);
+  if (!(sigma > 0) || size < kLeastPlain || size >= kMostPlain) return fmt::format("{:.3g} ± {:.2g}", value, sigma);
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 9);
+  return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
 }
 
-/// "joint-compliance@theta2-row.z (softness 0.0021 ± 0.0001 rad/kNm)"; of many numbers only how many.
+/// "half width 0.0586 ± 0.0010 deg".
+std::string numberText(const FoundNumber& number, const Units& units) {
+  const Dimension unit = dimensionOf(number.quantity);
+  const std::string unit_name = units.nameOf(unit) == "1" ? "" : " " + units.nameOf(unit);
+  const double value = number.value / units.factor(unit), sigma = number.sigma / units.factor(unit);
+  std::string name = number.name;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return fmt::format("{} {}{}", name, std::isnan(sigma) ? fmt::format("{:.3g}", value) : withSigmaText(value, sigma),
+                     unit_name);
+}
+
+std::string effectAtPlace(const std::string& effect, const std::string& at) {
+  return fmt::format("{} at {}", effect, at);
+}
+
+/// "joint-compliance at theta2-row.z (softness 0.0021 ± 0.0001 rad/kNm)"; of many numbers only how many.
 std::string foundText(const FoundEffect& effect, const Units& units) {
   constexpr std::size_t kMost = 3;
   std::vector<std::string> numbers;
   for (const auto& number : effect.numbers)
     if (std::isfinite(number.sigma) || number.quantity == deflection::Quantity::kTime)
       numbers.push_back(numberText(number, units));
-  const std::string name = effect.effect + "@" + effect.at;
+  const std::string name = effectAtPlace(effect.effect, effect.at);
   if (numbers.size() > kMost) return fmt::format("{} ({} numbers)", name, numbers.size());
   return numbers.empty() ? name : fmt::format("{} ({})", name, fmt::join(numbers, ", "));
 }
 
-std::string explanationText(const Explanation& explanation, const Units& units) {
+std::string sizesText(const Explanation& explanation, const Units& units) {
   std::vector<std::string> effects;
   for (const auto& effect : explanation.effects) effects.push_back(foundText(effect, units));
-  return fmt::format("{}", fmt::join(effects, " with "));
-}
-
-/// By names; one effect at many places once.
-std::string namesText(const Explanation& explanation) {
-  constexpr long kMany = 3;
-  std::vector<std::string> names;
-  for (const auto& effect : explanation.effects) {
-    const long places = std::count_if(explanation.effects.begin(), explanation.effects.end(),
-                                      [&](const FoundEffect& other) { return other.effect == effect.effect; });
-    const std::string name =
-        places < kMany ? effect.effect + "@" + effect.at : fmt::format("{} at {} places", effect.effect, places);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  }
-  return fmt::format("{}", fmt::join(names, " with "));
+  return fmt::format("{}", fmt::join(effects, " and "));
 }
 
 /// With sizes where that is short.
 std::string shortText(const Explanation& explanation, const Units& units) {
   constexpr std::size_t kShort = 90;
-  const std::string text = explanationText(explanation, units);
+  const std::string text = sizesText(explanation, units);
   return text.size() <= kShort ? text : namesText(explanation);
 }
 
-/// ", or joint-offset@A5 in place of link-length@bend, which ..."; empty where no cause has other names.
+/// ", or joint-offset at A5 in place of link-length at bend, which ..."; empty where no cause has other names.
 std::string orText(const Explanation& explanation) {
   std::vector<std::string> others;
   for (const auto& effect : explanation.effects)
     for (const auto& [name, at] : effect.also)
-      others.push_back(fmt::format("{}@{} in place of {}@{}", name, at, effect.effect, effect.at));
+      others.push_back(
+          fmt::format("{} in place of {}", effectAtPlace(name, at), effectAtPlace(effect.effect, effect.at)));
   if (others.empty()) return "";
   return fmt::format(", or {}, which no reading with this tool tells apart", fmt::join(others, " and "));
 }
 
+/// "load (50 %), theta1 (20 %)": what a remainder follows, and how much of it.
 std::string followsText(const calibration::Remainder& remainder) {
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < remainder.follows.size() && k < 2; ++k) names.push_back(remainder.follows[k].first);
-  return names.empty() ? "" : fmt::format(", mostly with {}", fmt::join(names, " and "));
+  constexpr std::size_t kMost = 3;
+  std::vector<std::string> variables;
+  for (std::size_t k = 0; k < std::min(kMost, remainder.follows.size()); ++k)
+    variables.push_back(fmt::format("{} ({:.0f} %)", remainder.follows[k].first, 100 * remainder.follows[k].second));
+  return fmt::format("{}", fmt::join(variables, ", "));
 }
 
-std::string remainderText(const Diagnosis& result, const Units& units) {
+std::string remainderSentence(const Diagnosis& result, const Units& units) {
   const auto& remainder = result.remainder;
   if (!std::isfinite(remainder.size)) return "";
-  if (remainder.follows.empty())
-    return fmt::format("{} remains that {}", lengthText(remainder.size, units), kFollowsNothing);
-  return fmt::format("{} remains that no known effect explains{}", lengthText(remainder.size, units),
-                     followsText(remainder));
+  const std::string size = lengthText(remainder.size, units, kDigits);
+  if (remainder.follows.empty()) return fmt::format("{} remains that {}.", size, kFollowsNothing);
+  return fmt::format("{} remains that no known effect explains; it follows {}.", size, followsText(remainder));
 }
 
 /// Where readings that were repeated say that the noise is larger than stated.
-std::string repeatsText(const calibration::Repeats& repeats) {
+std::string repeatsSentence(const calibration::Repeats& repeats) {
   if (repeats.groups == 0) return "";
-  return fmt::format(" Repeated readings scatter {:.2f} times as much as stated, and this is all that is left.",
+  return fmt::format("Repeated readings scatter {:.2f} times as much as stated, and this is all that is left.",
                      repeats.noise_ratio);
 }
 
-std::string unexplainedSentence(const Diagnosis& result, const Units& units) {
-  if (result.isScatterAlone())
-    return fmt::format(
-        "The readings scatter by {} beyond their stated noise, and this scatter {}: sigma is too small, the arm does "
-        "not repeat, something unrecorded acts on it, or it changes too fast for these readings: with time, or with a "
-        "joint as the turns of a gear or a screw do.",
-        lengthText(result.remainder.size, units), kFollowsNothing);
-  const std::string rest = remainderText(result, units);
-  return fmt::format("Something is missing, and no known effect is certain to be part of it{}.",
-                     rest.empty() ? "" : ": " + rest);
+std::string nothingSentence(const Diagnosis& result, const Units& units) {
+  return fmt::format("Nothing is missing: the error of {} is explained by noise ({}).",
+                     lengthText(result.before.rms, units, kDigits), lengthText(result.noise_floor, units, kDigits));
+}
+
+std::string missingSentence(const Diagnosis& result, const Units& units) {
+  const Explanation& found = result.alternatives.front();
+  return fmt::format("Missing: {}{}.", shortText(found, units), orText(found));
+}
+
+std::string fallSentence(const Diagnosis& result, const Units& units) {
+  return fmt::format("With it the held-out error falls from {} to {}; the noise floor is {}.",
+                     lengthText(result.heldout_before.rms, units, kDigits),
+                     lengthText(result.heldout_after.rms, units, kDigits),
+                     lengthText(result.noise_floor, units, kDigits));
+}
+
+std::string scatterSentence(const Diagnosis& result, const Units& units) {
+  return fmt::format(
+      "The readings scatter by {} beyond their stated noise, and this scatter {}: sigma is too small, the arm does "
+      "not repeat, something unrecorded acts on it, or it changes too fast for these readings: with time, or with a "
+      "joint as the turns of a gear or a screw do.",
+      lengthText(result.remainder.size, units, kDigits), kFollowsNothing);
 }
 
 constexpr double kWorthNaming = 0.03;  // probability of something unknown beside the explanations
@@ -133,6 +153,30 @@ std::string inconclusiveSentence(const Diagnosis& result) {
       100 * (1 - result.nothing_probability));
 }
 
+/// Those that a result has nothing to say for are empty.
+std::vector<std::string> sentencesOf(const Diagnosis& result, const Units& units) {
+  switch (result.verdict) {
+    case Verdict::kNotRun:
+    case Verdict::kStopped:
+      return {"Not diagnosed: " + result.reason + "."};
+    case Verdict::kAdequate:
+      return {nothingSentence(result, units), repeatsSentence(result.repeats)};
+    case Verdict::kExplained:
+      return {missingSentence(result, units), fallSentence(result, units), repeatsSentence(result.repeats)};
+    case Verdict::kPartlyExplained:
+      return {missingSentence(result, units), fallSentence(result, units), remainderSentence(result, units)};
+    case Verdict::kAmbiguous:
+      return {ambiguousSentence(result), fallSentence(result, units)};
+    case Verdict::kUnexplained:
+      if (result.isScatterAlone()) return {scatterSentence(result, units)};
+      return {"Something is missing, and no known effect is certain to be part of it.",
+              remainderSentence(result, units)};
+    case Verdict::kInconclusive:
+      return {inconclusiveSentence(result)};
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> idsOf(const std::vector<int>& places, const std::vector<Measurement>& readings) {
@@ -141,53 +185,74 @@ std::vector<std::string> idsOf(const std::vector<int>& places, const std::vector
   return ids;
 }
 
-std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
-  const std::string first = result.alternatives.empty()
-                                ? ""
-                                : shortText(result.alternatives.front(), units) + orText(result.alternatives.front());
-  switch (result.verdict) {
-    case Verdict::kNotRun:
-    case Verdict::kStopped:
-      return "Not diagnosed: " + result.reason + ".";
-    case Verdict::kAdequate:
-      return fmt::format("Nothing is missing: the error of {} is explained by noise ({}).{}",
-                         lengthText(result.before.rms, units), lengthText(result.noise_floor, units),
-                         repeatsText(result.repeats));
-    case Verdict::kExplained:
-      return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; the noise floor is {}.{}", first,
-                         lengthText(result.heldout_before.rms, units), lengthText(result.heldout_after.rms, units),
-                         lengthText(result.noise_floor, units), repeatsText(result.repeats));
-    case Verdict::kPartlyExplained:
-      return fmt::format("Missing: {}. With it the held-out error falls from {} to {}; {}.", first,
-                         lengthText(result.heldout_before.rms, units), lengthText(result.heldout_after.rms, units),
-                         remainderText(result, units));
-    case Verdict::kAmbiguous:
-      return ambiguousSentence(result);
-    case Verdict::kUnexplained:
-      return unexplainedSentence(result, units);
-    case Verdict::kInconclusive:
-      return inconclusiveSentence(result);
+std::string namesText(const Explanation& explanation) {
+  constexpr long kMany = 3;
+  std::vector<std::string> names;
+  for (const auto& effect : explanation.effects) {
+    const long places = std::count_if(explanation.effects.begin(), explanation.effects.end(),
+                                      [&](const FoundEffect& other) { return other.effect == effect.effect; });
+    const std::string name = places < kMany ? effectAtPlace(effect.effect, effect.at)
+                                            : fmt::format("{} at {} places", effect.effect, places);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
-  return "";
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+std::string alsoText(const FoundEffect& effect) {
+  std::vector<std::string> others;
+  for (const auto& [name, at] : effect.also) others.push_back(effectAtPlace(name, at));
+  if (others.empty()) return "";
+  return fmt::format("with this tool no reading tells {} apart from {}", effectAtPlace(effect.effect, effect.at),
+                     fmt::join(others, ", "));
+}
+
+std::vector<std::string> diagnosisSentences(const Diagnosis& result, const Units& units) {
+  std::vector<std::string> sentences = sentencesOf(result, units);
+  std::erase(sentences, "");
+  return sentences;
+}
+
+std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
+  return fmt::format("{}", fmt::join(diagnosisSentences(result, units), " "));
 }
 
 namespace {
 
 /// One alternative with its other names.
 std::string alternativeText(const Explanation& alternative, const Units& units) {
-  std::string text = fmt::format("  {:.3f}  {}\n", alternative.probability, explanationText(alternative, units));
+  std::string text = fmt::format("  {:.3f}  {}\n", alternative.probability, sizesText(alternative, units));
   for (const auto& effect : alternative.effects) {
-    std::vector<std::string> also;
-    for (const auto& [name, at] : effect.also) also.push_back(name + "@" + at);
-    if (!also.empty())
-      text += fmt::format("         with this tool no reading tells {}@{} apart from {}\n", effect.effect, effect.at,
-                          fmt::join(also, ", "));
+    if (const std::string also = alsoText(effect); !also.empty()) text += fmt::format("         {}\n", also);
     for (const auto& number : effect.numbers)
       if (number.is_beyond_usual)
-        text += fmt::format("         {} of {}@{} is larger than in real machines\n", number.name, effect.effect,
-                            effect.at);
+        text += fmt::format("         {} of {} is larger than in real machines\n", number.name,
+                            effectAtPlace(effect.effect, effect.at));
   }
   return text;
+}
+
+/// The most probable models that were fitted; of several with the same effects the first.
+std::string closestText(const Diagnosis& result, const Units& units) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string> names;
+  std::string text;
+  for (const Explanation& model : result.closest) {
+    const std::string name = shortText(model, units);
+    if (names.size() == kMost || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    names.push_back(name);
+    text += fmt::format("  fitted: {}: probability {:.3f}, chi-square {:.1f}, rms {}\n", name, model.probability,
+                        model.chi2, lengthText(model.after.rms, units));
+  }
+  return text;
+}
+
+std::string setAsideText(const Diagnosis& result, const std::vector<Measurement>& readings) {
+  if (result.set_aside.empty()) return "";
+  std::vector<std::string> names;
+  for (const std::string& id : idsOf(result.set_aside, readings)) names.push_back(nameInLine(id));
+  return fmt::format("  set aside as outliers: {} of {} readings ({:.2g} %): {}\n", names.size(), readings.size(),
+                     100. * static_cast<double>(names.size()) / static_cast<double>(readings.size()),
+                     fmt::join(names, ", "));
 }
 
 /// The least of each kind that would have been seen, at the place where it shows best.
@@ -239,13 +304,7 @@ std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement
     text += fmt::format("  {:<40} {:>9.3f} {:>15.1f}   {}\n", entry.effect + "@" + entry.at, entry.probability,
                         entry.fall, numberText(entry.size, units));
   }
-  for (std::size_t k = 0; k < result.closest.size() && k < 6; ++k)
-    text += fmt::format("  fitted: {}: probability {:.3f}, chi-square {:.1f}, rms {}\n",
-                        explanationText(result.closest[k], units), result.closest[k].probability,
-                        result.closest[k].chi2, lengthText(result.closest[k].after.rms, units));
-  for (const int reading : result.set_aside)
-    text += fmt::format("  set aside as an outlier: reading {}\n",
-                        nameInLine(readings.at(static_cast<std::size_t>(reading)).id));
+  text += closestText(result, units) + setAsideText(result, readings);
   for (const auto& lack : result.not_tried) text += "  not tried: " + lack + "\n";
   if (result.verdict == Verdict::kAdequate || result.verdict == Verdict::kInconclusive)
     text += detectableText(result, units);

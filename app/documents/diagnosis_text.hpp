@@ -1,4 +1,4 @@
-// A diagnosis in words: its one sentence, and a screen for people.
+// A diagnosis in words: its sentences, which pages and reports show as they are, and a screen for people.
 #pragma once
 
 #include <string>
@@ -16,7 +16,16 @@ inline constexpr const char* kFollowsNothing = "follows no slow function of what
 [[nodiscard]] std::vector<std::string> idsOf(const std::vector<int>& places,
                                              const std::vector<calibration::Measurement>& readings);
 
-/// The one plain sentence of a diagnosis.
+/// "hysteresis at theta4 and link-bending at 4 places".
+[[nodiscard]] std::string namesText(const calibration::Explanation& explanation);
+
+/// Which other effects no reading could tell from this one; empty where there are none.
+[[nodiscard]] std::string alsoText(const calibration::FoundEffect& effect);
+
+/// What a diagnosis comes to, sentence by sentence.
+[[nodiscard]] std::vector<std::string> diagnosisSentences(const calibration::Diagnosis& result, const Units& units);
+
+/// The same as one text.
 [[nodiscard]] std::string diagnosisSentence(const calibration::Diagnosis& result, const Units& units);
 
 [[nodiscard]] std::string diagnosisText(const calibration::Diagnosis& result,

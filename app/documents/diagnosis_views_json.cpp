@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/documents/diagnosis_text.hpp"
 #include "app/documents/model_comparison_json.hpp"
 #include "app/files/joint_units.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -29,13 +30,6 @@ json briefLength(double metres, const Units& units) { return brief(metres / unit
 
 json briefPlace(const Eigen::Vector3d& p, const Units& units) {
   return {briefLength(p.x(), units), briefLength(p.y(), units), briefLength(p.z(), units)};
-}
-
-std::string explanationText(const Explanation& explanation) {
-  std::string name;
-  for (const auto& effect : explanation.effects)
-    name += fmt::format("{}{} at {}", name.empty() ? "" : " and ", effect.effect, effect.at);
-  return name;
 }
 
 json viewJson(const ReadingView& view, const Measurement& reading, const deflection::Arm& arm, const Units& units) {
@@ -108,7 +102,7 @@ json modelComparisonJson(const Diagnosis& result, const Units& units) {
                            : row("as given, only its base fitted", result.baseline.after_base.rms, kNone),
                  row("refitted", result.before.rms, result.heldout_before.rms)};
   for (const auto& explanation : calibration::explanationsShown(result))
-    ladder.push_back(row("with " + explanationText(explanation), explanation.after.rms, explanation.heldout.rms));
+    ladder.push_back(row("with " + namesText(explanation), explanation.after.rms, explanation.heldout.rms));
   return ladder;
 }
 

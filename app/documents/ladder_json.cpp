@@ -41,9 +41,9 @@ std::string ladderStepsText(const LadderSteps& steps, const Units& units) {
          fmt::format("; {} random holes within its reach ({} drawn beyond it)\n", steps.holes, steps.out_of_reach);
 }
 
-nlohmann::json ladderModels(const nlohmann::json& models) {
+nlohmann::json ladderModels(const nlohmann::json& compared_models) {
   nlohmann::json models = nlohmann::json::array();
-  for (const auto& compared : models) {
+  for (const auto& compared : compared_models) {
     models.push_back({{"name", compared["name"]},
                       {"rms", compared["rms"]["fitted"]},
                       {"heldout_rms", compared["rms"]["heldout"]},

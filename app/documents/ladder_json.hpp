@@ -19,8 +19,8 @@ namespace tubeplan::app {
 /// One sentence on what stands for the real arm, or why there is no table.
 [[nodiscard]] std::string ladderStepsText(const LadderSteps& steps, const Units& units);
 
-/// The models of a ladder as its page draws them, from the models of its figures.
-[[nodiscard]] nlohmann::json ladderModels(const nlohmann::json& models);
+/// The models of a ladder as its page draws them, from those of its figures.
+[[nodiscard]] nlohmann::json ladderModels(const nlohmann::json& compared_models);
 
 /// The page of --report.
 [[nodiscard]] std::string ladderPage(const nlohmann::json& figures, const std::string& measurements,

@@ -39,7 +39,7 @@ struct PlanOutcome {
   std::vector<calibration::Measurement> touches;
   std::optional<BothCalibrations> calibration;
   planner::VisitConditions conditions;
-  std::string left_out;    ///< "12 plugged": tubes that were not planned for
+  std::string left_out;    ///< "12 plugged, 1 inaccessible": tubes that were not planned for
   double padding = 0;      ///< m, the most that a tip at a visited hole is kept off beyond the clearance
   std::vector<int> zones;  ///< per visit; empty where no tubes come first
   planner::VisitPlan plan;

@@ -57,8 +57,8 @@ std::string plannedTubesText(const PlanOutcome& outcome) {
       plan.visits.size(), plan.unreachable.size(), worst / units.factor(dimension::kLength), units.length().name,
       tilt / units.factor(dimension::kAngle), units.angle().name);
   if (!outcome.left_out.empty())
-    text +=
-        fmt::format("  {} left out: they take no tool (--tubes all,plugged,stabilised has them)\n", outcome.left_out);
+    text += fmt::format("  {} left out: such tubes are planned by state (--tubes all,plugged) or by name alone\n",
+                        outcome.left_out);
   for (std::size_t k = 0; k < std::min(plan.unreachable.size(), kShown); ++k) {
     const auto& tube = outcome.model.sheet.tubes[static_cast<std::size_t>(plan.unreachable[k].tube)];
     text += fmt::format("  {} {}\n", tubesheets::tubeName(tube.row, tube.column), plan.unreachable[k].reason);

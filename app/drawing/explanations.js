@@ -3,8 +3,7 @@ import {inverseUnit, isNumber, percent} from "./numbers.js";
 import {valueAndSigma, withSigma} from "./sigma_text.js";
 
 /**
- * @typedef {{effect: string, at: string, words?: string, parameters?: object,
- *    also?: {effect: string, at: string}[]}} FoundEffect
+ * @typedef {{effect: string, at: string, words?: string, parameters?: object}} FoundEffect
  */
 /** @typedef {{effects: FoundEffect[], enough?: boolean}} BareExplanation */
 /** @typedef {{name: string, value: number, sigma?: number | null, unit?: string}} NamedNumber */

@@ -5,6 +5,7 @@ import {binnedMeans, lawAlong} from "./binned.js";
 import {findPart, jointKey} from "./error_parts.js";
 import {followedShare} from "./groups.js";
 import {viewOfCauses} from "./own_variable.js";
+import {symmetric} from "./scales.js";
 import {besideLevel, findVariable} from "./variables.js";
 
 /** @typedef {import("./error_parts.js").Part} Part */
@@ -188,6 +189,14 @@ export function commonMost(...plots) {
     for (const series of pair.series)
       for (const value of partsAlong(series.errors, part)) most = Math.max(most, Math.abs(value ?? 0));
   return most;
+}
+
+/**
+ * The scale of errors of one part: about zero where it has a sign, else from zero; to `most` where that is shared.
+ * @param {Part} part @param {number} low @param {number} high @param {number | null} most @returns {[number, number]}
+ */
+export function partRange({isSigned}, low, high, most) {
+  return isSigned ? symmetric(most === null ? low : -most, most ?? high) : [0, 1.08 * (most ?? high) || 1];
 }
 
 /** "A", "B", ... as explanations are called. @param {number} index */

@@ -1,5 +1,5 @@
 // Visits of a plan in words, and what it keeps clear.
-import {exact} from "./numbers.js";
+import {exact, plural} from "./numbers.js";
 
 /** @param {number} index from 0 @param {number} count */
 export function visitText(index, count) {
@@ -9,6 +9,12 @@ export function visitText(index, count) {
 /** @param {number} clearance @param {string} unit */
 export function requiredText(clearance, unit) {
   return `required ${exact(clearance)} ${unit}`;
+}
+
+/** How far the tool goes in, in the plan's own words where it has some. @param {unknown} words @param {number} steps */
+export function stepText(words, steps) {
+  const own = Array.isArray(words) ? words[steps] : undefined;
+  return typeof own === "string" && own !== "" ? own : plural(steps, "step");
 }
 
 /**

@@ -22,7 +22,7 @@ struct Cell : CellModel {
   std::string arm_path;  ///< the cell's own path where the arm stands inline
   Units units;
   std::vector<SceneMesh> meshes;      ///< that the scene names
-  std::vector<std::string> warnings;  ///< of the scene, a sentence each
+  std::vector<std::string> warnings;  ///< of the scene and the hole map, a sentence each
 
   YamlFile source;      ///< as read, for writing it again with changes
   YamlFile arm_source;  ///< the same of the arm's file; empty where it stands inline

@@ -19,10 +19,6 @@ using deflection::Effect, deflection::EffectKind, deflection::EffectStatus;
 
 constexpr const char* kFormula = "formula";
 
-const EffectKind& effectKindOf(const Effect& effect) {
-  return deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
-}
-
 std::string withoutDigits(std::string text) {
   std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
   return text;
@@ -125,7 +121,7 @@ double readSize(const std::string& text, double lower, double upper, Dimension u
 void readSizes(const std::string& text, const deflection::Arm& arm, const Units& units, const std::string& where,
                Effect& effect) {
   std::vector<std::string> names;
-  for (const auto& parameter : effectKindOf(effect).parameters) names.emplace_back(parameter.name);
+  for (const auto& parameter : kindOf(effect).parameters) names.emplace_back(parameter.name);
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find(',', from), text.size());
     const std::string part = text.substr(from, to - from);
@@ -190,7 +186,7 @@ std::string effectText(const deflection::Arm& arm, const Effect& effect, const U
 std::string effectsText(const deflection::Arm& arm, const Units& units) {
   std::vector<std::string> items;
   for (const Effect& effect : arm.effects) {
-    const EffectKind& kind = effectKindOf(effect);
+    const EffectKind& kind = kindOf(effect);
     std::string item = fmt::format("{{effect: {}, at: \"{}\"", kind.name, deflection::placeText(arm, effect));
     // A formula has neither quotes nor backslashes.
     if (effect.formula) item += fmt::format(", {}: \"{}\"", kFormula, effect.formula->text);

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/files/input_error.hpp"
 #include "app/files/quantities.hpp"
 #include "app/files/suggestion.hpp"
 #include "app/files/text_file.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
+#include "tubesheets/hole_lattice.hpp"
 #include "tubesheets/hole_map_csv.hpp"
 #include "tubesheets/layouts.hpp"
 
@@ -114,6 +117,23 @@ tubesheets::Sheet readSheet(const YamlNode& node, const Units& units, const std:
   tubesheets::Sheet sheet = node.find("map") ? readMappedSheet(node, units, folder) : readDrilledSheet(node, units);
   refuseProblems(node, tubesheets::findSheetProblems(sheet));
   return sheet;
+}
+
+void warnOfHolesOffLattice(const tubesheets::Sheet& sheet, const Units& units, std::vector<std::string>& warnings) {
+  constexpr std::size_t kShown = 5;
+  const auto off = tubesheets::findHolesOffLattice(sheet);
+  const auto inUnits = [&](double length) { return length / units.factor(dimension::kLength); };
+  for (std::size_t k = 0; k < std::min(off.size(), kShown); ++k) {
+    const auto& tube = sheet.tubes[static_cast<std::size_t>(off[k].tube)];
+    warnings.push_back(fmt::format(
+        "hole map: {} at ({:.6g}, {:.6g}) {} is {:.3g} {} off the lattice of the holes about it, which has a place at "
+        "({:.6g}, {:.6g}): correct its coordinates, unless it was drilled there",
+        tubesheets::tubeName(tube.row, tube.column), inUnits(tube.x), inUnits(tube.y), units.length().name,
+        inUnits(off[k].distance), units.length().name, inUnits(off[k].x), inUnits(off[k].y)));
+  }
+  if (off.size() > kShown)
+    warnings.push_back(
+        fmt::format("hole map: {} more holes lie off the lattice of those about them", off.size() - kShown));
 }
 
 tubesheets::SteppedTool readSteppedTool(const YamlNode& node, const Units& units, double hole_diameter) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/files/units.hpp"
 #include "app/files/yaml/yaml_node.hpp"
@@ -15,6 +17,9 @@ namespace tubeplan::app {
 /// `folder`; `manway: {center, diameter}`. Throws InputError for what the readers of tubesheets find wrong, too.
 [[nodiscard]] tubesheets::Sheet readSheet(const YamlNode& node, const Units& units,
                                           const std::filesystem::path& folder);
+
+/// A sentence for each hole of a map that lies off the lattice of those about it, the first few of them.
+void warnOfHolesOffLattice(const tubesheets::Sheet& sheet, const Units& units, std::vector<std::string>& warnings);
 
 /// Reads `calibration_tool: {steps: [{diameter, tolerance}, ...], lengths?}` for holes of that diameter [m].
 [[nodiscard]] tubesheets::SteppedTool readSteppedTool(const YamlNode& node, const Units& units, double hole_diameter);

@@ -139,6 +139,8 @@ void addConditions(const PlanRequest& request, const tubesheets::Selection& sele
   outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
   requireZonesOfTheList(request.conditions, outcome.conditions, selection.tube_indices);
   outcome.left_out = tubesheets::leftOutText(outcome.nominal.sheet, selection);
+  if (auto doubtful = tubesheets::doubtfulText(outcome.nominal.sheet, selection); !doubtful.empty())
+    outcome.cell.warnings.push_back(std::move(doubtful));
 }
 
 /// Whether the base could be placed by the touches.

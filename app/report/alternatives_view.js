@@ -1,6 +1,7 @@
 // Explanations side by side, and the readings at which they differ most.
 import {explanationTitle, isEnough, sizeText} from "../drawing/explanations.js";
 import {pValue, short} from "../drawing/numbers.js";
+import {letterOf} from "../drawing/reading_errors.js";
 import {el, notRecorded, table} from "./elements.js";
 import {noiseFloorOf} from "./error_ladder.js";
 import {conditionsText, reportExplanations, rootMeanSquare} from "./error_series.js";
@@ -27,7 +28,7 @@ function alternativesTable(report, explanations) {
   const unit = lengthUnit(report);
   const rows = explanations.map(
       (entry, i) =>
-          [`${String.fromCharCode(65 + i)}: ${explanationTitle(entry)}`,
+          [`${letterOf(i)}: ${explanationTitle(entry)}`,
            el("span", {}, entry.effects.map((effect) => el("div", {}, sizeText(effect)))), short(entry.rms),
            short(entry.heldout_rms), short(entry.chi2), pValue(entry.p_value)]);
   return table(

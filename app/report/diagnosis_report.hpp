@@ -12,9 +12,9 @@ namespace tubeplan::app {
 [[nodiscard]] std::string renderDiagnosisReport(const nlohmann::json& report);
 
 /// The page of `tubeplan compare`, likewise, from
-///   verdict, sentence: text; units; rms: {before, after, heldout_before, heldout_after, noise_floor}; chi2_per_dof,
-///   p_value joints: [{name, unit}, ...]   readings: [{id, point, position: [3], before: [3], after: [3], joints, load,
-///   senses,
+///   verdict, sentence: text; sentences: [text, ...]; units; rms: {before, after, heldout_before, heldout_after,
+///   noise_floor}; chi2_per_dof, p_value; joints: [{name, unit}, ...]   readings: [{id, point, position: [3], before:
+///   [3], after: [3], joints, load, senses,
 ///                                             temperature, time}, ...], errors as measured less predicted
 ///   patterns: [text or {sentence or name, share or correlation, p_value}, ...]   worst: [id or {id, error, sigmas},
 ///   ...]

@@ -3,7 +3,7 @@ import {isEnough} from "../drawing/explanations.js";
 import {verdictMark} from "../drawing/kinds.js";
 import {errorOf} from "../drawing/ladder.js";
 import {isNumber, pValue, short, whole} from "../drawing/numbers.js";
-import {comparisonItems, sentencesOf, verdictItems} from "../drawing/verdict_items.js";
+import {verdictItems} from "../drawing/verdict_items.js";
 import {addedVariableSection} from "./added_variable.js";
 import {alternativesSection} from "./alternatives_view.js";
 import {modelsSection, patternsSection, worstSection} from "./comparison_view.js";
@@ -141,9 +141,9 @@ function factsOf(report) {
 
 /// What the report comes to, sentence by sentence.
 function answerOf(report) {
-  if (!object(report.rms)) return sentencesOf(textOf(report.sentence, ""));
-  if (report.page === "diagnosis") return verdictItems({...report, explanations: reportExplanations(report)});
-  return report.page === "comparison" ? comparisonItems(report) : sentencesOf(textOf(report.sentence, ""));
+  const sentences = Array.isArray(report.sentences) ? textList(report.sentences) : undefined;
+  const advice = textOf(object(report.splitting)?.advice, "");
+  return verdictItems({sentence: textOf(report.sentence, ""), sentences, splitting: {advice}});
 }
 
 function verdictLine(report, verdict) {

@@ -10,13 +10,14 @@ import {
   letterOf,
   levelRange,
   levelTicks,
+  partRange,
   plotted,
   spreadAtLevel,
   viewOfPair,
   viewOfPatterns,
   viewOfRemainder
 } from "../drawing/reading_errors.js";
-import {rangeOf, roundTicks, symmetric, widened} from "../drawing/scales.js";
+import {rangeOf, roundTicks, widened} from "../drawing/scales.js";
 import {hollowPath} from "../drawing/shapes.js";
 import {variablesOf, variableTitle} from "../drawing/variables.js";
 import {chartFrame} from "./axes.js";
@@ -120,7 +121,7 @@ function drawLaw(report, pair, view, most, width) {
   const known = xs.filter(isNumber);
   const [low, high] = rangeOf(known);
   const [from, to] = isLevel ? levelRange(variable) : widened(low, high);
-  const [bottom, top] = verticalRange(part, values, most);
+  const [bottom, top] = partRange(part, ...rangeOf(values.flat().filter(isNumber)), most);
   const height = Math.max(260, Math.min(420, 0.55 * width));
   const levels = isLevel ? {text: (tick) => variable.levels?.[tick] ?? exact(tick)} : {};
   const x =
@@ -143,12 +144,6 @@ function drawLaw(report, pair, view, most, width) {
 function noErrorLine(at, {from, to}) {
   const [left, middle] = at(from, 0), [right] = at(to, 0);
   return svg("path", {d: `M${left} ${middle}H${right}`, class: "zero", fill: "none"});
-}
-
-function verticalRange(part, values, most) {
-  const [low, high] = rangeOf(values.flat().filter(isNumber));
-  if (!part.isSigned) return [0, 1.08 * (most ?? high) || 1];
-  return symmetric(most === null ? low : -most, most ?? high);
 }
 
 export function pointMarks(shape, places, k) {

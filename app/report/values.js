@@ -1,5 +1,5 @@
 // Reading values that may be missing.
-import {isNumber, MISSING, short} from "../drawing/numbers.js";
+import {isNumber, MISSING, plainUnit, short} from "../drawing/numbers.js";
 import {tubeTitle} from "../drawing/sheet_model.js";
 
 export function isPoint(value) {
@@ -32,6 +32,6 @@ export function tubeName(tube) { return tubeTitle(textOf(tube.row), textOf(tube.
 
 export function lengthUnit(report) { return textOf(object(report.units)?.length, ""); }
 
-export function angleUnit(report) { return textOf(object(report.units)?.angle, "").replace("degree", "deg"); }
+export function angleUnit(report) { return plainUnit(textOf(object(report.units)?.angle, "")); }
 
 export function lengthText(value, report) { return `${short(value)}\u00a0${lengthUnit(report)}`; }

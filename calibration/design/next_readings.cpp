@@ -7,6 +7,7 @@
 
 #include "calibration/estimation/whitened_residual.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -43,18 +44,11 @@ std::vector<Measurement> listReadings(const Estimate& estimate, const std::vecto
   return all;
 }
 
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
-
 template <class Figure>
 double medianOf(const std::vector<Design>& designs, Figure figure) {
   std::vector<double> values;
   for (const auto& design : designs) values.push_back(figure(design));
-  return medianOf(values);
+  return median(std::move(values));
 }
 
 double bitsOf(const Design& design) {

@@ -133,7 +133,7 @@ std::vector<std::vector<RivalPrediction>> predictFrames(const std::vector<RivalM
 /// How an effect shows when what it acts on is looked at by itself.
 std::string directCheck(const FoundEffect& found) {
   if (!found.frees.empty()) return "measure " + found.at + " by itself";
-  switch (deflection::effectKinds()[static_cast<std::size_t>(found.fitted.kind)].stage) {
+  switch (kindOf(found.fitted).stage) {
     case EffectStage::kReading:
       return "check the reading of " + found.at + " separately (a level or an index on the joint)";
     case EffectStage::kGeometry:

@@ -17,10 +17,6 @@ constexpr double kFreedOdds = 2;     // of all held stiffnesses together: drawin
 constexpr double kGeometryOdds = 2;  // of the drawing's geometry as a whole
 constexpr double kAlikeShare = 0.3;  // of a kind's odds: that it acts at all joints rather than at one
 
-const EffectKind& effectKindOf(const Cause& cause) {
-  return deflection::effectKinds()[static_cast<std::size_t>(cause.effects.front().kind)];
-}
-
 bool hasWeights(const deflection::Arm& arm) {
   const auto weighs = [](const auto& row) {
     return row.weight.distributed > 0 || row.weight.end > 0 || !row.weight.lumps.empty();
@@ -90,7 +86,7 @@ std::vector<double> timesBetween(const std::vector<Measurement>& readings) {
 std::vector<double> levelsOf(const Cause& cause, const PlacedArm& placed, const std::vector<Measurement>& readings,
                              const CauseOptions& options) {
   if (cause.shape < 0) return {0};
-  const auto& parameter = effectKindOf(cause).parameters[static_cast<std::size_t>(cause.shape)];
+  const auto& parameter = kindOf(cause.effects.front()).parameters[static_cast<std::size_t>(cause.shape)];
   if (parameter.quantity == Quantity::kTorque)
     return quantiles(momentsAt(placed, readings, cause.effects.front().place), options.knee_levels, 0.04, 0.9);
   if (parameter.quantity == Quantity::kTime) return quantiles(timesBetween(readings), options.time_levels, 0.05, 0.95);
@@ -222,13 +218,12 @@ bool overlap(const Cause& a, const Cause& b) {
 
 bool isStep(const Cause& cause) {
   return cause.shape >= 0 &&
-         effectKindOf(cause).parameters[static_cast<std::size_t>(cause.shape)].quantity == Quantity::kTime;
+         kindOf(cause.effects.front()).parameters[static_cast<std::size_t>(cause.shape)].quantity == Quantity::kTime;
 }
 
 Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
   const auto& placed = arm.effects[static_cast<std::size_t>(effect)];
-  const auto& parameter =
-      deflection::effectKinds()[static_cast<std::size_t>(placed.kind)].parameters[static_cast<std::size_t>(value)];
+  const auto& parameter = kindOf(placed).parameters[static_cast<std::size_t>(value)];
   const auto number = deflection::numberOf(arm, placed, value);
   Unknown unknown;
   unknown.name = deflection::textOf(arm, placed) + "." + parameter.name;

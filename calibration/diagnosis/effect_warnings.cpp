@@ -29,10 +29,6 @@ struct Case {
   const EffectWarningOptions& limits;
 };
 
-const deflection::EffectKind& effectKindOf(const deflection::Effect& effect) {
-  return deflection::effectKinds()[static_cast<std::size_t>(effect.kind)];
-}
-
 /// The fitted numbers of an effect.
 std::vector<const IdentifiedNumber*> fittedNumbers(const Identification& with, int effect) {
   std::vector<const IdentifiedNumber*> numbers;
@@ -116,7 +112,7 @@ EffectWarning named(const Case& c, int effect, EffectWarningKind kind) {
   const auto& carried = c.start.arm.effects[static_cast<std::size_t>(effect)];
   EffectWarning warning;
   warning.kind = kind;
-  warning.effect = effectKindOf(carried).name;
+  warning.effect = kindOf(carried).name;
   const std::string text = deflection::textOf(c.start.arm, carried);
   warning.at = text.substr(text.find('@') + 1);
   return warning;

@@ -64,7 +64,7 @@ void describeTerm(const DiagnosisWork& work, const ModelTerm& term, const Placed
   for (std::size_t e = 0; e < cause.effects.size(); ++e) {
     const int effect = placed.first_effect[index] + static_cast<int>(e);
     const auto& fitted = fit.fitted.arm.effects[static_cast<std::size_t>(effect)];
-    const auto& kind = deflection::effectKinds()[static_cast<std::size_t>(fitted.kind)];
+    const auto& kind = kindOf(fitted);
     FoundEffect found{cause.effect, deflection::placeText(fit.fitted.arm, fitted), fitted, {}, {}, {}};
     for (std::size_t v = 0; v < fitted.values.size(); ++v) {
       FoundNumber number{kind.parameters[v].name,

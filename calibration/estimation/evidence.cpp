@@ -1,8 +1,9 @@
 #include "calibration/estimation/evidence.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "calibration/estimation/held_out.hpp"
 #include "calibration/statistics.hpp"
@@ -37,10 +38,10 @@ std::optional<EvidenceProblem> findOverstatedNoise(double chi2, int degrees_of_f
   const double ratio = std::sqrt(std::max(0., chi2) / degrees_of_freedom);
   if (ratio > kFarTooGood) return std::nullopt;
   if (chiSquareLowerTail(chi2, degrees_of_freedom) > kTooGood) return std::nullopt;
-  char text[160];
-  std::snprintf(text, sizeof text, "the readings agree with the model %.3g times better than their stated noise allows",
-                1 / std::max(ratio, 1e-9));
-  return EvidenceProblem{text, "the actual noise of the readings: are sigma and its unit right?"};
+  return EvidenceProblem{
+      fmt::format("the readings agree with the model {:.3g} times better than their stated noise allows",
+                  1 / std::max(ratio, 1e-9)),
+      "the actual noise of the readings: are sigma and its unit right?"};
 }
 
 }  // namespace tubeplan::calibration

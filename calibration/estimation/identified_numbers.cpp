@@ -1,8 +1,9 @@
 #include "calibration/estimation/identified_numbers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 
 #include "calibration/estimation/profile_interval.hpp"
@@ -44,14 +45,10 @@ std::string noteOf(const IdentifiedNumber& number, bool is_nearly_rigid) {
   if (is_nearly_rigid) return "its compliance is within two standard deviations of zero: hardly significant";
   if (number.identifiable == Identifiability::kNo)
     return "the readings do not determine it: it stays near its initial value";
-  if (number.prior_deviation > kFarFromDrawing) {
-    char text[160];
-    std::snprintf(
-        text, sizeof text,
-        "%.1f standard deviations of its prior from the arm's file: check the file, or look for a missing effect",
+  if (number.prior_deviation > kFarFromDrawing)
+    return fmt::format(
+        "{:.1f} standard deviations of its prior from the arm's file: check the file, or look for a missing effect",
         number.prior_deviation);
-    return text;
-  }
   return "";
 }
 

@@ -1,7 +1,6 @@
 // modelErrorOf: what a model's own error is beside the noise.
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
@@ -14,11 +13,6 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kGrossErrorLevel = 0.01;  // chance of taking any reading for a gross error where there is none
-
-/// Mean square of a reading's whitened rows that none of so many readings exceeds but by chance.
-double grossErrorLimit(std::size_t readings, int rows) {
-  return chiSquareQuantile(kGrossErrorLevel / static_cast<double>(readings), rows) / rows;
-}
 
 /// Errors of readings against their noise and a further variance of every coordinate.
 class ErrorVariance {
@@ -71,13 +65,12 @@ double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeigh
   const ErrorVariance errors(readings, weights, error);
   // What most readings are off by says which are gross errors: those are no error of the model.
   const double usual = errors.solve([&](double v) { return errors.usualSquare(v) - 1; });
-  std::map<int, double> limits;
+  ChiSquareLimit limitOf(kGrossErrorLevel / static_cast<double>(readings.size()));
   std::vector<std::size_t> kept;
   int freedom = degrees_of_freedom;
   for (std::size_t k = 0; k < readings.size(); ++k) {
     const int rows = rowsOf(readings[k]);
-    if (!limits.contains(rows)) limits[rows] = grossErrorLimit(readings.size(), rows);
-    if (errors.meanSquare(k, usual) <= limits[rows])
+    if (rows * errors.meanSquare(k, usual) <= limitOf(rows))
       kept.push_back(k);
     else
       freedom -= rows;

@@ -71,9 +71,9 @@ std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, cons
   std::vector<Outlier> outliers;
   if (all.empty()) return outliers;
   const double usual = usualSquare(readings, all);
+  ChiSquareLimit limitOf(level / static_cast<double>(all.size()));
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const double limit = chiSquareQuantile(level / static_cast<double>(all.size()), rowsOf(readings[k]));
-    if (all[k].square > limit * usual)
+    if (all[k].square > limitOf(rowsOf(readings[k])) * usual)
       outliers.push_back({static_cast<int>(k), all[k].error.norm(), std::sqrt(all[k].square)});
   }
   std::stable_sort(outliers.begin(), outliers.end(),

@@ -2,6 +2,8 @@
 // another mark, or a quarter turn off.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <numbers>
 
@@ -14,10 +16,7 @@ namespace tubeplan::calibration::mistakes::joint_zero {
 inline constexpr double kLeast = 0.1;
 
 inline std::string textOf(const CheckedReadings& checked, int joint, double offset) {
-  const double number = offset / checked.units.angles.factor;
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.6g", number);
-  return checked.start.arm.joint(joint).name + ":" + digits;
+  return fmt::format("{}:{:.6g}", checked.start.arm.joint(joint).name, offset / checked.units.angles.factor);
 }
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {

@@ -1,8 +1,9 @@
 #include "calibration/measurement_checks/measurement_checks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "calibration/measurement_checks/mistake_search.hpp"
 #include "calibration/measurement_checks/mistake_trials.hpp"
@@ -50,14 +51,12 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
   if (!is_large && !is_fine) return;
   const auto likeliest = likeliestSigma(trials, is_large);
   const bool agrees = likeliest && std::abs(std::log(likeliest->chi2_per_freedom)) < std::log(kAgrees);
-  char text[160];
-  if (is_large)
-    std::snprintf(text, sizeof text, "the readings agree %.2g times better than their stated noise",
-                  1 / std::sqrt(std::max(as_is.chi2_per_freedom, 1e-30)));
-  else
-    std::snprintf(text, sizeof text,
-                  "the stated noise (%.2g %s) is smaller than that of any instrument for an arm of this size",
-                  sigma / checked.units.sigma.factor, checked.units.sigma.name.c_str());
+  const std::string text =
+      is_large
+          ? fmt::format("the readings agree {:.2g} times better than their stated noise",
+                        1 / std::sqrt(std::max(as_is.chi2_per_freedom, 1e-30)))
+          : fmt::format("the stated noise ({:.2g} {}) is smaller than that of any instrument for an arm of this size",
+                        sigma / checked.units.sigma.factor, checked.units.sigma.name);
   MeasurementCheck check{
       "sigma", agrees && is_large ? CheckSeverity::kMistake : CheckSeverity::kRemark, text, kNoFigure, kNoFigure, "",
       {}};

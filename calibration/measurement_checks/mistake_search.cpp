@@ -1,8 +1,9 @@
 #include "calibration/measurement_checks/mistake_search.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "calibration/measurement_checks/joint_zero.hpp"
@@ -220,15 +221,10 @@ std::string baseText(const MistakeTrials& trials) {
   const CheckedReadings& checked = trials.checked();
   const Trial& trial = trials.asIs();
   const auto& length = checked.units.coordinates;
-  char text[128];
-  std::snprintf(text, sizeof text, "%.3g %s", trial.base_shift / length.factor, length.name.c_str());
-  std::string words = text;
-  if (checked.sheet && checked.sheet->pitch > 0) {
-    std::snprintf(text, sizeof text, " (%.1f pitches)", trial.base_shift / checked.sheet->pitch);
-    words += text;
-  }
-  std::snprintf(text, sizeof text, " and %.2g deg", trial.base_turn * 180 / std::numbers::pi);
-  return words + text;
+  const bool has_pitch = checked.sheet && checked.sheet->pitch > 0;
+  return fmt::format("{:.3g} {}{} and {:.2g} deg", trial.base_shift / length.factor, length.name,
+                     has_pitch ? fmt::format(" ({:.1f} pitches)", trial.base_shift / checked.sheet->pitch) : "",
+                     trial.base_turn * 180 / std::numbers::pi);
 }
 
 }  // namespace tubeplan::calibration

@@ -1,8 +1,9 @@
 #include "calibration/measurement_checks/plain_checks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "calibration/measurement_checks/check_words.hpp"
@@ -16,12 +17,6 @@
 namespace tubeplan::calibration {
 
 namespace {
-
-std::string shortText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
 
 /// Joint readings that are all as small as angles in radians are, and would be within the joints' limits if they were.
 /// Touches of points that nobody measured fit either way, so no error shows it.
@@ -45,7 +40,7 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
   return MeasurementCheck{
       "angles",
       CheckSeverity::kRemark,
-      "no joint reading is larger than " + shortText(largest) + " " + checked.units.angles.name + ": are they radians?",
+      fmt::format("no joint reading is larger than {:.4g} {}: are they radians?", largest, checked.units.angles.name),
       kNoFigure,
       kNoFigure,
       "angles=rad",
@@ -60,15 +55,15 @@ std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
   for (const auto& reading : checked.readings) heaviest = std::max(heaviest, reading.load);
   if (weight == 0 || heaviest < kTimesTheArm * weight) return std::nullopt;
   const auto& unit = checked.units.loads;
-  return MeasurementCheck{"loads",
-                          CheckSeverity::kRemark,
-                          "a load of " + shortText(heaviest / unit.factor) + " " + unit.name +
-                              " hangs on an arm that weighs less than " + shortText(weight / unit.factor) + " " +
-                              unit.name + ": is the load's unit right?",
-                          kNoFigure,
-                          kNoFigure,
-                          "",
-                          {}};
+  return MeasurementCheck{
+      "loads",
+      CheckSeverity::kRemark,
+      fmt::format("a load of {:.4g} {} hangs on an arm that weighs less than {:.4g} {}: is the load's unit right?",
+                  heaviest / unit.factor, unit.name, weight / unit.factor, unit.name),
+      kNoFigure,
+      kNoFigure,
+      "",
+      {}};
 }
 
 /// Beams that bend further under these readings than so few segments follow, by more than half the readings' noise. The
@@ -94,9 +89,10 @@ std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
   }
   if (worst == 0) return std::nullopt;
   const auto& unit = checked.units.coordinates;
-  std::string sentence = "the beams have too few segments for these loads: the tip's discretisation error is about " +
-                         shortText(worst / unit.factor) + " " + unit.name + ", the noise " +
-                         shortText(allowed_there / kOfNoise / unit.factor);
+  std::string sentence = fmt::format(
+      "the beams have too few segments for these loads: the tip's discretisation error is about {:.4g} {}, the noise "
+      "{:.4g}",
+      worst / unit.factor, unit.name, allowed_there / kOfNoise / unit.factor);
   if (factor > 1)
     sentence += "; set `segments: " + std::to_string(factor * deflection::mostSegments(placed.arm)) + "` in each";
   return MeasurementCheck{"segments", CheckSeverity::kRemark, std::move(sentence), kNoFigure, kNoFigure, "", {}};
@@ -172,8 +168,8 @@ std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked,
   const auto& unit = checked.units.coordinates;
   return MeasurementCheck{"out-of-reach",
                           CheckSeverity::kRemark,
-                          "farther from the base than the arm reaches (" + shortText(reach / kSlack / unit.factor) +
-                              " " + unit.name + "): reading" + (ids.size() > 1 ? "s " : " ") + listOf(ids),
+                          fmt::format("farther from the base than the arm reaches ({:.4g} {}): reading{} {}",
+                                      reach / kSlack / unit.factor, unit.name, ids.size() > 1 ? "s" : "", listOf(ids)),
                           kNoFigure,
                           kNoFigure,
                           assumeWithout(ids),

@@ -68,6 +68,9 @@ struct EffectKind {
 
 const std::vector<EffectKind>& effectKinds();
 
+/// The row of the catalogue that an effect is of.
+[[nodiscard]] const EffectKind& kindOf(const Effect& effect);
+
 /// Index of the kind of that name, or nothing.
 [[nodiscard]] std::optional<int> findEffectKind(std::string_view name);
 

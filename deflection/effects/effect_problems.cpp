@@ -59,7 +59,7 @@ std::vector<ArmProblem> findEffectProblems(const Arm& arm) {
       out.push_back({path, "an effect of no kind", "one of the catalogue"});
       continue;
     }
-    const EffectKind& kind = effectKinds()[effect.kind];
+    const EffectKind& kind = kindOf(effect);
     if (!isWhereItCanBe(arm, kind, effect)) {
       out.push_back({path, std::string(kind.name) + " where it cannot be", "a place that this arm has for it"});
       continue;

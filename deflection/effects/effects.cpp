@@ -74,6 +74,8 @@ const char* nameOf(EffectVariable variable) {
   return "";
 }
 
+const EffectKind& kindOf(const Effect& effect) { return effectKinds().at(static_cast<std::size_t>(effect.kind)); }
+
 std::optional<int> findEffectKind(std::string_view name) {
   const auto& kinds = effectKinds();
   const auto found =
@@ -84,12 +86,11 @@ std::optional<int> findEffectKind(std::string_view name) {
 
 std::string placeText(const Arm& arm, const Effect& effect) {
   if (effect.formula) return effect.formula->at;
-  return textOf(arm, effectKinds().at(effect.kind), effect.place);
+  return textOf(arm, kindOf(effect), effect.place);
 }
 
 std::string textOf(const Arm& arm, const Effect& effect) {
-  const EffectKind& kind = effectKinds().at(effect.kind);
-  return std::string(kind.name) + "@" + placeText(arm, effect);
+  return std::string(kindOf(effect).name) + "@" + placeText(arm, effect);
 }
 
 std::string lackOfPlace(const EffectKind& kind) {

@@ -30,11 +30,16 @@ for reader in $readers; do
   case $reader in
     urdf | stl) leaks=0 ;; # urdfdom itself leaks robots whose links go round in a ring, assimp the object of an STL text
   esac
+  program=files
+  case $reader in call | door | lines | project) program=workbench ;; esac
+  # To keep how often each part of the source was reached (entropic) takes half of the fastest readers' time; of the slow
+  # ones it prefers texts that take little of it.
+  entropic=0
+  case $reader in cell | selection | verify | call | mesh) entropic=1 ;; esac
   echo "== $reader"
-  # Frames that are gone are not watched, which is a third faster; the tests under the sanitizers watch them. To keep how often
-  # each part of the source was reached (entropic) takes half of the fastest readers' time, and to keep where each block of
-  # memory was asked for half of the cell's: a find that needs it is run once more without these options.
-  ASAN_OPTIONS=detect_leaks=$leaks:detect_stack_use_after_return=0:malloc_context_size=0 TUBEPLAN_READER=$reader $out/tests/fuzz/fuzz_readers "$corpus" -detect_leaks=$leaks -max_total_time="$seconds" -runs="${RUNS:--1}" -timeout=20 -rss_limit_mb=4096 \
-    -max_len=4096 -entropic=0 -print_final_stats=1 -verbosity=0 -artifact_prefix=$out/finds/$reader- 2>&1 | grep -E "ERROR|SUMMARY|stat::number_of|runtime error|Test unit" || true
+  # Frames that are gone are not watched, which is a third faster; the tests under the sanitizers watch them. To keep where each
+  # block of memory was asked for takes half of the cell's time: a find that needs it is run once more without these options.
+  ASAN_OPTIONS=detect_leaks=$leaks:detect_stack_use_after_return=0:malloc_context_size=0 TUBEPLAN_READER=$reader $out/tests/fuzz/fuzz_$program "$corpus" -detect_leaks=$leaks -max_total_time="$seconds" -runs="${RUNS:--1}" -timeout=20 -rss_limit_mb=4096 \
+    -max_len=4096 -entropic=$entropic -entropic_scale_per_exec_time=$entropic -print_final_stats=1 -verbosity=0 -artifact_prefix=$out/finds/$reader- 2>&1 | grep -E "ERROR|SUMMARY|stat::number_of|runtime error|Test unit" || true
   rm -rf /dev/shm/tubeplan-fuzz-$$
 done

@@ -90,7 +90,7 @@ std::optional<DiagnosisTrial> DiagnosisTrials::run(std::uint64_t index, const ca
   std::string effect, at;
   if (draw.uniform(0, 1) >= options_.nothing) {
     const Hidden hidden = drawEffect(cell_.arm, kinds_, draw);
-    const auto& kind = deflection::effectKinds()[static_cast<std::size_t>(hidden.effect.kind)];
+    const auto& kind = kindOf(hidden.effect);
     trial.effect = hidden.effect.kind;
     trial.size_class = sizeClassOf(hidden.share);
     effect = kind.name;

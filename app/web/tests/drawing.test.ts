@@ -19,8 +19,8 @@ import {inPlane, PLANES} from "../../drawing/planes.js";
 import {rankingRows, triedText} from "../../drawing/ranking.js";
 import {hollowPath, outlineOf, type Shape} from "../../drawing/shapes.js";
 import {READING_SIGMAS, sigmasText} from "../../drawing/sigma_text.js";
-import {comparisonItems, sentencesOf, verdictItems} from "../../drawing/verdict_items.js";
-import {requiredText, stepsAtError, visitText} from "../../drawing/visits.js";
+import {verdictItems} from "../../drawing/verdict_items.js";
+import {requiredText, stepsAtError, stepText, visitText} from "../../drawing/visits.js";
 
 const SHAPES: Shape[] = [
   "ring",
@@ -195,30 +195,18 @@ describe("readings", () => {
 });
 
 describe("verdicts", () => {
-  const rms = {before: 0.02, after: 0.019, noise_floor: 0.0057, heldout_before: 0.0204, heldout_after: 0.0059};
-  const units = {length: "in"};
-  it("are lists of what was found and what is left", () => {
-    const explained = {verdict: "explained", explanations: [{effects: [slack]}], rms, units};
-    expect(verdictItems(explained)).toEqual([
-      "Missing: slack at wrist.z (half gap 0.100 ± 0.010).",
-      "With it the held-out error falls from 0.0204 to 0.0059 in; the noise floor is 0.0057 in.",
+  it("are the sentences of the document, with the advice on further readings last", () => {
+    const sentences = ["Missing: slack at wrist.z.", "With it the held-out error falls."];
+    expect(verdictItems({sentence: sentences.join(" "), sentences})).toEqual(sentences);
+    expect(verdictItems({sentences, splitting: {advice: "Read these next."}})).toEqual([
+      ...sentences,
+      "Read these next.",
     ]);
-    const equal = {...slack, also: [{effect: "stiffening", at: "wrist.z"}]};
-    expect(verdictItems({...explained, explanations: [{effects: [equal]}]})[0]).toContain(
-      ", or stiffening at wrist.z in place of slack at wrist.z, which no reading with this tool tells apart.",
-    );
-    expect(verdictItems({...explained, repeats: {noise_ratio: 1.734}}).at(-1)).toContain("1.73 times as much");
-    const remainder = {size: 0.01, follows: [{variable: "load", share: 0.5}]};
-    expect(verdictItems({...explained, verdict: "partly-explained", remainder}).at(-1)).toMatch(/it follows load \(50/);
   });
-  it("keep the program's own words where a list would say less", () => {
-    expect(verdictItems({verdict: "inconclusive", sentence: "No verdict is possible: too few."})).toEqual([
-      "No verdict is possible: too few.",
-    ]);
-    expect(sentencesOf("One. Two; load 20 next")).toEqual(["One.", "Two;", "load 20 next"]);
-  });
-  it("of a comparison give its reasons", () => {
-    expect(comparisonItems({rms, units, grounds: ["chi-square says so"]}).at(-1)).toBe("Chi-square says so.");
+  it("of an earlier program are its one text, which has the advice", () => {
+    const sentence = "No verdict is possible: too few. Read these next.";
+    expect(verdictItems({sentence, splitting: {advice: "Read these next."}})).toEqual([sentence]);
+    expect(verdictItems({})).toEqual([]);
   });
 });
 
@@ -226,6 +214,11 @@ describe("a plan", () => {
   it("says its visits, what it keeps clear, and how far the tool goes in", () => {
     expect(visitText(6, 60)).toBe("visit 7 of 60");
     expect(requiredText(0.25, "in")).toBe("required 0.25 in");
+    expect([stepText(["none"], 0), stepText(["none"], 2), stepText(undefined, 1)]).toEqual([
+      "none",
+      "2 steps",
+      "1 step",
+    ]);
     expect([0.001, 0.05, 0.2].map((error) => stepsAtError(error, [0.09, 0.06, 0.01]))).toEqual([3, 2, 0]);
   });
 });

@@ -115,6 +115,13 @@ TEST_F(DiagnosisReportOfProgram, isWrittenWithWhatJsonSaysAndItsReadings) {
   for (const auto& [key, value] : figures.items()) EXPECT_EQ(data[key], value) << key;
   EXPECT_EQ(data["verdict"], "explained");
   EXPECT_EQ(data["verdict_words"], "Explained");
+  ASSERT_GE(data["sentences"].size(), 2U);
+  EXPECT_TRUE(std::regex_search(data["sentences"][0].get<std::string>(),
+                                std::regex(R"(^Missing: hysteresis at theta4 \(half width 0\.\d+ ± 0\.\d+ deg\)\.$)")))
+      << data["sentences"][0];
+  std::string together = data["sentences"][0];
+  for (std::size_t k = 1; k < data["sentences"].size(); ++k) together += " " + data["sentences"][k].get<std::string>();
+  EXPECT_EQ(data["sentence"], together);
   EXPECT_EQ(data["ranking"][0]["words"], "a joint's position depends on the direction of its last motion");
   EXPECT_EQ(data["explanations"][0]["effects"][0]["varies_with"], json({"sense"}));
   ASSERT_EQ(data["readings"].size(), static_cast<std::size_t>(kReadings));

@@ -35,7 +35,29 @@ function makeStage(canvas: HTMLCanvasElement): ArmStage | string {
   }
 }
 
-export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; isSmall?: boolean}) {
+export function ArmPicture({tour = null, isSmall = false}: {tour?: Vector3[] | null; isSmall?: boolean}) {
+  const errors = isFieldShown.value && !isSmall ? readingErrors.value : null;
+  const {canvas, figure, refusal, stage} = useStage();
+  useScene(stage, tour);
+  usePose(stage);
+  useErrors(stage, errors);
+  return (
+    <div class="arm-picture">
+      <div class="fill">
+        <canvas ref={canvas} aria-label="The arm, rigid and deflected, under the sheet" role="img" />
+      </div>
+      <span ref={figure} class="clearance-figure" />
+      <p ref={refusal} class="refusal muted" />
+      {sceneDocument.value.problem ? <ProblemWords problem={sceneDocument.value.problem} /> : null}
+      <StageBar stage={stage} isSmall={isSmall} />
+    </div>
+  );
+}
+
+type StageRef = {current: ArmStage | null};
+
+/** The stage on its canvas, as large as its box; the refusal's words where this browser draws none. */
+function useStage() {
   const canvas = useRef<HTMLCanvasElement>(null),
     figure = useRef<HTMLSpanElement>(null);
   const stage = useRef<ArmStage | null>(null),
@@ -58,22 +80,36 @@ export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; is
       stage.current = null;
     };
   }, []);
+  return {canvas, figure, refusal, stage};
+}
+
+/** The cell, the sheet and the tour; a new cell is looked at from the corner. */
+function useScene(stage: StageRef, tour: Vector3[] | null): void {
   const scene = sceneDocument.value.document;
   useEffect(() => {
     if (!scene || !stage.current) return;
     stage.current.setCell(scene, sheet.value, palette.value);
-    stage.current.setTour(tour ?? null, palette.value);
+    stage.current.setTour(tour, palette.value);
   }, [scene, sheet.value, palette.value]);
   useEffect(() => {
     if (scene) stage.current?.look("corner");
   }, [scene, sheet.value]);
-  useEffect(() => stage.current?.setTour(tour ?? null, palette.value), [tour]);
+  useEffect(() => stage.current?.setTour(tour, palette.value), [tour]);
+}
+
+/** The arm in the posture that was asked for, and the reading that is shown with it. */
+function usePose(stage: StageRef): void {
+  const scene = sceneDocument.value.document,
+    reading = poseRequest.reading.value;
   useEffect(() => {
     if (poseRequest.answer.value) stage.current?.setPose(poseRequest.answer.value, magnified.value);
   }, [poseRequest.answer.value, magnified.value, scene]);
-  const reading = poseRequest.reading.value;
   useEffect(() => stage.current?.setReading(reading, palette.value), [reading, scene, palette.value]);
-  const errors = isFieldShown.value && !isSmall ? readingErrors.value : null;
+}
+
+/** The errors of all readings; null where they are not drawn. */
+function useErrors(stage: StageRef, errors: ReadingErrors | null): void {
+  const scene = sceneDocument.value.document;
   useEffect(() => {
     stage.current?.setErrors(errors, palette.value);
     stage.current?.fadeErrors(errors && errors.series.length > 1 ? fade.peek() : 0);
@@ -81,35 +117,31 @@ export function ArmPicture({tour, isSmall = false}: {tour?: Vector3[] | null; is
   useEffect(() => {
     if (errors && errors.series.length > 1) stage.current?.fadeErrors(fade.value);
   }, [fade.value]);
+}
+
+function StageBar({stage, isSmall}: {stage: StageRef; isSmall: boolean}) {
+  const reading = poseRequest.reading.value;
   return (
-    <div class="arm-picture">
-      <div class="fill">
-        <canvas ref={canvas} aria-label="The arm, rigid and deflected, under the sheet" role="img" />
-      </div>
-      <span ref={figure} class="clearance-figure" />
-      <p ref={refusal} class="refusal muted" />
-      {sceneDocument.value.problem ? <ProblemWords problem={sceneDocument.value.problem} /> : null}
-      <div class="stage-bar">
-        <Segments
-          label="Deflection drawn"
-          choices={TIMES}
-          value={magnified.value}
-          onChoose={(times) => (magnified.value = times)}
-        />
-        <Segments
-          label="View"
-          choices={choicesOf(VIEWS)}
-          value={undefined}
-          onChoose={(from) => stage.current?.look(from)}
-        />
-        {reading ? <ShownErrors reading={reading} factor={factorOf(reading, pictureReach.value)} /> : null}
-        {!isSmall && readingErrors.value ? <FieldBar errors={readingErrors.value} /> : null}
-        {isSmall || reading ? null : (
-          <span class="arm-legend">
-            <i class="swatch ghost" /> rigid <i class="swatch solid" /> deflected
-          </span>
-        )}
-      </div>
+    <div class="stage-bar">
+      <Segments
+        label="Deflection drawn"
+        choices={TIMES}
+        value={magnified.value}
+        onChoose={(times) => (magnified.value = times)}
+      />
+      <Segments
+        label="View"
+        choices={choicesOf(VIEWS)}
+        value={undefined}
+        onChoose={(from) => stage.current?.look(from)}
+      />
+      {reading ? <ShownErrors reading={reading} factor={factorOf(reading, pictureReach.value)} /> : null}
+      {!isSmall && readingErrors.value ? <FieldBar errors={readingErrors.value} /> : null}
+      {isSmall || reading ? null : (
+        <span class="arm-legend">
+          <i class="swatch ghost" /> rigid <i class="swatch solid" /> deflected
+        </span>
+      )}
     </div>
   );
 }

@@ -3,21 +3,15 @@
 import {
   AmbientLight,
   Box3,
-  BufferGeometry,
   DirectionalLight,
   Group,
-  Line,
-  LineBasicMaterial,
-  LineDashedMaterial,
-  Mesh,
-  MeshBasicMaterial,
   MeshStandardMaterial,
   PerspectiveCamera,
   Scene,
-  SphereGeometry,
   Vector3,
   WebGLRenderer,
 } from "three";
+import {pixelRatio} from "../drawing/canvas";
 import {signal} from "@preact/signals";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import type {Palette} from "../drawing/colours";
@@ -29,6 +23,7 @@ import {errorArrows} from "./error_arrow";
 import {errorField, fadeField} from "./error_field";
 import type {ShownReading} from "./pose_link";
 import {floorOf, plateOf} from "./sheet_plate";
+import {clearanceLine, TOUR, tourLine} from "./stage_lines";
 import {bowlOf, disposeAll, obstacleOf, openingOf, vector} from "./solids";
 
 /** Whether pictures are drawn without a graphics processor, as on a bare server or over a remote desktop. */
@@ -101,7 +96,7 @@ export class ArmStage {
 
   resize(width: number, height: number): void {
     if (width < 2 || height < 2) return;
-    this.ratio = IS_SOFTWARE ? 0.6 : this.fullRatio();
+    this.ratio = IS_SOFTWARE ? 0.6 : pixelRatio();
     this.renderer.setPixelRatio(this.ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
@@ -120,18 +115,14 @@ export class ArmStage {
   private drawNow(isSharp = false): void {
     if (this.isDisposed) return; // a frame that was asked for before
     this.isAsked = false;
-    this.renderer.setPixelRatio(isSharp ? this.fullRatio() : this.ratio);
+    this.renderer.setPixelRatio(isSharp ? pixelRatio() : this.ratio);
     this.renderer.render(this.scene, this.camera);
     this.onDraw?.();
     clearTimeout(this.later);
     if (isSharp) return;
     const end = performance.now();
     setTimeout(() => this.adapt(performance.now() - end));
-    if (this.ratio < this.fullRatio()) this.later = window.setTimeout(() => this.drawNow(true), 400);
-  }
-
-  private fullRatio(): number {
-    return Math.min(2, devicePixelRatio || 1);
+    if (this.ratio < pixelRatio()) this.later = window.setTimeout(() => this.drawNow(true), 400);
   }
 
   /** Where the page waits for its picture (no graphics processor), motion is drawn coarser, and sharp once it rests. */
@@ -139,7 +130,7 @@ export class ArmStage {
     // Figures go before pictures, but no picture stays behind them for long.
     if (msWaited > 12) this.notBefore = performance.now() + Math.min(2 * msWaited, 400);
     if (msWaited > 24) this.ratio = Math.max(0.45, 0.8 * this.ratio);
-    else if (msWaited < 10 && !IS_SOFTWARE) this.ratio = Math.min(this.fullRatio(), 1.1 * this.ratio);
+    else if (msWaited < 10 && !IS_SOFTWARE) this.ratio = Math.min(pixelRatio(), 1.1 * this.ratio);
   }
 
   /** The cell: what stands still, and the bodies of the arm. */
@@ -257,23 +248,7 @@ export class ArmStage {
     this.marks.clear();
     const {clearance} = pose;
     if (!clearance || !clearance.to || this.magnified !== 1) return;
-    const a = vector(clearance.from),
-      b = vector(clearance.to);
-    const line = new Line(
-      new BufferGeometry().setFromPoints([a, b]),
-      new LineBasicMaterial({color: palette.rose, depthTest: false}),
-    );
-    line.renderOrder = 5;
-    this.marks.add(line);
-    for (const end of [a, b]) {
-      const dot = new Mesh(
-        new SphereGeometry(0.008 * this.reach, 12, 8),
-        new MeshBasicMaterial({color: palette.rose, depthTest: false}),
-      );
-      dot.position.copy(end);
-      dot.renderOrder = 5;
-      this.marks.add(dot);
-    }
+    this.marks.add(clearanceLine(vector(clearance.from), vector(clearance.to), this.reach, palette));
   }
 
   /** The errors of the reading that the arm is brought to; null for none. */
@@ -300,20 +275,12 @@ export class ArmStage {
 
   /** A tour through the tips in the order of visiting. */
   setTour(points: Vector3[] | null, palette: Palette): void {
-    const old = this.statics.getObjectByName("tour");
+    const old = this.statics.getObjectByName(TOUR);
     if (old) {
       disposeAll(old);
       this.statics.remove(old);
     }
-    if (points && points.length > 1) {
-      const tour = new Line(
-        new BufferGeometry().setFromPoints(points),
-        new LineDashedMaterial({color: palette.violet, dashSize: 0.035 * this.reach, gapSize: 0.02 * this.reach}),
-      );
-      tour.computeLineDistances();
-      tour.name = "tour";
-      this.statics.add(tour);
-    }
+    if (points && points.length > 1) this.statics.add(tourLine(points, this.reach, palette));
     this.ask();
   }
 

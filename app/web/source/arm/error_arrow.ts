@@ -1,11 +1,14 @@
 // A reading's errors in the 3-D picture: arrows from the tip, drawn larger by a round factor, so that they are seen.
-import {ArrowHelper, Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type LineBasicMaterial} from "three";
+import {Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3} from "three";
 import type {Palette} from "../drawing/colours";
 import {roundDown125} from "../../../drawing/scales.js";
+import {arrowGroup} from "./arrow_group";
 import type {ShownReading} from "./pose_link";
 
 /** Of the picture's reach: how long the larger error is drawn at most. */
 const LONGEST = 0.24;
+/** Likewise, the length of an arrow's head. */
+const HEAD = 0.03;
 
 /** By how much the errors are drawn larger. */
 export function factorOf(reading: ShownReading, reach: number): number {
@@ -19,22 +22,9 @@ export function errorArrows(reading: ShownReading, reach: number, palette: Palet
   const from = new Vector3(...reading.place),
     factor = factorOf(reading, reach);
   for (const {mark, error} of reading.errors) {
-    const long = error ? factor * Math.hypot(...error) : 0;
-    if (!error || !(long > 0)) continue;
-    const head = Math.min(0.4 * long, 0.03 * reach);
-    const arrow = new ArrowHelper(
-      new Vector3(...error).normalize(),
-      from,
-      long,
-      palette[mark.colour],
-      head,
-      0.6 * head,
-    );
-    for (const part of [arrow.line, arrow.cone]) {
-      (part.material as LineBasicMaterial | MeshBasicMaterial).depthTest = false;
-      part.renderOrder = 6;
-    }
-    group.add(arrow);
+    if (!error || !error.some((value) => value !== 0)) continue;
+    const way = new Vector3(...error).multiplyScalar(factor);
+    group.add(arrowGroup([{from, way}], HEAD * reach, palette[mark.colour], 6));
   }
   const dot = new Mesh(
     new SphereGeometry(0.006 * reach, 12, 8),

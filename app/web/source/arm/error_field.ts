@@ -1,23 +1,15 @@
 // The errors of all readings as arrows at their places in the 3-D picture, before and after faded one into the other.
-import {
-  BufferGeometry,
-  ConeGeometry,
-  Float32BufferAttribute,
-  Group,
-  InstancedMesh,
-  LineBasicMaterial,
-  LineSegments,
-  MeshBasicMaterial,
-  Object3D,
-  Vector3,
-} from "three";
+import {Group, InstancedMesh, LineSegments, Vector3, type LineBasicMaterial, type MeshBasicMaterial} from "three";
 import type {Palette} from "../drawing/colours";
 import {usualLargest} from "../../../drawing/arrows.js";
 import {roundDown125} from "../../../drawing/scales.js";
 import type {ReadingErrors} from "../error/residuals";
+import {arrowGroup} from "./arrow_group";
 
 /** Of the picture's reach: how long an error is drawn that few are beyond. */
 const LONG = 0.16;
+/** Likewise, the length of an arrow's head. */
+const HEAD = 0.018;
 /** Fainter than this, a series is not drawn at all. */
 const FAINTEST = 0.02;
 
@@ -40,25 +32,7 @@ function arrowsOf(places: (Place | null)[], errors: (Place | null)[], factor: nu
       ? [{from: new Vector3(...place), way: new Vector3(...error).multiplyScalar(factor)}]
       : [];
   });
-  if (arrows.length === 0) return null;
-  const ends = arrows.flatMap(({from, way}) => [...from.toArray(), ...from.clone().add(way).toArray()]);
-  const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(ends, 3));
-  const look = {color: colour, transparent: true, depthTest: false};
-  const shafts = new LineSegments(geometry, new LineBasicMaterial(look));
-  const size = 0.018 * reach;
-  const heads = new InstancedMesh(new ConeGeometry(0.3 * size, size, 8), new MeshBasicMaterial(look), arrows.length);
-  const head = new Object3D(),
-    up = new Vector3(0, 1, 0);
-  arrows.forEach(({from, way}, i) => {
-    const long = way.length();
-    head.scale.setScalar(Math.min(1, long / size));
-    head.quaternion.setFromUnitVectors(up, way.clone().normalize());
-    head.position.copy(from).addScaledVector(way, Math.max(0, 1 - (0.5 * size * head.scale.x) / long));
-    head.updateMatrix();
-    heads.setMatrixAt(i, head.matrix);
-  });
-  shafts.renderOrder = heads.renderOrder = 4;
-  return new Group().add(shafts, heads);
+  return arrows.length > 0 ? arrowGroup(arrows, HEAD * reach, colour, 4) : null;
 }
 
 /** The field, to be faded by fadeField(). */

@@ -7,6 +7,7 @@ import type {PoseDocument} from "../server/documents";
 import {sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
 import {stepKinds} from "../sheet/colourings";
+import {clearedContext} from "../drawing/canvas";
 import {MarkIcon} from "../drawing/marks";
 import {holeName} from "../sheet/sheet_model";
 import {poseRequest} from "./pose_link";
@@ -59,12 +60,8 @@ export function ToolInset() {
 }
 
 function draw(canvas: HTMLCanvasElement, centring: PoseDocument["centring"], colours: Palette): void {
-  const ratio = Math.min(2, devicePixelRatio || 1),
-    side = canvas.clientWidth;
-  canvas.width = canvas.height = Math.max(1, Math.round(side * ratio));
-  const context = canvas.getContext("2d")!;
-  context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  context.clearRect(0, 0, side, side);
+  const side = canvas.clientWidth;
+  const context = clearedContext(canvas, side, side);
   const r = 0.36 * side,
     middle = side / 2;
   const radius = sheet.peek()?.holeRadius ?? 0.38;

@@ -1,6 +1,7 @@
 // The sheet with the holes to touch ringed, over the error that the model leaves at each hole.
 import {signal} from "@preact/signals";
 import {useCallback, useMemo} from "preact/hooks";
+import {drawRings, TYPEFACE} from "../drawing/canvas";
 import {MarkIcon} from "../drawing/marks";
 import {runJob, runningJob} from "../server/workbench";
 import {picked} from "../shell/page_state";
@@ -29,12 +30,10 @@ export function TouchSheet({model}: {model: SheetModel}) {
       const ring = (hole: number, colour: string, words: string, dash: number[]) => {
         if (hole < 0) return;
         const [x, y] = toPixel(camera, size, model.u[hole], model.v[hole]);
-        context.beginPath();
-        context.arc(x, y, 12, 0, 2 * Math.PI);
         context.setLineDash(dash);
         context.strokeStyle = colour;
         context.lineWidth = 3;
-        context.stroke();
+        drawRings(context, [[x, y]], 12);
         context.setLineDash([]);
         label(context, words, x, y, size.width, colours.ink, colours.panel);
       };
@@ -102,7 +101,7 @@ function label(
   ink: string,
   ground: string,
 ): void {
-  context.font = "600 12px 'IBM Plex Sans Variable', system-ui, sans-serif";
+  context.font = `600 12px ${TYPEFACE}`;
   const long = context.measureText(words).width;
   const left = x + 18 + long > width - 8 ? x - 18 - long : x + 18;
   context.textAlign = "left";

@@ -43,6 +43,14 @@ export function drawMark(context: CanvasRenderingContext2D, shape: Shape, x: num
   context.translate(-x, -y);
 }
 
+/** The outline of one mark at many places; thousands of paths made of text would take twice as long and more. */
+export function marksPath(shape: Shape, places: Iterable<readonly [number, number]>, r: number): Path2D {
+  const one = new Path2D(hollowPath(shape, 0, 0, r)),
+    all = new Path2D();
+  for (const [e, f] of places) all.addPath(one, {e, f});
+  return all;
+}
+
 /** A mark as a small picture beside text. */
 export function MarkIcon({mark, size = 14, isHollow = false}: {mark: Mark; size?: number; isHollow?: boolean}) {
   const colour = `var(--${mark.colour})`;

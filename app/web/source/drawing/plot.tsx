@@ -1,6 +1,7 @@
 // uPlot in the page's clothes: sized by its box, redrawn when colours change.
 import {useEffect, useRef} from "preact/hooks";
 import uPlot from "uplot";
+import {TYPEFACE} from "./canvas";
 import type {Palette} from "./colours";
 
 export interface PlotProps {
@@ -10,7 +11,7 @@ export interface PlotProps {
   onReady?: (plot: uPlot) => void;
 }
 
-const FONT = "11px 'IBM Plex Sans Variable', system-ui, sans-serif";
+const FONT = `11px ${TYPEFACE}`;
 
 export function axis(colours: Palette, label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis {
   return {

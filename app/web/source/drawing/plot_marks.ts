@@ -1,7 +1,6 @@
 // Series of uPlot as marks of their own shape instead of lines.
 import uPlot from "uplot";
-import {hollowPath} from "../../../drawing/shapes.js";
-import type {Mark} from "./marks";
+import {marksPath, type Mark} from "./marks";
 
 export interface MarkLook {
   isHollow?: boolean;
@@ -18,16 +17,18 @@ export function markPaths(mark: Mark, colour: string, look: MarkLook = {}): uPlo
     points: {show: false},
     paths: (plot, series, from, to) => {
       const r = (look.isMany ? 1.6 : isFull ? 2.6 : 3.2) * uPlot.pxRatio;
-      const one = new Path2D(hollowPath(mark.shape, 0, 0, r)),
-        path = new Path2D(); // text for each of ten thousand marks would take twice as long and more
-      const xs = plot.data[0],
-        ys = plot.data[series];
-      for (let i = from; i <= to; ++i) {
-        const value = ys[i];
-        if (value === null || value === undefined) continue;
-        path.addPath(one, {e: plot.valToPos(xs[i], "x", true), f: plot.valToPos(value, "y", true)});
-      }
+      const path = marksPath(mark.shape, placesOf(plot, series, from, to), r);
       return {stroke: path, fill: isFull ? path : undefined};
     },
   };
+}
+
+/** Where a series has values, in the canvas's pixels. */
+function* placesOf(plot: uPlot, series: number, from: number, to: number): Generator<[number, number]> {
+  const xs = plot.data[0],
+    ys = plot.data[series];
+  for (let i = from; i <= to; ++i) {
+    const value = ys[i];
+    if (value !== null && value !== undefined) yield [plot.valToPos(xs[i], "x", true), plot.valToPos(value, "y", true)];
+  }
 }

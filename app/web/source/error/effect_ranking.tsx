@@ -79,62 +79,71 @@ function hasEffect(effect: EffectAt): boolean {
   return currentModel.value?.effects.some((own) => own.effect === effect.effect && own.at === effect.at) ?? false;
 }
 
-function ExplanationCard({
-  explanation,
-  index,
-  document,
-  letter,
-}: {
+interface ExplanationCardProps {
   explanation: Shown;
   index: number;
   document: DiagnoseDocument;
   letter: string;
-}) {
-  const unit = document.units.length;
+}
+
+function ExplanationCard({explanation, index, document, letter}: ExplanationCardProps) {
   const isAdded = explanation.effects.every(hasEffect);
   const isDrawn = index < document.explanations.length && document.explanations.length > 1;
-  const leaves = explanation.heldout_rms ?? explanation.rms;
   return (
     <div class={`explanation ${isAdded ? "added" : isEnough(explanation) ? "" : "not-enough"}`}>
       {letter ? <b class="letter">{letter}</b> : null}
-      <div class="explanation-words">
-        <b>{explanationTitle(explanation)}</b>
-        <span class="muted">{explanationWords(explanation)}</span>
-        {explanation.effects
-          .filter((effect) => (effect.also ?? []).length > 0)
-          .map((effect) => (
-            <span class="muted" key={effectTitle(effect)}>
-              no reading tells {effectTitle(effect)} from {(effect.also ?? []).map(effectTitle).join(", ")}
-            </span>
-          ))}
-        <span>
-          {sizesOf(explanation).join("; ")}
-          {isNumber(leaves) ? ` · leaves ${short(leaves)} ${unit} held out` : ""}
-        </span>
-      </div>
-      {isDrawn ? (
-        <button
-          class="button small"
-          aria-pressed={chosenExplanation.value === index}
-          aria-label={`Draw ${explanationTitle(explanation)}`}
-          onClick={() => (chosenExplanation.value = index)}
-        >
-          {chosenExplanation.value === index ? "Drawn" : "Draw"}
-        </button>
-      ) : null}
-      {isAdded ? (
-        <span class="done">✓ added</span>
-      ) : (
-        <button
-          class={isEnough(explanation) ? "button first" : "button"}
-          disabled={runningJob("add") !== null}
-          aria-label={`Add ${explanationTitle(explanation)}`}
-          onClick={() => addEffects(explanation.effects)}
-        >
-          {isEnough(explanation) ? "Add" : "Add anyway"}
-        </button>
-      )}
+      <ExplanationWords explanation={explanation} unit={document.units.length} />
+      {isDrawn ? <DrawButton explanation={explanation} index={index} /> : null}
+      {isAdded ? <span class="done">✓ added</span> : <AddButton explanation={explanation} />}
     </div>
+  );
+}
+
+function ExplanationWords({explanation, unit}: {explanation: Shown; unit: string}) {
+  const leaves = explanation.heldout_rms ?? explanation.rms;
+  return (
+    <div class="explanation-words">
+      <b>{explanationTitle(explanation)}</b>
+      <span class="muted">{explanationWords(explanation)}</span>
+      {explanation.effects
+        .filter((effect) => effect.also_words)
+        .map((effect) => (
+          <span class="muted" key={effectTitle(effect)}>
+            {effect.also_words}
+          </span>
+        ))}
+      <span>
+        {sizesOf(explanation).join("; ")}
+        {isNumber(leaves) ? ` · leaves ${short(leaves)} ${unit} held out` : ""}
+      </span>
+    </div>
+  );
+}
+
+function DrawButton({explanation, index}: {explanation: Shown; index: number}) {
+  const isDrawn = chosenExplanation.value === index;
+  return (
+    <button
+      class="button small"
+      aria-pressed={isDrawn}
+      aria-label={`Draw ${explanationTitle(explanation)}`}
+      onClick={() => (chosenExplanation.value = index)}
+    >
+      {isDrawn ? "Drawn" : "Draw"}
+    </button>
+  );
+}
+
+function AddButton({explanation}: {explanation: Shown}) {
+  return (
+    <button
+      class={isEnough(explanation) ? "button first" : "button"}
+      disabled={runningJob("add") !== null}
+      aria-label={`Add ${explanationTitle(explanation)}`}
+      onClick={() => addEffects(explanation.effects)}
+    >
+      {isEnough(explanation) ? "Add" : "Add anyway"}
+    </button>
   );
 }
 

@@ -1,5 +1,6 @@
 // An effect of one's own as a formula: tried means added, fitted and set beside the others; undo takes it back.
 import {signal, useSignal} from "@preact/signals";
+import {effectTitle} from "../../../drawing/explanations.js";
 import type {CatalogueDocument} from "../server/documents";
 import {get} from "../server/requests";
 import {cell, report, runningJob} from "../server/workbench";
@@ -74,9 +75,7 @@ function CatalogueMenu() {
         >
           <option value={-1}>choose …</option>
           {(catalogue.value ?? []).map((entry, index) => (
-            <option value={index}>
-              {entry.effect} at {entry.at}
-            </option>
+            <option value={index}>{effectTitle(entry)}</option>
           ))}
         </select>
       </label>

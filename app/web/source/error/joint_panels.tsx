@@ -1,6 +1,8 @@
 // Joint by joint: small pictures of the error as that of each joint, the loudest framed. One look says where.
 import {useEffect, useMemo, useRef} from "preact/hooks";
+import {clearedContext} from "../drawing/canvas";
 import {palette, type Palette} from "../drawing/colours";
+import {marksPath} from "../drawing/marks";
 import {
   loudest,
   MULTIPLE_COLUMNS,
@@ -14,7 +16,7 @@ import {cell, sceneDocument} from "../server/workbench";
 import {chosenPart, chosenVariable, parts, shownView, variables} from "./focus";
 import {compare} from "./loop";
 import {readingErrors, type ReadingErrors} from "./residuals";
-import {SeriesLegend} from "./residual_plot";
+import {SeriesLegend} from "./series_legend";
 
 function rowOf(joint: string): string {
   const row = cell.value?.joints.find((entry) => entry.name === joint)?.row;
@@ -113,37 +115,22 @@ function drawPanel(
   most: number,
   colours: Palette,
 ): void {
-  const box = canvas.parentElement!,
-    ratio = Math.min(2, devicePixelRatio || 1);
-  const [width, height] = [box.clientWidth, box.clientHeight];
-  canvas.width = Math.max(1, Math.round(width * ratio));
-  canvas.height = Math.max(1, Math.round(height * ratio));
-  const context = canvas.getContext("2d")!;
-  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  const {clientWidth: width, clientHeight: height} = canvas.parentElement!;
+  const context = clearedContext(canvas, width, height);
   const {points, means, zero} = panelPlaces(multiple, errors, most, width, height);
   context.strokeStyle = colours.line;
   context.beginPath();
   context.moveTo(0, zero);
   context.lineTo(width, zero);
   context.stroke();
+  context.globalAlpha = 0.75;
   points.forEach((places, k) => {
-    context.strokeStyle = context.fillStyle = colours[errors.series[k].mark.colour];
-    context.globalAlpha = 0.75;
-    for (const [x, y] of places) {
-      context.beginPath();
-      if (k === 0) {
-        context.moveTo(x, y - 2.2);
-        context.lineTo(x + 2, y + 1.6);
-        context.lineTo(x - 2, y + 1.6);
-        context.closePath();
-        context.stroke();
-      } else {
-        context.arc(x, y, 1.3, 0, 2 * Math.PI);
-        context.fill();
-      }
-    }
-    context.globalAlpha = 1;
+    const {mark} = errors.series[k];
+    context.strokeStyle = context.fillStyle = colours[mark.colour];
+    if (k === 0) context.stroke(marksPath(mark.shape, places, 2));
+    else context.fill(marksPath(mark.shape, places, 1.3));
   });
+  context.globalAlpha = 1;
   context.strokeStyle = colours.ink;
   context.lineWidth = 1.6;
   context.beginPath();

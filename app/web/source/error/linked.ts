@@ -19,3 +19,6 @@ effect(() => {
   pointed.value = "";
   if (kept.length < picked.size) pickedOut.value = new Set(kept);
 });
+
+/** Of the ring about a reading that is picked out, in the page's pixels. */
+export const PICKED_RADIUS = 5;

@@ -7,7 +7,7 @@ import type {Bin} from "../../../drawing/binned.js";
 export function paintLaw(plot: uPlot, law: readonly Bin[], isLevel: boolean, colours: Palette): void {
   if (law.length === 0) return;
   const at = placing(plot);
-  painting(plot, (context) => {
+  paintWithin(plot, (context) => {
     context.lineJoin = "round";
     context.strokeStyle = context.fillStyle = colours.violet;
     if (isLevel || law.length === 1) {
@@ -56,7 +56,7 @@ function paintLevel(context: CanvasRenderingContext2D, at: Placing, bin: Bin, ha
 export function paintMeans(plot: uPlot, means: readonly Bin[], colours: Palette): void {
   const at = placing(plot),
     half = 4 * uPlot.pxRatio;
-  painting(plot, (context) => {
+  paintWithin(plot, (context) => {
     context.strokeStyle = colours.ink;
     context.fillStyle = colours.panel;
     context.lineWidth = 1.6 * uPlot.pxRatio;
@@ -79,7 +79,8 @@ export function paintMeans(plot: uPlot, means: readonly Bin[], colours: Palette)
   });
 }
 
-function painting(plot: uPlot, paint: (context: CanvasRenderingContext2D) => void): void {
+/** Paints what is cut at the edges of the plot. */
+export function paintWithin(plot: uPlot, paint: (context: CanvasRenderingContext2D) => void): void {
   const {ctx: context, bbox} = plot;
   context.save();
   context.beginPath();

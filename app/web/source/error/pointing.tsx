@@ -3,15 +3,17 @@
 import {useEffect, useRef} from "preact/hooks";
 import {effect as follow, signal, type Signal} from "@preact/signals";
 import type {RefObject} from "preact";
-import type uPlot from "uplot";
+import uPlot from "uplot";
+import {drawRings} from "../drawing/canvas";
 import {palette} from "../drawing/colours";
 import {conditionsOf} from "../../../drawing/conditions.js";
 import {isNumber, short} from "../../../drawing/numbers.js";
 import {READING_SIGMAS, sigmasText} from "../../../drawing/sigma_text.js";
 import {cell, units} from "../server/workbench";
 import {followLasso, isInside, type Loop} from "../drawing/lasso";
-import {pickOut, pickedOut, pointed} from "./linked";
-import type {PlotRow} from "./residual_plot";
+import {PICKED_RADIUS, pickOut, pickedOut, pointed} from "./linked";
+import {paintWithin} from "./plot_painting";
+import type {PlotRow} from "./error_plot";
 import type {ReadingErrors} from "./residuals";
 import {showReading} from "./show_reading";
 
@@ -106,24 +108,16 @@ export function usePointing(box: RefObject<HTMLDivElement>, rows: PlotRow[] | nu
 /** Readings that are picked out have a ring. */
 function paintPicked(plot: uPlot, rows: PlotRow[] | null): void {
   if (!rows || pickedOut.peek().size === 0) return;
-  const {ctx: context, bbox} = plot,
-    ratio = devicePixelRatio || 1;
-  context.save();
-  context.beginPath();
-  context.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-  context.clip();
-  context.beginPath();
-  rows.forEach(({id}, row) => {
+  const picked = rows.flatMap(({id}, row): [number, number][] => {
     const value = plot.data[1][row] ?? plot.data[2]?.[row];
-    if (!isNumber(value) || !pickedOut.peek().has(id)) return;
-    const [x, y] = [plot.valToPos(plot.data[0][row], "x", true), plot.valToPos(value, "y", true)];
-    context.moveTo(x + 5 * ratio, y);
-    context.arc(x, y, 5 * ratio, 0, 2 * Math.PI);
+    if (!isNumber(value) || !pickedOut.peek().has(id)) return [];
+    return [[plot.valToPos(plot.data[0][row], "x", true), plot.valToPos(value, "y", true)]];
   });
-  context.strokeStyle = palette.peek().ink;
-  context.lineWidth = ratio;
-  context.stroke();
-  context.restore();
+  paintWithin(plot, (context) => {
+    context.strokeStyle = palette.peek().ink;
+    context.lineWidth = uPlot.pxRatio;
+    drawRings(context, picked, PICKED_RADIUS * uPlot.pxRatio);
+  });
 }
 
 /** Where the first series has the reading's point. */

@@ -1,6 +1,7 @@
 // Every reading with its error: sorted by any column, filtered, set aside and taken back. Only the rows in sight are in
 // the page, so that thousands cost nothing.
 import {computed, effect as follow, signal} from "@preact/signals";
+import type {RefObject} from "preact";
 import {useEffect, useMemo, useRef} from "preact/hooks";
 import {senseArrow} from "../../../drawing/conditions.js";
 import {exact, fixed, jointDecimals, plural, short} from "../../../drawing/numbers.js";
@@ -97,17 +98,9 @@ function pickRows(rows: ReadingRow[]): void {
 
 function Rows({rows, columns, isBusy}: {rows: ReadingRow[]; columns: readonly Column[]; isBusy: boolean}) {
   const box = useRef<HTMLDivElement>(null);
-  const place = useRef(signal({top: 0, height: 300})).current;
-  useEffect(() => {
-    const element = box.current!;
-    const look = () => (place.value = {top: element.scrollTop, height: element.clientHeight});
-    const observer = new ResizeObserver(look);
-    observer.observe(element);
-    element.addEventListener("scroll", look);
-    return () => observer.disconnect();
-  }, []);
-  const first = Math.max(0, Math.floor(place.value.top / ROW) - MORE),
-    last = Math.min(rows.length, first + Math.ceil(place.value.height / ROW) + 2 * MORE);
+  const {top, height} = useScroll(box);
+  const first = Math.max(0, Math.floor(top / ROW) - MORE),
+    last = Math.min(rows.length, first + Math.ceil(height / ROW) + 2 * MORE);
   const layout = {
     gridTemplateColumns: `26px ${columns.map(({width}) => width).join(" ")}`,
   };
@@ -128,20 +121,7 @@ function Rows({rows, columns, isBusy}: {rows: ReadingRow[]; columns: readonly Co
       <div class="reading-row head" role="row" style={layout}>
         <span title="In use">use</span>
         {columns.map((column) => (
-          <button
-            role="columnheader"
-            aria-sort={order.value.column !== column.key ? "none" : order.value.isDown ? "descending" : "ascending"}
-            onClick={() =>
-              (order.value = {
-                column: column.key,
-                isDown: order.value.column === column.key ? !order.value.isDown : true,
-              })
-            }
-          >
-            {column.words}
-            {column.unit ? <small> {column.unit}</small> : null}
-            {order.value.column === column.key ? (order.value.isDown ? " ↓" : " ↑") : ""}
-          </button>
+          <ColumnHead key={column.key} column={column} />
         ))}
       </div>
       <div class="reading-space" style={{height: `${ROW * rows.length}px`}}>
@@ -150,6 +130,37 @@ function Rows({rows, columns, isBusy}: {rows: ReadingRow[]; columns: readonly Co
         ))}
       </div>
     </div>
+  );
+}
+
+/** What of a box is in sight. */
+function useScroll(box: RefObject<HTMLDivElement>): {top: number; height: number} {
+  const place = useRef(signal({top: 0, height: 300})).current;
+  useEffect(() => {
+    const element = box.current!;
+    const look = () => (place.value = {top: element.scrollTop, height: element.clientHeight});
+    const observer = new ResizeObserver(look);
+    observer.observe(element);
+    element.addEventListener("scroll", look);
+    return () => observer.disconnect();
+  }, []);
+  return place.value;
+}
+
+/** Sorts by its column, the largest first; again turns the order round. */
+function ColumnHead({column}: {column: Column}) {
+  const isSorted = order.value.column === column.key,
+    {isDown} = order.value;
+  return (
+    <button
+      role="columnheader"
+      aria-sort={!isSorted ? "none" : isDown ? "descending" : "ascending"}
+      onClick={() => (order.value = {column: column.key, isDown: isSorted ? !isDown : true})}
+    >
+      {column.words}
+      {column.unit ? <small> {column.unit}</small> : null}
+      {isSorted ? (isDown ? " ↓" : " ↑") : ""}
+    </button>
   );
 }
 

@@ -1,7 +1,9 @@
 // The errors as arrows at the readings' places: over the sheet where the cell has one, else in plan or from a side.
 import {Segments} from "../drawing/segments";
 import {effect as follow, signal} from "@preact/signals";
+import type {RefObject} from "preact";
 import {useEffect, useRef} from "preact/hooks";
+import {clearedContext, drawRings, TYPEFACE} from "../drawing/canvas";
 import {palette, type Palette} from "../drawing/colours";
 import {followLasso, isInside} from "../drawing/lasso";
 import {drawArrow, usualLargest} from "../../../drawing/arrows.js";
@@ -15,8 +17,8 @@ import {sheet} from "../shell/page_state";
 import {drawPlate} from "../../../drawing/sheet_ground.js";
 import type {SheetModel} from "../../../drawing/sheet_model.js";
 import {readingErrors, type ReadingErrors} from "./residuals";
-import {pickOut, pickedOut, pointed} from "./linked";
-import {SeriesLegend} from "./residual_plot";
+import {PICKED_RADIUS, pickOut, pickedOut, pointed} from "./linked";
+import {SeriesLegend} from "./series_legend";
 import {showReading} from "./show_reading";
 
 const plane = signal<Plane>(PLANES[0]);
@@ -46,44 +48,15 @@ export function PlaneChoice() {
 /** Within so many pixels a place is pointed at. */
 const NEAR = 12;
 
+type PlacesOnScreen = ([number, number] | null)[];
+
 export function ResidualArrows() {
   const canvas = useRef<HTMLCanvasElement>(null),
     ring = useRef<HTMLElement>(null);
-  const places = useRef<([number, number] | null)[]>([]);
   const errors = readingErrors.value;
-  useEffect(() => {
-    const element = canvas.current!;
-    const draw = () => {
-      places.current = drawArrows(element, errors, plane.value, palette.value);
-      drawPicked(element, errors, places.current, palette.value);
-    };
-    const observer = new ResizeObserver(draw);
-    observer.observe(element.parentElement!);
-    draw();
-    return () => observer.disconnect();
-  }, [errors, plane.value, palette.value, sheet.value, units.value, pickedOut.value]);
-  useEffect(() => {
-    const element = canvas.current!;
-    return followLasso(element, element.parentElement!, (loop, isMore) =>
-      pickOut(
-        (errors?.readings ?? []).flatMap(({id}, i) => {
-          const place = places.current[i];
-          return place && isInside(loop, ...place) ? [id] : [];
-        }),
-        isMore,
-      ),
-    );
-  }, [errors]);
-  useEffect(
-    () =>
-      follow(() => {
-        const index = pointed.value === "" ? -1 : (errors?.readings.findIndex(({id}) => id === pointed.value) ?? -1);
-        const at = places.current[index];
-        ring.current!.hidden = !at;
-        if (at) ring.current!.style.transform = `translate(${at[0]}px, ${at[1]}px)`;
-      }),
-    [errors],
-  );
+  const places = useDrawnArrows(canvas, errors);
+  useLassoOnArrows(canvas, places, errors);
+  useRingAtPointed(ring, places, errors);
   const pointAt = (event: PointerEvent) => {
     const index = nearestPlace(places.current, event.offsetX, event.offsetY, NEAR);
     pointed.value = index < 0 ? "" : (errors?.readings[index]?.id ?? "");
@@ -106,24 +79,75 @@ export function ResidualArrows() {
   );
 }
 
+/** Draws the arrows with every change and at every size; where the readings' places are, in pixels. */
+function useDrawnArrows(canvas: RefObject<HTMLCanvasElement>, errors: ReadingErrors | null) {
+  const places = useRef<PlacesOnScreen>([]);
+  useEffect(() => {
+    const element = canvas.current!;
+    const draw = () => {
+      places.current = drawArrows(element, errors, plane.value, palette.value);
+      drawPicked(element, errors, places.current, palette.value);
+    };
+    const observer = new ResizeObserver(draw);
+    observer.observe(element.parentElement!);
+    draw();
+    return () => observer.disconnect();
+  }, [errors, plane.value, palette.value, sheet.value, units.value, pickedOut.value]);
+  return places;
+}
+
+/** A loop about places picks their readings out. */
+function useLassoOnArrows(
+  canvas: RefObject<HTMLCanvasElement>,
+  places: {current: PlacesOnScreen},
+  errors: ReadingErrors | null,
+): void {
+  useEffect(() => {
+    const element = canvas.current!;
+    return followLasso(element, element.parentElement!, (loop, isMore) =>
+      pickOut(
+        (errors?.readings ?? []).flatMap(({id}, i) => {
+          const place = places.current[i];
+          return place && isInside(loop, ...place) ? [id] : [];
+        }),
+        isMore,
+      ),
+    );
+  }, [errors]);
+}
+
+function useRingAtPointed(
+  ring: RefObject<HTMLElement>,
+  places: {current: PlacesOnScreen},
+  errors: ReadingErrors | null,
+): void {
+  useEffect(
+    () =>
+      follow(() => {
+        const index = pointed.value === "" ? -1 : (errors?.readings.findIndex(({id}) => id === pointed.value) ?? -1);
+        const at = places.current[index];
+        ring.current!.hidden = !at;
+        if (at) ring.current!.style.transform = `translate(${at[0]}px, ${at[1]}px)`;
+      }),
+    [errors],
+  );
+}
+
 /** Readings that are picked out have a ring. */
 function drawPicked(
   canvas: HTMLCanvasElement,
   errors: ReadingErrors | null,
-  places: ([number, number] | null)[],
+  places: PlacesOnScreen,
   colours: Palette,
 ): void {
   const context = canvas.getContext("2d")!;
   context.strokeStyle = colours.ink;
   context.lineWidth = 1;
-  context.beginPath();
-  errors?.readings.forEach(({id}, i) => {
+  const picked = (errors?.readings ?? []).flatMap(({id}, i) => {
     const place = pickedOut.peek().has(id) ? places[i] : null;
-    if (!place) return;
-    context.moveTo(place[0] + 5, place[1]);
-    context.arc(...place, 5, 0, 2 * Math.PI);
+    return place ? [place] : [];
   });
-  context.stroke();
+  drawRings(context, picked, PICKED_RADIUS);
 }
 
 /** Draws them; where each reading's place is, in pixels. */
@@ -132,16 +156,9 @@ function drawArrows(
   errors: ReadingErrors | null,
   which: Plane,
   colours: Palette,
-): ([number, number] | null)[] {
-  const box = canvas.parentElement!,
-    ratio = Math.min(2, devicePixelRatio || 1);
-  const width = box.clientWidth,
-    height = box.clientHeight;
-  canvas.width = Math.max(1, Math.round(width * ratio));
-  canvas.height = Math.max(1, Math.round(height * ratio));
-  const context = canvas.getContext("2d")!;
-  context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  context.clearRect(0, 0, width, height);
+): PlacesOnScreen {
+  const {clientWidth: width, clientHeight: height} = canvas.parentElement!;
+  const context = clearedContext(canvas, width, height);
   if (!errors || width < 40 || height < 40) return [];
   const places = errors.places.filter((place): place is Vector3 => place !== null);
   if (places.length === 0) return [];
@@ -152,21 +169,33 @@ function drawArrows(
   if (onSheet) drawPlate(context, onSheet, frame.camera, frame.size, colours);
   drawAxes(context, colours, which, frame.sign, height);
   const shown = errors.places.map((place) => (place ? frame.at(place) : null));
-  for (const series of errors.series) {
-    context.strokeStyle = context.fillStyle = colours[series.mark.colour];
-    context.lineWidth = 1.3;
-    shown.forEach((at, i) => {
-      const error = series.errors[i];
-      if (!at || !error) return;
-      const [u, v] = inPlane(which, error);
-      context.beginPath();
-      context.arc(...at, 1.5, 0, 2 * Math.PI);
-      context.fill();
-      drawArrow(context, ...at, frame.sign * grow * u, -grow * v);
-    });
-  }
+  const onScreen = (error: Vector3): [number, number] => {
+    const [u, v] = inPlane(which, error);
+    return [frame.sign * grow * u, -grow * v];
+  };
+  for (const series of errors.series) drawSeries(context, series, shown, colours, onScreen);
   drawScale(context, colours, largest, grow, width, height);
   return shown;
+}
+
+/** Each error of a series as a dot at its place and an arrow from there. */
+function drawSeries(
+  context: CanvasRenderingContext2D,
+  series: ReadingErrors["series"][number],
+  places: PlacesOnScreen,
+  colours: Palette,
+  onScreen: (error: Vector3) => [number, number],
+): void {
+  context.strokeStyle = context.fillStyle = colours[series.mark.colour];
+  context.lineWidth = 1.3;
+  places.forEach((at, i) => {
+    const error = series.errors[i];
+    if (!at || !error) return;
+    context.beginPath();
+    context.arc(...at, 1.5, 0, 2 * Math.PI);
+    context.fill();
+    drawArrow(context, ...at, ...onScreen(error));
+  });
 }
 
 interface Frame {
@@ -191,7 +220,7 @@ function makeFrame(which: Plane, places: Vector3[], onSheet: SheetModel | null, 
   return {camera, size, sign, at: (place) => toPixel(camera, size, ...drawn(place))};
 }
 
-const FONT = "11px 'IBM Plex Sans Variable', system-ui, sans-serif";
+const FONT = `11px ${TYPEFACE}`;
 
 function drawAxes(
   context: CanvasRenderingContext2D,

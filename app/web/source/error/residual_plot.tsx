@@ -1,22 +1,15 @@
 // The errors against anything that a reading says of itself: before hollow and after full on one scale, the law of the
 // cause drawn through, means of bins with their bars.
-import type {ComponentChildren} from "preact";
 import {useMemo, useRef} from "preact/hooks";
-import type uPlot from "uplot";
-import {MarkIcon} from "../drawing/marks";
-import {palette, type Palette} from "../drawing/colours";
+import {palette} from "../drawing/colours";
 import {explanationTitle} from "../../../drawing/explanations.js";
-import {exact, isNumber, plainUnit, tickTexts} from "../../../drawing/numbers.js";
-import {roundTicks, symmetric, widened} from "../../../drawing/scales.js";
-import {Plot, axis} from "../drawing/plot";
-import {markPaths} from "../drawing/plot_marks";
-import type {Bin} from "../../../drawing/binned.js";
+import {Plot} from "../drawing/plot";
 import type {View} from "../../../drawing/own_variable.js";
-import {commonMost, letterOf, levelRange, levelTicks, plotted, spreadAtLevel} from "../../../drawing/reading_errors.js";
-import {variableTitle} from "../../../drawing/variables.js";
+import {commonMost, letterOf} from "../../../drawing/reading_errors.js";
+import {makePlot} from "./error_plot";
 import {chosenPart, chosenVariable, parts, shownView, variables, viewBeside} from "./focus";
 import {currentDiagnosis} from "./loop";
-import {paintLaw, paintMeans} from "./plot_painting";
+import {SeriesLegend} from "./series_legend";
 import {PointedReading, usePointing} from "./pointing";
 import {
   besideExplanation,
@@ -102,7 +95,7 @@ interface ErrorPlotProps {
 
 function ErrorPlot({errors, view, most, index}: ErrorPlotProps) {
   const plot = useMemo(
-    () => (errors && view ? makePlot(errors, view, palette.peek(), most, index >= 0) : null),
+    () => (errors && view ? makePlot(errors, view, {colours: palette.peek(), most, isBrief: index >= 0}) : null),
     [errors, view, palette.value, most, index],
   );
   const box = useRef<HTMLDivElement>(null);
@@ -126,29 +119,6 @@ function ErrorPlot({errors, view, most, index}: ErrorPlotProps) {
   );
 }
 
-export function SeriesLegend({
-  errors,
-  isBrief = false,
-  children,
-}: {
-  errors: ReadingErrors | null;
-  /** What the series are is said above: here before and after alone. */
-  isBrief?: boolean;
-  children?: ComponentChildren;
-}) {
-  return (
-    <p class="series-legend">
-      {(errors?.series ?? []).map((series) => (
-        <span>
-          <MarkIcon mark={series.mark} size={12} isHollow={series === errors?.series[0]} />{" "}
-          {isBrief ? series.name.split(":")[0] : series.name}
-        </span>
-      ))}
-      {children}
-    </p>
-  );
-}
-
 function PlotLegend({errors, hasLaw, isBrief}: {errors: ReadingErrors | null; hasLaw: boolean; isBrief: boolean}) {
   return (
     <SeriesLegend errors={errors} isBrief={isBrief}>
@@ -162,85 +132,4 @@ function PlotLegend({errors, hasLaw, isBrief}: {errors: ReadingErrors | null; ha
       ) : null}
     </SeriesLegend>
   );
-}
-
-// ---- the plot
-
-export interface PlotRow {
-  x: number;
-  index: number;
-  id: string;
-}
-
-interface MadePlot {
-  options: Omit<uPlot.Options, "width" | "height">;
-  data: uPlot.AlignedData;
-  rows: PlotRow[];
-  law: Bin[];
-  words: string;
-}
-
-function makePlot(
-  errors: ReadingErrors,
-  view: View,
-  colours: Palette,
-  most: number | null,
-  isBrief: boolean,
-): MadePlot {
-  const {variable, part} = view;
-  const {isLevel, xs, values, means, law} = plotted(errors, view);
-  const rows = xs
-    .flatMap((x, index) =>
-      isNumber(x) ? [{x: spreadAtLevel(isLevel, x, index), index, id: errors.readings[index].id}] : [],
-    )
-    .sort((a, b) => a.x - b.x);
-  const name = variableTitle(variable);
-  const title = `${part.title}, ${plainUnit(part.unit)}`;
-  return {
-    rows,
-    law,
-    words: `${title} against ${name}, of ${rows.length} readings: ${errors.series.map((series) => series.name).join("; ")}`,
-    data: [rows.map((row) => row.x), ...values.map((column) => rows.map((row) => column[row.index]))],
-    options: {
-      legend: {show: false},
-      cursor: {
-        show: true,
-        x: false,
-        y: false,
-        points: {show: false},
-        drag: {x: false, y: false},
-      },
-      scales: {
-        x: {
-          time: false,
-          range: (_, low, high) => (isLevel ? levelRange(variable) : widened(low, high)),
-        },
-        y: {
-          range: (_, low, high) =>
-            part.isSigned ? symmetric(most === null ? low : -most, most ?? high) : [0, 1.08 * (most ?? high) || 1],
-        },
-      },
-      axes: [
-        axis(colours, name, {
-          splits: isLevel ? () => levelTicks(variable) : undefined,
-          values: (_plot: uPlot, splits: number[]) => splits.map((value) => variable.levels?.[value] ?? exact(value)),
-        }),
-        axis(colours, isBrief ? `${part.key}, ${plainUnit(part.unit)}` : title, {
-          side: 3,
-          splits: (_plot: uPlot, _axis: number, low: number, high: number) => roundTicks(low, high, 5),
-          values: (_plot: uPlot, splits: number[]) => tickTexts(splits),
-        }),
-      ],
-      hooks: {
-        drawAxes: [(plot) => paintLaw(plot, law, isLevel, colours)],
-        draw: [(plot) => paintMeans(plot, means, colours)],
-      },
-      series: [
-        {},
-        ...errors.series.map((series, k) =>
-          markPaths(series.mark, colours[series.mark.colour], {isHollow: k === 0, isMany: rows.length > 1500}),
-        ),
-      ],
-    },
-  };
 }

@@ -4,7 +4,8 @@ import {choicesOf, Segments} from "../drawing/segments";
 import {signal, useSignalEffect} from "@preact/signals";
 import {useMemo, useRef} from "preact/hooks";
 import uPlot from "uplot";
-import {palette} from "../drawing/colours";
+import {TYPEFACE} from "../drawing/canvas";
+import {palette, type Palette} from "../drawing/colours";
 import {exact, fixed, short} from "../../../drawing/numbers.js";
 import {rootTicks, roundTicks} from "../../../drawing/scales.js";
 import {requiredText} from "../../../drawing/visits.js";
@@ -106,50 +107,14 @@ function pointsOf(
 }
 
 function makePlot(which: What, document: PlanDocument, along: PathDocument, sampled: (number | null)[]) {
-  const colours = palette.peek(),
-    length = units.peek().length;
-  const names: Record<What, string> = {
-    clearance: `clearance, ${length}`,
-    travel: "to this tube, s",
-    centring: "chance",
-  };
+  const colours = palette.peek();
   const data: uPlot.AlignedData = pointsOf(which, document, along, sampled);
-  const isBars = which !== "clearance";
   const options: Omit<uPlot.Options, "width" | "height"> = {
     legend: {show: false},
     cursor: {y: false, points: {show: false}, drag: {x: false, y: false}},
-    scales: {
-      x: {time: false},
-      y: {
-        distr: which === "clearance" ? 100 : 1,
-        fwd: (value: number) => Math.sqrt(Math.max(0, value)),
-        bwd: (value: number) => value * value,
-        range: (_plot, _low, high) => [0, which === "centring" ? 1 : 1.08 * (high || 1)],
-      },
-    },
-    axes: [
-      axis(colours, "time, s"),
-      axis(colours, names[which], {
-        side: 3,
-        values: (_plot: uPlot, splits: number[]) => splits.map((value) => (value === null ? "" : exact(value))),
-        filter: (_plot: uPlot, splits: number[]) => splits,
-        splits: (_plot: uPlot, _axis: number, _low: number, high: number) =>
-          which === "clearance" ? rootTicks(high) : roundTicks(0, high, 5),
-      }),
-    ],
-    series: [
-      {},
-      {
-        stroke: colours.accent,
-        width: 1.3,
-        fill: isBars ? colours.accent : undefined,
-        points: {show: false},
-        ...(isBars ? {paths: uPlot.paths.bars!({size: [0.6, 8]})} : {}),
-      },
-      ...(data.length > 2
-        ? [{stroke: colours.muted, width: 1, points: {show: false}, paths: uPlot.paths.stepped!({align: 1})}]
-        : []),
-    ],
+    scales: scalesOf(which),
+    axes: axesOf(which, colours),
+    series: seriesOf(which, data.length > 2, colours),
     hooks: {
       draw: [(plot) => drawPlayhead(plot, which === "clearance" ? document.clearance_required : null)],
       setCursor: [
@@ -161,6 +126,55 @@ function makePlot(which: What, document: PlanDocument, along: PathDocument, samp
     },
   };
   return {options, data};
+}
+
+/** Clearance on a root scale: near zero it matters. */
+function scalesOf(which: What): uPlot.Scales {
+  return {
+    x: {time: false},
+    y: {
+      distr: which === "clearance" ? 100 : 1,
+      fwd: (value: number) => Math.sqrt(Math.max(0, value)),
+      bwd: (value: number) => value * value,
+      range: (_plot, _low, high) => [0, which === "centring" ? 1 : 1.08 * (high || 1)],
+    },
+  };
+}
+
+function axesOf(which: What, colours: Palette): uPlot.Axis[] {
+  const names: Record<What, string> = {
+    clearance: `clearance, ${units.peek().length}`,
+    travel: "to this tube, s",
+    centring: "chance",
+  };
+  return [
+    axis(colours, "time, s"),
+    axis(colours, names[which], {
+      side: 3,
+      values: (_plot: uPlot, splits: number[]) => splits.map((value) => (value === null ? "" : exact(value))),
+      filter: (_plot: uPlot, splits: number[]) => splits,
+      splits: (_plot: uPlot, _axis: number, _low: number, high: number) =>
+        which === "clearance" ? rootTicks(high) : roundTicks(0, high, 5),
+    }),
+  ];
+}
+
+/** The clearance as a line, with what is proved of the motions as steps; else a bar for each tube. */
+function seriesOf(which: What, hasProved: boolean, colours: Palette): uPlot.Series[] {
+  const isBars = which !== "clearance";
+  return [
+    {},
+    {
+      stroke: colours.accent,
+      width: 1.3,
+      fill: isBars ? colours.accent : undefined,
+      points: {show: false},
+      ...(isBars ? {paths: uPlot.paths.bars!({size: [0.6, 8]})} : {}),
+    },
+    ...(hasProved
+      ? [{stroke: colours.muted, width: 1, points: {show: false}, paths: uPlot.paths.stepped!({align: 1})}]
+      : []),
+  ];
 }
 
 function drawPlayhead(plot: uPlot, required: number | null): void {
@@ -175,7 +189,7 @@ function drawPlayhead(plot: uPlot, required: number | null): void {
     ctx.moveTo(bbox.left, y);
     ctx.lineTo(bbox.left + bbox.width, y);
     ctx.stroke();
-    ctx.font = `${11 * uPlot.pxRatio}px 'IBM Plex Sans Variable', system-ui, sans-serif`;
+    ctx.font = `${11 * uPlot.pxRatio}px ${TYPEFACE}`;
     ctx.textAlign = "right";
     const words = requiredText(required, units.peek().length);
     ctx.strokeStyle = colours.panel;

@@ -54,6 +54,8 @@ export interface CompareDocument {
   /** The errors of the model as it stands, and refitted. */
   ladder?: {name: string; rms: number | null; heldout_rms: number | null}[];
   sentence: string;
+  /** Sentence by sentence, the error first; not in what an earlier program left in a project. */
+  sentences?: string[];
   chi2_per_dof: number;
   p_value: number;
   grounds: string[];
@@ -110,6 +112,8 @@ export interface DiagnoseDocument {
   /** Not in what an earlier program left in a project. */
   verdict_words?: string;
   sentence: string;
+  /** Sentence by sentence, without the advice of `splitting`; not in what an earlier program left in a project. */
+  sentences?: string[];
   chi2_per_dof: number;
   p_value: number;
   probability: {nothing_missing: number; unknown_alone: number; scatter_alone?: number | null};

@@ -39,6 +39,8 @@ export interface EffectAt {
   formula?: string;
   /** Other names of it, that no reading could distinguish from it. */
   also?: {effect: string; at: string}[];
+  /** The same in words; not in what an earlier program left in a project. */
+  also_words?: string;
   parameters?: Record<string, EffectNumber | number | string>;
 }
 

@@ -2,8 +2,8 @@
 import type {ColourName} from "../drawing/colours";
 import type {Mark, Shape} from "../drawing/marks";
 import {NOT_PLANNED, STEP_MARKS, stateMark, UNREACHABLE} from "../../../drawing/kinds.js";
-import {isNumber, MISSING, plural, short} from "../../../drawing/numbers.js";
-import {visitText} from "../../../drawing/visits.js";
+import {isNumber, MISSING, short} from "../../../drawing/numbers.js";
+import {stepText, visitText} from "../../../drawing/visits.js";
 import type {FieldDocument, PlanDocument, ReachDocument} from "../server/documents";
 import type {SheetModel} from "./sheet_model";
 
@@ -57,7 +57,7 @@ export function byReach(sheet: SheetModel, reach: ReachDocument): Colouring {
 
 /** How far the tool goes in, in the words of a document. */
 export function stepKinds(words: readonly string[] | undefined): Kind[] {
-  return STEP_MARKS.map((mark, steps) => ({name: words?.[steps] ?? plural(steps, "step"), mark}));
+  return STEP_MARKS.map((mark, steps) => ({name: stepText(words, steps), mark}));
 }
 
 /** How far the tool goes in at the planned tubes: as predicted, or by the true arm in one of the ways of compensation. */

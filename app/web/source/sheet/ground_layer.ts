@@ -1,4 +1,5 @@
 // What lies under the holes, and the numbers of rows and columns along the picture's edges.
+import {TYPEFACE} from "../drawing/canvas";
 import type {Palette} from "../drawing/colours";
 import {toPixel, type Camera, type Size} from "../../../drawing/frames.js";
 import {drawGround as paintGround} from "../../../drawing/sheet_ground.js";
@@ -12,7 +13,7 @@ export function drawGround(context: Context, sheet: SheetModel, camera: Camera, 
   paintGround(context, sheet, camera, size, palette);
 }
 
-const FONT = "500 11px 'IBM Plex Sans Variable', system-ui, sans-serif";
+const FONT = `500 11px ${TYPEFACE}`;
 
 /** Ticks along the picture's edges, over whatever the sheet shows there, so that they stay in sight at every zoom. */
 export function drawTicks(context: Context, sheet: SheetModel, camera: Camera, size: Size, palette: Palette): void {

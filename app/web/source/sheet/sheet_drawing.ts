@@ -1,5 +1,6 @@
 // The drawing of a sheet: three layers (ground, holes, and what lies over them) under one camera, drawn once a frame.
 import type {Signal} from "@preact/signals";
+import {drawRings, pixelRatio} from "../drawing/canvas";
 import {palette, type Palette} from "../drawing/colours";
 import type {Colouring} from "./colourings";
 import {drawGround, drawTicks} from "./ground_layer";
@@ -45,7 +46,7 @@ export class SheetDrawing {
 
   resize(width: number, height: number): void {
     if (width < 2 || height < 2) return;
-    this.ratio = Math.min(2, window.devicePixelRatio || 1);
+    this.ratio = pixelRatio();
     this.size = {width, height};
     for (const canvas of this.canvases) {
       canvas.width = Math.round(width * this.ratio);
@@ -128,27 +129,19 @@ export class SheetDrawing {
     const {selection, sheet} = this.props;
     if (!selection || selection.size === 0) return;
     const r = Math.max(2.6, sheet.holeRadius * this.camera.scale * 1.22);
-    const context = this.over;
-    context.beginPath();
-    for (const hole of selection) {
-      const [x, y] = toPixel(this.camera, this.size, sheet.u[hole], sheet.v[hole]);
-      context.moveTo(x + r, y);
-      context.arc(x, y, r, 0, 2 * Math.PI);
-    }
-    context.strokeStyle = colours.accent;
-    context.lineWidth = Math.min(2, 0.35 * r);
-    context.stroke();
+    this.over.strokeStyle = colours.accent;
+    this.over.lineWidth = Math.min(2, 0.35 * r);
+    const places = [...selection].map((hole) => toPixel(this.camera, this.size, sheet.u[hole], sheet.v[hole]));
+    drawRings(this.over, places, r);
   }
 
   private ringAbout(hole: number, colour: string, width: number, more: number): void {
     if (hole < 0 || hole >= this.props.sheet.count) return;
     const {sheet} = this.props;
-    const [x, y] = toPixel(this.camera, this.size, sheet.u[hole], sheet.v[hole]);
-    this.over.beginPath();
-    this.over.arc(x, y, sheet.holeRadius * this.camera.scale + more, 0, 2 * Math.PI);
+    const place = toPixel(this.camera, this.size, sheet.u[hole], sheet.v[hole]);
     this.over.strokeStyle = colour;
     this.over.lineWidth = width;
-    this.over.stroke();
+    drawRings(this.over, [place], sheet.holeRadius * this.camera.scale + more);
   }
 
   private drawLasso(colours: Palette): void {

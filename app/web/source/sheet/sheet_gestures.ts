@@ -7,95 +7,137 @@ import {neighbour} from "./sheet_model";
 
 export type Tip = Signal<{x: number; y: number; hole: number} | null>;
 
+type Place = [number, number];
+
 export function makeGestures(held: {current: SheetDrawing | null}, isLassoing: Signal<boolean>, tip: Tip) {
-  const pointers = new Map<number, [number, number]>();
-  let moved = 0,
-    pinch = 0;
-  const place = (event: PointerEvent | WheelEvent): [number, number] => {
-    const box = held.current!.canvases[0].getBoundingClientRect();
+  const pointers = new SheetPointers(held, isLassoing, tip);
+  return {
+    onPointerDown: (event: PointerEvent) => pointers.down(event),
+    onPointerMove: (event: PointerEvent) => pointers.move(event),
+    onPointerUp: (event: PointerEvent) => pointers.up(event),
+    onPointerCancel: (event: PointerEvent) => pointers.cancel(event),
+    onPointerLeave: () => pointers.leave(),
+    onWheel: (event: WheelEvent) => pointers.wheel(event),
+    onDblClick: (event: MouseEvent) => pointers.drawing.zoom(...pointers.placeOf(event), 2),
+  };
+}
+
+/** The pointers that are down on a sheet, and what they do there. */
+class SheetPointers {
+  private readonly places = new Map<number, Place>();
+  /** Along its way, in pixels: a click moves next to nothing. */
+  private moved = 0;
+  /** The distance between two fingers; 0 before the first is known. */
+  private spread = 0;
+
+  constructor(
+    private readonly held: {current: SheetDrawing | null},
+    private readonly isLassoing: Signal<boolean>,
+    private readonly tip: Tip,
+  ) {}
+
+  get drawing(): SheetDrawing {
+    return this.held.current!;
+  }
+
+  placeOf(event: MouseEvent): Place {
+    const box = this.drawing.canvases[0].getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
-  };
-  const finishLasso = (event: PointerEvent) => {
-    const drawing = held.current!;
-    if (drawing.lasso.length > 2) drawing.props.onLasso?.(drawing.insideLasso(), event.ctrlKey || event.metaKey);
-    drawing.lasso = [];
-    isLassoing.value = false;
-    drawing.ask({});
-  };
-  const drag = (event: PointerEvent, from: [number, number], to: [number, number]) => {
-    const drawing = held.current!;
-    moved += Math.hypot(to[0] - from[0], to[1] - from[1]);
+  }
+
+  down(event: PointerEvent): void {
+    if (event.button !== 0) return;
+    const at = this.placeOf(event);
+    (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
+    this.places.set(event.pointerId, at);
+    this.moved = 0;
+    this.spread = 0;
+    const isLasso = this.drawing.props.onLasso && (this.isLassoing.value || event.shiftKey);
+    if (this.places.size === 1 && isLasso) this.drawing.lasso = [at];
+  }
+
+  move(event: PointerEvent): void {
+    const at = this.placeOf(event),
+      from = this.places.get(event.pointerId);
+    if (from) {
+      this.places.set(event.pointerId, at);
+      this.drag(event, from, at);
+      this.tip.value = null;
+    } else {
+      this.hover(at, event.pointerType === "touch");
+    }
+  }
+
+  up(event: PointerEvent): void {
+    if (!this.places.delete(event.pointerId)) return;
+    if (this.drawing.lasso.length > 2 && this.moved > 6) {
+      this.finishLasso(event);
+      return;
+    }
+    this.drawing.lasso = [];
+    if (this.moved > 4) return;
+    const hole = this.drawing.holeAt(...this.placeOf(event));
+    if (hole >= 0) this.drawing.props.onPick?.(hole, event);
+  }
+
+  cancel(event: PointerEvent): void {
+    this.places.delete(event.pointerId);
+  }
+
+  leave(): void {
+    if (!this.held.current) return;
+    this.drawing.hover = -1;
+    this.tip.value = null;
+    this.drawing.ask({});
+  }
+
+  wheel(event: WheelEvent): void {
+    event.preventDefault();
+    this.tip.value = null;
+    const step = event.deltaMode === 1 ? 0.05 : 0.0016; // by lines, or by pixels
+    this.drawing.zoom(...this.placeOf(event), Math.exp(-event.deltaY * step));
+  }
+
+  private drag(event: PointerEvent, from: Place, to: Place): void {
+    const {drawing} = this;
+    const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    this.moved += Math.hypot(dx, dy);
     if (drawing.lasso.length > 0) {
       drawing.lasso.push(to);
       drawing.ask({});
-    } else if (pointers.size === 2) {
-      const [a, b] = [...pointers.values()];
-      const spread = Math.hypot(a[0] - b[0], a[1] - b[1]);
-      if (pinch > 0) drawing.zoom((a[0] + b[0]) / 2, (a[1] + b[1]) / 2, spread / pinch);
-      pinch = spread;
-      drawing.move(panned(drawing.camera, (to[0] - from[0]) / 2, (to[1] - from[1]) / 2));
-    } else if (moved > 3 && event.buttons !== 0) {
-      drawing.move(panned(drawing.camera, to[0] - from[0], to[1] - from[1]));
+    } else if (this.places.size === 2) {
+      this.pinch(dx, dy);
+    } else if (this.moved > 3 && event.buttons !== 0) {
+      drawing.move(panned(drawing.camera, dx, dy));
     }
-  };
-  const hover = (at: [number, number], isTouch: boolean) => {
-    const drawing = held.current!;
+  }
+
+  private pinch(dx: number, dy: number): void {
+    const {drawing} = this;
+    const [a, b] = [...this.places.values()];
+    const spread = Math.hypot(a[0] - b[0], a[1] - b[1]);
+    if (this.spread > 0) drawing.zoom((a[0] + b[0]) / 2, (a[1] + b[1]) / 2, spread / this.spread);
+    this.spread = spread;
+    drawing.move(panned(drawing.camera, dx / 2, dy / 2));
+  }
+
+  private hover(at: Place, isTouch: boolean): void {
+    const {drawing} = this;
     const hole = drawing.holeAt(...at);
     if (hole !== drawing.hover) {
       drawing.hover = hole;
       drawing.ask({});
     }
-    tip.value = hole >= 0 && !isTouch ? {x: at[0], y: at[1], hole} : null;
-  };
-  return {
-    onPointerDown: (event: PointerEvent) => {
-      if (event.button !== 0) return;
-      const at = place(event);
-      (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
-      pointers.set(event.pointerId, at);
-      moved = 0;
-      pinch = 0;
-      if (pointers.size === 1 && held.current!.props.onLasso && (isLassoing.value || event.shiftKey)) {
-        held.current!.lasso = [at];
-      }
-    },
-    onPointerMove: (event: PointerEvent) => {
-      const at = place(event),
-        from = pointers.get(event.pointerId);
-      if (from) {
-        pointers.set(event.pointerId, at);
-        drag(event, from, at);
-        tip.value = null;
-      } else {
-        hover(at, event.pointerType === "touch");
-      }
-    },
-    onPointerUp: (event: PointerEvent) => {
-      if (!pointers.delete(event.pointerId)) return;
-      const drawing = held.current!;
-      if (drawing.lasso.length > 2 && moved > 6) {
-        finishLasso(event);
-        return;
-      }
-      drawing.lasso = [];
-      if (moved > 4) return;
-      const hole = drawing.holeAt(...place(event));
-      if (hole >= 0) drawing.props.onPick?.(hole, event);
-    },
-    onPointerCancel: (event: PointerEvent) => void pointers.delete(event.pointerId),
-    onPointerLeave: () => {
-      if (!held.current) return;
-      held.current.hover = -1;
-      tip.value = null;
-      held.current.ask({});
-    },
-    onWheel: (event: WheelEvent) => {
-      event.preventDefault();
-      tip.value = null;
-      held.current!.zoom(...place(event), Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0016)));
-    },
-    onDblClick: (event: MouseEvent) => held.current!.zoom(...place(event as PointerEvent), 2),
-  };
+    this.tip.value = hole >= 0 && !isTouch ? {x: at[0], y: at[1], hole} : null;
+  }
+
+  private finishLasso(event: PointerEvent): void {
+    const {drawing} = this;
+    drawing.props.onLasso?.(drawing.insideLasso(), event.ctrlKey || event.metaKey);
+    drawing.lasso = [];
+    this.isLassoing.value = false;
+    drawing.ask({});
+  }
 }
 
 const ARROWS: Record<string, [number, number]> = {

@@ -1,7 +1,7 @@
 // The sheet as a picture to look at and work on: moved by wheel, drag, pinch and keys; holes are pointed at, picked, and
 // selected with a lasso.
 import {useEffect, useMemo, useRef} from "preact/hooks";
-import {useSignal, useSignalEffect} from "@preact/signals";
+import {useSignal, useSignalEffect, type Signal} from "@preact/signals";
 import {palette} from "../drawing/colours";
 import {Icon} from "../drawing/icons";
 import {lengthFigure, lengthAndUnit} from "../../../drawing/numbers.js";
@@ -16,38 +16,11 @@ import {holeName, type SheetModel} from "./sheet_model";
 export type {PaintOver} from "./sheet_drawing";
 
 export function SheetPicture(props: SheetPictureProps) {
-  const {sheet, colouring, picked} = props;
-  const stage = useRef<HTMLDivElement>(null);
-  const drawing = useRef<SheetDrawing | null>(null);
+  const {sheet, colouring} = props;
+  const {stage, drawing} = useSheetDrawing(props);
   const isLassoing = useSignal(false);
   const tip = useSignal<{x: number; y: number; hole: number} | null>(null);
-
-  useEffect(() => {
-    const element = stage.current!;
-    const made = new SheetDrawing([...element.querySelectorAll("canvas")]);
-    made.props = props;
-    drawing.current = made;
-    const observer = new ResizeObserver(() => made.resize(element.clientWidth, element.clientHeight));
-    observer.observe(element);
-    made.resize(element.clientWidth, element.clientHeight);
-    return () => observer.disconnect();
-  }, []);
-  useEffect(() => {
-    drawing.current?.fit();
-  }, [sheet]);
-  useEffect(() => {
-    if (!drawing.current) return;
-    drawing.current.props = props;
-    drawing.current.ask({ground: true, holes: true});
-  });
-  useSignalEffect(() => {
-    void palette.value;
-    void picked?.value;
-    drawing.current?.drawNow();
-    drawing.current?.ask();
-  });
   const gestures = useMemo(() => makeGestures(drawing, isLassoing, tip), []);
-
   return (
     <div class="sheet-picture">
       <div
@@ -68,28 +41,71 @@ export function SheetPicture(props: SheetPictureProps) {
         {sheet.name ? <span>{sheet.name}</span> : null}
         <span>{sheet.count.toLocaleString("en")} holes</span>
       </div>
-      <div class="stage-tools" role="toolbar" aria-label="View of the sheet">
-        {props.onLasso && (
-          <button
-            class="tool"
-            title="Lasso (L, or drag with Shift)"
-            aria-pressed={isLassoing.value}
-            onClick={() => (isLassoing.value = !isLassoing.value)}
-          >
-            <Icon name="lasso" />
-          </button>
-        )}
-        <button class="tool" title="Larger (+)" onClick={() => drawing.current!.zoomMiddle(1.4)}>
-          <Icon name="plus" />
-        </button>
-        <button class="tool" title="Smaller (−)" onClick={() => drawing.current!.zoomMiddle(1 / 1.4)}>
-          <Icon name="minus" />
-        </button>
-        <button class="tool" title="Whole sheet (0)" onClick={() => drawing.current!.fit()}>
-          <Icon name="fit" />
-        </button>
-      </div>
+      <SheetTools drawing={drawing} isLassoing={props.onLasso ? isLassoing : null} />
       {tip.value && <HoleTip sheet={sheet} colouring={colouring} at={tip.value} size={drawing.current!.size} />}
+    </div>
+  );
+}
+
+/** The drawing in its stage: as large as that is, and drawn again with every change. */
+function useSheetDrawing(props: SheetPictureProps) {
+  const stage = useRef<HTMLDivElement>(null);
+  const drawing = useRef<SheetDrawing | null>(null);
+  useEffect(() => {
+    const element = stage.current!;
+    const made = new SheetDrawing([...element.querySelectorAll("canvas")]);
+    made.props = props;
+    drawing.current = made;
+    const observer = new ResizeObserver(() => made.resize(element.clientWidth, element.clientHeight));
+    observer.observe(element);
+    made.resize(element.clientWidth, element.clientHeight);
+    return () => observer.disconnect();
+  }, []);
+  useEffect(() => {
+    drawing.current?.fit();
+  }, [props.sheet]);
+  useEffect(() => {
+    if (!drawing.current) return;
+    drawing.current.props = props;
+    drawing.current.ask({ground: true, holes: true});
+  });
+  useSignalEffect(() => {
+    void palette.value;
+    void props.picked?.value;
+    drawing.current?.drawNow();
+    drawing.current?.ask();
+  });
+  return {stage, drawing};
+}
+
+interface SheetToolsProps {
+  drawing: {current: SheetDrawing | null};
+  /** Null where nothing is selected by a lasso. */
+  isLassoing: Signal<boolean> | null;
+}
+
+function SheetTools({drawing, isLassoing}: SheetToolsProps) {
+  return (
+    <div class="stage-tools" role="toolbar" aria-label="View of the sheet">
+      {isLassoing ? (
+        <button
+          class="tool"
+          title="Lasso (L, or drag with Shift)"
+          aria-pressed={isLassoing.value}
+          onClick={() => (isLassoing.value = !isLassoing.value)}
+        >
+          <Icon name="lasso" />
+        </button>
+      ) : null}
+      <button class="tool" title="Larger (+)" onClick={() => drawing.current!.zoomMiddle(1.4)}>
+        <Icon name="plus" />
+      </button>
+      <button class="tool" title="Smaller (−)" onClick={() => drawing.current!.zoomMiddle(1 / 1.4)}>
+        <Icon name="minus" />
+      </button>
+      <button class="tool" title="Whole sheet (0)" onClick={() => drawing.current!.fit()}>
+        <Icon name="fit" />
+      </button>
     </div>
   );
 }

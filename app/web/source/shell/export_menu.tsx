@@ -1,5 +1,6 @@
 // Downloads as a menu: used by the header for the model and its reports, by the plan for its own.
 import {Icon} from "../drawing/icons";
+import {Menu} from "./menu";
 
 export function ExportMenu({
   exports,
@@ -10,22 +11,13 @@ export function ExportMenu({
   isHere?: boolean;
   at?: string;
 }) {
+  const button = (
+    <>
+      <Icon name="down" size={16} /> Export
+    </>
+  );
   return (
-    <details
-      class={`menu ${at}`}
-      onKeyDown={(event) => {
-        if (event.key !== "Escape" || !event.currentTarget.open) return;
-        event.currentTarget.open = false;
-        event.preventDefault();
-        event.stopPropagation();
-      }}
-      onFocusOut={(event) => {
-        if (!event.currentTarget.contains(event.relatedTarget as Node | null)) event.currentTarget.open = false;
-      }}
-    >
-      <summary class={`button ${isHere ? "" : "off"}`}>
-        <Icon name="down" size={16} /> Export
-      </summary>
+    <Menu kind={at} buttonKind={`button ${isHere ? "" : "off"}`} button={button}>
       {isHere ? (
         <ul>
           {exports.map(([name, words]) => (
@@ -37,6 +29,6 @@ export function ExportMenu({
           ))}
         </ul>
       ) : null}
-    </details>
+    </Menu>
   );
 }

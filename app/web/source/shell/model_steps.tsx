@@ -1,13 +1,13 @@
 // The models as steps with names and figures, to go back to any of them; effects and free numbers of the current one, to
 // be switched off and on.
 import {computed} from "@preact/signals";
-import {useEffect, useRef} from "preact/hooks";
 import {Icon} from "../drawing/icons";
 import {explanationTitle} from "../../../drawing/explanations.js";
 import {short} from "../../../drawing/numbers.js";
 import {addEffects, addFormula, ladder, removeCauses, startCompare} from "../error/loop";
 import type {EffectAt, EffectNumber, Model} from "../server/documents";
 import {currentModel, order, runningJobs, state, units} from "../server/workbench";
+import {Menu} from "./menu";
 
 /** The held-out error of each model, as far as the ladder of the current one has them: its last models are the stack. */
 const heldOut = computed<Map<number, number | null>>(() => {
@@ -88,55 +88,24 @@ async function goTo(model: Model): Promise<void> {
 
 export function ModelSteps() {
   const now = state.value;
-  const menu = useRef<HTMLDetailsElement>(null);
-  useEffect(() => {
-    const away = (event: PointerEvent) => {
-      if (menu.current && !menu.current.contains(event.target as Node)) menu.current.open = false;
-    };
-    document.addEventListener("pointerdown", away);
-    return () => document.removeEventListener("pointerdown", away);
-  }, []);
   if (!now) return null;
   const at = now.models.findIndex((model) => model.id === now.model);
   const isBusy = runningJobs.value.length > 0;
+  const button = (
+    <>
+      <span class="label">model</span>
+      <b class="model-name">{now.models[at]?.label ?? "as given"}</b>
+      <Icon name="chevron" size={14} />
+    </>
+  );
   return (
-    <details
-      class="menu model-steps"
-      ref={menu}
-      onKeyDown={(event) => {
-        if (event.key !== "Escape" || !menu.current?.open) return;
-        menu.current.open = false;
-        menu.current.querySelector("summary")?.focus();
-        event.preventDefault();
-        event.stopPropagation();
-      }}
-      onFocusOut={(event) => {
-        const next = event.relatedTarget as Node | null;
-        if (next && menu.current && !menu.current.contains(next)) menu.current.open = false;
-      }}
-    >
-      <summary title="The models as steps; effects and free numbers on and off">
-        <span class="label">model</span>
-        <b class="model-name">{now.models[at]?.label ?? "as given"}</b>
-        <Icon name="chevron" size={14} />
-      </summary>
+    <Menu kind="model-steps" title="The models as steps; effects and free numbers on and off" button={button}>
       <div class="model-panel">
         <h2>Steps</h2>
         <ol>
           {now.models.map((model, k) => (
             <li key={model.id}>
-              <button
-                class={k > at ? "undone" : ""}
-                aria-current={k === at ? "step" : undefined}
-                title={k > at ? "taken back; there to be done again" : model.label}
-                disabled={isBusy || k === at}
-                onClick={() => void goTo(model)}
-              >
-                <span>{model.label}</span>
-                <small>
-                  {heldOut.value.has(model.id) ? `${short(heldOut.value.get(model.id))} ${units.value.length}` : ""}
-                </small>
-              </button>
+              <StepButton model={model} side={Math.sign(k - at)} isBusy={isBusy} />
             </li>
           ))}
         </ol>
@@ -144,7 +113,23 @@ export function ModelSteps() {
         <Switches title="Fitted numbers" none="none: all are held" switches={freeSwitches.value} isBusy={isBusy} />
         <p class="muted">Switched off or on, the model is fitted again and becomes a step of its own.</p>
       </div>
-    </details>
+    </Menu>
+  );
+}
+
+/** `side`: 0 for the current model, 1 for one that was taken back. */
+function StepButton({model, side, isBusy}: {model: Model; side: number; isBusy: boolean}) {
+  return (
+    <button
+      class={side > 0 ? "undone" : ""}
+      aria-current={side === 0 ? "step" : undefined}
+      title={side > 0 ? "taken back; there to be done again" : model.label}
+      disabled={isBusy || side === 0}
+      onClick={() => void goTo(model)}
+    >
+      <span>{model.label}</span>
+      <small>{heldOut.value.has(model.id) ? `${short(heldOut.value.get(model.id))} ${units.value.length}` : ""}</small>
+    </button>
   );
 }
 

@@ -1,13 +1,14 @@
 // Opening: readings and cells of the folder, a file of one's own, or readings made for practice.
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
-import type {CatalogueDocument, Problem} from "../server/documents";
+import type {Problem} from "../server/documents";
 import {plural} from "../../../drawing/numbers.js";
 import {asProblem, get} from "../server/requests";
 import {cell, state} from "../server/workbench";
 import {Dialog} from "./dialog";
-import {loadFiles, openCell, openProject, openReadings, openRecent, simulate} from "./load";
+import {loadFiles, openCell, openProject, openReadings, openRecent} from "./load";
 import {closeDialog, dialog} from "./page_state";
+import {PracticeForm} from "./practice_form";
 import {ProblemWords, Waiting} from "./states";
 
 interface Files {
@@ -143,72 +144,5 @@ function FileList({
         </ul>
       )}
     </section>
-  );
-}
-
-/** Readings of an arm that hides an effect, to practise on. */
-function PracticeForm() {
-  const catalogue = useSignal<string[]>([]);
-  const hide = useSignal(""),
-    readings = useSignal(120),
-    seed = useSignal(1);
-  const design = cell.value?.base_known ? "bench" : "bowl";
-  useEffect(() => {
-    get<CatalogueDocument>("/api/catalogue").then(
-      (found) => (catalogue.value = [...new Set(found.effects.map((entry) => `${entry.effect}@${entry.at}`))]),
-      () => {},
-    );
-  }, []);
-  return (
-    <form
-      class="practice"
-      onSubmit={(event) => {
-        event.preventDefault();
-        void simulate({
-          design,
-          readings: readings.value,
-          seed: seed.value,
-          hide: hide.value.trim() === "" ? [] : [hide.value.trim()],
-        });
-      }}
-    >
-      <h2>Practise</h2>
-      <label class="field">
-        hidden effect
-        <input
-          list="practice-effects"
-          placeholder="none, or EFFECT@PLACE:SIZE"
-          value={hide.value}
-          onInput={(event) => (hide.value = event.currentTarget.value)}
-        />
-      </label>
-      <datalist id="practice-effects">
-        {catalogue.value.map((name) => (
-          <option value={name} />
-        ))}
-      </datalist>
-      <label class="field narrow">
-        readings
-        <input
-          type="number"
-          min={6}
-          max={2000}
-          value={readings.value}
-          onInput={(event) => (readings.value = Number(event.currentTarget.value))}
-        />
-      </label>
-      <label class="field narrow">
-        seed
-        <input
-          type="number"
-          min={1}
-          value={seed.value}
-          onInput={(event) => (seed.value = Number(event.currentTarget.value))}
-        />
-      </label>
-      <button class="button" type="submit">
-        Make readings
-      </button>
-    </form>
   );
 }

@@ -1,16 +1,18 @@
-#include "tests/fuzz/workbench_calls.hpp"
-
-#include <httplib.h>
-
+// The workbench, fuzzed from four sides: its routes, its HTTP door, its lines of text, its projects.
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/workbench/http_server.hpp"
 #include "app/workbench/line_server.hpp"
+#include "app/workbench/project.hpp"
 #include "app/workbench/routes.hpp"
 #include "tests/app/workbench/raw_connection.hpp"
 #include "tests/fuzz/fuzzed_folder.hpp"
+#include "tests/fuzz/fuzzed_reader.hpp"
+
+// After Eigen, whose parameters have names that the resolver's headers define.
+#include <httplib.h>
 
 namespace tubeplan::app {
 
@@ -36,8 +38,8 @@ void endJobs() {
   }
 }
 
-}  // namespace
-
+/// The routes alone. "POST pose" or "GET leverage?at=theta3" in the first line, the body after it: JSON where that
+/// begins with a brace, else CSV.
 void callWorkbench(const std::string& text) {
   const auto line = std::min(text.find('\n'), text.size());
   const auto blank = std::min(text.find(' '), line);
@@ -56,6 +58,7 @@ void callWorkbench(const std::string& text) {
   endJobs();
 }
 
+/// Bytes sent to a running server; "PORT" in them stands for its port.
 void knockAtDoor(const std::string& text) {
   static HttpServer& server = *new HttpServer(workbench(), {"127.0.0.1", 0, ""}, "");
   static std::thread& serving = *new std::thread([] { server.run(); });
@@ -67,9 +70,22 @@ void knockAtDoor(const std::string& text) {
   endJobs();
 }
 
+/// Bytes sent to where controllers send lines.
 void sendLines(const std::string& text) {
   static LineServer& server = *new LineServer(workbench(), 0);
   (void)saidTo(server.port(), text);
+}
+
+void readProjectText(const std::string& text) { (void)readProject(fileOf(text, "mine.tubeplan")); }
+
+}  // namespace
+
+const std::vector<FuzzedReader>& fuzzedReaders() {
+  static const std::vector<FuzzedReader> kReaders = {{"call", callWorkbench, false},
+                                                     {"door", knockAtDoor, false},
+                                                     {"lines", sendLines, false},
+                                                     {"project", readProjectText, false}};
+  return kReaders;
 }
 
 }  // namespace tubeplan::app

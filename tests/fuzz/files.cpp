@@ -1,8 +1,4 @@
 // Every reader of files that come from elsewhere, for libFuzzer: what it is given is read or refused, and nothing else.
-// TUBEPLAN_READER names the reader. See tests/fuzz/run.sh.
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -13,20 +9,17 @@
 #include "app/files/checkpoint/plan_cache_json.hpp"
 #include "app/files/checkpoint/tally_checkpoint.hpp"
 #include "app/files/foreign/foreign_readings.hpp"
-#include "app/files/input_error.hpp"
 #include "app/files/measurements_reader.hpp"
 #include "app/files/mesh_reader.hpp"
 #include "app/files/plan_reader.hpp"
-#include "app/files/text_file.hpp"
 #include "app/files/urdf_reader.hpp"
 #include "app/files/workcell.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "app/files/yaml/yaml_edit.hpp"
-#include "app/workbench/project.hpp"
 #include "deflection/effects/formula.hpp"
 #include "planner/verification/plan_checks.hpp"
 #include "tests/fuzz/fuzzed_folder.hpp"
-#include "tests/fuzz/workbench_calls.hpp"
+#include "tests/fuzz/fuzzed_reader.hpp"
 #include "tubesheets/hole_map_csv.hpp"
 #include "tubesheets/work_list.hpp"
 
@@ -64,14 +57,21 @@ void readHoleMapText(const std::string& text) { (void)tubesheets::parseHoleMap(t
 void readWorkListText(const std::string& text) {
   (void)tubesheets::selectTubes(*mockup().sheet, tubesheets::parseWorkListCsv(text));
 }
-void readSelectionText(const std::string& text) { (void)tubesheets::selectTubes(*mockup().sheet, text); }
+/// Of a corner of the sheet: what is asked of each hole is the same, and a few hundred take a hundredth of the time.
+void readSelectionText(const std::string& text) {
+  static const tubesheets::Sheet kCorner = [] {
+    tubesheets::Sheet sheet = *mockup().sheet;
+    std::erase_if(sheet.tubes, [](const auto& tube) { return tube.row > 15 || tube.column > 15; });
+    return sheet;
+  }();
+  (void)tubesheets::selectTubes(kCorner, text);
+}
 void readFormulaText(const std::string& text) { (void)deflection::makeFormula(bench().arm, text, {}); }
 void readCampaignText(const std::string& text) {
   (void)readCampaignFile(fileOf(text, "campaign.yaml"), bench().arm, bench().units, false);
 }
 void readMeshText(const std::string& text) { (void)readMeshFile(fileOf(text, "mesh.obj")); }
 void readStlText(const std::string& text) { (void)readMeshFile(fileOf(text, "mesh.stl")); }
-void readProjectText(const std::string& text) { (void)readProject(fileOf(text, "mine.tubeplan")); }
 void readCacheText(const std::string& text) { (void)cacheFrom(nlohmann::json::parse(text)); }
 /// plan.json, and from the first line that begins so path.csv.
 void writePlanText(const std::string& text) {
@@ -106,56 +106,27 @@ void editText(const std::string& text) {
   (void)parseYaml(withYamlValue(text, "base.position", "[1, 2, 3]"), "edited");
 }
 
-struct Reader {
-  const char* name;
-  void (*read)(const std::string& text);
-  bool is_text = true;  ///< checked as readTextFile() does before it is read
-};
-
-constexpr Reader kReaders[] = {
-    {"arm", readArmText},
-    {"cell", readCellText, false},
-    {"measurements", readMeasurementText},
-    {"foreign", readForeignText},
-    {"urdf", readUrdfText},
-    {"hole-map", readHoleMapText},
-    {"work-list", readWorkListText},
-    {"selection", readSelectionText},
-    {"formula", readFormulaText},
-    {"campaign", readCampaignText, false},
-    {"mesh", readMeshText, false},
-    {"stl", readStlText, false},
-    {"project", readProjectText, false},
-    {"cache", readCacheText},
-    {"plan", readPlanText},
-    {"verify", verifyPlanText},
-    {"tally", readTallyText},
-    {"call", callWorkbench, false},
-    {"door", knockAtDoor, false},
-    {"lines", sendLines, false},
-    {"yaml-edit", editText},
-};
-
-const Reader& chosenReader() {
-  const char* name = std::getenv("TUBEPLAN_READER");
-  for (const Reader& reader : kReaders)
-    if (name && std::string(name) == reader.name) return reader;
-  std::fprintf(stderr, "TUBEPLAN_READER must be one of:");
-  for (const Reader& reader : kReaders) std::fprintf(stderr, " %s", reader.name);
-  std::fprintf(stderr, "\n");
-  std::exit(2);
-}
-
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const Reader& reader = chosenReader();
-  const std::string text(reinterpret_cast<const char*>(data), size);
-  try {
-    if (reader.is_text) checkText("input", text);
-    reader.read(text);
-  } catch (const InputError&) {
-  } catch (const nlohmann::json::exception&) {
-  }
-  return 0;
+const std::vector<FuzzedReader>& tubeplan::app::fuzzedReaders() {
+  static const std::vector<FuzzedReader> kReaders = {
+      {"arm", readArmText},
+      {"cell", readCellText, false},
+      {"measurements", readMeasurementText},
+      {"foreign", readForeignText},
+      {"urdf", readUrdfText},
+      {"hole-map", readHoleMapText},
+      {"work-list", readWorkListText},
+      {"selection", readSelectionText},
+      {"formula", readFormulaText},
+      {"campaign", readCampaignText, false},
+      {"mesh", readMeshText, false},
+      {"stl", readStlText, false},
+      {"cache", readCacheText},
+      {"plan", readPlanText},
+      {"verify", verifyPlanText},
+      {"tally", readTallyText},
+      {"yaml-edit", editText},
+  };
+  return kReaders;
 }

@@ -1,0 +1,39 @@
+// Arrows in the 3-D picture: all shafts as one object and all heads as another, in front of the bodies.
+import {
+  BufferGeometry,
+  ConeGeometry,
+  Float32BufferAttribute,
+  Group,
+  InstancedMesh,
+  LineBasicMaterial,
+  LineSegments,
+  MeshBasicMaterial,
+  Object3D,
+  Vector3,
+} from "three";
+
+export interface Arrow {
+  from: Vector3;
+  way: Vector3;
+}
+
+/** `head` is the length of the heads; an arrow that is shorter is all head. */
+export function arrowGroup(arrows: readonly Arrow[], head: number, colour: string, renderOrder: number): Group {
+  const look = {color: colour, transparent: true, depthTest: false};
+  const ends = arrows.flatMap(({from, way}) => [...from.toArray(), ...from.clone().add(way).toArray()]);
+  const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(ends, 3));
+  const shafts = new LineSegments(geometry, new LineBasicMaterial(look));
+  const heads = new InstancedMesh(new ConeGeometry(0.3 * head, head, 8), new MeshBasicMaterial(look), arrows.length);
+  const placed = new Object3D(),
+    up = new Vector3(0, 1, 0);
+  arrows.forEach(({from, way}, i) => {
+    const long = way.length();
+    placed.scale.setScalar(Math.min(1, long / head));
+    placed.quaternion.setFromUnitVectors(up, way.clone().normalize());
+    placed.position.copy(from).addScaledVector(way, Math.max(0, 1 - (0.5 * head * placed.scale.x) / long));
+    placed.updateMatrix();
+    heads.setMatrixAt(i, placed.matrix);
+  });
+  shafts.renderOrder = heads.renderOrder = renderOrder;
+  return new Group().add(shafts, heads);
+}

@@ -1,0 +1,39 @@
+// Lines of the 3-D picture: to what is nearest to the arm, and the tour of a plan.
+import {
+  BufferGeometry,
+  Group,
+  Line,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  Mesh,
+  MeshBasicMaterial,
+  SphereGeometry,
+  type Vector3,
+} from "three";
+import type {Palette} from "../drawing/colours";
+
+/** From the arm to what is nearest, with a dot at each end, in front of everything. */
+export function clearanceLine(from: Vector3, to: Vector3, reach: number, palette: Palette): Group {
+  const look = {color: palette.rose, depthTest: false};
+  const line = new Line(new BufferGeometry().setFromPoints([from, to]), new LineBasicMaterial(look));
+  const group = new Group().add(line);
+  for (const end of [from, to]) {
+    const dot = new Mesh(new SphereGeometry(0.008 * reach, 12, 8), new MeshBasicMaterial(look));
+    dot.position.copy(end);
+    group.add(dot);
+  }
+  for (const part of group.children) part.renderOrder = 5;
+  return group;
+}
+
+/** The name of the tour's line. */
+export const TOUR = "tour";
+
+/** Through the tips in the order of visiting. */
+export function tourLine(points: Vector3[], reach: number, palette: Palette): Line {
+  const look = {color: palette.violet, dashSize: 0.035 * reach, gapSize: 0.02 * reach};
+  const tour = new Line(new BufferGeometry().setFromPoints(points), new LineDashedMaterial(look));
+  tour.computeLineDistances();
+  tour.name = TOUR;
+  return tour;
+}

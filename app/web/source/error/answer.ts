@@ -1,0 +1,56 @@
+// What is known of the model as it is now: the newest verdict, or how the last change has changed the error.
+import {computed} from "@preact/signals";
+import {verdictMark} from "../../../drawing/kinds.js";
+import {short} from "../../../drawing/numbers.js";
+import {verdictItems} from "../../../drawing/verdict_items.js";
+import type {Mark} from "../drawing/marks";
+import {currentModel, state} from "../server/workbench";
+import {ladderOf} from "./ladder";
+import {currentComparison, currentDiagnosis, ladder} from "./loop";
+
+interface Answer {
+  words: string;
+  mark: Mark;
+  items: string[];
+}
+
+function answerOf({verdict, verdict_words}: {verdict: string; verdict_words?: string}, items: string[]): Answer {
+  // What the command line would say is a button here.
+  const plain = items.map((item) => item.replace(/ \(--assume [^)]*\)/g, ""));
+  return {words: verdict_words ?? verdict, mark: verdictMark(verdict), items: plain};
+}
+
+/** What the top of the view says: of the newest document about the model as it is now. */
+export const answer = computed<Answer | null>(() => {
+  const diagnosed = currentDiagnosis.value,
+    compared = currentComparison.value;
+  if (diagnosed) return answerOf(diagnosed, verdictItems(diagnosed));
+  const fallen = fallOfError();
+  // The comparison's first sentence says the error, as the fall does: its reasons follow.
+  if (fallen && compared && compared.verdict !== "adequate")
+    return answerOf(compared, [...fallen.items, ...verdictItems(compared).slice(1)]);
+  return fallen ?? (compared ? answerOf(compared, verdictItems(compared)) : null);
+});
+
+/** How the last change of the model has changed the error, where the ladder knows. */
+function fallOfError(): Answer | null {
+  const document = ladder.value.document;
+  if (!document || document.model !== state.value?.model || document.models.length < 2 || !state.value.can_undo)
+    return null;
+  const {models, floor, unit} = ladderOf(document);
+  const before = models.at(-2)!,
+    now = models.at(-1)!;
+  if (now.heldout === null || before.heldout === null) return null;
+  const isAtFloor = floor !== null && now.heldout < 1.25 * floor;
+  const [from, to] = [short(before.heldout), short(now.heldout)];
+  const change =
+    from === to ? `stays at ${to}` : `${now.heldout < before.heldout ? "fell" : "rose"} from ${from} to ${to}`;
+  return {
+    words: isAtFloor ? "At the noise floor" : "Above the noise floor",
+    mark: verdictMark(isAtFloor ? "adequate" : "falls-short"),
+    items: [
+      `With ${(currentModel.value?.label ?? "this model").replace(/^\+ /, "")} the held-out error ${change} ${unit}; ` +
+        `noise alone leaves ${short(floor)} ${unit}.`,
+    ],
+  };
+}

@@ -1,0 +1,106 @@
+// The plot of the errors against a variable: its points, scales, axes and series.
+import type uPlot from "uplot";
+import type {Bin} from "../../../drawing/binned.js";
+import {exact, isNumber, plainUnit, tickTexts} from "../../../drawing/numbers.js";
+import type {View} from "../../../drawing/own_variable.js";
+import {partRange, levelRange, levelTicks, plotted, spreadAtLevel} from "../../../drawing/reading_errors.js";
+import {roundTicks, widened} from "../../../drawing/scales.js";
+import {variableTitle} from "../../../drawing/variables.js";
+import type {Palette} from "../drawing/colours";
+import {axis} from "../drawing/plot";
+import {markPaths} from "../drawing/plot_marks";
+import {paintLaw, paintMeans} from "./plot_painting";
+import type {ReadingErrors} from "./residuals";
+
+export interface PlotRow {
+  x: number;
+  index: number;
+  id: string;
+}
+
+interface MadePlot {
+  options: Omit<uPlot.Options, "width" | "height">;
+  data: uPlot.AlignedData;
+  rows: PlotRow[];
+  law: Bin[];
+  words: string;
+}
+
+/** How the plot looks: the end of the scale of errors where it is shared with another, and brief where two stand side by side. */
+interface PlotLook {
+  colours: Palette;
+  most: number | null;
+  isBrief: boolean;
+}
+
+/** Beyond so many points marks are small. */
+const MANY = 1500;
+
+export function makePlot(errors: ReadingErrors, view: View, look: PlotLook): MadePlot {
+  const {isLevel, xs, values, means, law} = plotted(errors, view);
+  const rows = plotRows(errors, isLevel, xs);
+  const {colours} = look;
+  const names = errors.series.map((series) => series.name).join("; ");
+  return {
+    rows,
+    law,
+    words: `${errorTitle(view)} against ${variableTitle(view.variable)}, of ${rows.length} readings: ${names}`,
+    data: [rows.map((row) => row.x), ...values.map((column) => rows.map((row) => column[row.index]))],
+    options: {
+      legend: {show: false},
+      cursor: {show: true, x: false, y: false, points: {show: false}, drag: {x: false, y: false}},
+      scales: scalesOf(view, isLevel, look.most),
+      axes: axesOf(view, isLevel, look),
+      hooks: {
+        drawAxes: [(plot) => paintLaw(plot, law, isLevel, colours)],
+        draw: [(plot) => paintMeans(plot, means, colours)],
+      },
+      series: [
+        {},
+        ...errors.series.map(({mark}, k) =>
+          markPaths(mark, colours[mark.colour], {isHollow: k === 0, isMany: rows.length > MANY}),
+        ),
+      ],
+    },
+  };
+}
+
+/** The readings that have the variable, from left to right. */
+function plotRows(errors: ReadingErrors, isLevel: boolean, xs: readonly (number | undefined)[]): PlotRow[] {
+  return xs
+    .flatMap((x, index) =>
+      isNumber(x) ? [{x: spreadAtLevel(isLevel, x, index), index, id: errors.readings[index].id}] : [],
+    )
+    .sort((a, b) => a.x - b.x);
+}
+
+function errorTitle({part}: View): string {
+  return `${part.title}, ${plainUnit(part.unit)}`;
+}
+
+function scalesOf({variable, part}: View, isLevel: boolean, most: number | null): uPlot.Scales {
+  return {
+    x: {
+      time: false,
+      range: (_, low, high) => (isLevel ? levelRange(variable) : widened(low, high)),
+    },
+    y: {
+      range: (_, low, high) => partRange(part, low, high, most),
+    },
+  };
+}
+
+function axesOf(view: View, isLevel: boolean, {colours, isBrief}: PlotLook): uPlot.Axis[] {
+  const {variable, part} = view;
+  return [
+    axis(colours, variableTitle(variable), {
+      splits: isLevel ? () => levelTicks(variable) : undefined,
+      values: (_plot: uPlot, splits: number[]) => splits.map((value) => variable.levels?.[value] ?? exact(value)),
+    }),
+    axis(colours, isBrief ? `${part.key}, ${plainUnit(part.unit)}` : errorTitle(view), {
+      side: 3,
+      splits: (_plot: uPlot, _axis: number, low: number, high: number) => roundTicks(low, high, 5),
+      values: (_plot: uPlot, splits: number[]) => tickTexts(splits),
+    }),
+  ];
+}

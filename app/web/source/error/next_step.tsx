@@ -1,0 +1,86 @@
+// One button: what an engineer would do next.
+import type {ComponentChildren} from "preact";
+import {briefTitle} from "../../../drawing/explanations.js";
+import {verdictMark} from "../../../drawing/kinds.js";
+import type {DiagnoseDocument} from "../server/documents";
+import {state} from "../server/workbench";
+import {dialog} from "../shell/page_state";
+import {answer} from "./answer";
+import {effectsTab} from "./effects_panel";
+import {suggestedFormula} from "./focus";
+import {formulaText} from "./formula_box";
+import {addEffects, areChangeable, currentDiagnosis, startCompare, startDiagnose} from "./loop";
+import {assume, mistake} from "./reading_checks";
+
+interface Step {
+  words: ComponentChildren;
+  act: () => unknown;
+  title?: string;
+  isOff?: boolean;
+  /** Nothing calls for it: it may be done all the same. */
+  isQuiet?: boolean;
+}
+
+export function NextStep({isBusy}: {isBusy: boolean}) {
+  const diagnosis = currentDiagnosis.value;
+  const {words, act, title, isOff, isQuiet} =
+    stepOfMistake() ?? (diagnosis ? stepAfter(diagnosis, isBusy) : null) ?? stepOfLoop(isBusy);
+  return (
+    <button
+      class={`button ${isQuiet ? "" : "first"} large next`}
+      title={title}
+      disabled={isOff}
+      onClick={() => void act()}
+    >
+      {words}
+    </button>
+  );
+}
+
+/** The readings are taken otherwise where that explains their error. */
+function stepOfMistake(): Step | null {
+  if (!mistake.value) return null;
+  const {sentence, way} = mistake.value;
+  return {words: `Take ${way}`, act: () => assume(way), title: sentence, isOff: !areChangeable.value};
+}
+
+/** Verdicts after which the first explanation is added. */
+const ADDED = new Set(["explained", "partly-explained", "ambiguous"]);
+
+function stepAfter(diagnosis: DiagnoseDocument, isBusy: boolean): Step | null {
+  const {verdict, explanations} = diagnosis,
+    [first] = explanations;
+  if (verdict === "unexplained") return {words: "Try a formula", act: tryFormula};
+  if (isOpen(diagnosis)) {
+    const words = explanations.length > 1 ? "What would tell them apart" : "What to read next";
+    return {words, act: () => (effectsTab.value = "split")};
+  }
+  if (first && ADDED.has(verdict))
+    return {words: <span>Add {briefTitle(first)}</span>, act: () => addEffects(first.effects), isOff: isBusy};
+  if (verdict === "inconclusive") return {words: "Open more readings", act: () => (dialog.value = "open")};
+  return null;
+}
+
+/** Whether further readings, or other means, would settle what these leave open. */
+function isOpen({verdict, next_readings: next, splitting}: DiagnoseDocument): boolean {
+  const others = (splitting?.other_means?.length ?? 0) + (splitting?.columns_to_add?.length ?? 0);
+  return (verdict === "ambiguous" || verdict === "inconclusive") && next.length + others > 0;
+}
+
+/** No known effect: a law of one's own, begun with what the error follows. */
+function tryFormula(): void {
+  if (formulaText.peek().trim() === "") formulaText.value = suggestedFormula.peek();
+  effectsTab.value = "formula";
+}
+
+/** Compare, then diagnose. */
+function stepOfLoop(isBusy: boolean): Step {
+  if (!answer.value) return {words: "Compare", act: startCompare, isOff: isBusy};
+  const isDone = answer.value.mark === verdictMark("adequate");
+  return {
+    words: isDone && state.value?.can_undo ? "Diagnose again" : "Diagnose",
+    act: startDiagnose,
+    isOff: isBusy || currentDiagnosis.value !== null,
+    isQuiet: isDone,
+  };
+}

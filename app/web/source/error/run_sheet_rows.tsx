@@ -1,0 +1,151 @@
+// The rows of the run sheet: each reading's posture and load, what is ticked off, and what is typed in.
+import {senseArrow} from "../../../drawing/conditions.js";
+import {fixed, isNumber, jointDecimals, short} from "../../../drawing/numbers.js";
+import {poseRequest} from "../arm/pose_link";
+import {cell} from "../server/workbench";
+import {view} from "../shell/page_state";
+import {change, takenIds} from "./run_sheet";
+import {openColumns, type RunSheet, type RunSheetTable} from "./run_sheet_table";
+
+interface JointColumn {
+  name: string;
+  unit: string;
+  /** Where its reading stands in a row, and the sense in which it arrives; -1 where no column has that. */
+  k: number;
+  sense: number;
+}
+
+interface Layout {
+  joints: JointColumn[];
+  /** Where the load stands; -1 where no column has it. */
+  load: number;
+  open: string[];
+  hasSeparations: boolean;
+}
+
+function layoutOf(sheet: RunSheet, table: RunSheetTable): Layout {
+  const {columns} = table;
+  return {
+    joints: columns.flatMap((column, k) => jointColumn(columns, column, k)),
+    load: columns.findIndex((column) => column.startsWith("load")),
+    open: openColumns(table),
+    hasSeparations: sheet.separations.length > 0,
+  };
+}
+
+function jointColumn(columns: readonly string[], column: string, k: number): JointColumn[] {
+  const joint = cell.value?.joints.find(({name}) => column === name || column.startsWith(`${name}_`));
+  if (!joint || column === `${joint.name}_dir`) return [];
+  return [{name: joint.name, unit: joint.unit, k, sense: columns.indexOf(`${joint.name}_dir`)}];
+}
+
+export function RunSheetRows({sheet, table}: {sheet: RunSheet; table: RunSheetTable}) {
+  const layout = layoutOf(sheet, table);
+  return (
+    <table>
+      <RunSheetHead layout={layout} />
+      <tbody>
+        {table.rows.map((row, r) => (
+          <RunSheetRow key={row[0]} sheet={sheet} row={row} layout={layout} separation={sheet.separations[r]} />
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function RunSheetHead({layout}: {layout: Layout}) {
+  return (
+    <thead>
+      <tr>
+        <th>taken</th>
+        <th>id</th>
+        {layout.joints.map(({name, unit}) => (
+          <th class="number">{unit === "" ? name : `${name}, ${unit}`}</th>
+        ))}
+        {layout.load >= 0 ? <th class="number">load</th> : null}
+        {layout.hasSeparations ? (
+          <th class="number" title="how far it sets the explanations apart, in sigmas">
+            σ apart
+          </th>
+        ) : null}
+        {layout.open.map((column) => (
+          <th class="number">{column.replace("_", ", ")}</th>
+        ))}
+        <th class="no-print" />
+      </tr>
+    </thead>
+  );
+}
+
+interface RunSheetRowProps {
+  sheet: RunSheet;
+  row: string[];
+  layout: Layout;
+  separation: number | null | undefined;
+}
+
+function RunSheetRow({sheet, row, layout, separation}: RunSheetRowProps) {
+  const {joints, load, open, hasSeparations} = layout;
+  const [id] = row;
+  const isHere = takenIds.value.has(id);
+  return (
+    <tr class={isHere ? "here" : ""}>
+      <td>
+        <input
+          type="checkbox"
+          aria-label={`Reading ${id} is taken`}
+          checked={isHere || sheet.ticked.includes(id)}
+          disabled={isHere}
+          onChange={(event) => tick(sheet, id, event.currentTarget.checked)}
+        />
+      </td>
+      <td>{id}</td>
+      {joints.map(({k, unit, sense}) => (
+        <td class="number" title={row[k]}>
+          {fixed(Number(row[k]), jointDecimals(unit))}
+          {sense >= 0 ? senseArrow(Number(row[sense])) : ""}
+        </td>
+      ))}
+      {load >= 0 ? <td class="number">{row[load]}</td> : null}
+      {hasSeparations ? <td class="number">{short(separation)}</td> : null}
+      {open.map((column) => (
+        <td class="number">{isHere ? "✓" : <Coordinate sheet={sheet} id={id} column={column} />}</td>
+      ))}
+      <td class="number no-print">
+        <button class="button small" aria-label={`Show reading ${id} on the arm`} onClick={() => show(layout, row)}>
+          Arm
+        </button>
+      </td>
+    </tr>
+  );
+}
+
+function Coordinate({sheet, id, column}: {sheet: RunSheet; id: string; column: string}) {
+  return (
+    <input
+      inputMode="decimal"
+      aria-label={`${column} of ${id}`}
+      value={sheet.typed[id]?.[column] ?? ""}
+      onInput={(event) => type(sheet, id, column, event.currentTarget.value)}
+    />
+  );
+}
+
+function tick(sheet: RunSheet, id: string, isTaken: boolean): void {
+  change({ticked: isTaken ? [...sheet.ticked, id] : sheet.ticked.filter((other) => other !== id)});
+}
+
+/** A coordinate that is typed in ticks its reading off. */
+function type(sheet: RunSheet, id: string, column: string, value: string): void {
+  const typed = {...sheet.typed, [id]: {...sheet.typed[id], [column]: value.replace(",", ".")}};
+  change({typed, ticked: sheet.ticked.includes(id) ? sheet.ticked : [...sheet.ticked, id]});
+}
+
+function show({joints, load}: Layout, row: string[]): void {
+  const own = new Map(joints.map(({name, k}) => [name, Number(row[k])]));
+  poseRequest.joints.value = (cell.value?.joints ?? []).map(
+    (joint, i) => own.get(joint.name) ?? poseRequest.joints.value[i],
+  );
+  if (load >= 0 && isNumber(Number(row[load]))) poseRequest.load.value = Number(row[load]);
+  view.value = "arm";
+}

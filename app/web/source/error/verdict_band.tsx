@@ -1,0 +1,59 @@
+// The verdict with its sentences and figures, and the next thing to do.
+import {isNumber, short} from "../../../drawing/numbers.js";
+import {MARKED} from "../../../drawing/sigma_text.js";
+import {MarkIcon} from "../drawing/marks";
+import {runningJob, state, units} from "../server/workbench";
+import {answer} from "./answer";
+import {currentComparison, currentDiagnosis, ladder, WORK_ON_READINGS} from "./loop";
+import {NextStep} from "./next_step";
+
+export function VerdictBand() {
+  const now = answer.value;
+  const job = runningJob(...WORK_ON_READINGS);
+  const document = currentDiagnosis.value ?? currentComparison.value;
+  return (
+    <section class="panel verdict" aria-live="polite">
+      {now ? <MarkIcon mark={now.mark} size={34} /> : <span class="verdict-space" />}
+      <div class="verdict-words">
+        <h1>{now?.words ?? (job ? "Working" : "Not compared yet")}</h1>
+        {now ? (
+          <ul>
+            {now.items.map((item) => (
+              <li key={item}>{item}</li>
+            ))}
+          </ul>
+        ) : (
+          <p>{job ? `${job.label || job.kind} …` : "Compare the readings with the model as it is now."}</p>
+        )}
+      </div>
+      <dl class="verdict-figures">
+        <dt>readings</dt>
+        <dd>{state.value?.measurements?.readings}</dd>
+        <dt>chi² per degree of freedom</dt>
+        <dd>
+          <Misfit chi2={document?.chi2_per_dof ?? ladder.value.document?.models.at(-1)?.chi2_per_dof} />
+        </dd>
+        <dt>noise floor</dt>
+        <dd>
+          {short(document?.rms.noise_floor ?? ladder.value.document?.models.at(-1)?.rms.noise_floor)}{" "}
+          {units.value.length}
+        </dd>
+      </dl>
+      <NextStep isBusy={job !== null} />
+    </section>
+  );
+}
+
+/** Errors of twice the stated noise and more are marked, by a sign as well as by colour. */
+const TWICE = 4;
+
+function Misfit({chi2}: {chi2: number | null | undefined}) {
+  if (!isNumber(chi2)) return <>–</>;
+  const isBad = chi2 >= TWICE;
+  return (
+    <span class={isBad ? "bad" : ""} title={`errors are ${short(Math.sqrt(chi2))} times the stated noise`}>
+      {isBad ? MARKED : ""}
+      {short(chi2)}
+    </span>
+  );
+}

@@ -1,0 +1,118 @@
+// The sheet of the plan view: the work list and the tour over it, coloured by how far the tool goes in.
+import {signal} from "@preact/signals";
+import {useCallback, useMemo} from "preact/hooks";
+import {MarkIcon} from "../drawing/marks";
+import {Segments, type Choice} from "../drawing/segments";
+import {whole} from "../../../drawing/numbers.js";
+import type {PlanDocument} from "../server/documents";
+import {picked, select, selection, toggleSelected} from "../shell/page_state";
+import {byState, bySteps, type Colouring} from "../sheet/colourings";
+import {SelectionBox} from "../sheet/selection_panel";
+import type {PaintOver} from "../sheet/sheet_drawing";
+import type {SheetModel} from "../sheet/sheet_model";
+import {SheetPanel} from "../sheet/with_sheet";
+import {PlanOrder} from "./plan_order";
+import {currentVisit, goToVisit} from "./playback";
+import {tour, unplanned} from "./tour";
+import {paintTour} from "./tour_painting";
+
+const mode = signal("via_point");
+
+/** What the tour is coloured by: each way that is scored against the true arm, and what the plan itself expects. */
+function modesOf({modes}: PlanDocument): Choice<string>[] {
+  const scored = (modes ?? []).map(({name, words, brief}) => ({value: name, words: brief, hint: words}));
+  return [...scored, {value: "predicted", words: "predicted"}];
+}
+
+interface PlanSheetProps {
+  model: SheetModel;
+  document: PlanDocument | null;
+}
+
+export function PlanSheet({model, document}: PlanSheetProps) {
+  const isScored = document?.tubes.some((tube) => tube.scored?.via_point ?? tube.scored?.goal_point) ?? false;
+  const shownMode = isScored ? mode.value : "predicted";
+  const colouring = useMemo(
+    () => (document ? bySteps(model, document, shownMode) : byState(model)),
+    [model, document, shownMode],
+  );
+  const paintOver = useCallback<PaintOver>(
+    (context, camera, size, colours) =>
+      paintTour(
+        {context, camera, size, colours},
+        {model, colouring, holes: tour.peek(), at: currentVisit.peek(), unreachable: document?.unreachable ?? []},
+      ),
+    [model, document, colouring, tour.value, currentVisit.value],
+  );
+  return (
+    <SheetPanel
+      headClass="plan-head"
+      head={<PlanHead />}
+      foot={
+        <>
+          {isScored ? (
+            <ModeChoice document={document} shownMode={shownMode} />
+          ) : (
+            <span class="muted">
+              {document
+                ? "steps of the tool as predicted"
+                : "lasso, ranges or clicks with Shift select; a plan proves the tour"}
+            </span>
+          )}
+          {document ? <StepCounts colouring={colouring} /> : null}
+        </>
+      }
+      sheet={model}
+      colouring={colouring}
+      selection={document && tour.value.length > 0 ? unplanned.value : selection.value}
+      picked={picked}
+      paintOver={paintOver}
+      onLasso={select}
+      onPick={visitOrSelect}
+    />
+  );
+}
+
+function visitOrSelect(hole: number, event: {shiftKey: boolean}): void {
+  const visit = tour.value.indexOf(hole);
+  if (visit >= 0 && !event.shiftKey) goToVisit(visit);
+  else toggleSelected(hole);
+}
+
+function PlanHead() {
+  return (
+    <>
+      <SelectionBox />
+      <div class="end">
+        <PlanOrder />
+      </div>
+    </>
+  );
+}
+
+function ModeChoice({document, shownMode}: {document: PlanDocument | null; shownMode: string}) {
+  return (
+    <>
+      <span class="muted">true arm, compensation</span>
+      <Segments
+        label="Compensation of the true arm"
+        choices={document ? modesOf(document) : []}
+        value={shownMode}
+        onChoose={(next) => (mode.value = next)}
+      />
+    </>
+  );
+}
+
+/** How many holes the tool enters with no step, one, two, three. */
+function StepCounts({colouring}: {colouring: Colouring}) {
+  return (
+    <span class="counts">
+      {colouring.kinds.slice(0, 4).map((kind, i) => (
+        <span title={kind.name}>
+          <MarkIcon mark={kind.mark} size={12} /> {whole(colouring.counts[i])}
+        </span>
+      ))}
+    </span>
+  );
+}

@@ -1,0 +1,46 @@
+// A menu that unfolds from its button, and closes with Escape or once something else is turned to.
+import type {ComponentChildren} from "preact";
+import {useEffect, useRef} from "preact/hooks";
+
+interface MenuProps {
+  /** Classes of the menu, and of the button that unfolds it. */
+  kind?: string;
+  buttonKind?: string;
+  title?: string;
+  button: ComponentChildren;
+  children: ComponentChildren;
+}
+
+export function Menu({kind = "", buttonKind, title, button, children}: MenuProps) {
+  const menu = useRef<HTMLDetailsElement>(null);
+  const closeUnlessAt = (target: EventTarget | null) => {
+    if (menu.current && !menu.current.contains(target as Node | null)) menu.current.open = false;
+  };
+  useEffect(() => {
+    const away = (event: PointerEvent) => closeUnlessAt(event.target);
+    document.addEventListener("pointerdown", away);
+    return () => document.removeEventListener("pointerdown", away);
+  }, []);
+  return (
+    <details
+      class={`menu ${kind}`}
+      ref={menu}
+      onKeyDown={(event) => {
+        if (event.key !== "Escape" || !menu.current?.open) return;
+        menu.current.open = false;
+        menu.current.querySelector("summary")?.focus();
+        event.preventDefault();
+        event.stopPropagation();
+      }}
+      onFocusOut={(event) => {
+        // A click where nothing takes the focus is the pointer's to judge.
+        if (event.relatedTarget) closeUnlessAt(event.relatedTarget);
+      }}
+    >
+      <summary class={buttonKind} title={title}>
+        {button}
+      </summary>
+      {children}
+    </details>
+  );
+}
