@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "planner/few_tubes.hpp"
+#include "planner/order/exact_order.hpp"
 #include "planner/order/kept_order.hpp"
 #include "planner/order/posture_table.hpp"
 #include "planner/order/zoned_order.hpp"
@@ -244,6 +246,8 @@ RealOrder orderWithRealMoves(const PlanContext& context, const VisitChoice& choi
   const VisitPlanOptions& options = context.options;
   Route route = routeOf(choice, context.speeds, options.conditions);
   const std::vector<int> zones = zonesOf(choice.tubes(), options.conditions);
+  if (const PostureTable table(route); isForExactOrder(table, options.order.most_exact_work))
+    return FewTubes(context, choice, table, zones, network).order();
   VisitOrderOptions ordering = options.order;
   ordering.seed = options.seed;
   ordering.stop = context.hooks.stop;

@@ -1,6 +1,7 @@
 #include "planner/travel_network.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "deflection/inverse/inverse_solver.hpp"
@@ -13,6 +14,7 @@ namespace tubeplan::planner {
 namespace {
 
 constexpr int kRoadmapPostures = 2400;  ///< at holes, at most
+constexpr int kRoughShaping = 25;       // attempts
 
 /// How many tubes, spread over the sheet, give the roadmap their postures.
 std::size_t roadmapTubes(const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options) {
@@ -105,12 +107,28 @@ MotionPlan TravelNetwork::onLine(const Eigen::VectorXd& q0, const Eigen::VectorX
   return plan;
 }
 
-MotionPlan TravelNetwork::planned(Stop a, Stop b) {
+MotionPlan TravelNetwork::planned(Stop a, Stop b, int shaping_attempts) {
   if (lines_ && a.visit >= 0 && b.visit >= 0)
     if (MotionPlan line = onLine(standoff(a), standoff(b)); line.status == MotionPlanStatus::kFree) return line;
   MotionPlannerOptions motion = context_.options.motion;
   motion.seed = pairSeed(context_.options.seed, postureOf(a), postureOf(b));
+  motion.shaping_attempts = shaping_attempts;
   return planMotion(standoff(a), standoff(b), problem_, motion);
+}
+
+MotionPlan TravelNetwork::planned(Stop a, Stop b) { return planned(a, b, context_.options.motion.shaping_attempts); }
+
+TravelEstimate TravelNetwork::estimate(Stop a, Stop b) {
+  if (postureOf(b) < postureOf(a)) std::swap(a, b);
+  const MotionPlan plan = planned(a, b, kRoughShaping);
+  const bool is_shaped = plan.flows && std::isnan(plan.line_deviation);
+  return {timeOf(plan), !is_shaped, plan.apart, plan.tightest, plan.checks};
+}
+
+std::vector<int> TravelNetwork::partsOf(const std::vector<Stop>& stops) {
+  std::vector<Eigen::VectorXd> postures;
+  for (const Stop& stop : stops) postures.push_back(standoff(stop));
+  return roadmap_.get().partsOf(postures);
 }
 
 /// Of two stops the lesser first.

@@ -38,6 +38,15 @@ class TravelRoadmap {
   std::map<MotionEnds, MotionPlan> rejoined_;
 };
 
+/// What a travel will take, before it is planned in full.
+struct TravelEstimate {
+  double time = std::numeric_limits<double>::infinity();  ///< s; infinite where there is no way
+  bool is_exact = false;                                  ///< else of a way that is yet to be made quick
+  bool apart = false;                                     ///< as of the motion's plan, with what is in the way of it
+  Clearance tightest;
+  long checks = 0;  ///< postures asked about
+};
+
 class TravelNetwork {
  public:
   TravelNetwork(const PlanContext& context, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap);
@@ -45,12 +54,19 @@ class TravelNetwork {
   /// The travel from one stop to another, planned the first time it is asked for (or its reverse).
   const MotionPlan& between(Stop a, Stop b);
 
+  /// Found in a fraction of the time, and not remembered; what the memory has makes no difference to it.
+  [[nodiscard]] TravelEstimate estimate(Stop a, Stop b);
+
+  /// The part of the free space that each stop lies in (Roadmap::partsOf).
+  [[nodiscard]] std::vector<int> partsOf(const std::vector<Stop>& stops);
+
   [[nodiscard]] TubePosture postureOf(Stop stop) const;
   [[nodiscard]] const Eigen::VectorXd& standoff(Stop stop) const;
   [[nodiscard]] double timeOf(const MotionPlan& plan) const;
 
  private:
   [[nodiscard]] MotionPlan onLine(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1);
+  [[nodiscard]] MotionPlan planned(Stop a, Stop b, int shaping_attempts);
   [[nodiscard]] MotionPlan planned(Stop a, Stop b);
 
   const MotionPlan& forward(Stop a, Stop b);

@@ -25,7 +25,7 @@ struct Item {
   [[nodiscard]] TermRole role() const { return term == nullptr ? TermRole::kSource : term->role; }
 };
 
-Selection refuseList(std::string reason) { return {SelectionStatus::kRefused, std::move(reason), {}, {}, {}}; }
+Selection refuseList(std::string reason) { return {SelectionStatus::kRefused, std::move(reason), {}, {}, {}, {}}; }
 
 Selection refuseList(const Item& item, const std::string& reason) {
   return refuseList(fmt::format("item {} \"{}{}\" (character {}): {}", item.number, item.is_minus ? "-" : "", item.text,
@@ -95,6 +95,11 @@ std::vector<int> allTubes(const Sheet& sheet) {
 
 bool takesNoTool(TubeState state) { return state == TubeState::kPlugged || state == TubeState::kStabilised; }
 
+// May be visited, but not unasked.
+bool isDoubtful(TubeState state) { return state == TubeState::kInaccessible || state == TubeState::kUnresolved; }
+
+bool isLeftOutUnlessNamed(TubeState state) { return takesNoTool(state) || isDoubtful(state); }
+
 // Tubes that are asked for by their state or one by one, not as part of a range.
 std::vector<bool> namedTubes(const Sheet& sheet, const std::vector<Item>& items) {
   const std::vector<int> all = allTubes(sheet);
@@ -126,11 +131,13 @@ Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
     }
   }
   const std::vector<bool> is_named = namedTubes(sheet, items);
-  Selection selection{SelectionStatus::kSelected, "", {}, {}, {}};
+  Selection selection{SelectionStatus::kSelected, "", {}, {}, {}, {}};
   for (const int tube : all) {
     if (!is_selected[tube]) continue;
-    const bool is_left_out = takesNoTool(sheet.tubes[tube].state) && !is_named[tube];
+    const TubeState state = sheet.tubes[tube].state;
+    const bool is_left_out = isLeftOutUnlessNamed(state) && !is_named[tube];
     (is_left_out ? selection.left_out : selection.tube_indices).push_back(tube);
+    if (!is_left_out && isDoubtful(state)) selection.doubtful[tube] = state;
   }
   return selection;
 }
@@ -138,8 +145,9 @@ Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
 // What an empty selection has left out.
 std::string besides(const Sheet& sheet, const Selection& selection) {
   const std::string left_out = leftOutText(sheet, selection);
-  return left_out.empty() ? ""
-                          : fmt::format(" but {}, which take no tool (ask for \"plugged\" to have them)", left_out);
+  return left_out.empty()
+             ? ""
+             : fmt::format(" but {}, which are taken by state (\"plugged\", say) or by name alone", left_out);
 }
 
 std::string findListFault(const WorkListItem& item, const Sheet& sheet) {
@@ -166,12 +174,33 @@ std::string leftOutText(const Sheet& sheet, const Selection& selection) {
   int by_list = 0;
   std::vector<std::string> parts;
   for (const auto& [state, count] : counts)
-    if (takesNoTool(state))
+    if (isLeftOutUnlessNamed(state))
       parts.push_back(fmt::format("{} {}", count, tubeStateName(state)));
     else
       by_list += count;
   if (by_list > 0) parts.push_back(fmt::format("{} plugged according to the list", by_list));
   return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string doubtfulText(const Sheet& sheet, const Selection& selection) {
+  constexpr std::size_t kShown = 5;
+  std::map<TubeState, int> counts;
+  std::vector<std::string> names, parts;
+  for (const int index : selection.tube_indices) {
+    const auto found = selection.doubtful.find(index);
+    if (found == selection.doubtful.end()) continue;
+    ++counts[found->second];
+    const Tube& tube = sheet.tubes[static_cast<std::size_t>(index)];
+    names.push_back(tubeName(tube.row, tube.column));
+  }
+  if (names.empty()) return "";
+  for (const auto& [state, count] : counts) parts.push_back(fmt::format("{} {}", count, tubeStateName(state)));
+  if (names.size() > kShown) {
+    names.resize(kShown);
+    names.emplace_back("...");
+  }
+  return fmt::format("{} among the tubes asked for ({}): taken as asked", fmt::join(parts, ", "),
+                     fmt::join(names, ", "));
 }
 
 Selection selectTubes(const Sheet& sheet, const std::string& request) {
@@ -205,18 +234,20 @@ Selection selectTubes(const Sheet& sheet, const WorkList& list) {
   if (list.status != WorkListStatus::kRead)
     return refuseList(list.problem ? list.problem->sentence() : "the work list has not been read");
   const std::string fingerprint = sheet.fingerprint();
-  Selection selection{SelectionStatus::kSelected, "", {}, {}, {}};
+  Selection selection{SelectionStatus::kSelected, "", {}, {}, {}, {}};
   for (const WorkListItem& item : list.items) {
     std::string fault = findListFault(item, sheet);
     if (!item.sheet.empty() && item.sheet != fingerprint)
       fault = fmt::format("this list is for the sheet {}, but this sheet is {}", item.sheet, fingerprint);
     if (!fault.empty()) return refuseList(fmt::format("line {}: {}", item.line, fault));
     const int tube = *sheet.indexOf(item.row, item.column);
-    if (takesNoTool(item.state.value_or(sheet.tubes[static_cast<std::size_t>(tube)].state))) {
+    const TubeState state = item.state.value_or(sheet.tubes[static_cast<std::size_t>(tube)].state);
+    if (takesNoTool(state)) {
       selection.left_out.push_back(tube);
       continue;
     }
     selection.tube_indices.push_back(tube);
+    if (isDoubtful(state)) selection.doubtful[tube] = state;
     if (item.dwell) selection.dwell[selection.tube_indices.back()] = *item.dwell;
   }
   std::sort(selection.tube_indices.begin(), selection.tube_indices.end());

@@ -5,8 +5,9 @@
 //   - The same with a minus (-plugged, -R3C4, -outer:1): taken away, from all tubes when nothing is asked for.
 //   - every:K, spread:N: a part of what the rest of the list selects, in the order written.
 //   - leg:hot, sheet:FINGERPRINT: the list is for that leg or sheet only.
-// Plugged and stabilised tubes take no tool: they are left out, and counted, unless asked for by their state
-// (`plugged`, as in `all,plugged`) or by their own name (R10C20).
+// Plugged and stabilised tubes take no tool, inaccessible ones could not be reached before, and of unresolved ones it
+// is not known which tubes they are: they are left out, and counted, unless asked for by their state (`plugged`, as in
+// `all,plugged`) or by their own name (R10C20).
 #pragma once
 
 #include <map>
@@ -29,11 +30,16 @@ struct Selection {
   std::string reason;             ///< when refused: names the item, the tube or the line
   std::vector<int> tube_indices;  ///< places in sheet.tubes, ascending, each once
   std::map<int, double> dwell;    ///< s to stay at a tube, where a list says so
-  std::vector<int> left_out;      ///< tubes that would have been selected, but are plugged or stabilised
+  std::vector<int> left_out;      ///< tubes that would have been selected, but for their state
+  /// Selected, for they were named, though inaccessible or unresolved: by the sheet's word or a list's.
+  std::map<int, TubeState> doubtful;
 };
 
 /// "12 plugged, 3 stabilised"; empty where none is left out.
 [[nodiscard]] std::string leftOutText(const Sheet& sheet, const Selection& selection);
+
+/// "2 inaccessible, 1 unresolved among the tubes asked for (R3C4, ...): taken as asked"; empty where none is.
+[[nodiscard]] std::string doubtfulText(const Sheet& sheet, const Selection& selection);
 
 /// Tubes by the language above. Refused: malformed items, tubes that are not on the sheet, another leg or sheet, an
 /// empty result.
@@ -71,8 +77,8 @@ struct WorkList {
 [[nodiscard]] WorkList parseWorkListCsv(std::string_view text);
 
 /// The tubes of such a list, but for those that are plugged or stabilised by the list's word or, where it says nothing,
-/// by the sheet's. Refused: a refused list, another leg or sheet, tubes that are not on the sheet or not where the list
-/// has them, none left.
+/// by the sheet's; inaccessible and unresolved ones are named by the list and so taken. Refused: a refused list,
+/// another leg or sheet, tubes that are not on the sheet or not where the list has them, none left.
 [[nodiscard]] Selection selectTubes(const Sheet& sheet, const WorkList& list);
 
 }  // namespace tubeplan::tubesheets

@@ -103,12 +103,13 @@ nlohmann::json stepPictures(const CellReadings& input, const ImprovementStep& st
 
 std::string improvementPage(const CellReadings& input, std::uint64_t seed, const Improvement& result) {
   nlohmann::json page = pageOf("Improvement", input, seed, improvementJson(result, input.readings, input.cell.units));
-  page["models"] = ladderModels(page["models"]);
-  if (!page["models"].empty()) {
-    const auto& first = page["models"].front()["rms"];
+  const nlohmann::json compared = page["models"];
+  page["models"] = ladderModels(compared);
+  if (!compared.empty()) {
+    const auto& first = compared.front()["rms"];
     page["rms"] = {{"noise_floor", first["noise_floor"]},
                    {"heldout_before", first["heldout"]},
-                   {"heldout_after", page["models"].back()["rms"]["heldout"]}};
+                   {"heldout_after", compared.back()["rms"]["heldout"]}};
   }
   for (std::size_t k = 0; k < result.steps.size() && !result.models.empty(); ++k)
     page["steps"][k]["figures"] =

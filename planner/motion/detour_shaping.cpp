@@ -17,7 +17,6 @@ using Eigen::VectorXd;
 // m of travel by one joint: how far beside the straight move a way round is looked for, and how finely it is shaped.
 constexpr std::array kSideways{0.03, 0.06, 0.12, 0.25, 0.5, 1.0};
 constexpr std::array kFinerAndFiner{0.8, 0.4, 0.2, 0.1, 0.05, 0.025, 0.012};
-constexpr int kAttempts = 1500;           // at one fineness
 constexpr int kAttemptsForOneMore = 8;    // of which one puts in another waypoint
 constexpr long kMostChecks = 200'000;     // of postures, for one way round
 constexpr double kLeastTimeSaved = 1e-3;  // s
@@ -99,7 +98,7 @@ struct Shaping {
     const std::size_t k = 1 + generator() % (best.size() - 2);
     if (generator() % kAttemptsForOneMore == 0)
       moved.insert(moved.begin() + static_cast<std::ptrdiff_t>(k), (best[k - 1] + best[k]) / 2);
-    for (Eigen::Index j = 0; j < steps.size(); ++j) moved[k][j] += steps[j] * (2 * unitRandom(generator) - 1);
+    for (Eigen::Index j = 0; j < steps.size(); ++j) moved[k][j] += steps[j] * randomBetween(-1, 1, generator);
     if (isWithinLimits(moved[k], problem)) take(std::move(moved));
   }
 };
@@ -151,7 +150,8 @@ void quicken(Waypoints& waypoints, const MotionProblem& problem, const MotionPla
   const VectorXd steps = stepsPerMetre(problem);
   for (const double metres : kFinerAndFiner) {
     shaping.dropAll();
-    for (int k = 0; k < kAttempts && waypoints.size() > 2 && !shaping.isSpent(); ++k) shaping.moveOne(metres * steps);
+    for (int k = 0; k < options.shaping_attempts && waypoints.size() > 2 && !shaping.isSpent(); ++k)
+      shaping.moveOne(metres * steps);
   }
   shaping.dropAll();
 }

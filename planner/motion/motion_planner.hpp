@@ -35,6 +35,7 @@ struct MotionPlannerOptions {
   int max_iterations = 3000;  ///< of the search; no clock is asked, so that a plan depends on nothing but its seed
   double range = 0;           ///< m of travel, the longest step of the search; 0: a fifth of the joint space's diagonal
   int shortcut_attempts = 100;
+  int shaping_attempts = 1500;  ///< at each fineness, to make a way round quick
   MotionCheckOptions check = {};
 };
 

@@ -74,7 +74,7 @@ class SeededSampler : public ob::StateSampler {
 
  private:
   void set(ob::State* state, std::size_t j, double low, double high) {
-    state->as<Space::StateType>()->values[j] = low + (high - low) * unitRandom(generator_);
+    state->as<Space::StateType>()->values[j] = randomBetween(low, high, generator_);
   }
   std::mt19937_64 generator_;
 };

@@ -30,7 +30,7 @@ VectorXd randomPosture(const MotionProblem& problem, std::mt19937_64& generator)
     // A joint without limits goes once around.
     const double low = std::isfinite(problem.lower[j]) ? problem.lower[j] : -std::numbers::pi;
     const double high = std::isfinite(problem.upper[j]) ? problem.upper[j] : std::numbers::pi;
-    q[j] = low + (high - low) * unitRandom(generator);
+    q[j] = randomBetween(low, high, generator);
   }
   return q;
 }

@@ -6,17 +6,16 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 #include <random>
 
 #include "planner/order/branch_choice.hpp"
+#include "planner/order/exact_order.hpp"
 #include "planner/order/start_tours.hpp"
 #include "planner/order/tour_search.hpp"
 
 namespace tubeplan::planner {
 namespace {
 
-constexpr int kTryEveryOrderUpTo = 4;
 constexpr double kTrialShare = 0.08;   // of all kicks, for each start tour ...
 constexpr double kFinishShare = 0.32;  // ... and for the best of them
 constexpr double kFewBranches = 4;     // for each visit, on the average: with more there are fewer kicks
@@ -33,17 +32,6 @@ Candidate withBestPostures(const PostureTable& table, const std::vector<int>& or
   Candidate candidate{order, std::vector<int>(table.nodes(), -1)};
   candidate.time = choosePostures(table, withEndNodes(table, order), candidate.posture_of_node);
   return candidate;
-}
-
-Candidate bestOfAllOrders(const PostureTable& table) {
-  std::vector<int> order(table.visits());
-  std::iota(order.begin(), order.end(), 0);
-  Candidate best = withBestPostures(table, order);
-  while (std::next_permutation(order.begin(), order.end())) {
-    Candidate candidate = withBestPostures(table, order);
-    if (candidate.time < best.time) best = std::move(candidate);
-  }
-  return best;
 }
 
 // Local search and exact branch choice in turn, until neither gains.
@@ -136,9 +124,18 @@ Searched searched(const Route& route, const PostureTable& table, const VisitOrde
   return result;
 }
 
-Searched everyOrder(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
-  Searched result{bestOfAllOrders(table)};
-  if (options.with_bound) result.lower_bound = boundOf(route, options, result.best.time);
+/// The quickest order of straight moves is a bound that nothing is above.
+Searched exact(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
+  const auto withTimes = [&](const Eigen::MatrixXd& times) { return exactOrder(table, times); };
+  const ExactOrder order = withTimes(timesWithExtra(table));
+  Searched result;
+  result.best = {{}, std::vector<int>(table.nodes(), -1), order.time};
+  for (const int posture : order.postures) {
+    const int node = table.nodeOf(posture);
+    if (node < table.visits()) result.best.order.push_back(node);
+    result.best.posture_of_node[node] = posture;
+  }
+  if (options.with_bound) result.lower_bound = route.extra_time ? withTimes(straightTimes(table)).time : order.time;
   return result;
 }
 
@@ -156,7 +153,7 @@ VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options) {
   assert(options.start.empty() || options.start.size() == route.visits.size());
   assert(options.hint.empty() || options.hint.size() == route.visits.size());
   const auto [best, lower_bound] =
-      table.visits() <= kTryEveryOrderUpTo ? everyOrder(route, table, options) : searched(route, table, options);
+      isForExactOrder(table, options.most_exact_work) ? exact(route, table, options) : searched(route, table, options);
   result.order = best.order;
   for (const int visit : best.order) result.branches.push_back(best.posture_of_node[visit] - table.first(visit));
   result.travel_time = best.time;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/order/exact_order.hpp"
 #include "planner/order/one_tree_bound.hpp"
 #include "planner/order/route.hpp"
 
@@ -18,7 +19,8 @@ struct VisitOrderOptions {
   int least_kicks = 20'000;    ///< for small problems
   int most_kicks = 2'000'000;  ///< for great ones
   int neighbours = 8;          ///< of each visit that a move of the local search may join it to
-  bool with_bound = true;      ///< without: lower_bound and gap stay NaN (the bound does not depend on extra times)
+  double most_exact_work = kMostExactWork;  ///< smaller problems are solved exactly (exact_order.hpp)
+  bool with_bound = true;  ///< without: lower_bound and gap stay NaN (the bound does not depend on extra times)
   OneTreeOptions bound;
   /// An order of all visits to begin from: what local search gains on it is taken, and nothing else is tried.
   std::vector<int> start;
@@ -42,7 +44,7 @@ struct VisitOrder {
 };
 
 /// Nearest-neighbour starts, 2-opt and Or-opt with neighbour lists, the exact branch choice in turn with them, and
-/// local double-bridge kicks. Up to four visits: every order is tried. The same input and seed give the same route, on
+/// local double-bridge kicks. A few visits are ordered exactly. The same input and seed give the same route, on
 /// any number of threads; `extra_time` is asked from several at once.
 [[nodiscard]] VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options = {});
 

@@ -93,6 +93,37 @@ TEST(SelectTubes, AWorkListsStateCountsBeforeTheSheets) {
   EXPECT_EQ(parseWorkListCsv("row,column,state\n1,1,plugd\n").status, WorkListStatus::kRefused);
 }
 
+TEST(SelectTubes, InaccessibleAndUnresolvedOnesAreTakenOnlyWhereTheyAreNamedAndThenTold) {
+  Sheet sheet = makeSheet(smallDescription());
+  sheet.tubes[*sheet.indexOf(1, 3)].state = TubeState::kInaccessible;
+  sheet.tubes[*sheet.indexOf(2, 5)].state = TubeState::kUnresolved;
+  for (const char* group : {"all", "R1-4C1-8", "-R1C1,-R1C2", "zone:-10:10:-10:10in"}) {
+    const Selection selection = selectTubes(sheet, group);
+    EXPECT_EQ(leftOutText(sheet, selection), "1 inaccessible, 1 unresolved") << group;
+    EXPECT_EQ(doubtfulText(sheet, selection), "") << group;
+  }
+  EXPECT_EQ(countOf(sheet, "all,inaccessible"), 25u);
+  EXPECT_EQ(doubtfulText(sheet, selectTubes(sheet, "all,inaccessible")),
+            "1 inaccessible among the tubes asked for (R1C3): taken as asked");
+  EXPECT_EQ(doubtfulText(sheet, selectTubes(sheet, "R1C1,R1C3,R2C5")),
+            "1 inaccessible, 1 unresolved among the tubes asked for (R1C3, R2C5): taken as asked");
+  EXPECT_EQ(doubtfulText(sheet, selectTubes(sheet, "all,inaccessible,-R1C3")), "");
+}
+
+TEST(SelectTubes, AWorkListNamesItsTubesSoThatDoubtfulOnesAreTakenAndTold) {
+  Sheet sheet = makeSheet(smallDescription());
+  sheet.tubes[*sheet.indexOf(1, 3)].state = TubeState::kInaccessible;
+  const Selection selection =
+      selectTubes(sheet, parseWorkListCsv("row,column,state\n1,1,unresolved\n1,2,\n1,3,\n2,5,plugged\n"));
+  ASSERT_EQ(selection.status, SelectionStatus::kSelected) << selection.reason;
+  EXPECT_EQ(selection.tube_indices.size(), 3u);
+  EXPECT_EQ(doubtfulText(sheet, selection),
+            "1 inaccessible, 1 unresolved among the tubes asked for (R1C1, R1C3): taken as asked");
+  EXPECT_EQ(leftOutText(sheet, selection), "1 plugged according to the list");
+  const Selection opened = selectTubes(sheet, parseWorkListCsv("row,column,state\n1,3,open\n"));
+  EXPECT_EQ(doubtfulText(sheet, opened), "");
+}
+
 TEST(SelectTubes, OuterPeelsTheSheet) {
   // By hand: only these ten have a hole on all four sides, and each touches one that has not.
   const Sheet sheet = makeSheet(smallDescription());

@@ -232,7 +232,7 @@ describe("the catalogue", () => {
     await tab.keyboard.press("ArrowDown");
     await tab.waitForSelector(".effects-view h2 >> text=tool-weight");
     // Effects of one number each are confounded both ways.
-    const {causes} = (await ask(server, "confounded")).body;
+    const {causes} = (await ask(server, "confounding")).body;
     const confoundingOf = (effect, at) => causes.find((cause) => cause.effect === effect && cause.at === at).confounded;
     const has = (list, effect, at) => list.some((other) => other.effect === effect && other.at === at);
     assert.ok(has(confoundingOf("link-length", "mezzanine-beam"), "link-length", "mezzanine-platform"));

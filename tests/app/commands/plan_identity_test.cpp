@@ -49,6 +49,20 @@ TEST_F(PlanIdentity, EveryTubeAndPathRowNamesLegRowAndColumn) {
   EXPECT_EQ(run("verify mockup.yaml made").exit_code, 0);
 }
 
+TEST_F(PlanIdentity, ATubeOfDoubtfulStateIsPlannedWhereItIsNamedAndBothAreSaid) {
+  (void)write("list.csv", "row,column,state\n20,40,inaccessible\n22,44,\n22,45,plugged\n");
+  const Outcome named = run("plan mockup.yaml --tubes list.csv --out named");
+  ASSERT_EQ(named.exit_code, 0) << named.err;
+  const std::string sentence = "1 inaccessible among the tubes asked for (R20C40): taken as asked";
+  expectSays(named.out, sentence);
+  expectSays(named.out, "1 plugged according to the list left out");
+  const json plan = json::parse(contentOf(folder / "named/plan.json"));
+  EXPECT_EQ(plan["tubes"].size(), 2u);
+  EXPECT_EQ(plan["left_out"], "1 plugged according to the list");
+  EXPECT_EQ(std::ranges::count(plan["warnings"].get<std::vector<std::string>>(), sentence), 1);
+  expectSays(contentOf(folder / "named/report.html"), sentence);
+}
+
 TEST_F(PlanIdentity, APlanIsNotWrittenOverItsOwnInputs) {
   std::filesystem::create_directories(folder / "own");
   for (const char* name : {"cobra-arm.yaml", "mockup.yaml"})

@@ -66,9 +66,11 @@ void expectValid(const Route& route, const VisitOrder& result) {
   EXPECT_NEAR(result.travel_time, timeOf(route, result.order, result.branches), 1e-9 * (1 + result.travel_time));
 }
 
+/// The search, however few the visits.
 VisitOrderOptions quick(std::uint64_t seed) {
   VisitOrderOptions options;
   options.seed = seed;
+  options.most_exact_work = 0;
   options.least_kicks = 3000;
   options.with_bound = false;
   return options;
@@ -91,6 +93,26 @@ TEST(OrderVisits, FindsTheOptimumOfSmallRoutes) {
     }
   }
   EXPECT_GE(found, tried - 2) << "of " << tried;
+}
+
+TEST(OrderVisits, OrdersAFewVisitsExactlyWithABoundThatTheyReach) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    std::mt19937_64 random(seed);
+    Route route = randomRoute(random, static_cast<int>(seed % 10), 3, seed % 2 == 0, seed % 3 == 0);
+    const VisitOrder straight = orderVisits(route);
+    expectValid(route, straight);
+    if (route.visits.empty()) continue;
+    EXPECT_NEAR(straight.travel_time, optimum(route), 1e-9);
+    EXPECT_EQ(straight.optimality_gap, 0);
+    EdgePenalties penalties;
+    for (std::size_t k = 1; k < straight.order.size(); ++k)
+      penalties.set(straight.order[k - 1], straight.branches[k - 1], straight.order[k], straight.branches[k], 0.3);
+    route.extra_time = penalties;
+    const VisitOrder round = orderVisits(route);
+    expectValid(route, round);
+    EXPECT_NEAR(round.travel_time, optimum(route), 1e-9);
+    EXPECT_NEAR(round.lower_bound, straight.travel_time, 1e-9);
+  }
 }
 
 TEST(OrderVisits, BeginsFromAGivenOrderAndOnlyGainsOnIt) {

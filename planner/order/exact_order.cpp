@@ -1,0 +1,140 @@
+#include "planner/order/exact_order.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+
+namespace tubeplan::planner {
+
+namespace {
+
+constexpr int kMostVisits = 20;  // bits of a set
+
+using VisitSet = std::uint32_t;
+
+Eigen::MatrixXd timesBy(const PostureTable& table, double (PostureTable::*time)(int, int) const) {
+  Eigen::MatrixXd times = Eigen::MatrixXd::Zero(table.postures(), table.postures());
+  for (int p = 0; p < table.postures(); ++p)
+    for (int q = 0; q < p; ++q) times(p, q) = times(q, p) = (table.*time)(p, q);
+  return times;
+}
+
+/// By visit: the visits that must have been made before it.
+std::vector<VisitSet> visitsBefore(int visits, const std::vector<int>& zones) {
+  std::vector<VisitSet> before(static_cast<std::size_t>(visits), 0);
+  if (zones.empty()) return before;
+  for (std::size_t v = 0; v < before.size(); ++v)
+    for (std::size_t w = 0; w < before.size(); ++w)
+      if (zones[w] < zones[v]) before[v] |= VisitSet{1} << w;
+  return before;
+}
+
+/// Without visits: from the start to the end posture, where there are both.
+ExactOrder betweenEnds(const PostureTable& table, const Eigen::MatrixXd& times) {
+  ExactOrder order{{}, table.postures() == 2 ? times(0, 1) : 0};
+  for (int p = 0; p < table.postures(); ++p) order.postures.push_back(p);
+  return order;
+}
+
+/// Fills a table by set of visits and posture to stand in, and reads the quickest order out of it.
+class Programme {
+ public:
+  Programme(const PostureTable& table, const Eigen::MatrixXd& times, const std::vector<int>& zones)
+      : table_(table),
+        times_(times),
+        before_(visitsBefore(table.visits(), zones)),
+        standing_(table.last(table.visits() - 1)),
+        all_((VisitSet{1} << table.visits()) - 1),
+        least_(Eigen::ArrayXXd::Constant(standing_, Eigen::Index{all_} + 1, kNever)),
+        came_from_(Eigen::ArrayXXi::Constant(standing_, Eigen::Index{all_} + 1, -1)) {}
+
+  ExactOrder solve() {
+    begin();
+    for (VisitSet set = 1; set < all_; ++set)
+      for (int v = 0; v < table_.visits(); ++v)
+        if (set >> v & 1)
+          for (int p = table_.first(v); p < table_.last(v); ++p)
+            if (least_(p, set) < kNever) goOn(set, p);
+    return best();
+  }
+
+ private:
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool mayCome(int visit, VisitSet set) const {
+    return !(set >> visit & 1) && (before_[static_cast<std::size_t>(visit)] & ~set) == 0;
+  }
+
+  void begin() {
+    const int start = table_.startNode();
+    for (int v = 0; v < table_.visits(); ++v) {
+      if (!mayCome(v, 0)) continue;
+      for (int p = table_.first(v); p < table_.last(v); ++p)
+        least_(p, VisitSet{1} << v) = start < 0 ? 0 : times_(table_.first(start), p);
+    }
+  }
+
+  /// Having visited a set and standing in p: to every posture of every visit that may come next.
+  void goOn(VisitSet set, int p) {
+    const double here = least_(p, set);
+    for (int v = 0; v < table_.visits(); ++v) {
+      if (!mayCome(v, set)) continue;
+      const VisitSet next = set | VisitSet{1} << v;
+      for (int q = table_.first(v); q < table_.last(v); ++q) {
+        const double time = here + times_(q, p);
+        if (!(time < least_(q, next))) continue;
+        least_(q, next) = time;
+        came_from_(q, next) = p;
+      }
+    }
+  }
+
+  [[nodiscard]] ExactOrder best() const {
+    const int start = table_.startNode(), end = table_.endNode();
+    ExactOrder order;
+    Eigen::ArrayXd whole = least_.col(all_);
+    if (end >= 0) whole += times_.col(table_.first(end)).head(standing_).array();
+    Eigen::Index last = 0;
+    order.time = whole.minCoeff(&last);
+    if (end >= 0) order.postures.push_back(table_.first(end));
+    VisitSet set = all_;
+    for (int p = static_cast<int>(last); p >= 0;) {
+      order.postures.push_back(p);
+      const int before = came_from_(p, set);
+      set &= ~(VisitSet{1} << table_.nodeOf(p));
+      p = before;
+    }
+    if (start >= 0) order.postures.push_back(table_.first(start));
+    std::ranges::reverse(order.postures);
+    return order;
+  }
+
+  const PostureTable& table_;
+  const Eigen::MatrixXd& times_;
+  std::vector<VisitSet> before_;
+  int standing_;  // postures of visits
+  VisitSet all_;
+  Eigen::ArrayXXd least_;      // s, by posture and set
+  Eigen::ArrayXXi came_from_;  // the posture before
+};
+
+}  // namespace
+
+bool isForExactOrder(const PostureTable& table, double most_work) {
+  const double postures = table.postures();
+  return table.visits() <= kMostVisits && std::ldexp(postures * postures, table.visits()) <= most_work;
+}
+
+Eigen::MatrixXd straightTimes(const PostureTable& table) { return timesBy(table, &PostureTable::straight); }
+
+Eigen::MatrixXd timesWithExtra(const PostureTable& table) { return timesBy(table, &PostureTable::cost); }
+
+ExactOrder exactOrder(const PostureTable& table, const Eigen::MatrixXd& times, const std::vector<int>& zones) {
+  assert(table.visits() <= kMostVisits);
+  assert(zones.empty() || static_cast<int>(zones.size()) == table.visits());
+  if (table.visits() == 0) return betweenEnds(table, times);
+  return Programme(table, times, zones).solve();
+}
+
+}  // namespace tubeplan::planner
