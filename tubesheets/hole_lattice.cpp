@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kReach = 2.6;           // pitches, that holes are compared over
 constexpr double kOneStep = 0.1;         // of a pitch, that a step of the lattice may differ from it
-constexpr double kAgrees = 0.1;          // pitches, and what is off by more is told
+constexpr double kAgrees = 0.1;          // pitches, and what is off by more is reported
 constexpr std::size_t kEnoughAgree = 4;  // neighbours
 constexpr double kMostAgree = 0.7;       // share of the neighbours
 

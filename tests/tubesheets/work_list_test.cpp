@@ -93,7 +93,7 @@ TEST(SelectTubes, AWorkListsStateCountsBeforeTheSheets) {
   EXPECT_EQ(parseWorkListCsv("row,column,state\n1,1,plugd\n").status, WorkListStatus::kRefused);
 }
 
-TEST(SelectTubes, InaccessibleAndUnresolvedOnesAreTakenOnlyWhereTheyAreNamedAndThenTold) {
+TEST(SelectTubes, InaccessibleAndUnresolvedOnesAreTakenOnlyWhereTheyAreNamedAndThenReported) {
   Sheet sheet = makeSheet(smallDescription());
   sheet.tubes[*sheet.indexOf(1, 3)].state = TubeState::kInaccessible;
   sheet.tubes[*sheet.indexOf(2, 5)].state = TubeState::kUnresolved;
@@ -110,7 +110,7 @@ TEST(SelectTubes, InaccessibleAndUnresolvedOnesAreTakenOnlyWhereTheyAreNamedAndT
   EXPECT_EQ(doubtfulText(sheet, selectTubes(sheet, "all,inaccessible,-R1C3")), "");
 }
 
-TEST(SelectTubes, AWorkListNamesItsTubesSoThatDoubtfulOnesAreTakenAndTold) {
+TEST(SelectTubes, AWorkListNamesItsTubesSoThatDoubtfulOnesAreTakenAndReported) {
   Sheet sheet = makeSheet(smallDescription());
   sheet.tubes[*sheet.indexOf(1, 3)].state = TubeState::kInaccessible;
   const Selection selection =
