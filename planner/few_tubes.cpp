@@ -75,11 +75,10 @@ RealOrder FewTubes::order() {
 }
 
 /// The moves of an order of which less is known.
-std::vector<FewTubes::Move> FewTubes::movesBelow(const std::vector<int>& postures, Knowledge knowledge) const {
+std::vector<FewTubes::Move> FewTubes::movesBelow(const std::vector<int>& postures, Knowledge knowledge) {
   std::vector<Move> moves;
   for (std::size_t k = 0; k + 1 < postures.size(); ++k)
-    if (knowledge_[static_cast<std::size_t>(postures[k] * table_.postures() + postures[k + 1])] < knowledge)
-      moves.push_back({postures[k], postures[k + 1]});
+    if (knowledgeOf(postures[k], postures[k + 1]) < knowledge) moves.push_back({postures[k], postures[k + 1]});
   return moves;
 }
 
@@ -90,8 +89,7 @@ void FewTubes::setTime(Move move, double rough, Knowledge knowledge) {
     const double time = std::min(straight + left * (rough - straight), kForbiddenTime);
     times_[view](move.from, move.to) = times_[view](move.to, move.from) = time;
   }
-  for (const auto& [p, q] : {std::pair{move.from, move.to}, {move.to, move.from}})
-    knowledge_[static_cast<std::size_t>(p * table_.postures() + q)] = knowledge;
+  knowledgeOf(move.from, move.to) = knowledgeOf(move.to, move.from) = knowledge;
 }
 
 void FewTubes::estimate(const std::vector<Move>& moves) {
@@ -132,16 +130,14 @@ void FewTubes::takePartsAsApart() {
   for (int p = 0; p < table_.postures(); ++p)
     for (int q = 0; q < p; ++q) {
       const int a = parts[static_cast<std::size_t>(p)], b = parts[static_cast<std::size_t>(q)];
-      const bool is_unknown = knowledge_[static_cast<std::size_t>(p * table_.postures() + q)] == Knowledge::kStraight;
+      const bool is_unknown = knowledgeOf(p, q) == Knowledge::kStraight;
       if (is_unknown && a >= 0 && b >= 0 && a != b) setTime({p, q}, kForbiddenTime, Knowledge::kExact);
     }
 }
 
 /// So many moves took longer than hoped for that no more is hoped of the rest.
 void FewTubes::expectTheUnknownToBeAsTheKnown() {
-  const auto isKnown = [this](int p, int q) {
-    return knowledge_[static_cast<std::size_t>(p * table_.postures() + q)] != Knowledge::kStraight;
-  };
+  const auto isKnown = [this](int p, int q) { return knowledgeOf(p, q) != Knowledge::kStraight; };
   for (Eigen::MatrixXd& times : times_) {
     double known = 0, straight = 0;
     for (int p = 0; p < table_.postures(); ++p)

@@ -34,7 +34,11 @@ class FewTubes {
     int from, to;
   };
 
-  [[nodiscard]] std::vector<Move> movesBelow(const std::vector<int>& postures, Knowledge knowledge) const;
+  /// Of the move from posture p to q.
+  [[nodiscard]] Knowledge& knowledgeOf(int p, int q) {
+    return knowledge_[static_cast<std::size_t>(p * table_.postures() + q)];
+  }
+  [[nodiscard]] std::vector<Move> movesBelow(const std::vector<int>& postures, Knowledge knowledge);
   /// `rough` is the time [s] of a way that was found, where it is yet to be made quick; else the time itself.
   void setTime(Move move, double rough, Knowledge knowledge);
   void estimate(const std::vector<Move>& moves);

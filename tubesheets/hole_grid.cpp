@@ -44,4 +44,14 @@ std::int64_t HoleGrid::cellOf(double coordinate) const {
   return static_cast<std::int64_t>(std::clamp(std::floor(coordinate / reach_), -kFarthestCell, kFarthestCell));
 }
 
+std::vector<std::vector<int>> neighboursWithin(const std::vector<Tube>& tubes, double reach) {
+  const HoleGrid grid(tubes, reach);
+  std::vector<std::vector<int>> neighbours(tubes.size());
+  for (int i = 0; i < static_cast<int>(tubes.size()); ++i) {
+    neighbours[i] = grid.findWithin(tubes[i].x, tubes[i].y, reach);
+    std::erase(neighbours[i], i);
+  }
+  return neighbours;
+}
+
 }  // namespace tubeplan::tubesheets

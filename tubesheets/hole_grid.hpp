@@ -29,4 +29,7 @@ class HoleGrid {
   std::vector<Entry> entries_;
 };
 
+/// For every hole the others within that distance [m], in the order of the list.
+[[nodiscard]] std::vector<std::vector<int>> neighboursWithin(const std::vector<Tube>& tubes, double reach);
+
 }  // namespace tubeplan::tubesheets

@@ -106,14 +106,7 @@ Sheet makeSheet(const SheetDescription& description, std::vector<Tube> tubes) {
 }
 
 std::vector<std::vector<int>> findNeighbours(const Sheet& sheet) {
-  const double reach = kNeighbourReach * sheet.pitch;
-  const HoleGrid grid(sheet.tubes, reach);
-  std::vector<std::vector<int>> neighbours(sheet.tubes.size());
-  for (int i = 0; i < static_cast<int>(sheet.tubes.size()); ++i) {
-    neighbours[i] = grid.findWithin(sheet.tubes[i].x, sheet.tubes[i].y, reach);
-    std::erase(neighbours[i], i);
-  }
-  return neighbours;
+  return neighboursWithin(sheet.tubes, kNeighbourReach * sheet.pitch);
 }
 
 }  // namespace tubeplan::tubesheets

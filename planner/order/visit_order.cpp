@@ -126,8 +126,7 @@ Searched searched(const Route& route, const PostureTable& table, const VisitOrde
 
 /// The quickest order of straight moves is a bound that nothing is above.
 Searched exact(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
-  const auto withTimes = [&](const Eigen::MatrixXd& times) { return exactOrder(table, times); };
-  const ExactOrder order = withTimes(timesWithExtra(table));
+  const ExactOrder order = exactOrder(table, timesWithExtra(table));
   Searched result;
   result.best = {{}, std::vector<int>(table.nodes(), -1), order.time};
   for (const int posture : order.postures) {
@@ -135,7 +134,8 @@ Searched exact(const Route& route, const PostureTable& table, const VisitOrderOp
     if (node < table.visits()) result.best.order.push_back(node);
     result.best.posture_of_node[node] = posture;
   }
-  if (options.with_bound) result.lower_bound = route.extra_time ? withTimes(straightTimes(table)).time : order.time;
+  if (options.with_bound)
+    result.lower_bound = route.extra_time ? exactOrder(table, straightTimes(table)).time : order.time;
   return result;
 }
 
