@@ -164,6 +164,12 @@ double probabilityWithin(double radius, const Eigen::Vector2d& mean_offset, cons
   return probabilityOfBand(half, offset->wide_mean, offset->wide_sigma);
 }
 
+double toleratedTilt(const SteppedTool& tool) {
+  const bool is_stated = !tool.steps.empty() && !tool.lengths.empty();
+  return is_stated ? std::atan2(tool.steps.front().tolerance, tool.lengths.front())
+                   : std::numeric_limits<double>::infinity();
+}
+
 double playInTube(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean, double depth) {
   constexpr double kAtFace = 1e-6;  // m: a step that ends at the face is not followed in by rounding
   double least = std::numeric_limits<double>::infinity(), from = 0;

@@ -38,6 +38,10 @@ struct SteppedTool {
 /// lean; a step enters where both its ends keep its tolerance. A tool without lengths counts as all tip.
 [[nodiscard]] int stepsInserted(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean);
 
+/// The most that the tool may lean [rad] for its first step to enter at all, were its tip centred: the step's far end
+/// then is at its tolerance. Infinite where the tool states no lengths.
+[[nodiscard]] double toleratedTilt(const SteppedTool& tool);
+
 /// The least play that any part of the tool has in a tube that its tip is `depth` [m] deep in, `offset` and `lean` as
 /// above [m]: a step's tolerance less how far that part is off the axis. Behind its last length, and where it has none,
 /// the tool is as thick as that step, and the first. Negative where it would touch; infinite at no depth (1 um is

@@ -98,8 +98,6 @@ bool takesNoTool(TubeState state) { return state == TubeState::kPlugged || state
 // May be visited, but not unasked.
 bool isDoubtful(TubeState state) { return state == TubeState::kInaccessible || state == TubeState::kUnresolved; }
 
-bool isLeftOutUnlessNamed(TubeState state) { return takesNoTool(state) || isDoubtful(state); }
-
 // Tubes that are asked for by their state or one by one, not as part of a range.
 std::vector<bool> namedTubes(const Sheet& sheet, const std::vector<Item>& items) {
   const std::vector<int> all = allTubes(sheet);
@@ -166,6 +164,8 @@ std::string findListFault(const WorkListItem& item, const Sheet& sheet) {
 }
 
 }  // namespace
+
+bool isLeftOutUnlessNamed(TubeState state) { return takesNoTool(state) || isDoubtful(state); }
 
 std::string leftOutText(const Sheet& sheet, const Selection& selection) {
   std::map<TubeState, int> counts;

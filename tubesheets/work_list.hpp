@@ -45,6 +45,9 @@ struct Selection {
 /// empty result.
 [[nodiscard]] Selection selectTubes(const Sheet& sheet, const std::string& request);
 
+/// Plugged, stabilised, inaccessible or unresolved: visited where the tube or its state is named.
+[[nodiscard]] bool isLeftOutUnlessNamed(TubeState state);
+
 /// "spread:N" for at most so many of the tubes that take a tool.
 [[nodiscard]] std::string spreadRequest(const Sheet& sheet, std::size_t most);
 

@@ -56,6 +56,7 @@ nlohmann::json mapJson(const Cell& cell, const tubesheets::Sheet& sheet) {
       {"states", countStates(sheet)},
       {"manway", manwayJson(sheet, cell.units)},
       {"fingerprint", sheet.fingerprint()},
+      {"warnings", cell.warnings},
       {"units", unitsJson(cell.units)}};
 }
 
@@ -73,6 +74,7 @@ void printMap(const Cell& cell, const tubesheets::Sheet& sheet) {
              length(box.min().y()), length(box.max().y()), unit);
   for (const auto& [state, count] : countStates(sheet)) fmt::print("{} {}\n", count, state);
   fmt::print("fingerprint {}\n", sheet.fingerprint());
+  for (const auto& warning : cell.warnings) fmt::print("warning: {}\n", warning);
 }
 
 // The map's format knows in, mm and m.

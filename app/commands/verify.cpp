@@ -1,5 +1,6 @@
 // tubeplan verify: proves a plan again, by other code than made it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -19,6 +20,7 @@
 #include "app/files/units_json.hpp"
 #include "app/files/workcell.hpp"
 #include "deflection/parameters.hpp"
+#include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
 
@@ -57,6 +59,7 @@ nlohmann::json checkJson(const planner::PlanCheck& check, const Units& units,
           {"path_rows", check.rows},
           {"worst_centring", check.worst_centring / units.factor(dimension::kLength)},
           {"worst_approach_deviation", lengthOf(check.worst_approach, units)},
+          {"worst_tilt", angleOf(check.worst_tilt, units)},
           {"least_play_in_tube",
            std::isfinite(check.least_play) ? nlohmann::json(lengthOf(check.least_play, units)) : nlohmann::json()},
           {"worst_statics_difference", lengthOf(check.worst_statics, units)},
@@ -112,6 +115,23 @@ std::string baseDifference(const Cell& cell, const Cell& planned) {
       lengthText(place, cell.units), angleOf(std::abs(turn), cell.units), cell.units.angle().name, cell.path);
 }
 
+/// Tubes of the plan that a list would leave out: the map may be newer than the plan.
+std::string statesText(const tubesheets::Sheet& sheet, const planner::StatedPlan& plan) {
+  constexpr std::size_t kNamed = 10;
+  std::vector<std::string> named;
+  std::size_t count = 0;
+  for (const auto& stated : plan.tubes) {
+    const auto* tube = sheet.find(stated.row, stated.column);
+    if (!tube || !tubesheets::isLeftOutUnlessNamed(tube->state)) continue;
+    if (++count <= kNamed)
+      named.push_back(fmt::format("{} ({})", tubesheets::tubeName(tube->row, tube->column),
+                                  tubesheets::tubeStateWords(tube->state)));
+  }
+  if (count == 0) return "";
+  return fmt::format("by the map, {} of the {} planned tubes would be left out unless named: {}{}", count,
+                     plan.tubes.size(), fmt::join(named, ", "), count > kNamed ? ", ..." : "");
+}
+
 int run(const VerifyOptions& options) {
   const Cell cell = readCell(options.cell);
   const Cell planned = readCell((std::filesystem::path(options.folder) / "cell.yaml").string());
@@ -125,7 +145,10 @@ int run(const VerifyOptions& options) {
   checks.padding = files.padding_sigmas;
   checks.via_points = files.compensation == "via-point";
   // Without compensation the deflected tip is meant to miss: only the files' own statements are held against the model.
-  if (files.compensation == "none") checks.centring_tolerance = 1;
+  if (files.compensation == "none") {
+    checks.centring_tolerance = 1;
+    checks.limits_tilt = false;
+  }
   planner::PlanCheck check = planner::checkPlan(work, files.plan, checks, terminalHooks());
   for (const auto& difference : armDifferences(cell.arm, planned.arm)) check.findings.push_back(difference);
   const auto strangers = findIdentityProblems(files, work.sheet);
@@ -133,6 +156,7 @@ int run(const VerifyOptions& options) {
   if (!check.findings.empty()) check.status = planner::PlanCheckStatus::kRefuted;
   std::vector<std::string> warnings = cell.warnings;
   if (auto moved = baseDifference(cell, planned); !moved.empty()) warnings.push_back(std::move(moved));
+  if (auto states = statesText(work.sheet, files.plan); !states.empty()) warnings.push_back(std::move(states));
   writeJson(options.json, checkJson(check, cell.units, warnings));
   if (printsText(options.json)) print(check, cell, warnings);
   return check.findings.empty() ? kDone : kNegativeAnswer;

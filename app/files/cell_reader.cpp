@@ -197,7 +197,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   cell.warnings = sceneWarnings(cell.scene, cell.meshes, cell.arm, cell.X_WB);
   if (cell.sheet && cell.scene.bodies.empty())
     cell.warnings.emplace_back("the cell has no link_shapes: the arm is not checked against anything");
-  if (cell.sheet && cell.sheet->layout_type == "map") warnOfHolesOffLattice(*cell.sheet, cell.units, cell.warnings);
+  if (cell.sheet && cell.sheet->layout_type == "map") warnOfHoles(*cell.sheet, cell.units, cell.warnings);
   const auto stated_by_scene = findToolAxis(cell.scene);
   if (!source.names_tool_axis) cell.arm.tool_axis_L = stated_by_scene.value_or(cell.arm.tool_axis_L);
   cell.tool_axis_stated = source.names_tool_axis || stated_by_scene.has_value();

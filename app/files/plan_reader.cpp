@@ -46,7 +46,9 @@ planner::StatedTube tubeOf(const JsonValue& tube, const Cell& cell) {
           tube.at("predicted_tip").numbers(3) * length,
           tube.has("dwell_s") ? tube.at("dwell_s").number(0) : 0,
           tube.has("zone") ? tube.at("zone").integer(0, kMost) : 0,
-          tube.has("centring_error") ? std::optional(tube.at("centring_error").number(0) * length) : std::nullopt};
+          tube.has("centring_error") ? std::optional(tube.at("centring_error").number(0) * length) : std::nullopt,
+          tube.has("tilt") ? std::optional(cell.units.toInternal(tube.at("tilt").number(0), dimension::kAngle))
+                           : std::nullopt};
 }
 
 void readTubesOf(const JsonValue& document, const Cell& cell, PlanFiles& files) {

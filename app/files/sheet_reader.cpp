@@ -11,6 +11,7 @@
 #include "app/files/yaml/strict_yaml.hpp"
 #include "tubesheets/hole_lattice.hpp"
 #include "tubesheets/hole_map_csv.hpp"
+#include "tubesheets/hole_names.hpp"
 #include "tubesheets/layouts.hpp"
 
 namespace tubeplan::app {
@@ -119,6 +120,19 @@ tubesheets::Sheet readSheet(const YamlNode& node, const Units& units, const std:
   return sheet;
 }
 
+namespace {
+
+void warnOfMisnamedHoles(const tubesheets::Sheet& sheet, std::vector<std::string>& warnings) {
+  for (const auto& hole : tubesheets::findMisnamedHoles(sheet)) {
+    const auto& tube = sheet.tubes[static_cast<std::size_t>(hole.tube)];
+    const auto* there = hole.there < 0 ? nullptr : &sheet.tubes[static_cast<std::size_t>(hole.there)];
+    warnings.push_back(
+        fmt::format("hole map: {} does not lie where its row puts column {}{}: check its name",
+                    tubesheets::tubeName(tube.row, tube.column), tube.column,
+                    there ? fmt::format(", {} does", tubesheets::tubeName(there->row, there->column)) : ""));
+  }
+}
+
 void warnOfHolesOffLattice(const tubesheets::Sheet& sheet, const Units& units, std::vector<std::string>& warnings) {
   constexpr std::size_t kShown = 5;
   const auto off = tubesheets::findHolesOffLattice(sheet);
@@ -134,6 +148,13 @@ void warnOfHolesOffLattice(const tubesheets::Sheet& sheet, const Units& units, s
   if (off.size() > kShown)
     warnings.push_back(
         fmt::format("hole map: {} more holes lie off the lattice of those about them", off.size() - kShown));
+}
+
+}  // namespace
+
+void warnOfHoles(const tubesheets::Sheet& sheet, const Units& units, std::vector<std::string>& warnings) {
+  warnOfMisnamedHoles(sheet, warnings);
+  warnOfHolesOffLattice(sheet, units, warnings);
 }
 
 tubesheets::SteppedTool readSteppedTool(const YamlNode& node, const Units& units, double hole_diameter) {

@@ -19,7 +19,7 @@ namespace tubeplan::app {
                                           const std::filesystem::path& folder);
 
 /// A sentence for each hole of a map that lies off the lattice of those about it, the first few of them.
-void warnOfHolesOffLattice(const tubesheets::Sheet& sheet, const Units& units, std::vector<std::string>& warnings);
+void warnOfHoles(const tubesheets::Sheet& sheet, const Units& units, std::vector<std::string>& warnings);
 
 /// Reads `calibration_tool: {steps: [{diameter, tolerance}, ...], lengths?}` for holes of that diameter [m].
 [[nodiscard]] tubesheets::SteppedTool readSteppedTool(const YamlNode& node, const Units& units, double hole_diameter);

@@ -233,12 +233,6 @@ std::optional<Compensation> findCompensation(std::string_view name) {
   return std::nullopt;
 }
 
-double toleratedTilt(const tubesheets::SteppedTool& tool) {
-  const bool is_stated = !tool.steps.empty() && !tool.lengths.empty();
-  return is_stated ? std::atan2(tool.steps.front().tolerance, tool.lengths.front())
-                   : std::numeric_limits<double>::infinity();
-}
-
 std::vector<TubeBranch> compensate(const Workcell& cell, const Vector3d& hole_W, const CompensationOptions& options) {
   Modes modes(cell, options);
   return modes.complete(hole_W, modes.goal().allBranches(hole_W));

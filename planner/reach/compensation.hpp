@@ -45,10 +45,6 @@ struct TubeBranch {
       std::numeric_limits<double>::quiet_NaN();  ///< m, most the tip leaves the hole's axis on the way (flexible model)
 };
 
-/// The most that the tool may lean [rad] for its first step to enter at all, were its tip centred: the step's far end
-/// then is at its tolerance. Infinite where the tool states no lengths.
-[[nodiscard]] double toleratedTilt(const tubesheets::SteppedTool& tool);
-
 /// All branches for one hole: those that reach it first. Empty: the hole is out of reach.
 [[nodiscard]] std::vector<TubeBranch> compensate(const Workcell& cell, const Eigen::Vector3d& hole_W,
                                                  const CompensationOptions& options = {});

@@ -12,7 +12,7 @@ using Eigen::Vector3d, Eigen::VectorXd;
 
 deflection::InverseKinematicsOptions withinTilt(const tubesheets::SteppedTool& tool,
                                                 deflection::InverseKinematicsOptions options) {
-  options.max_tilt = std::min(options.max_tilt, toleratedTilt(tool));
+  options.max_tilt = std::min(options.max_tilt, tubesheets::toleratedTilt(tool));
   return options;
 }
 

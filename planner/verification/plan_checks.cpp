@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "deflection/prepared_arm.hpp"
@@ -91,6 +92,7 @@ class Checker {
       if (!(off <= options_.centring_tolerance))
         find(fmt::format("{}: the deflected tip is {:.3g} m off {}", name, off,
                          cell_.insertion > 0 ? "its position in the tube" : "the hole's centre"));
+      checkTilt(name, tube.tilt);
       checkStatics(name, tube.q, tip);
       if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance))
         find(name + ": the stated tip is not the model's");
@@ -102,6 +104,20 @@ class Checker {
         find(tubesheets::tubeName(row, column) + ", stated as unreachable, is not on this sheet");
       if (seen.contains({row, column})) find(tubesheets::tubeName(row, column) + " is both visited and unreachable");
     }
+  }
+
+  /// Of the posture that was solved last: the tool enters where it leans no more than its first step allows.
+  void checkTilt(const std::string& tube, const std::optional<double>& stated) {
+    const Vector3d axis_W = cell_.X_WB.linear() * (arm_.X_BD().R * cell_.arm.tool_axis_L);
+    const double tilt = std::atan2(axis_W.cross(kHoleAxis_W).norm(), axis_W.dot(kHoleAxis_W));
+    result_.worst_tilt = std::max(result_.worst_tilt, tilt);
+    constexpr double kDegree = std::numbers::pi / 180;
+    if (const double most = tubesheets::toleratedTilt(cell_.tool);
+        options_.limits_tilt && !(tilt <= most + options_.tilt_tolerance))
+      find(fmt::format("{}: the tool leans by {:.3g} deg, {:.3g} deg are allowed", tube, tilt / kDegree,
+                       most / kDegree));
+    if (stated && !(std::abs(*stated - tilt) <= options_.tilt_tolerance))
+      find(tube + ": the stated tilt is not the model's");
   }
 
   /// The deflected shape once more, by a method that shares nothing with the first.

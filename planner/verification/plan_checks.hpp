@@ -19,6 +19,7 @@ struct StatedTube {
   double dwell = 0;                           ///< s
   int zone = 0;                               ///< never falls along the path
   std::optional<double> centring_error = {};  ///< m
+  std::optional<double> tilt = {};            ///< rad, of the tool against the hole's axis
 };
 
 /// A plan as read from its files.
@@ -35,7 +36,9 @@ struct PlanCheckOptions {
   double centring_tolerance = 2.54e-8;  ///< m (1e-6 in)
   double stated_tolerance = 2.54e-8;    ///< m, between stated numbers and those found again
   double statics_tolerance = 5.08e-5;   ///< m (0.002 in), between the tip and that by segmented_statics.hpp
-  double joint_tolerance = 1e-9;        ///< rad, between a tube's joints and the end of its approach
+  double tilt_tolerance = 1e-6;   ///< rad, beyond the tilt at which the tool's first step enters, and of a stated one
+  bool limits_tilt = true;        ///< the tool was placed within that tilt
+  double joint_tolerance = 1e-9;  ///< rad, between a tube's joints and the end of its approach
   double approach_tolerance =
       2.8e-5;              ///< m, tip off the hole's axis while inside the approach (0.0011 in); only where via_points
   bool via_points = true;  ///< the approach was compensated at every via point
@@ -54,6 +57,7 @@ struct PlanCheck {
   int tubes = 0, rows = 0;
   double worst_centring = 0;                                        ///< m
   double worst_approach = 0;                                        ///< m
+  double worst_tilt = 0;                                            ///< rad
   double worst_statics = std::numeric_limits<double>::quiet_NaN();  ///< m, between the tips of both methods at tubes
   std::string statics_not_covered;  ///< why the second method says nothing of this arm; empty where it does
   /// Why the share of the travel between rows that is deflection's is sampled; empty where it is proved.
@@ -65,8 +69,9 @@ struct PlanCheck {
   std::string tightest;
 };
 
-/// Checks tubes, centring, stated times and clearance, order, joint limits, speeds, accelerations, approaches and
-/// retreats along the holes' axes, and clearance of the deflected arm at the path's rows and everywhere between them.
+/// Checks tubes, centring, tilts, stated times and clearance, order, joint limits, speeds, accelerations, approaches
+/// and retreats along the holes' axes, and clearance of the deflected arm at the path's rows and everywhere between
+/// them.
 [[nodiscard]] PlanCheck checkPlan(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options = {},
                                   const PlanHooks& hooks = {});
 

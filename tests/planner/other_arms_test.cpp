@@ -44,7 +44,7 @@ TEST_P(OtherArms, ABaseThatLeansALittleChangesNoTubes) {
       for (const auto& branch : reach.branches) {
         EXPECT_LE((testing::deflectedTip(leans, branch.q) - holeOf(leans, tube)).norm(),
                   1e-9 * deflection::reachOf(leans.arm));
-        EXPECT_LE(branch.tilt, toleratedTilt(leans.tool));
+        EXPECT_LE(branch.tilt, tubesheets::toleratedTilt(leans.tool));
       }
     }
     if (lean == 0) straight = found;
@@ -77,13 +77,13 @@ TEST(OtherArmsPlan, ATubeThatOnlyALeaningToolReachesIsRefusedForItsTilt) {
 
 TEST(ToleratedTilt, IsThatAtWhichTheFirstStepStillEnters) {
   const tubesheets::SteppedTool tool = mockup().tool;
-  const double tilt = toleratedTilt(tool);
+  const double tilt = tubesheets::toleratedTilt(tool);
   const auto steps = [&](double angle) {
     return tubesheets::stepsInserted(tool, Eigen::Vector2d::Zero(), Eigen::Vector2d(std::tan(angle), 0));
   };
   EXPECT_GE(steps(tilt * (1 - 1e-9)), 1);
   EXPECT_EQ(steps(tilt * (1 + 1e-9)), 0);
-  EXPECT_EQ(toleratedTilt({tool.steps, {}}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(tubesheets::toleratedTilt({tool.steps, {}}), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

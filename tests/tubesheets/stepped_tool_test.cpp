@@ -17,13 +17,15 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr double kInch = 0.0254;
-constexpr double kHole = 0.760 * kInch;
+constexpr double kMetresInAnInch = 0.0254;
+constexpr double kHole = 0.760 * kMetresInAnInch;
 
 /// The tool of table 5.7.
 SteppedTool thesisTool() {
-  return {{{0.582 * kInch, 0.089 * kInch}, {0.644 * kInch, 0.058 * kInch}, {0.740 * kInch, 0.010 * kInch}},
-          {0.5 * kInch, 0.5 * kInch, 0.5 * kInch}};
+  return {{{0.582 * kMetresInAnInch, 0.089 * kMetresInAnInch},
+           {0.644 * kMetresInAnInch, 0.058 * kMetresInAnInch},
+           {0.740 * kMetresInAnInch, 0.010 * kMetresInAnInch}},
+          {0.5 * kMetresInAnInch, 0.5 * kMetresInAnInch, 0.5 * kMetresInAnInch}};
 }
 
 Eigen::Matrix2d covarianceOf(double sigma_1, double sigma_2, double angle) {
@@ -34,42 +36,44 @@ Eigen::Matrix2d covarianceOf(double sigma_1, double sigma_2, double angle) {
 TEST(StepsInserted, FollowsTable57) {
   const SteppedTool tool = thesisTool();
   EXPECT_EQ(stepsInserted(tool, 0), 3);
-  EXPECT_EQ(stepsInserted(tool, 0.010 * kInch), 3);
-  EXPECT_EQ(stepsInserted(tool, 0.0101 * kInch), 2);
-  EXPECT_EQ(stepsInserted(tool, 0.058 * kInch), 2);
-  EXPECT_EQ(stepsInserted(tool, 0.0581 * kInch), 1);
-  EXPECT_EQ(stepsInserted(tool, 0.089 * kInch), 1);
-  EXPECT_EQ(stepsInserted(tool, 0.0891 * kInch), 0);
+  EXPECT_EQ(stepsInserted(tool, 0.010 * kMetresInAnInch), 3);
+  EXPECT_EQ(stepsInserted(tool, 0.0101 * kMetresInAnInch), 2);
+  EXPECT_EQ(stepsInserted(tool, 0.058 * kMetresInAnInch), 2);
+  EXPECT_EQ(stepsInserted(tool, 0.0581 * kMetresInAnInch), 1);
+  EXPECT_EQ(stepsInserted(tool, 0.089 * kMetresInAnInch), 1);
+  EXPECT_EQ(stepsInserted(tool, 0.0891 * kMetresInAnInch), 0);
   EXPECT_EQ(stepsInserted(tool, kNan), 0);
   EXPECT_EQ(stepsInserted(tool, std::numeric_limits<double>::infinity()), 0);
 }
 
 TEST(PlayInTube, IsAStepsToleranceLessHowFarItIsOff) {
   const SteppedTool tool = thesisTool();
-  const Eigen::Vector2d off(0.003 * kInch, 0.004 * kInch), upright(0, 0);
+  const Eigen::Vector2d off(0.003 * kMetresInAnInch, 0.004 * kMetresInAnInch), upright(0, 0);
   EXPECT_EQ(playInTube(tool, off, upright, 0), std::numeric_limits<double>::infinity());
-  EXPECT_NEAR(playInTube(tool, off, upright, 0.3 * kInch), 0.084 * kInch, 1e-15);
-  EXPECT_NEAR(playInTube(tool, off, upright, 0.5 * kInch + 1e-9), 0.084 * kInch, 1e-15);  // no part of the next
-  EXPECT_NEAR(playInTube(tool, off, upright, 0.6 * kInch), 0.053 * kInch, 1e-15);
-  EXPECT_NEAR(playInTube(tool, off, upright, 9 * kInch), 0.005 * kInch, 1e-15);  // as thick as its last step
+  EXPECT_NEAR(playInTube(tool, off, upright, 0.3 * kMetresInAnInch), 0.084 * kMetresInAnInch, 1e-15);
+  EXPECT_NEAR(playInTube(tool, off, upright, 0.5 * kMetresInAnInch + 1e-9), 0.084 * kMetresInAnInch,
+              1e-15);  // no part of the next
+  EXPECT_NEAR(playInTube(tool, off, upright, 0.6 * kMetresInAnInch), 0.053 * kMetresInAnInch, 1e-15);
+  EXPECT_NEAR(playInTube(tool, off, upright, 9 * kMetresInAnInch), 0.005 * kMetresInAnInch,
+              1e-15);  // as thick as its last step
   SteppedTool without = tool;
   without.lengths.clear();
-  EXPECT_NEAR(playInTube(without, off, upright, 9 * kInch), 0.084 * kInch, 1e-15);
+  EXPECT_NEAR(playInTube(without, off, upright, 9 * kMetresInAnInch), 0.084 * kMetresInAnInch, 1e-15);
 }
 
 TEST(PlayInTube, ALeanCountsAtTheFarthestEndThatIsIn) {
   const SteppedTool tool = thesisTool();
   const Eigen::Vector2d lean(0.05, 0), centred(0, 0);
-  EXPECT_NEAR(playInTube(tool, centred, lean, 0.4 * kInch), (0.089 - 0.02) * kInch, 1e-15);
-  EXPECT_NEAR(playInTube(tool, centred, lean, 0.8 * kInch), (0.058 - 0.04) * kInch, 1e-15);
-  EXPECT_LT(playInTube(tool, centred, lean, 1.2 * kInch), 0);
+  EXPECT_NEAR(playInTube(tool, centred, lean, 0.4 * kMetresInAnInch), (0.089 - 0.02) * kMetresInAnInch, 1e-15);
+  EXPECT_NEAR(playInTube(tool, centred, lean, 0.8 * kMetresInAnInch), (0.058 - 0.04) * kMetresInAnInch, 1e-15);
+  EXPECT_LT(playInTube(tool, centred, lean, 1.2 * kMetresInAnInch), 0);
   // By closely spaced places along the tool.
-  const Eigen::Vector2d off(-0.01 * kInch, 0.006 * kInch), askew(0.02, -0.03);
-  const double depth = 0.93 * kInch;
+  const Eigen::Vector2d off(-0.01 * kMetresInAnInch, 0.006 * kMetresInAnInch), askew(0.02, -0.03);
+  const double depth = 0.93 * kMetresInAnInch;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= 10000; ++k) {
     const double below = depth * k / 10000;
-    const auto& step = tool.steps[below <= 0.5 * kInch ? 0 : 1];
+    const auto& step = tool.steps[below <= 0.5 * kMetresInAnInch ? 0 : 1];
     least = std::min(least, step.tolerance - (off - below * askew).norm());
   }
   EXPECT_NEAR(playInTube(tool, off, askew, depth), least, 1e-6);
@@ -218,8 +222,8 @@ TEST(ProbabilityBySteps, AgreesWithSampling) {
   for (const unsigned seed : {1u, 2u, 3u}) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
-    const Eigen::Vector2d mean = 0.03 * kInch * Eigen::Vector2d(normal(random), normal(random));
-    const Eigen::Matrix2d covariance = covarianceOf(0.04 * kInch, 0.01 * kInch * seed, 0.4 * seed);
+    const Eigen::Vector2d mean = 0.03 * kMetresInAnInch * Eigen::Vector2d(normal(random), normal(random));
+    const Eigen::Matrix2d covariance = covarianceOf(0.04 * kMetresInAnInch, 0.01 * kMetresInAnInch * seed, 0.4 * seed);
     const Eigen::Matrix2d root = covariance.llt().matrixL();
     std::vector<double> counts(4, 0);
     const int runs = 200000;
@@ -241,9 +245,9 @@ TEST(StepsInserted, CountsTheLeanOverTheStepsLengths) {
   EXPECT_EQ(stepsInserted(tool, centred, {0, 1 / 151.}), 3);
   EXPECT_EQ(stepsInserted(tool, centred, {0, 1 / 149.}), 2);
   // An offset that the lean takes back helps the third step, and only there.
-  EXPECT_EQ(stepsInserted(tool, {0.012 * kInch, 0}, {0.01, 0}), 3);
-  EXPECT_EQ(stepsInserted(tool, {0.012 * kInch, 0}, {-0.01, 0}), 2);
-  EXPECT_EQ(stepsInserted(tool, {0.07 * kInch, 0}, {-0.05, 0}), 0);
+  EXPECT_EQ(stepsInserted(tool, {0.012 * kMetresInAnInch, 0}, {0.01, 0}), 3);
+  EXPECT_EQ(stepsInserted(tool, {0.012 * kMetresInAnInch, 0}, {-0.01, 0}), 2);
+  EXPECT_EQ(stepsInserted(tool, {0.07 * kMetresInAnInch, 0}, {-0.05, 0}), 0);
   EXPECT_EQ(stepsInserted({tool.steps, {}}, centred, {0.5, 0}), 3) << "without lengths nothing is known of it";
 }
 
@@ -252,9 +256,9 @@ TEST(ProbabilityBySteps, OfALeaningToolAgreesWithSampling) {
   for (const unsigned seed : {1u, 2u, 3u}) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
-    const Eigen::Vector2d mean = 0.01 * kInch * Eigen::Vector2d(normal(random), normal(random));
+    const Eigen::Vector2d mean = 0.01 * kMetresInAnInch * Eigen::Vector2d(normal(random), normal(random));
     const Eigen::Vector2d lean = 0.01 * Eigen::Vector2d(normal(random), normal(random));
-    const Eigen::Matrix2d covariance = covarianceOf(0.02 * kInch, 0.006 * kInch * seed, 0.4 * seed);
+    const Eigen::Matrix2d covariance = covarianceOf(0.02 * kMetresInAnInch, 0.006 * kMetresInAnInch * seed, 0.4 * seed);
     const Eigen::Matrix2d root = covariance.llt().matrixL();
     std::vector<double> counts(4, 0);
     const int runs = 200000;
@@ -269,8 +273,8 @@ TEST(ProbabilityBySteps, OfALeaningToolAgreesWithSampling) {
 }
 
 TEST(ProbabilityBySteps, OfAToolThatHardlyLeansIsThatOfAnUprightOne) {
-  const Eigen::Vector2d mean(0.004 * kInch, 0.01 * kInch);
-  const Eigen::Matrix2d covariance = covarianceOf(0.03 * kInch, 0.01 * kInch, 0.5);
+  const Eigen::Vector2d mean(0.004 * kMetresInAnInch, 0.01 * kMetresInAnInch);
+  const Eigen::Matrix2d covariance = covarianceOf(0.03 * kMetresInAnInch, 0.01 * kMetresInAnInch, 0.5);
   const auto upright = probabilityBySteps(thesisTool(), mean, covariance);
   const auto leaning = probabilityBySteps(thesisTool(), mean, covariance, {1e-9, 1e-9});
   for (int k = 0; k <= 3; ++k) EXPECT_NEAR(upright[k], leaning[k], 1e-6);
@@ -281,8 +285,9 @@ TEST(ProbabilityBySteps, IsADistribution) {
   for (const double offset : {0.0, 1e-6, 0.01, 0.058, 0.1, 10.0})
     for (const double wide : {0.0, 1e-9, 1e-4, 0.01, 1.0, 1e6})
       for (const double thin : {0.0, 1e-12, 1e-3, 1.0}) {
-        const auto probability = probabilityBySteps(tool, Eigen::Vector2d(0, offset * kInch),
-                                                    covarianceOf(wide * kInch, thin * wide * kInch, 0.7));
+        const auto probability =
+            probabilityBySteps(tool, Eigen::Vector2d(0, offset * kMetresInAnInch),
+                               covarianceOf(wide * kMetresInAnInch, thin * wide * kMetresInAnInch, 0.7));
         ASSERT_EQ(probability.size(), 4u);
         for (const double p : probability)
           EXPECT_TRUE(p >= 0 && p <= 1) << offset << " " << wide << " " << thin << " " << p;
@@ -291,7 +296,7 @@ TEST(ProbabilityBySteps, IsADistribution) {
 }
 
 TEST(ProbabilityBySteps, OfAKnownOffsetIsItsStep) {
-  const auto probability = probabilityBySteps(thesisTool(), {0.02 * kInch, 0}, Eigen::Matrix2d::Zero());
+  const auto probability = probabilityBySteps(thesisTool(), {0.02 * kMetresInAnInch, 0}, Eigen::Matrix2d::Zero());
   EXPECT_EQ(probability, (std::vector<double>{0, 0, 1, 0}));
 }
 

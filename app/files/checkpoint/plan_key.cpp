@@ -115,7 +115,7 @@ PlanKey planKeyOf(const PlanKeyInputs& inputs, const std::vector<int>& tubes) {
           {"clearance", clearanceText(inputs)},
           {"compensation", fmt::format("{}, standoff {} m", inputs.compensation, inputs.standoff)},
           {"insertion", insertionText(inputs.model)},
-          {"tilt allowed", fmt::format("{} rad", planner::toleratedTilt(inputs.model.tool))},
+          {"tilt allowed", fmt::format("{} rad", tubesheets::toleratedTilt(inputs.model.tool))},
           {"travel", std::string(planner::nameOf(inputs.travel))},
           {"sheet", inputs.model.sheet.fingerprint()},
           {"seed", std::to_string(inputs.seed)},

@@ -1,6 +1,7 @@
 #include "app/files/cell_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <numbers>
@@ -71,23 +72,43 @@ TEST_F(CellReader, readsAnInlineArmAndAHoleMap) {
   EXPECT_EQ(cell.sheet->find(1, 2)->state, tubesheets::TubeState::kPlugged);
 }
 
-TEST_F(CellReader, warnsOfAHoleOfAMapThatLiesOffItsLattice) {
+/// An arm of one joint under a sheet whose holes are those of the map.
+class CellOverMap : public CellReader {
+ protected:
+  [[nodiscard]] Cell cellOverMap(const std::string& map) const {
+    (void)write("holes.csv", map);
+    return readCell(write("cell.yaml",
+                          "arm:\n  units: {length: in, angle: deg, force: lbf}\n  links:\n"
+                          "    - {name: one, dh: {alpha: 0, a: 0, d: 1}, joint: {name: q, type: revolute}}\n"
+                          "  tool: {tip: [1, 0, 0]}\nbase: {position: [0, 0, 0], rpy: [0, 0, 0], known: true}\n"
+                          "tubesheet: {map: holes.csv, pitch: 1, hole_diameter: 0.5, leg: hot}\n"));
+  }
+};
+
+TEST_F(CellOverMap, warnsOfAHoleOfAMapThatLiesOffItsLattice) {
   std::string map = "row,column,x_mm,y_mm\n";
   for (int row = 1; row <= 5; ++row)
     for (int column = 1; column <= 5; ++column)
       map +=
           fmt::format("{},{},{},{}\n", row, column, 25.4 * column + (row == 3 && column == 2 ? 7.62 : 0), 25.4 * row);
-  write("holes.csv", map);
-  const Cell cell =
-      readCell(write("cell.yaml",
-                     "arm:\n  units: {length: in, angle: deg, force: lbf}\n  links:\n"
-                     "    - {name: one, dh: {alpha: 0, a: 0, d: 1}, joint: {name: q, type: revolute}}\n"
-                     "  tool: {tip: [1, 0, 0]}\nbase: {position: [0, 0, 0], rpy: [0, 0, 0], known: true}\n"
-                     "tubesheet: {map: holes.csv, pitch: 1, hole_diameter: 0.5, leg: hot}\n"));
+  const Cell cell = cellOverMap(map);
   const auto isOfMap = [](const std::string& warning) { return warning.starts_with("hole map"); };
   ASSERT_EQ(std::ranges::count_if(cell.warnings, isOfMap), 1);
   expectSays(*std::ranges::find_if(cell.warnings, isOfMap),
              "R3C2 at (2.3, 3) in is 0.3 in off the lattice of the holes about it, which has a place at (2, 3)");
+}
+
+TEST_F(CellOverMap, namesTwoHolesOfAMapWhoseNamesAreExchanged) {
+  std::string map = "row,column,x_mm,y_mm\n";
+  for (int row = 1; row <= 5; ++row)
+    for (int column = 1; column <= 9; ++column) {
+      const int place = row == 3 && column == 4 ? 5 : row == 3 && column == 5 ? 4 : column;
+      map += fmt::format("{},{},{},{}\n", row, column, 25.4 * place, 25.4 * row);
+    }
+  const Cell cell = cellOverMap(map);
+  const std::string all = fmt::format("{}", fmt::join(cell.warnings, "\n"));
+  expectSays(all, "R3C4 does not lie where its row puts column 4, R3C5 does");
+  expectSays(all, "R3C5 does not lie where its row puts column 5, R3C4 does");
 }
 
 TEST_F(CellReader, readsTheManwayAndKeepsItInTheCellsThatItWrites) {

@@ -102,7 +102,7 @@ inline BranchCount countBranches(const Workcell& cell, std::span<const Eigen::Ve
   const Arm rigid = rigidCopy(cell.arm);
   const Eigen::Vector3d gravity_B = gravityInBase(cell.arm, cell.X_WB);
   InverseKinematicsOptions options;
-  options.max_tilt = std::min(options.max_tilt, toleratedTilt(cell.tool));
+  options.max_tilt = std::min(options.max_tilt, tubesheets::toleratedTilt(cell.tool));
   const bool turret = isTurretArm(rigid);
   std::optional<RigidSearch> search;
   if (!turret) search.emplace(rigid, axesAtZero(rigid));

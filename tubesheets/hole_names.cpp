@@ -1,0 +1,80 @@
+#include "tubesheets/hole_names.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <map>
+
+namespace tubeplan::tubesheets {
+
+using Eigen::Vector2d;
+
+namespace {
+
+constexpr double kOff = 0.5;            // pitches
+constexpr std::size_t kMost = 20;       // holes that may be misnamed in a map that counts by columns
+constexpr std::size_t kLeast = 2;       // the same, on small sheets
+constexpr double kMostShare = 0.02;     // of all, the same
+constexpr std::size_t kLeastInRow = 4;  // holes, for their offset to be that of the most
+
+Vector2d inPlane(const Tube& tube) { return {tube.x, tube.y}; }
+
+double middle(std::vector<double>& values) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// Coordinate by coordinate, so that a few that are wrong do not count.
+Vector2d middleOf(const std::vector<Vector2d>& vectors) {
+  std::vector<double> x, y;
+  for (const Vector2d& v : vectors) x.push_back(v.x()), y.push_back(v.y());
+  return {middle(x), middle(y)};
+}
+
+/// From a column to the next; zero where no row has two holes.
+Vector2d columnStep(const Sheet& sheet) {
+  std::vector<Vector2d> steps;
+  for (std::size_t k = 1; k < sheet.tubes.size(); ++k) {
+    const Tube &a = sheet.tubes[k - 1], &b = sheet.tubes[k];
+    if (a.row == b.row) steps.push_back((inPlane(b) - inPlane(a)) / (b.column - a.column));
+  }
+  return steps.empty() ? Vector2d::Zero() : middleOf(steps);
+}
+
+/// Where column 0 of each row would lie, of rows with holes enough.
+std::map<int, Vector2d> rowOrigins(const Sheet& sheet, const Vector2d& step) {
+  std::map<int, std::vector<Vector2d>> by_row;
+  for (const Tube& tube : sheet.tubes) by_row[tube.row].push_back(inPlane(tube) - tube.column * step);
+  std::map<int, Vector2d> origins;
+  for (const auto& [row, each] : by_row)
+    if (each.size() >= kLeastInRow) origins.emplace(row, middleOf(each));
+  return origins;
+}
+
+int holeAt(const Sheet& sheet, const Vector2d& place) {
+  for (std::size_t k = 0; k < sheet.tubes.size(); ++k)
+    if ((inPlane(sheet.tubes[k]) - place).norm() < kOff * sheet.pitch) return static_cast<int>(k);
+  return -1;
+}
+
+}  // namespace
+
+std::vector<MisnamedHole> findMisnamedHoles(const Sheet& sheet) {
+  const Vector2d step = columnStep(sheet);
+  const auto origins = rowOrigins(sheet, step);
+  const auto most =
+      std::clamp(static_cast<std::size_t>(kMostShare * static_cast<double>(sheet.tubes.size())), kLeast, kMost);
+  std::vector<MisnamedHole> found;
+  for (std::size_t k = 0; k < sheet.tubes.size(); ++k) {
+    const Tube& tube = sheet.tubes[k];
+    const auto origin = origins.find(tube.row);
+    if (origin == origins.end()) continue;
+    const Vector2d expected = origin->second + tube.column * step;
+    if ((inPlane(tube) - expected).norm() < kOff * sheet.pitch) continue;
+    if (found.size() == most) return {};
+    found.push_back({static_cast<int>(k), expected.x(), expected.y(), holeAt(sheet, expected)});
+  }
+  return found;
+}
+
+}  // namespace tubeplan::tubesheets
