@@ -170,7 +170,7 @@ std::string equivalentsText(const Comparison& result, const Units& units) {
 }
 
 std::string errorClause(const Comparison& result, const Units& units) {
-  return fmt::format("the error is {} as given and {} after the refit; noise alone explains {}",
+  return fmt::format("the error is {} as it stands and {} after the refit; noise alone explains {}",
                      lengthText(result.as_it_stands.errors.rms, units, 3),
                      lengthText(result.after_refit.errors.rms, units, 3),
                      lengthText(result.after_refit.noise_floor, units, 3));
@@ -220,7 +220,7 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
                    {"heldout_before", lengthJson(refit.heldout_before.rms, units)},
                    {"heldout_after", lengthJson(refit.heldout.rms, units)}};
   report["ladder"] = {
-      {{"name", "as given"}, {"rms", report["rms"]["before"]}, {"heldout_rms", report["rms"]["heldout_before"]}},
+      {{"name", "as it stands"}, {"rms", report["rms"]["before"]}, {"heldout_rms", report["rms"]["heldout_before"]}},
       {{"name", "refitted"}, {"rms", report["rms"]["after"]}, {"heldout_rms", report["rms"]["heldout_after"]}}};
   report["refit"] =
       refit.status == calibration::IdentificationStatus::kNotRun ? json() : identificationJson(refit, readings, units);
@@ -230,6 +230,7 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
   report["tested"] = json::array();
   for (const auto& test : result.patterns.tests) report["tested"].push_back(testJson(test, units));
   report["not_tested"] = result.patterns.not_tested;
+  report["errors"] = kErrorsAre;
   report["joint_equivalents"] = {{"as_it_stands", equivalentsJson(result, result.joints_before, units)},
                                  {"after_refit", equivalentsJson(result, result.joints_after, units)}};
   report["joint_columns"] = json::array();

@@ -9,6 +9,9 @@
 
 namespace tubeplan::app {
 
+/// `errors` of a comparison's document; they had been the other way round.
+inline constexpr const char* kErrorsAre = "measured less predicted";
+
 /// The one plain sentence of a comparison.
 [[nodiscard]] std::string comparisonSentence(const calibration::Comparison& result, const Units& units);
 

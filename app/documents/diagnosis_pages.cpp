@@ -19,18 +19,13 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Errors as the page's pictures take them: measured less predicted, at the tip's place after the refit.
+/// Readings as the page's pictures take them, at the tip's place after the refit.
 void addPictures(const Cell& cell, nlohmann::json& json) {
-  const auto reversed = [](const nlohmann::json& error) {
-    nlohmann::json turned = nlohmann::json::array();
-    for (const auto& part : error) turned.push_back(part.is_number() ? nlohmann::json(-part.get<double>()) : part);
-    return turned;
-  };
   json["joints"] = jointsJson(cell.arm, cell.units);
   for (auto& reading : json["readings"]) {
     reading["position"] = reading["position_after"];
-    reading["before"] = reversed(reading["error_before"]);
-    reading["after"] = reversed(reading["error_after"]);
+    reading["before"] = reading["error_before"];
+    reading["after"] = reading["error_after"];
   }
 }
 

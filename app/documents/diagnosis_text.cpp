@@ -141,7 +141,7 @@ std::string ambiguousSentence(const Diagnosis& result) {
           ? ""
           : fmt::format(", or something unknown (probability {:.0f} %)", 100 * result.unknown_probability);
   return fmt::format(
-      "One of {} explanations is missing, which these readings cannot distinguish{}; the most probable is {}.",
+      "{} explanations are possible, which these readings cannot distinguish{}; the most probable is {}.",
       result.alternatives.size(), unknown, namesText(result.alternatives.front()));
 }
 

@@ -47,6 +47,13 @@ std::string numbersText(const Cell& cell, const deflection::EffectKind& kind, co
   return fmt::format("{}", fmt::join(numbers, ", "));
 }
 
+std::string placesText(const Cell& cell, const deflection::EffectKind& kind) {
+  if (*kind.places_elsewhere) return fmt::format("at: {}", kind.places_elsewhere);
+  const auto places = deflection::placeTexts(cell.arm, kind);
+  if (places.empty()) return deflection::lackOfPlace(kind);
+  return fmt::format("numbers: {}\n  at: {}", numbersText(cell, kind, places.front()), fmt::join(places, ", "));
+}
+
 }  // namespace
 
 json catalogueJson(const Cell& cell) {
@@ -70,11 +77,8 @@ std::string catalogueText(const Cell& cell, const std::string& only) {
   std::string text;
   for (const auto& kind : deflection::effectKinds()) {
     if (!only.empty() && only != kind.name) continue;
-    const auto places = deflection::placeTexts(cell.arm, kind);
     text += fmt::format("{}\n  {}\n  {}\n", kind.name, kind.words, kind.law);
-    text += places.empty() ? fmt::format("  {}\n", deflection::lackOfPlace(kind))
-                           : fmt::format("  numbers: {}\n  at: {}\n", numbersText(cell, kind, places.front()),
-                                         fmt::join(places, ", "));
+    text += fmt::format("  {}\n", placesText(cell, kind));
   }
   return text;
 }

@@ -25,7 +25,10 @@ nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units) {
 
 std::string lengthText(double metres, const Units& units, int digits) {
   if (!std::isfinite(metres)) return "none";
-  return fmt::format("{:.{}g} {}", metres / units.factor(dimension::kLength), digits, units.length().name);
+  const double length = metres / units.factor(dimension::kLength);
+  const bool is_whole = std::abs(length) >= std::pow(10, digits) && std::abs(length) < 1e7;  // 1331, not 1.33e+03
+  return is_whole ? fmt::format("{:.0f} {}", length, units.length().name)
+                  : fmt::format("{:.{}g} {}", length, digits, units.length().name);
 }
 
 namespace {

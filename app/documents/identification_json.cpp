@@ -151,7 +151,7 @@ std::string identificationText(const Identification& result, const std::vector<c
   std::string text;
   if (result.status == IdentificationStatus::kNotConverged) text = "NOT CONVERGED: " + result.reason + "\n";
   text += fmt::format("errors of {} readings\n", result.used.size());
-  text += sizeText("as given", result.before, units);
+  text += sizeText("as it stands", result.before, units);
   text += sizeText("with the base fitted", result.after_base, units);
   text += sizeText("identified", result.after, units);
   text += sizeText("held out, with the base fitted", result.heldout_before, units);

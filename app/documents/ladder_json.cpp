@@ -36,7 +36,7 @@ std::string ladderStepsText(const LadderSteps& steps, const Units& units) {
   std::string text = fmt::format("true arm: {}", steps.real.name);
   if (steps.real.unmodelled > 0)
     text +=
-        fmt::format(" (sigma {:.3g} {} of a coordinate)", lengthOf(steps.real.unmodelled, units), units.length().name);
+        fmt::format(" (sigma {:.3g} {} per coordinate)", lengthOf(steps.real.unmodelled, units), units.length().name);
   return text +
          fmt::format("; {} random holes within its reach ({} drawn beyond it)\n", steps.holes, steps.out_of_reach);
 }
@@ -48,6 +48,7 @@ nlohmann::json ladderModels(const nlohmann::json& compared_models) {
                       {"rms", compared["rms"]["fitted"]},
                       {"heldout_rms", compared["rms"]["heldout"]},
                       {"chi2_per_dof", compared["chi2_per_dof"]},
+                      {"p_value", compared["p_value"]},
                       {"numbers", compared["fitted_numbers"]}});
     if (compared.contains("steps") && compared["steps"].is_object())
       models.back()["steps"] = compared["steps"]["counts"];

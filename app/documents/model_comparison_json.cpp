@@ -54,7 +54,8 @@ nlohmann::json modelComparisonJson(const std::vector<ModelComparisonRow>& compar
                                {{"as_it_stands", lengthJson(compared.as_it_stands.max, units)},
                                 {"fitted", lengthJson(compared.fitted.max, units)},
                                 {"heldout", lengthJson(compared.heldout.max, units)}}},
-                              {"chi2_per_dof", compared.chi2_per_dof}});
+                              {"chi2_per_dof", compared.chi2_per_dof},
+                              {"p_value", finiteJson(compared.p_value)}});
     if (!compared.steps) continue;
     json["models"].back()["steps"] = stepTableJson(*compared.steps, units);
     if (!compared.steps->reason.empty()) json["models"].back()["no_steps"] = compared.steps->reason;

@@ -38,9 +38,10 @@ export function arrowPath(x, y, dx, dy, head) {
  * The same on a canvas, without a detour by text: thousands are drawn at once. Shaft and head have the context's own
  * stroke and fill.
  * @param {CanvasRenderingContext2D} context
- * @param {number} x @param {number} y @param {number} dx @param {number} dy @param {number} [head]
+ * @param {number} x @param {number} y @param {number} dx @param {number} dy
+ * @param {boolean} [isHollow] of the head @param {number} [head]
  */
-export function drawArrow(context, x, y, dx, dy, head) {
+export function drawArrow(context, x, y, dx, dy, isHollow = false, head) {
   const corners = arrowCorners(x, y, dx, dy, head);
   if (!corners) return;
   const [nx, ny, ax, ay, bx, by] = corners;
@@ -53,7 +54,8 @@ export function drawArrow(context, x, y, dx, dy, head) {
   context.lineTo(ax, ay);
   context.lineTo(bx, by);
   context.closePath();
-  context.fill();
+  if (isHollow) context.stroke();
+  else context.fill();
 }
 
 /**

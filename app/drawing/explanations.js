@@ -146,5 +146,5 @@ export function withIt(explanation) {
 }
 
 /** What errors are called of a model as it stands, and refitted. */
-export const AS_IT_STANDS = "as given";
+export const AS_IT_STANDS = "as it stands";
 export const REFITTED = "refitted";

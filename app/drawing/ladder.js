@@ -5,7 +5,7 @@ import {fixed, isNumber, short} from "./numbers.js";
 
 /** What the two kinds of bars and the line are. */
 export const LADDER_WORDS = {
-  fitted: "fitted: on the readings it was fitted to",
+  fitted: "fitted: on the readings that the fit used",
   heldout: "held out: on readings that the fit did not use",
   floor: "noise floor: expected from the stated noise alone",
 };
@@ -19,6 +19,9 @@ export function modelNames(names) {
   return new Set(brief).size === new Set(names).size ? brief : [...names];
 }
 
+/** The largest error may be so many times the next before its bar is cut. */
+const MOST_TIMES = 12;
+
 /**
  * Where the axis ends: at the largest error, unless that would press the others against the left.
  * @param {readonly ComparedModel[]} models @param {number | null} floor
@@ -27,7 +30,7 @@ export function axisEnd(models, floor) {
   const errors = models.map((model) => Math.max(model.fitted ?? 0, model.heldout ?? 0));
   const others = Math.max(floor ?? 0, ...errors.slice(1));
   const largest = Math.max(floor ?? 0, ...errors) || 1;
-  return errors.length > 1 && others > 0 && largest > 4 * others ? 1.7 * others : 1.06 * largest;
+  return errors.length > 1 && others > 0 && largest > MOST_TIMES * others ? 1.7 * others : 1.06 * largest;
 }
 
 /** "1.04 x floor"; empty without a floor. @param {number} value @param {number | null} floor */

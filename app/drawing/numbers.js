@@ -113,20 +113,18 @@ export function unitText(unit) {
 
 const POWERS = {"^2": "\u00b2", "^3": "\u00b3", "^4": "\u2074"};
 
-/** As drawings write it: deg/(lbf\u00b7in), not deg/lbf/in. @param {string} unit */
+/** As drawings write it: deg/(lbf\u00b7in) for deg/(lbf*in). @param {string} unit */
 export function plainUnit(unit) {
-  const [over, ...under] = unit
+  return unit
     .replace("degree", "deg")
     .replace(/\^[234]/g, (power) => POWERS[/** @type {keyof typeof POWERS} */ (power)])
-    .replaceAll("*", "\u00b7")
-    .split("/");
-  return under.length > 1 ? `${over}/(${under.join("\u00b7")})` : [over, ...under].join("/");
+    .replaceAll("*", "\u00b7");
 }
 
-/** Of one over a figure: lbf\u00b7in/deg of deg/lbf/in. @param {string} unit */
+/** Of one over a figure: lbf\u00b7in/deg of deg/(lbf*in). @param {string} unit */
 export function inverseUnit(unit) {
-  const [over, ...under] = unit.split("/");
-  return plainUnit(`${under.join("*") || "1"}${over === "1" ? "" : `/${over}`}`);
+  const [over, under = "1"] = unit.replace(/[()]/g, "").split("/");
+  return plainUnit(`${under}${over === "1" ? "" : `/${over}`}`);
 }
 
 /** How many decimals a length has more or fewer than one in inches. @type {Record<string, number>} */

@@ -52,7 +52,7 @@ function addedVariableCard(report, plot) {
       "div", {class: "card"}, el("h3", {}, `${effectTitle(plot)}${beside}`), picture.element,
       el("p", {class: "note"}, el("b", {}, `Slope ${fixed(plot.slope, 2)}`),
          `, where 1 is the size found: ${sizeText(effect)}.`,
-         isNumber(plot.length) ? ` Its mark on these readings is ${short(plot.length)} noise sigmas long` : "",
+         isNumber(plot.length) ? ` Its effect on all these readings together is ${short(plot.length)} sigmas` : "",
          isNumber(plot.kept_fraction) ? `; ${keptText(plot.kept_fraction)}.` : ""));
 }
 

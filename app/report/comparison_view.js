@@ -22,7 +22,7 @@ export function patternsSection(report) {
       isNumber(entry.p_value) ? pValue(entry.p_value) : null
     ];
   });
-  return [el("div", {class: "card"}, table(["the errors depend on", "how far", "p-value"], rows))];
+  return [el("div", {class: "card"}, table(["the errors depend on", "share explained", "p-value"], rows))];
 }
 
 /// Worst readings as ids, or as {id, error | size, sigmas}.

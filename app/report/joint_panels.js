@@ -16,8 +16,8 @@ export function jointPanelsSection(report) {
   return [
     el("p", {class: "lead"},
        "The error expressed as an error of each joint, against the joint's angle, its direction of approach, the moment about it " +
-           `and the load, all to one scale of \u00b1${
-               short(most)}. The p-value of each variable is corrected for the number of ` +
+           `and the load, all to one scale of \u00b1${short(most)} ${
+               plainUnit(multiples[0].part.unit)}; larger errors are drawn at its edge. The p-value of each variable is corrected for the number of ` +
            `tests; ${loud ? "the most significant is framed" : "none is below 0.01"}.`),
     pairLegend(errors, [["line-sign", `means ${errors.tested === 0 ? "before" : "after"}`]]),
     el("div", {class: "card"}, panelTable(errors, multiples, loud, most))

@@ -20,7 +20,8 @@ export function landingTarget(report, key) {
   return el(
       "div", {class: "card"}, el("h3", {}, `Within one hole: ${modeName(report, key)}`), picture.element,
       el("p", {class: "note"},
-         `A ring is the centring error up to which a step of the tool enters${ringText(report)}. `,
+         `A ring is the centring error up to which a step of the tool enters${ringText(report)}; the rim is at ` +
+             `${short(reach)} ${lengthUnit(report)}. `,
          outside ? `${plural(outside, "tube")} beyond the rim ${outside === 1 ? "is" : "are"} drawn on it.` : null));
 }
 
@@ -42,19 +43,17 @@ function drawTarget({errors, tolerances, reach, mirror, report, key}, width) {
   const scale = rim / reach;
   const drawing = svg("svg", {viewBox: `0 0 ${width} ${height}`, width, height, class: "chart"});
   drawing.append(svg("circle", {cx: middle[0], cy: middle[1], r: rim, class: "rim"}));
-  tolerances.forEach((tolerance, i) => {
+  const ringNames = tolerances.map((tolerance, i) => {
+    drawing.append(svg("circle", {cx: middle[0], cy: middle[1], r: scale * tolerance, class: "tolerance"}));
     const name =
         label(middle[0], middle[1] - scale * tolerance - 3, `${i + 1}`, {"text-anchor": "middle", class: "ring-name"});
-    append(drawing, [
-      svg("circle", {cx: middle[0], cy: middle[1], r: scale * tolerance, class: "tolerance"}),
-      scale * tolerance > 8 ? name : null
-    ]);
+    return scale * tolerance > 8 ? name : null;
   });
   for (const {tube, dx, dy} of errors)
     drawing.append(landingMark(tube, [mirror * dx, -dy], {reach, scale, middle, report, key}));
   append(
       drawing,
-      [svg("path", {d: `M${middle[0] - 5} ${middle[1]}h10M${middle[0]} ${middle[1] - 5}v10`, class: "centre"})]);
+      [svg("path", {d: `M${middle[0] - 5} ${middle[1]}h10M${middle[0]} ${middle[1] - 5}v10`, class: "centre"}), ...ringNames]);
   return drawing;
 }
 

@@ -85,9 +85,9 @@ function scaleBars(report, frame, pixels, width) {
   const right = 190, end = right + place * frame.scale;
   return [
     svg("path", {d: arrowPath(6, y, error * pixels, 0), class: "arrow-scale"}),
-    label(6, y - 9, `error of ${exact(error)} ${unit}`),
+    label(6, y - 9, `arrows: ${exact(error)} ${unit}`),
     svg("path", {d: `M${right} ${y - 4}v8m0 -4H${end}m0 -4v8`, class: "ruler"}),
-    label(right, y - 9, `${exact(place)} ${unit} of place`)
+    label(right, y - 9, `scale of places: ${exact(place)} ${unit}`)
   ];
 }
 

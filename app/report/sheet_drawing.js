@@ -111,5 +111,5 @@ function drawAxes(context, {sign}, frame) {
 export function drawArrowTo(context, from, to, paint, lineWidth = 1.6) {
   context.strokeStyle = context.fillStyle = paint;
   context.lineWidth = lineWidth;
-  drawArrow(context, from[0], from[1], to[0] - from[0], to[1] - from[1], 5 + lineWidth);
+  drawArrow(context, from[0], from[1], to[0] - from[0], to[1] - from[1], false, 5 + lineWidth);
 }

@@ -35,7 +35,8 @@ Answer propose(Workbench& workbench, const Request& request) {
   asked.count = integerOf(body, "count", 0, 1, 50);
   const Session now = workbench.session();
   const Cell& cell = currentModel(now).cell;
-  if (cell.sheet && body.contains("tubes")) asked.tubes = tubesText(body, *cell.sheet, "spread:60");
+  if (cell.sheet && body.contains("tubes"))
+    asked.tubes = tubesText(body, *cell.sheet, tubesheets::spreadRequest(*cell.sheet, 60));
   if (body.contains("loads") && !body["loads"].is_null()) asked.loads = numbersOf(body, "loads");
   asked.seed = seedOf(body);
   return beginResultJob(workbench, "touches", "what to touch or read next", JobInput::kModelAndReadings,

@@ -124,7 +124,8 @@ Answer plan(Workbench& workbench, const Request& request) {
   const Session now = workbench.session();
   const Cell& cell = currentModel(now).cell;
   PlanRequest asked;
-  asked.tubes = tubesText(body, requireSheet(cell, "plan tube visits"), "spread:60");
+  const auto& sheet = requireSheet(cell, "plan tube visits");
+  asked.tubes = tubesText(body, sheet, tubesheets::spreadRequest(sheet, 60));
   asked.compensation = textOf(body, "compensation", asked.compensation);
   if (!planner::findCompensation(asked.compensation))
     throw InputError("request (compensation)", inQuotes(asked.compensation), "none, goal-point or via-point");
@@ -142,7 +143,7 @@ Answer plan(Workbench& workbench, const Request& request) {
       asked.conditions.first.push_back(zone);
     }
   (void)conditionsOf(asked.conditions, cell, {});
-  return beginJob(workbench, "plan", "a proved visit of the tubes", [&workbench, asked](JobContext& context) mutable {
+  return beginJob(workbench, "plan", "a path through the tubes", [&workbench, asked](JobContext& context) mutable {
     const Session began = workbench.session();
     asked.truth = began.truth;
     asked.cell = currentModel(began).cell.path;

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/documents/comparison_json.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/files/checkpoint/checkpoint_file.hpp"
 #include "app/files/checkpoint/whole_number.hpp"
@@ -140,6 +141,16 @@ void renameKeys(json& document) {
     for (auto& part : document) renameKeys(part);
 }
 
+/// A comparison's errors as earlier programs wrote them, predicted less measured, the other way round.
+void turnErrors(json& comparison) {
+  if (comparison.contains("errors") || !comparison.contains("readings")) return;
+  for (auto& reading : comparison.at("readings"))
+    for (const char* error : {"error_before", "error_after"})
+      for (auto& part : reading.at(error))
+        if (part.is_number()) part = -part.get<double>();
+  comparison["errors"] = kErrorsAre;
+}
+
 std::map<std::string, std::map<int, ResultPointer>> resultsOf(const json& entry) {
   std::map<std::string, std::map<int, ResultPointer>> results;
   for (const auto& [name, list] : entry.items())
@@ -149,6 +160,7 @@ std::map<std::string, std::map<int, ResultPointer>> resultsOf(const json& entry)
       result->revision = wholeNumber<std::uint64_t>(item.at("revision"));
       result->document = item.at("document");
       renameKeys(result->document);
+      if (name == "compare") turnErrors(result->document);
       results[name][result->model] = std::move(result);
     }
   return results;

@@ -128,6 +128,9 @@ void addVerdict(const Session& session, json& report) {
     report["rms"] = found->document["rms"];
     report["chi2_per_dof"] = found->document["chi2_per_dof"];
     report["p_value"] = found->document["p_value"];
+    // Before: of the first model, not of this one before its refit.
+    if (const json first = figuresOf(session, session.models.front()->id); first.contains("heldout_rms"))
+      report["rms"]["heldout_before"] = first["heldout_rms"];
     return;
   }
 }

@@ -68,8 +68,11 @@ double centringOf(const planner::Workcell& model, const std::optional<planner::W
 std::vector<double> residuals(const Session& session, const tubesheets::Sheet& sheet) {
   std::vector<double> values(sheet.tubes.size(), std::numeric_limits<double>::quiet_NaN());
   const Cell& cell = currentModel(session).cell;
-  if (!session.readings) throw InputError("measurements", "none loaded", "touches of holes");
-  for (const auto& reading : session.readings->readings) {
+  std::vector<calibration::Measurement> readings;
+  if (session.readings) readings = session.readings->readings;
+  for (const auto& made : session.touches) readings.push_back(made.touch);
+  if (readings.empty()) throw InputError("measurements", "none loaded", "touches of holes");
+  for (const auto& reading : readings) {
     const auto name = tubesheets::parseTubeName(reading.point);
     const auto hole = name ? sheet.indexOf(name->row, name->column) : std::nullopt;
     if (!hole || !calibration::touchesKnownPoint(reading)) continue;

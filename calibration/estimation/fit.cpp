@@ -83,8 +83,8 @@ class Fitting {
       const double before = fit_.weights.model_error;
       const double now = modelErrorOf(readings_, fit_.weights, fit_.residual.error, fit_.degrees_of_freedom);
       if (std::abs(now - before) <= kModelErrorConverged * now) break;
-      fit_.weights = reweighted(fit_.weights, readings_, now, fit_.factors);
-      if (!minimize() || !describe()) break;
+      fit_.weights.model_error = now;
+      if (!weigh(false) || !minimize() || !weigh(false) || !describe()) break;
     }
     return std::move(fit_);
   }
@@ -150,7 +150,7 @@ class Fitting {
       if (!weigh(round == 0)) return false;
       if (round > 0 && !is_robust) {
         const double now = residual(false).r.squaredNorm();
-        if (std::abs(now - before) <= kWeightsRest * std::max(now, 1.)) break;
+        if (std::abs(now - before) <= kWeightsRest * std::max(now, 1.)) return true;
       }
       if (!minimize()) return false;
       const WhitenedResidual at = residual(false);
@@ -162,7 +162,8 @@ class Fitting {
       fit_.factors = factors;
       if (rest) break;
     }
-    if (is_robust) fit_.weights = reweighted(fit_.weights, readings_, fit_.weights.model_error, fit_.factors);
+    if (!is_robust) return weigh(false);  // what is reported is by the weights at the solution
+    fit_.weights = reweighted(fit_.weights, readings_, fit_.weights.model_error, fit_.factors);
     return true;
   }
 

@@ -172,7 +172,8 @@ class MistakeSearch {
   }
 
   [[nodiscard]] bool explainsError(const Suspect& suspect) const {
-    constexpr double kFits = 0.05;  // of the reach: an error from which readings that cannot be fitted as they are, are
+    constexpr double kFits = 0.05;  // of the reach: readings with a larger error yet are not mended
+    if (std::min(suspect.drawn.error, suspect.open.error) >= kFits * trials_.reach()) return false;
     if (!trials_.asIs().ok) return suspect.drawn.error < kFits * trials_.reach();
     const double shrinks = trials_.shrinkage(suspect.drawn);
     const auto falls = [&](double as_is, double mended) { return as_is >= kLeastFall * mended * shrinks; };

@@ -105,9 +105,9 @@ bool isPossibleCorrelation(const Eigen::Vector3d& correlation) {
 }
 
 MeasuredCovariance statedCovariance(const Measurement& reading) {
-  constexpr double kLeastSigma = 1e-6;  // m
+  constexpr double kNotStated = 1e-6, kLeast = 1e-8;  // m or rad; the least is far below any instrument's
   MeasuredValue sigmas = rowSigmas(reading);
-  for (double& sigma : sigmas) sigma = std::isfinite(sigma) ? std::max(sigma, kLeastSigma) : kLeastSigma;
+  for (double& sigma : sigmas) sigma = std::isfinite(sigma) ? std::max(sigma, kLeast) : kNotStated;
   MeasuredCovariance covariance = sigmas.array().square().matrix().asDiagonal();
   if (!reading.correlation_W || !reading.sigma_W || !kindOf(reading).has_coordinates || sigmas.size() < 3)
     return covariance;

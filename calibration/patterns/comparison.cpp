@@ -63,11 +63,11 @@ ModelLackOfFit lackOfFitOf(const Evaluation& model, int fitted_numbers, double l
   return lack_of_fit;
 }
 
-/// The error in the world: one that is measured along a line lies along it, a mere turn has none.
+/// Measured less predicted, in the world: one that is measured along a line lies along it, a mere turn has none.
 Vector3d errorInWorld(const Evaluation& model, std::size_t k) {
   const auto& reading = model.scene.readings[k];
   const Index row = model.weights.first_row[k];
-  return placeSlope(model.scene, k).transpose() * model.residual.error.segment(row, rowsOf(reading));
+  return -placeSlope(model.scene, k).transpose() * model.residual.error.segment(row, rowsOf(reading));
 }
 
 double sigmasOf(const Evaluation& model, std::size_t k) {

@@ -46,7 +46,7 @@ struct ComparedReading {
   bool is_held_out = false;  ///< then it was not fitted
   Eigen::Vector3d tip_before = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());  ///< m, world
   Eigen::Vector3d tip_after = tip_before;
-  /// Predicted less measured, m, world; of a distance along its line; of an unknown point from its estimate.
+  /// Measured less predicted, m, world; of a distance along its line; of an unknown point from its estimate.
   Eigen::Vector3d error_before = tip_before, error_after = tip_before;
   double sigmas_before = std::numeric_limits<double>::quiet_NaN();  ///< length of the whitened error
   double sigmas_after = std::numeric_limits<double>::quiet_NaN();

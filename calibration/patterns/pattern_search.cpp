@@ -230,7 +230,7 @@ PatternTest ask(const SearchedScene& search, const Question& question, const Mat
   test.share = test.fall / std::max(1e-300, search.r.squaredNorm());
   test.F = test.fall / test.numbers / std::max(1e-300, (r.squaredNorm() - test.fall) / test.rest);
   test.p_value = tailOfF(test.F, test.numbers, test.rest);
-  describeTrend(variable, followedErrors(search, question.frame, followed.part), test);
+  describeTrend(variable, -followedErrors(search, question.frame, followed.part), test);
   return test;
 }
 

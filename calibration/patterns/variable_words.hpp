@@ -9,7 +9,10 @@ namespace tubeplan::calibration {
 /// "the direction of approach of theta4" of the variable "sense of theta4"; others are said as they are named.
 [[nodiscard]] inline std::string variableWords(const std::string& variable) {
   constexpr std::string_view kSense = "sense of ";
-  return variable.starts_with(kSense) ? "the direction of approach of " + variable.substr(kSense.size()) : variable;
+  if (variable.starts_with(kSense)) return "the direction of approach of " + variable.substr(kSense.size());
+  for (const auto* plain : {"point", "set-up", "load", "temperature"})
+    if (variable == plain) return "the " + variable;
+  return variable == "order" ? "the order of the readings" : variable;
 }
 
 }  // namespace tubeplan::calibration

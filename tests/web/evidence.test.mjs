@@ -177,7 +177,7 @@ describe("a reading", () => {
     await tab.mouse.down();
     for (const corner of [...others, first]) await tab.mouse.move(...corner, {steps: 4});
     await tab.mouse.up();
-    return Number(/(\d+) readings? picked out/.exec(await tab.innerText(".selection-bar"))[1]);
+    return Number(/(\d+) readings? selected/.exec(await tab.innerText(".selection-bar"))[1]);
   }
   const RIGHT = [
     [0.5, 0.01],
@@ -192,7 +192,7 @@ describe("a reading", () => {
   const rest = (tab) =>
     tab.waitForFunction(() => !document.querySelector(".job") && document.querySelectorAll(".ladder-row").length >= 2);
 
-  it("is picked out with others by a loop in the plot, set aside, and taken back by undo", async () => {
+  it("is selected with others by a loop in the plot, set aside, and taken back by undo", async () => {
     const {tab, server, close} = await compared("loop", "hysteresis@theta4:0.06deg");
     const before = await tab.innerText(".ladder");
     const picked = await lasso(tab, ".residual-plot .u-over", RIGHT);
@@ -214,7 +214,7 @@ describe("a reading", () => {
     await close();
   });
 
-  it("stays picked out while other things change and the errors are compared again", async () => {
+  it("stays selected while other things change and the errors are compared again", async () => {
     const {tab, server, close} = await compared("kept", "hysteresis@theta4:0.06deg");
     const box = await tab.locator(".residual-plot .u-over").boundingBox();
     const [first, second, third, last] = RIGHT.map(([x, y]) => [box.x + x * box.width, box.y + y * box.height]);
@@ -226,7 +226,7 @@ describe("a reading", () => {
     for (const corner of [third, last, first]) await tab.mouse.move(...corner, {steps: 4});
     await tab.mouse.up();
     const picked = await tab.innerText(".selection-bar b");
-    assert.match(picked, /^\d\d readings picked out$/);
+    assert.match(picked, /^\d\d readings selected$/);
     assert.equal(await ended(server, (await ask(server, "compare", {})).body.id), "done");
     const {revision} = (await stateOf(server)).results.compare;
     await tab.waitForFunction(
@@ -272,7 +272,7 @@ describe("a reading", () => {
     await close();
   });
 
-  it("is picked out with all that the filter leaves by keys alone; Esc lets go of them", async () => {
+  it("is selected with all that the filter leaves by keys alone; Esc clears the selection", async () => {
     const {tab, server, close} = await compared("keys", "hysteresis@theta4:0.06deg");
     await tab.focus(".evidence [role=tab] >> nth=0");
     await tab.keyboard.press("ArrowRight");
@@ -283,12 +283,12 @@ describe("a reading", () => {
     const left = Number(/^(\d+) of 120/.exec(await tab.innerText(".reading-tools .muted"))[1]);
     await tab.focus(".reading-rows");
     await tab.keyboard.press("Control+a");
-    await tab.waitForSelector(`.selection-bar >> text=${left} readings picked out`);
+    await tab.waitForSelector(`.selection-bar >> text=${left} readings selected`);
     await tab.keyboard.press("?"); // Esc closes the topmost alone
     await tab.waitForSelector("dialog[open] kbd");
     await tab.keyboard.press("Escape");
     await tab.waitForSelector("dialog[open]", {state: "detached"});
-    await tab.waitForSelector(`.selection-bar >> text=${left} readings picked out`);
+    await tab.waitForSelector(`.selection-bar >> text=${left} readings selected`);
     await tab.focus(".reading-rows");
     await tab.keyboard.press("Escape");
     await tab.waitForFunction(() => !document.querySelector(".selection-bar"));

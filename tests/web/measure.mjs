@@ -154,7 +154,7 @@ async function settled(tab) {
   await tab.waitForTimeout(500);
 }
 
-/** From *Set aside*, for what a loop in the plot picks out, to the new ladder, and to the new comparison. */
+/** From *Set aside*, for what a loop in the plot selects, to the new ladder, and to the new comparison. */
 async function newLadder(tab, what) {
   const box = await tab.locator(".residual-plot .u-over").boundingBox();
   await tab.mouse.move(box.x + 0.6 * box.width, box.y + 2);

@@ -172,7 +172,7 @@ describe("readings that look wrong", () => {
     const tab = await openTab(browser, server.address);
     await tab.waitForSelector(".reading-checks .mistake");
     assert.doesNotMatch(await tab.innerText(".error-view"), /--assume/);
-    await tab.click(".next:has-text('Take coordinates=in'):not([disabled])", LIMIT);
+    await tab.click(".next:has-text('Assume coordinates=in'):not([disabled])", LIMIT);
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
     assert.equal(await tab.locator(".reading-checks .mistake").count(), 0);
     await tab.waitForSelector(".ladder-row >> text=/× floor/");
@@ -198,7 +198,7 @@ describe("readings that look wrong", () => {
           await route.continue();
         }),
     });
-    await tab.click(".next:has-text('Take coordinates=in'):not([disabled])", LIMIT);
+    await tab.click(".next:has-text('Assume coordinates=in'):not([disabled])", LIMIT);
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
     await tab.click(".next:has-text('Diagnose')");
     await tab.waitForFunction(() => document.querySelector(".next")?.disabled, null, LIMIT);

@@ -12,7 +12,7 @@ import {
   viewOfPatterns,
   viewOfRemainder,
 } from "../../drawing/reading_errors.js";
-import {columnsOf, filtered, rowsOf, sorted} from "../source/error/reading_rows";
+import {columnsOf, filtered, rowsOf, sorted, wrongWord} from "../source/error/reading_rows";
 import {findVariable, variablesOf, variableTitle} from "../../drawing/variables.js";
 import type {EffectAt, ErrorReading, LeverageDocument, MomentsDocument, Vector3} from "../source/server/documents";
 
@@ -300,6 +300,9 @@ describe("the table of readings", () => {
   it("filters by words and by figures", () => {
     expect(filtered(rows, "P3", columns)).toHaveLength(10);
     expect(filtered(rows, "load=40 theta1>0", columns).every((row) => row.load === 40 && row.joints[0] > 0)).toBe(true);
+    expect(wrongWord("P3 load=40 theta1>0", columns)).toBeNull();
+    expect(wrongWord("theta3<foo", columns)).toBe("theta3<foo");
+    expect(wrongWord("nothing>1", columns)).toBe("nothing>1");
     expect(filtered(rows, "aside", columns).map((row) => row.id)).toEqual(["5"]);
   });
   it("says the units", () => {

@@ -36,12 +36,12 @@ describe("figures", () => {
     expect(valueAndSigma(319800, 151571)).toEqual(["3.2e5", "1.5e5"]);
   });
   it("have units as drawings write them, and a stiffness beside a compliance", () => {
-    expect(plainUnit("deg/lbf/in")).toBe("deg/(lbf·in)");
-    expect(plainUnit("1/lbf/in^2")).toBe("1/(lbf·in²)");
+    expect(plainUnit("deg/(lbf*in)")).toBe("deg/(lbf·in)");
+    expect(plainUnit("1/(lbf*in^2)")).toBe("1/(lbf·in²)");
     expect(plainUnit("lbf*in/deg")).toBe("lbf·in/deg");
-    expect(inverseUnit("deg/lbf/in")).toBe("lbf·in/deg");
-    expect(inverseUnit("1/lbf/in^2")).toBe("lbf·in²");
-    const compliance = {value: 0.0005, sigma: 0.00001, unit: "deg/lbf/in"};
+    expect(inverseUnit("deg/(lbf*in)")).toBe("lbf·in/deg");
+    expect(inverseUnit("1/(lbf*in^2)")).toBe("lbf·in²");
+    const compliance = {value: 0.0005, sigma: 0.00001, unit: "deg/(lbf*in)"};
     const size = (numbers: object) => sizeText({effect: "joint-compliance", at: "tool.z", parameters: numbers});
     expect(size({compliance})).toBe("compliance (5.00 ± 0.10)e−4\u00a0deg/(lbf·in), stiffness 2,000 lbf·in/deg");
     expect(size({compliance: {...compliance, sigma: 0.0004}})).not.toContain("stiffness");
@@ -50,7 +50,7 @@ describe("figures", () => {
     const effects = ["link1.z", "link2.z", "link3.z"].map((at) => ({
       effect: "joint-compliance",
       at,
-      parameters: {compliance: {value: 3e-6, sigma: 2e-7, unit: "deg/N/mm"}},
+      parameters: {compliance: {value: 3e-6, sigma: 2e-7, unit: "deg/(N*mm)"}},
     }));
     const more = [...effects, {effect: "hysteresis", at: "A1"}];
     expect(explanationTitle({effects: more})).toBe(

@@ -45,7 +45,11 @@ TEST_F(KeptSession, ResultsOfAnEarlierProgramAreReadFromItsProjects) {
   const int id = pushModel(session, "as given", "given", readCell((shippedCells() / "bench.yaml").string()));
   putResult(session, "ladder", id, {{"rungs", {{{"name", "as given"}, {"rms", 1}}}}});
   putResult(session, "diagnose", id, {{"pairs", {{{"probability_told", 0.5}}}}});
+  putResult(session, "compare", id, {{"readings", {{{"error_before", {1, -2, nullptr}}, {"error_after", {0, 0, 3}}}}}});
   const Session read = readProject(write("before.tubeplan", projectText(session)));
+  const json compared = findResult(read, "compare", id)->document;
+  EXPECT_EQ(compared["readings"][0]["error_before"], json({-1, 2, nullptr}));
+  EXPECT_EQ(compared["errors"], "measured less predicted");
   EXPECT_EQ(findResult(read, "ladder", id)->document, json({{"models", {{{"name", "as given"}, {"rms", 1}}}}}));
   EXPECT_EQ(findResult(read, "diagnose", id)->document, json({{"pairs", {{{"probability_distinguished", 0.5}}}}}));
 }

@@ -153,7 +153,7 @@ TEST(Comparison, plantedGrowthIsFoundByTemperature) {
   EXPECT_EQ(first.variable, "temperature");
   EXPECT_EQ(first.frame, PatternFrame::kRadial);
   EXPECT_NE(first.component, 1) << "links that grow move the tip in the arm's plane";
-  EXPECT_EQ(first.low, static_cast<int>(first.trend.size()) - 1) << "the model predicts too little where it is warm";
+  EXPECT_EQ(first.high, static_cast<int>(first.trend.size()) - 1) << "the model predicts too little where it is warm";
 }
 
 TEST(Comparison, aPlantedOffsetIsSeenAndGoneOnceItIsFitted) {
@@ -210,7 +210,7 @@ TEST(Comparison, worstReadingIsTheOneThatWasSpoiled) {
   EXPECT_EQ(result.worst.front(), 17);
   EXPECT_EQ(result.worst.size(), readings.size() - 1);
   const auto& worst = result.readings[17];
-  EXPECT_GT(worst.error_after.y(), 15 * kReadingSigma) << "predicted less measured";
+  EXPECT_LT(worst.error_after.y(), -15 * kReadingSigma) << "measured less predicted";
   EXPECT_TRUE(result.readings[3].is_held_out);
   EXPECT_LT(result.readings[3].sigmas_after, 6);
 }

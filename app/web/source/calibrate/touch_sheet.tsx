@@ -3,7 +3,7 @@ import {signal} from "@preact/signals";
 import {useCallback, useMemo} from "preact/hooks";
 import {drawRings, TYPEFACE} from "../drawing/canvas";
 import {MarkIcon} from "../drawing/marks";
-import {runJob, runningJob} from "../server/workbench";
+import {cell, runJob, runningJob} from "../server/workbench";
 import {picked} from "../shell/page_state";
 import {byField, byState} from "../sheet/colourings";
 import {toPixel} from "../../../drawing/frames.js";
@@ -56,7 +56,10 @@ export function TouchSheet({model}: {model: SheetModel}) {
             </span>
           ))
         ) : (
-          <span class="muted">Predict shows the error that this model leaves at each hole.</span>
+          <span class="muted">
+            Predict shows how far off each hole{" "}
+            {cell.value?.has_truth ? "the true arm is, sent by this model" : "the tool is without compensation"}.
+          </span>
         )
       }
       sheet={model}

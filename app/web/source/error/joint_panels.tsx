@@ -60,7 +60,8 @@ export function JointPanels() {
       </div>
       <SeriesLegend errors={errors}>
         <span>
-          <i class="mean-line" /> means and p: {errors.tested === 0 ? "before" : "after"}
+          <i class="mean-line" /> means and p: {errors.tested === 0 ? "before" : "after"}; errors beyond ± {short(most)}{" "}
+          are drawn at the edge
         </span>
       </SeriesLegend>
     </div>
@@ -108,6 +109,9 @@ function JointPanel({
   );
 }
 
+/** Of the p-value above a panel's picture, px. */
+const LABEL_HEIGHT = 13;
+
 function drawPanel(
   canvas: HTMLCanvasElement,
   multiple: Multiple,
@@ -115,7 +119,8 @@ function drawPanel(
   most: number,
   colours: Palette,
 ): void {
-  const {clientWidth: width, clientHeight: height} = canvas.parentElement!;
+  const {clientWidth: width, clientHeight} = canvas.parentElement!;
+  const height = Math.max(8, clientHeight - LABEL_HEIGHT);
   const context = clearedContext(canvas, width, height);
   const {points, means, zero} = panelPlaces(multiple, errors, most, width, height);
   context.strokeStyle = colours.line;

@@ -51,7 +51,9 @@ export function LadderBars() {
         )}
         {limit !== null && limit <= end && (
           <div class="ladder-floor">
-            <i class="limit" style={{left: `${(100 * limit) / end}%`}} />
+            <i class="limit" style={{left: `${(100 * limit) / end}%`}}>
+              <span>tolerance</span>
+            </i>
           </div>
         )}
         {models.map((model, index) => (
@@ -79,11 +81,19 @@ export function LadderBars() {
           />
           {unit}
         </label>
+        {limit !== null && (
+          <span class="muted">{MARKED_MODELS.map(([mark, words]) => `${mark} ${words}`).join(", ")}</span>
+        )}
       </p>
     </div>
   );
 }
 
+const MARKED_MODELS = [
+  ["✓", "every error within it"],
+  ["◐", "the root mean square"],
+  ["✗", "neither"],
+] as const;
 const MARKS: Record<Acceptance, [string, string]> = {
   accepted: ["✓", "accepted: no error is beyond the tolerance"],
   "in part": ["◐", "in part: the errors are within the tolerance in the mean square, the largest is not"],

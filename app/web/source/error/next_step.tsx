@@ -1,5 +1,6 @@
 // One button: what an engineer would do next.
 import type {ComponentChildren} from "preact";
+import {useEffect, useRef} from "preact/hooks";
 import {briefTitle} from "../../../drawing/explanations.js";
 import {verdictMark} from "../../../drawing/kinds.js";
 import type {DiagnoseDocument} from "../server/documents";
@@ -25,12 +26,24 @@ export function NextStep({isBusy}: {isBusy: boolean}) {
   const diagnosis = currentDiagnosis.value;
   const {words, act, title, isOff, isQuiet} =
     stepOfMistake() ?? (diagnosis ? stepAfter(diagnosis, isBusy) : null) ?? stepOfLoop(isBusy);
+  // A button that is off loses the focus: it has it again with the next step, for those who work by keys.
+  const button = useRef<HTMLButtonElement>(null);
+  const hadFocus = useRef(false);
+  useEffect(() => {
+    if (isOff || !hadFocus.current) return;
+    hadFocus.current = false;
+    if (document.activeElement === document.body) button.current?.focus();
+  }, [isOff]);
   return (
     <button
+      ref={button}
       class={`button ${isQuiet ? "" : "first"} large next`}
       title={title}
       disabled={isOff}
-      onClick={() => void act()}
+      onClick={() => {
+        hadFocus.current = true;
+        void act();
+      }}
     >
       {words}
     </button>
@@ -41,7 +54,7 @@ export function NextStep({isBusy}: {isBusy: boolean}) {
 function stepOfMistake(): Step | null {
   if (!mistake.value) return null;
   const {sentence, way} = mistake.value;
-  return {words: `Take ${way}`, act: () => assume(way), title: sentence, isOff: !areChangeable.value};
+  return {words: `Assume ${way}`, act: () => assume(way), title: sentence, isOff: !areChangeable.value};
 }
 
 /** Verdicts after which the first explanation is added. */

@@ -1,5 +1,5 @@
 // Pointing at readings in the plot: the nearest point under the pointer names its reading, a click brings the arm there,
-// a loop picks readings out. Nothing of the plot is drawn anew for pointing.
+// a loop selects readings. Nothing of the plot is drawn anew for pointing.
 import {useEffect, useRef} from "preact/hooks";
 import {effect as follow, signal, type Signal} from "@preact/signals";
 import type {RefObject} from "preact";
@@ -11,7 +11,7 @@ import {isNumber, short} from "../../../drawing/numbers.js";
 import {READING_SIGMAS, sigmasText} from "../../../drawing/sigma_text.js";
 import {cell, units} from "../server/workbench";
 import {followLasso, isInside, type Loop} from "../drawing/lasso";
-import {PICKED_RADIUS, pickOut, pickedOut, pointed} from "./linked";
+import {PICKED_RADIUS, selectReadings, selectedReadings, pointed} from "./linked";
 import {paintWithin} from "./plot_painting";
 import type {PlotRow} from "./error_plot";
 import type {ReadingErrors} from "./residuals";
@@ -97,7 +97,7 @@ export function usePointing(box: RefObject<HTMLDivElement>, rows: PlotRow[] | nu
   useEffect(
     () =>
       follow(() => {
-        void pickedOut.value;
+        void selectedReadings.value;
         now.current.plot?.redraw(false);
       }),
     [],
@@ -105,12 +105,12 @@ export function usePointing(box: RefObject<HTMLDivElement>, rows: PlotRow[] | nu
   return {place, onReady};
 }
 
-/** Readings that are picked out have a ring. */
+/** Readings that are selected have a ring. */
 function paintPicked(plot: uPlot, rows: PlotRow[] | null): void {
-  if (!rows || pickedOut.peek().size === 0) return;
+  if (!rows || selectedReadings.peek().size === 0) return;
   const picked = rows.flatMap(({id}, row): [number, number][] => {
     const value = plot.data[1][row] ?? plot.data[2]?.[row];
-    if (!isNumber(value) || !pickedOut.peek().has(id)) return [];
+    if (!isNumber(value) || !selectedReadings.peek().has(id)) return [];
     return [[plot.valToPos(plot.data[0][row], "x", true), plot.valToPos(value, "y", true)]];
   });
   paintWithin(plot, (context) => {
@@ -138,7 +138,7 @@ function pickWithin(plot: uPlot, rows: PlotRow[] | null, loop: Loop, isMore: boo
   const picked: string[] = [];
   const {xs, ys, rows: of} = pointsOf(plot);
   for (let i = 0; i < xs.length; ++i) if (isInside(loop, xs[i], ys[i])) picked.push(rows[of[i]].id);
-  pickOut(picked, isMore);
+  selectReadings(picked, isMore);
 }
 
 /** A ring about the point and what its reading says of itself. */

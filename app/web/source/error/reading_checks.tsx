@@ -132,7 +132,7 @@ function Check({check}: {check: ReadingCheck}) {
               title={`The readings are taken with ${way}; their file stays as it is`}
               onClick={() => void assume(way)}
             >
-              Take {way}
+              Assume {way}
             </button>
           ))}
           {check.severity === "mistake" ? (

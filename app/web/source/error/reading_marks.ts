@@ -4,7 +4,7 @@ import {plural} from "../../../drawing/numbers.js";
 import type {WorkbenchState} from "../server/documents";
 import {post} from "../server/requests";
 import {state} from "../server/workbench";
-import {pickedOut} from "./linked";
+import {selectedReadings} from "./linked";
 import {changeReadings, startCompare} from "./loop";
 
 export type MarkKind = "aside" | "held_out";
@@ -54,7 +54,7 @@ export async function markReadings(kind: MarkKind, ids: string[], isOn: boolean)
   const step = {kind, ids, isOn, change: nextChange(), model: state.peek()?.model ?? -1};
   if (ids.length === 0 || !(await send(step))) return;
   steps.value = [...steps.value, step];
-  pickedOut.value = new Set();
+  selectedReadings.value = new Set();
   await startCompare();
 }
 

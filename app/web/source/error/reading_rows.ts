@@ -95,13 +95,24 @@ export function filtered(rows: readonly ReadingRow[], text: string, columns: rea
   return rows.filter((row) => tests.every((test) => test(row)));
 }
 
+/** The first word that asks for something by <, > or = which no column and number answers; null where there is none. */
+export function wrongWord(text: string, columns: readonly Column[]): string | null {
+  return text.split(/\s+/).find((word) => /[<>=]/.test(word) && !questionOf(word, columns)) ?? null;
+}
+
+function questionOf(word: string, columns: readonly Column[]) {
+  const found = /^([^<>=]+)(<=|>=|<|>|=)(-?[\d.]+)$/.exec(word);
+  const column = found && columns.find(({key, words}) => key === found[1] || words === found[1]);
+  const limit = Number(found?.[3]);
+  return column && Number.isFinite(limit) ? {column, sign: found[2], limit} : null;
+}
+
 function testOf(word: string, columns: readonly Column[]): (row: ReadingRow) => boolean {
   if (word === "aside") return (row) => row.isAside;
   if (word === "held-out") return (row) => row.isHeldOut;
-  const found = /^([A-Za-zσ]\w*)(<=|>=|<|>|=)(-?[\d.]+)$/.exec(word);
-  const column = found && columns.find(({key, words}) => key === found[1] || words === found[1]);
-  if (!found || !column) return (row) => `${row.id} ${row.name}`.toLowerCase().includes(word.toLowerCase());
-  const limit = Number(found[3]);
+  const question = questionOf(word, columns);
+  if (!question) return (row) => `${row.id} ${row.name}`.toLowerCase().includes(word.toLowerCase());
+  const {column, sign, limit} = question;
   const holds: Record<string, (value: number) => boolean> = {
     "<": (value) => value < limit,
     "<=": (value) => value <= limit,
@@ -111,6 +122,6 @@ function testOf(word: string, columns: readonly Column[]): (row: ReadingRow) => 
   };
   return (row) => {
     const value = column.of(row);
-    return typeof value === "number" && holds[found[2]](value);
+    return typeof value === "number" && holds[sign](value);
   };
 }

@@ -4,15 +4,15 @@ import {computed, effect as follow, signal} from "@preact/signals";
 import type {RefObject} from "preact";
 import {useEffect, useMemo, useRef} from "preact/hooks";
 import {senseArrow} from "../../../drawing/conditions.js";
-import {exact, fixed, jointDecimals, plural, short} from "../../../drawing/numbers.js";
+import {exact, fixed, jointDecimals, plural, short, whole} from "../../../drawing/numbers.js";
 import {READING_SIGMAS, sigmasText} from "../../../drawing/sigma_text.js";
 import type {MeasurementsDocument} from "../server/documents";
 import {get} from "../server/requests";
 import {report, state, units} from "../server/workbench";
-import {pickOut, pickedOut, pointed} from "./linked";
+import {selectReadings, selectedReadings, pointed} from "./linked";
 import {areChangeable} from "./loop";
 import {markReadings} from "./reading_marks";
-import {columnsOf, filtered, rowsOf, sorted, type Column, type ReadingRow} from "./reading_rows";
+import {columnsOf, filtered, rowsOf, sorted, wrongWord, type Column, type ReadingRow} from "./reading_rows";
 import {readingErrors} from "./residuals";
 import {showReading} from "./show_reading";
 
@@ -59,6 +59,7 @@ export function ReadingTable() {
     const column = columns.find((entry) => entry.key === order.value.column) ?? columns[0];
     return sorted(filtered(all, filter.value, columns), column, order.value.isDown);
   }, [all, columns, filter.value, order.value]);
+  const wrong = wrongWord(filter.value, columns);
   const aside = all.filter((row) => row.isAside).map((row) => row.id);
   const isBusy = !areChangeable.value;
   return (
@@ -72,10 +73,16 @@ export function ReadingTable() {
           onInput={(event) => (filter.value = event.currentTarget.value)}
         />
         <span class="muted">
-          {rows.length === all.length ? plural(all.length, "reading") : `${rows.length} of ${all.length}`}
+          {wrong !== null
+            ? `${wrong} is not understood`
+            : measured.value === null
+              ? "loading"
+              : rows.length === all.length
+                ? plural(all.length, "reading")
+                : `${whole(rows.length)} of ${whole(all.length)}`}
         </span>
         <button class="button small" title="Ctrl+A in the table" disabled={isBusy} onClick={() => pickRows(rows)}>
-          Pick these out
+          Select these
         </button>
         {aside.length > 0 ? (
           <button class="button small" disabled={isBusy} onClick={() => void markReadings("aside", aside, false)}>
@@ -90,7 +97,7 @@ export function ReadingTable() {
 
 /** All that the filter leaves and that are not set aside. */
 function pickRows(rows: ReadingRow[]): void {
-  pickOut(
+  selectReadings(
     rows.filter((row) => !row.isAside).map((row) => row.id),
     false,
   );
@@ -175,7 +182,7 @@ interface RowPlace {
 function Row({row, columns, top, layout, isBusy}: RowPlace) {
   const joints = columns.slice(columns.length - row.joints.length);
   const {text, isMany} = sigmasText(row.sigmas, READING_SIGMAS);
-  const isMarked = pointed.value === row.id || pickedOut.value.has(row.id);
+  const isMarked = pointed.value === row.id || selectedReadings.value.has(row.id);
   return (
     <div
       class={`reading-row ${row.isAside ? "aside" : ""}`}

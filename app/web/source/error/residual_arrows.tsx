@@ -17,7 +17,7 @@ import {sheet} from "../shell/page_state";
 import {drawPlate} from "../../../drawing/sheet_ground.js";
 import type {SheetModel} from "../../../drawing/sheet_model.js";
 import {readingErrors, type ReadingErrors} from "./residuals";
-import {PICKED_RADIUS, pickOut, pickedOut, pointed} from "./linked";
+import {PICKED_RADIUS, selectReadings, selectedReadings, pointed} from "./linked";
 import {SeriesLegend} from "./series_legend";
 import {showReading} from "./show_reading";
 
@@ -92,11 +92,11 @@ function useDrawnArrows(canvas: RefObject<HTMLCanvasElement>, errors: ReadingErr
     observer.observe(element.parentElement!);
     draw();
     return () => observer.disconnect();
-  }, [errors, plane.value, palette.value, sheet.value, units.value, pickedOut.value]);
+  }, [errors, plane.value, palette.value, sheet.value, units.value, selectedReadings.value]);
   return places;
 }
 
-/** A loop about places picks their readings out. */
+/** A loop about places selects their readings. */
 function useLassoOnArrows(
   canvas: RefObject<HTMLCanvasElement>,
   places: {current: PlacesOnScreen},
@@ -105,7 +105,7 @@ function useLassoOnArrows(
   useEffect(() => {
     const element = canvas.current!;
     return followLasso(element, element.parentElement!, (loop, isMore) =>
-      pickOut(
+      selectReadings(
         (errors?.readings ?? []).flatMap(({id}, i) => {
           const place = places.current[i];
           return place && isInside(loop, ...place) ? [id] : [];
@@ -133,7 +133,7 @@ function useRingAtPointed(
   );
 }
 
-/** Readings that are picked out have a ring. */
+/** Readings that are selected have a ring. */
 function drawPicked(
   canvas: HTMLCanvasElement,
   errors: ReadingErrors | null,
@@ -144,7 +144,7 @@ function drawPicked(
   context.strokeStyle = colours.ink;
   context.lineWidth = 1;
   const picked = (errors?.readings ?? []).flatMap(({id}, i) => {
-    const place = pickedOut.peek().has(id) ? places[i] : null;
+    const place = selectedReadings.peek().has(id) ? places[i] : null;
     return place ? [place] : [];
   });
   drawRings(context, picked, PICKED_RADIUS);
@@ -173,15 +173,16 @@ function drawArrows(
     const [u, v] = inPlane(which, error);
     return [frame.sign * grow * u, -grow * v];
   };
-  for (const series of errors.series) drawSeries(context, series, shown, colours, onScreen);
+  errors.series.forEach((series, k) => drawSeries(context, series, k === 0, shown, colours, onScreen));
   drawScale(context, colours, largest, grow, width, height);
   return shown;
 }
 
-/** Each error of a series as a dot at its place and an arrow from there. */
+/** Each error of a series as a dot at its place and an arrow from there; hollow before, full after, as marks are. */
 function drawSeries(
   context: CanvasRenderingContext2D,
   series: ReadingErrors["series"][number],
+  isBefore: boolean,
   places: PlacesOnScreen,
   colours: Palette,
   onScreen: (error: Vector3) => [number, number],
@@ -194,7 +195,7 @@ function drawSeries(
     context.beginPath();
     context.arc(...at, 1.5, 0, 2 * Math.PI);
     context.fill();
-    drawArrow(context, ...at, ...onScreen(error));
+    drawArrow(context, ...at, ...onScreen(error), isBefore);
   });
 }
 

@@ -49,10 +49,6 @@ effect(() => {
 
 // ---- the errors
 
-function reversed(error: Vector3): Vector3 {
-  return [-error[0], -error[1], -error[2]];
-}
-
 function ofDiagnosis(document: DiagnoseDocument, index: number): ReadingErrors {
   const compared = compare.value.document;
   const known = new Map(
@@ -84,12 +80,12 @@ function ofTwoModels(before: CompareDocument, now: CompareDocument, model: Model
       {
         name: `before: ${earlier.label}, refitted`,
         mark: BEFORE,
-        errors: now.readings.map(({id}) => (known.has(id) ? reversed(known.get(id)!.error_after) : null)),
+        errors: now.readings.map(({id}) => (known.has(id) ? known.get(id)!.error_after : null)),
       },
       {
         name: `after: ${model.label}`,
         mark: AFTER,
-        errors: now.readings.map((reading) => reversed(reading.error_after)),
+        errors: now.readings.map((reading) => reading.error_after),
       },
     ],
     joints: jointsOf(now),
@@ -109,8 +105,8 @@ function ofComparison(document: CompareDocument): ReadingErrors {
       document.readings,
       document.readings.map((reading) => reading.position_after ?? reading.measured ?? null),
       jointsOf(document),
-      document.readings.map((reading) => reversed(reading.error_before)),
-      document.readings.map((reading) => reversed(reading.error_after)),
+      document.readings.map((reading) => reading.error_before),
+      document.readings.map((reading) => reading.error_after),
       document.model === currentModel.value?.id ? "" : ", of the model before",
     ),
     sigmas: [

@@ -1,18 +1,18 @@
-// What can be done with readings that were picked out of a picture or the table: they are set aside or held out, and the
+// What can be done with readings that were selected in a picture or the table: they are set aside or held out, and the
 // ladder follows; what was done last can be taken back.
 import {plural} from "../../../drawing/numbers.js";
-import {pickedOut} from "./linked";
+import {selectedReadings} from "./linked";
 import {areChangeable} from "./loop";
 import {lastMarking, markReadings, markingWords, undoMarking} from "./reading_marks";
 import {readingErrors} from "./residuals";
 
 export function SelectionBar() {
   const last = lastMarking.value;
-  if (pickedOut.value.size === 0 && !last) return null;
+  if (selectedReadings.value.size === 0 && !last) return null;
   return (
     <div class="selection-bar" role="status">
-      {pickedOut.value.size > 0 ? <PickedOut ids={[...pickedOut.value]} /> : null}
-      {pickedOut.value.size === 0 && last ? (
+      {selectedReadings.value.size > 0 ? <PickedOut ids={[...selectedReadings.value]} /> : null}
+      {selectedReadings.value.size === 0 && last ? (
         <>
           <b>{markingWords(last)}</b>
           <button
@@ -38,7 +38,7 @@ function PickedOut({ids}: {ids: string[]}) {
     kept = ids.filter((id) => heldOut.has(id));
   return (
     <>
-      <b>{plural(ids.length, "reading")} picked out</b>
+      <b>{plural(ids.length, "reading")} selected</b>
       <button class="button small first" disabled={isBusy} onClick={() => void markReadings("aside", ids, true)}>
         Set aside
       </button>
@@ -57,8 +57,8 @@ function PickedOut({ids}: {ids: string[]}) {
           Take {fitted.length > 0 ? `${kept.length} ` : ""}into the fit
         </button>
       ) : null}
-      <button class="button small" title="Esc" onClick={() => (pickedOut.value = new Set())}>
-        Leave them
+      <button class="button small" title="Esc" onClick={() => (selectedReadings.value = new Set())}>
+        Clear selection
       </button>
     </>
   );

@@ -1,7 +1,8 @@
 // The verdict with its sentences and figures, and the next thing to do.
-import {isNumber, short} from "../../../drawing/numbers.js";
+import {isNumber, short, whole} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
 import {MarkIcon} from "../drawing/marks";
+import type {ReadingsInfo} from "../server/state_documents";
 import {runningJob, state, units} from "../server/workbench";
 import {answer} from "./answer";
 import {currentComparison, currentDiagnosis, ladder, WORK_ON_READINGS} from "./loop";
@@ -28,7 +29,7 @@ export function VerdictBand() {
       </div>
       <dl class="verdict-figures">
         <dt>readings</dt>
-        <dd>{state.value?.measurements?.readings}</dd>
+        <dd>{usedText(state.value?.measurements)}</dd>
         <dt>chi² per degree of freedom</dt>
         <dd>
           <Misfit chi2={document?.chi2_per_dof ?? ladder.value.document?.models.at(-1)?.chi2_per_dof} />
@@ -42,6 +43,14 @@ export function VerdictBand() {
       <NextStep isBusy={job !== null} />
     </section>
   );
+}
+
+/** "52 of 120" where some are set aside or held out. */
+function usedText(measurements: ReadingsInfo | null | undefined): string {
+  if (!measurements) return "";
+  const {readings, set_aside, held_out} = measurements;
+  const used = readings - set_aside - held_out;
+  return used === readings ? whole(readings) : `${whole(used)} of ${whole(readings)}`;
 }
 
 /** Errors of twice the stated noise and more are marked, by a sign as well as by colour. */

@@ -57,7 +57,7 @@ export function Transport() {
         <span class="muted">{document?.kind[sample] ?? ""}</span>
         <span class="muted">
           {typeof document?.clearance?.[sample] === "number"
-            ? `${short(document.clearance[sample])} ${units.value.length}`
+            ? `clearance ${short(document.clearance[sample])} ${units.value.length}`
             : ""}
         </span>
       </span>

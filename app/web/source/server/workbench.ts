@@ -1,5 +1,5 @@
 // The server's state as signals: from /api/events, the same in every browser; results fetched when they change.
-import {computed, effect, signal, type Signal} from "@preact/signals";
+import {batch, computed, effect, signal, type Signal} from "@preact/signals";
 import type {Job, LiveNews, Model, Problem, SceneDocument, SheetDocument, Units, WorkbenchState} from "./documents";
 import {asProblem, get, isMissing, post} from "./requests";
 import {newestJobs, withJob} from "./newest_jobs";
@@ -57,8 +57,10 @@ export function takeState(next: WorkbenchState): void {
   if (!isNewConnection && state.value !== null && next.moment < state.value.moment) return;
   const known = isNewConnection ? new Map<string, Job>() : jobs.value;
   isNewConnection = false;
-  state.value = sharing(state.value, next);
-  jobs.value = newestJobs(known, next);
+  batch(() => {
+    state.value = sharing(state.value, next);
+    jobs.value = newestJobs(known, next);
+  });
 }
 
 /** The server keeps the token in a cookie; it need not stay in the address bar. */

@@ -128,9 +128,11 @@ export class SheetDrawing {
   private drawSelection(colours: Palette): void {
     const {selection, sheet} = this.props;
     if (!selection || selection.size === 0) return;
-    const r = Math.max(2.6, sheet.holeRadius * this.camera.scale * 1.22);
+    // Between the hole's mark, whose shape says what it is, and the neighbours'.
+    const mark = sheet.holeRadius * this.camera.scale;
+    const r = Math.max(3.2, 1.22 * mark, 0.47 * sheet.pitch * this.camera.scale);
     this.over.strokeStyle = colours.accent;
-    this.over.lineWidth = Math.min(2, 0.35 * r);
+    this.over.lineWidth = Math.min(2, Math.max(0.8, r - mark - 0.4));
     const places = [...selection].map((hole) => toPixel(this.camera, this.size, sheet.u[hole], sheet.v[hole]));
     drawRings(this.over, places, r);
   }

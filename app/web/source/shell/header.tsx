@@ -1,8 +1,9 @@
 // The header: which cell and readings, the stack of models with undo and redo, what is running, dark or light.
 import {Icon} from "../drawing/icons";
 import {chooseScheme, isDark, scheme} from "../drawing/colours";
-import {duration, plural} from "../../../drawing/numbers.js";
+import {duration, plural, whole} from "../../../drawing/numbers.js";
 import type {Job} from "../server/documents";
+import type {ReadingsInfo} from "../server/state_documents";
 import {cell, connection, order, runningJobs, state} from "../server/workbench";
 import {ModelSteps} from "./model_steps";
 import {dialog} from "./page_state";
@@ -70,6 +71,11 @@ function SchemeSwitch() {
   );
 }
 
+/** ", 68 set aside, 4 held out" */
+function asideText({set_aside, held_out}: ReadingsInfo): string {
+  return `${set_aside > 0 ? `, ${whole(set_aside)} set aside` : ""}${held_out > 0 ? `, ${whole(held_out)} held out` : ""}`;
+}
+
 export function Header() {
   const readings = state.value?.measurements ?? null;
   const job = runningJobs.value[0];
@@ -80,7 +86,9 @@ export function Header() {
         <Icon name="open" size={16} />
         <b>{cell.value?.name ?? "–"}</b>
         <span class="chip-more">
-          {readings ? `${readings.name} · ${plural(readings.readings, "reading")}` : "no readings"}
+          {readings
+            ? `${readings.name} · ${plural(readings.readings, "reading")}${asideText(readings)}`
+            : "no readings"}
         </span>
       </button>
       <ModelStack />

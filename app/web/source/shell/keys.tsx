@@ -1,6 +1,6 @@
 // The keys that work everywhere, and the list of all of them.
 import {chooseScheme, isDark} from "../drawing/colours";
-import {pickedOut} from "../error/linked";
+import {selectedReadings} from "../error/linked";
 import {dismiss, notices, order, state} from "../server/workbench";
 import {Dialog} from "./dialog";
 import {closeDialog, dialog, view, VIEWS} from "./page_state";
@@ -18,7 +18,7 @@ const LIST: [string, [string, string][]][] = [
       ["Ctrl S", "save as a project"],
       ["D", "dark or light"],
       ["?", "this list"],
-      ["Esc", "close, put a message away, or let go of what is picked out"],
+      ["Esc", "close, put a message away, or clear the selection"],
     ],
   ],
   [
@@ -35,12 +35,12 @@ const LIST: [string, [string, string][]][] = [
   [
     "On readings",
     [
-      ["drag", "a loop in the plot or the places picks readings out (with Shift: more)"],
-      ["Ctrl A", "in the table: pick out all that the filter leaves"],
+      ["drag", "a loop in the plot or the places selects readings (with Shift: more)"],
+      ["Ctrl A", "in the table: select all that the filter leaves"],
     ],
   ],
   [
-    "Playing a plan",
+    "In the bar that plays a plan",
     [
       ["Space", "play or pause"],
       ["← →", "a tube back or on"],
@@ -96,7 +96,8 @@ function onKey(event: KeyboardEvent): void {
   else if (key === "d") chooseScheme(isDark() ? "light" : "dark");
   else if (key === "escape" && dialog.value === "" && closeMenu()) event.stopPropagation();
   else if (key === "escape" && notices.value.length > 0) dismiss(notices.value[notices.value.length - 1].id);
-  else if (key === "escape" && dialog.value === "" && pickedOut.value.size > 0) pickedOut.value = new Set();
+  else if (key === "escape" && dialog.value === "" && selectedReadings.value.size > 0)
+    selectedReadings.value = new Set();
   else return;
   event.preventDefault();
 }
