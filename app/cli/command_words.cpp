@@ -11,6 +11,7 @@ namespace {
 OptionWords wordsOf(const CLI::Option& option) {
   OptionWords words;
   words.description = option.get_description();
+  words.initial = option.get_default_str();
   words.is_positional = option.get_positional();
   if (words.is_positional) {
     words.names = {option.get_name(true)};

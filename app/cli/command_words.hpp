@@ -10,6 +10,7 @@ struct OptionWords {
   std::vector<std::string> names;  ///< "--json", "-o"; of a positional argument its name alone
   std::string value;               ///< what follows it, in capitals; empty for a flag
   std::string description;
+  std::string initial;  ///< what it is where nothing is said; empty without
   bool is_positional = false;
 };
 

@@ -28,10 +28,11 @@ std::string plain(const std::string& text) {
 
 std::string optionText(const OptionWords& option) {
   const std::string value = option.value.empty() ? "" : fmt::format(" \\fI{}\\fR", plain(option.value));
+  const std::string initial = option.initial.empty() ? "" : fmt::format(" (default: {})", plain(option.initial));
   std::vector<std::string> names;
   for (const auto& name : option.names)
     names.push_back(fmt::format("\\f{}{}\\fR", option.is_positional ? 'I' : 'B', plain(name)));
-  return fmt::format(".TP\n{}{}\n{}\n", fmt::join(names, ", "), value, plain(option.description));
+  return fmt::format(".TP\n{}{}\n{}{}\n", fmt::join(names, ", "), value, plain(option.description), initial);
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // tubeplan arm: arms from URDF and to it, and an arm's file shown for checking.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -104,7 +106,24 @@ int show(const ArmOptions& options) {
   return kDone;
 }
 
+/// An option of another action would do nothing.
+void requireOptionsOf(const ArmOptions& options) {
+  const struct {
+    const char* name;
+    const std::string& value;
+    std::vector<std::string_view> actions;
+  } own[] = {{"--out", options.out, {"import", "export"}},
+             {"--cell", options.cell, {"import"}},
+             {"--svg", options.svg, {"show"}},
+             {"--json", options.json, {"show"}}};
+  for (const auto& [name, value, actions] : own)
+    if (!value.empty() && std::ranges::find(actions, options.action) == actions.end())
+      throw InputError(name, "an option of " + fmt::format("`arm {}`", fmt::join(actions, "` or `arm ")),
+                       fmt::format("options of `arm {}`", options.action), "leave it out");
+}
+
 int run(const ArmOptions& options) {
+  requireOptionsOf(options);
   if (options.action == "show") return show(options);
   if (options.out.empty())
     throw InputError("--out", "nothing", fmt::format("the file that `arm {}` writes", options.action));

@@ -38,12 +38,14 @@ int run(const CalibrateOptions& options) {
   if (!options.out.empty()) checkWritableCell(cell, options.out, "--out");
   const CalibrationOutcome outcome = calibrateCell(cell, touches, options.measurements);
   const auto& result = outcome.calibration;
-  if (result.status == CalibrationStatus::kDone && !options.out.empty())
-    writeFileAtomically(options.out, calibratedCellText(cell, outcome, options.out), "--out");
+  const bool is_written = result.status == CalibrationStatus::kDone && !options.out.empty();
+  if (is_written) writeFileAtomically(options.out, calibratedCellText(cell, outcome, options.out), "--out");
   nlohmann::json json = outcome.figures;
   addChecks(checks, cell.units, json);
   writeJson(options.json, json);
   if (printsText(options.json)) fmt::print("{}{}", checksText(checks, cell.units), calibrationText(result, cell));
+  if (printsText(options.json) && is_written)
+    fmt::print("wrote {}{}\n", options.out, calibration::isFitRefused(result) ? ", with touches that do not fit" : "");
   return result.status == CalibrationStatus::kDone && !calibration::isFitRefused(result) ? kDone : kNegativeAnswer;
 }
 

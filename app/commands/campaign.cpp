@@ -53,6 +53,7 @@ class CampaignDesk {
     noteStopSignals();  // from the first folder on, so that none is left behind
     if (!options.out.empty()) {
       folder_.emplace(options.out, "--out");
+      folder_->requireOwn({kTallyFile, "campaign.json"}, {"holes.csv", "outcomes.csv", "report.html"});
       keeper_.emplace(folder_->path(), options.resume);
       if (const auto kept = keeper_->begin(campaign.question, runs_)) {
         if (!campaign.experiment->add(kept->total))
@@ -198,8 +199,7 @@ std::string choiceHelp() {
 void configureCentring(CLI::App& cli, CampaignRequest& request) {
   const std::string group = groupOf("centre");
   cli.add_option("--truth", request.truth, "the cell about which true arms are drawn (default: CELL)")->group(group);
-  cli.add_option("--tubes", request.tubes, "the tubes whose holes may be visited, as for plan")
-      ->capture_default_str()
+  cli.add_option("--tubes", request.tubes, "the tubes whose holes may be visited, as for plan (spread:80)")
       ->group(group);
   cli.add_option("--holes", request.holes, "how many of them each run visits")->capture_default_str()->group(group);
   cli.add_option("--touches", request.touches, "number of touched holes; a list compares several: 3,4,6,12")

@@ -85,6 +85,9 @@ int run(const PlanOptions& options) {
   if (options.trajectory) requireAccelerations(readCell(options.request.cell).arm);
   noteStopSignals();  // from the first folder on, so that none is left behind
   OutputFolder folder(options.out, "--out");
+  std::vector<std::string> names(std::begin(kPlanFiles), std::end(kPlanFiles));
+  if (options.request.touches != "auto") std::erase(names, "touches.csv");  // then it stays as it is
+  folder.requireOwn({"plan.json", kProgressFile}, names);
   PlanCheckpoint checkpoint(folder.path(), options.resume, options.from);
   const PlanOutcome outcome = runPlanJob(options.request, terminalHooks(), checkpoint);
   if (outcome.plan.status == planner::VisitPlanStatus::kStopped) return explainStop(checkpoint, folder);
@@ -113,8 +116,8 @@ Run configurePlan(CLI::App& cli) {
   auto& request = options->request;
   addCell(cli, request.cell);
   cli.add_option("--tubes", request.tubes,
-                 "which tubes: all, R10C20, R1-10C5-9, outer:2, every:10, spread:60, or a CSV work list; plugged and "
-                 "stabilised ones only by name: all,plugged")
+                 "which tubes: all, R10C20, R1-10C5-9, outer:2, every:10, spread:60, or a CSV work list; plugged, "
+                 "stabilised, inaccessible and unresolved ones only by state or by name: all,plugged")
       ->capture_default_str();
   cli.add_option("--touches", request.touches,
                  "touched holes (CSV) to calibrate the base with, or auto: the true arm touches three");

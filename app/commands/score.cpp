@@ -14,6 +14,7 @@
 #include "app/commands/option_groups.hpp"
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/pose_json.hpp"
 #include "app/documents/segments_warning.hpp"
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
@@ -30,11 +31,14 @@ namespace tubeplan::app {
 namespace {
 
 struct ScoreOptions {
-  std::string cell, truth, tubes = "spread:60", json;
+  std::string cell, truth, tubes, json;
   int runs = 0;
   double unmodelled = -1, stiffness = -1;
   std::uint64_t seed = 1;
 };
+
+/// Spread over the sheet, where none are named.
+constexpr std::size_t kTubes = 60, kTubesOfRuns = 80;
 
 /// Table 5.7: of ten holes, how many took 0, 1, 2, 3 steps without and with compensation.
 constexpr int kThesisCounts[2][4] = {{7, 2, 1, 0}, {0, 4, 4, 2}};
@@ -105,6 +109,7 @@ nlohmann::json scoredJson(const Scored& scored, const planner::Workcell& cell, c
       entry.update(scoresJson(scored_tube.scores, units));
     else
       entry["unreachable"] = scored_tube.reason;
+    if (scored_tube.q.size() > 0) entry["joints"] = jointValuesJson(scored_tube.q, nominal);
     tubes.push_back(entry);
   }
   const auto counts = countByMode(modeScores(scored), static_cast<int>(cell.tool.steps.size()));
@@ -167,7 +172,9 @@ void printExperiment(const StepExperiment& experiment, const Units& units) {
              experiment.refused.size(), experiment.refused.empty() ? "" : ", first: " + experiment.refused.front());
   fmt::print("mean residual of a fit to 14 touched holes: {:.{}f} {}\n", experiment.mean_touch_error / unit,
              lengthDecimals(units), units.length().name);
-  fmt::print("of ten holes, steps inserted       0     1     2     3   mean error, {}\n", units.length().name);
+  fmt::print("{:<29}", "of ten holes, steps inserted");
+  for (std::size_t steps = 0; steps < experiment.mean_counts.front().size(); ++steps) fmt::print("{:6}", steps);
+  fmt::print("   mean error, {}\n", units.length().name);
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
     fmt::print("{:<29}", planner::nameOf(kCompensations[mode]));
     for (double count : experiment.mean_counts[mode]) fmt::print("{:6.2f}", count);
@@ -181,9 +188,10 @@ void printExperiment(const StepExperiment& experiment, const Units& units) {
                kThesisCounts[row][1], kThesisCounts[row][2], kThesisCounts[row][3]);
 }
 
-int runExperiment(const ScoreOptions& options, const planner::Workcell& model, const planner::Workcell& truth,
-                  const Units& units) {
+int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, const planner::Workcell& model,
+                  const planner::Workcell& truth, const Units& units) {
   StepExperimentOptions settings;
+  settings.tubes = tubes;
   settings.runs = options.runs;
   settings.seed = options.seed;
   if (options.unmodelled >= 0)
@@ -199,15 +207,20 @@ int runExperiment(const ScoreOptions& options, const planner::Workcell& model, c
   return experiment.status == StepExperimentStatus::kStopped ? kStoppedExitCode : kDone;
 }
 
+tubesheets::Selection tubesOf(const ScoreOptions& options, const tubesheets::Sheet& sheet) {
+  if (!options.tubes.empty()) return readTubes(options.tubes, sheet);
+  return readTubes(tubesheets::spreadRequest(sheet, options.runs > 0 ? kTubesOfRuns : kTubes), sheet);
+}
+
 int run(const ScoreOptions& options) {
   const Cell cell = readCell(options.cell), true_cell = readCell(options.truth);
   const auto model = workcellOf(cell, "score positioning"), truth = workcellOf(true_cell, "score against it");
   if (model.sheet.fingerprint() != truth.sheet.fingerprint())
     throw InputError(options.truth, "another tube sheet", "the cell's, fingerprint " + model.sheet.fingerprint());
   checkJsonTarget(options.json);
-  if (options.runs > 0) return runExperiment(options, model, truth, cell.units);
-  const auto selection = readTubes(options.tubes, model.sheet);
-  const Scored scored = scoreAll(model, truth, selection.tube_indices, options.seed, cell);
+  const auto tubes = tubesOf(options, model.sheet).tube_indices;
+  if (options.runs > 0) return runExperiment(options, tubes, model, truth, cell.units);
+  const Scored scored = scoreAll(model, truth, tubes, options.seed, cell);
   if (scored.calibration.flexible.status != calibration::CalibrationStatus::kDone) {
     fmt::print(stderr, "{}", calibrationText(scored.calibration.flexible, cell));
     return kNegativeAnswer;
@@ -223,15 +236,20 @@ Run configureScore(CLI::App& cli) {
   const auto options = std::make_shared<ScoreOptions>();
   addCell(cli, options->cell);
   cli.add_option("--truth", options->truth, "the cell of the true arm")->required();
-  cli.add_option("--tubes", options->tubes, "which tubes, as for plan")->capture_default_str();
-  cli.add_option("--runs", options->runs,
-                 "repeat the thesis's experiment N times, each with a true arm drawn about the given one")
-      ->check(CLI::Range(0, 1000000));
+  cli.add_option(
+      "--tubes", options->tubes,
+      fmt::format("which tubes, as for plan (spread:{}; with --runs, each of which draws from them, spread:{})", kTubes,
+                  kTubesOfRuns));
+  auto* runs = cli.add_option("--runs", options->runs,
+                              "repeat the thesis's experiment N times, each with a true arm drawn about the given one")
+                   ->check(CLI::Range(0, 1000000));
   cli.add_option("--unmodelled", options->unmodelled,
                  "with --runs: standard deviation of the true arm's unmodelled error, per coordinate")
+      ->needs(runs)
       ->check(CLI::NonNegativeNumber);
   cli.add_option("--stiffness", options->stiffness,
                  "with --runs: relative standard deviation of the true arm's stiffnesses")
+      ->needs(runs)
       ->check(CLI::NonNegativeNumber);
   addSeed(cli, options->seed, "seed of the random numbers");
   addJson(cli, options->json);

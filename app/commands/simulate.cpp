@@ -38,6 +38,7 @@ int run(const SimulateOptions& options) {
   const SimulationTask task = prepareSimulation(cell, request);
   noteStopSignals();  // from the first folder on, so that none is left behind
   OutputFolder folder(options.out, "--out");
+  folder.requireOwn({"truth.yaml"}, {"measurements.csv"});
   const auto campaign = measure(cell, task, request.seed);
   if (campaign.status != CampaignStatus::kDone) {
     fmt::print(stderr, "no campaign: {}\n", campaign.reason);
@@ -73,7 +74,8 @@ Run configureSimulate(CLI::App& cli) {
                  "number of readings; a design file may state `postures` instead");
   addSeed(cli, options->request.seed, "seed of the random numbers");
   cli.add_option("--out", options->out, "the folder for measurements.csv and truth.yaml")->required();
-  cli.add_option("--loads", options->request.loads, "loads hung on the tip, in the cell's unit of force: 0,20,40")
+  cli.add_option("--loads", options->request.loads,
+                 "loads hung on the tip, in the cell's unit of force: 0,20,40 (0, 20 and 40 lbf where left out)")
       ->delimiter(',')
       ->allow_extra_args(false);
   cli.add_option("--push", options->request.push,

@@ -66,6 +66,7 @@ void refuseFolder(const fs::path& path, const std::string& option) {
   std::error_code error;
   if (path.filename().empty() || fs::is_directory(path, error))
     throw InputError(option, fmt::format("'{}', a folder", path.string()), "the name of a file", "add a file name");
+  if (path == "-") throw InputError(option, "'-'", "the name of a file", "--json alone writes to standard output by -");
 }
 
 fs::path absoluteFolder(const fs::path& path, const std::string& option) {
@@ -138,6 +139,17 @@ OutputFolder::~OutputFolder() {
   staged_.discard();
   std::error_code ignored;
   fs::remove(scratch_, ignored);
+}
+
+void OutputFolder::requireOwn(const std::vector<std::string>& marks, const std::vector<std::string>& names) const {
+  const auto isThere = [this](const std::string& name) {
+    std::error_code error;
+    return fs::exists(path_ / name, error);
+  };
+  if (std::ranges::any_of(marks, isThere)) return;
+  if (const auto other = std::ranges::find_if(names, isThere); other != names.end())
+    throw InputError(option_, inQuotes((path_ / *other).string()) + ", which no run of this command has left",
+                     "an empty folder, or that of an earlier run", "choose another folder: it would be lost");
 }
 
 void OutputFolder::write(const std::string& name, const std::string& content) {

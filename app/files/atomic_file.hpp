@@ -46,6 +46,10 @@ class OutputFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
+  /// Throws InputError, naming the option, where there are files of these names and none of the `marks` that runs of
+  /// the same command leave beside them: they are someone else's.
+  void requireOwn(const std::vector<std::string>& marks, const std::vector<std::string>& names) const;
+
   /// Of a file name without folders.
   void write(const std::string& name, const std::string& content);
 

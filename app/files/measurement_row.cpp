@@ -238,6 +238,8 @@ Measurement readMeasurement(const RowReader& row, const MeasurementColumns& colu
   m.turn_sigma = row.numberOrNaN(columns.turn_sigma);
   m.approach_directions = readApproachDirections(row, columns);
   m.temperature = row.numberOrNaN(columns.temperature);
+  if (m.temperature < 0)
+    row.failRow("a temperature below absolute zero", "the reading's temperature in the column's unit");
   m.time = row.numberOrNaN(columns.time);
   m.is_held_out = readSplit(row, columns.split);
   checkKind(row, kind, m);

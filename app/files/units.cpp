@@ -63,7 +63,7 @@ const Unit* readUnit(const YamlNode& map, std::string_view key, UnitKind kind, s
 void appendPower(std::string& over, std::string& under, std::string_view name, int exponent) {
   if (exponent == 0) return;
   std::string& side = exponent > 0 ? over : under;
-  if (!side.empty()) side += exponent > 0 ? "*" : "/";
+  if (!side.empty()) side += "*";
   side += name;
   if (std::abs(exponent) > 1) side += "^" + std::to_string(std::abs(exponent));
 }
@@ -160,7 +160,8 @@ std::string Units::nameOf(Dimension d) const {
   appendPower(over, under, temperature_->name, d.temperature);
   appendPower(over, under, time_->name, d.time);
   if (over.empty()) over = "1";
-  return under.empty() ? over : over + "/" + under;
+  if (under.empty()) return over;
+  return over + (under.find('*') == std::string::npos ? "/" + under : "/(" + under + ")");
 }
 
 double rounded(double value) {

@@ -54,6 +54,13 @@ class UrdfWriter {
     addJoint(unusedJoint("tip"), "fixed", parent, tip, arm_.p_LT, toolTurn(), "");
     text_ += "</robot>\n";
     if (has_stiffness_) left_out_.emplace_back("stiffnesses and beams: URDF's links are rigid");
+    if (!keepsToolFrame())
+      left_out_.emplace_back("the tool frame's turn (rpy): the exported tip's z is the tool's axis");
+    if (!arm_.gravity_W.isApprox(-Vector3d::UnitZ(), 1e-12))
+      left_out_.emplace_back("the direction of gravity: URDF has none, and what is imported falls along -z");
+    const auto isRead = [](const ArmRow& row) { return row.joint.encoder_sigma > 0; };
+    if (std::any_of(arm_.rows.begin(), arm_.rows.end(), isRead))
+      left_out_.emplace_back("the encoders' noise: URDF has no place for it");
     if (!arm_.side_chains.empty()) left_out_.emplace_back("side chains: only a serial chain can be imported again");
     if (!arm_.effects.empty()) left_out_.emplace_back("effects: URDF has no place for them");
     return {std::move(text_), std::move(left_out_)};
@@ -71,9 +78,12 @@ class UrdfWriter {
     return name;
   }
 
+  /// Where its z is the tool's axis.
+  [[nodiscard]] bool keepsToolFrame() const { return arm_.R_LT.col(2).isApprox(arm_.tool_axis_L, 1e-12); }
+
   /// The tool frame, if its z is the tool's axis; else one whose z is.
   [[nodiscard]] Eigen::Matrix3d toolTurn() const {
-    if (arm_.R_LT.col(2).isApprox(arm_.tool_axis_L, 1e-12)) return arm_.R_LT;
+    if (keepsToolFrame()) return arm_.R_LT;
     return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), arm_.tool_axis_L).toRotationMatrix();
   }
 

@@ -84,6 +84,9 @@ Identification identifyAsAsked(const IdentificationRequest& request, const Cell&
   IdentificationOptions asked = identificationOptions(request, cell, hooks);
   asked.observe = request.observe;
   if (request.stages.empty()) return calibration::identify(start, readings, asked);
+  if (!request.free.empty())
+    throw InputError("--free", "it together with --stage", "one of them",
+                     "each stage names what is freed in it: --stage NAME,NAME");
   std::vector<calibration::IdentificationStage> stages;
   for (const auto& text : request.stages) stages.push_back(stageOf(text));
   auto results = calibration::identifyInStages(start, readings, stages, asked);

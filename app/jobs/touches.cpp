@@ -137,7 +137,9 @@ void settleTask(const TouchRequest& request, TouchTask& task, TouchOutcome& outc
     return;
   }
   task.under_sheet = workcellOf(outcome.cell, "find holes to touch");
-  task.tubes = readTubes(request.tubes.empty() ? "spread:60" : request.tubes, task.under_sheet->sheet).tube_indices;
+  const auto& sheet = task.under_sheet->sheet;
+  task.tubes =
+      readTubes(request.tubes.empty() ? tubesheets::spreadRequest(sheet, 60) : request.tubes, sheet).tube_indices;
 }
 
 }  // namespace

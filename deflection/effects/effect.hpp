@@ -54,8 +54,9 @@ struct EffectKind {
   const char* source;
   EffectStage stage;
   PlaceRule at;
-  const char* word = "";         ///< the only place's name, for PlaceRule::kWord
-  const char* place_needs = "";  ///< what an arm must have for a place, where its file may lack it: "a slide"
+  const char* word = "";              ///< the only place's name, for PlaceRule::kWord
+  const char* place_needs = "";       ///< what an arm must have for a place, where its file may lack it: "a slide"
+  const char* places_elsewhere = "";  ///< where it acts, if its places are none of the arm's own
   double odds = 1;  ///< prior odds of the kind against others, shared by its places; 0: never tried unasked ...
   const char* odds_reason = "";             ///< ... and why
   std::vector<EffectVariable> varies_with;  ///< the plainest first; empty: with anything

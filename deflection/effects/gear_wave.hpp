@@ -32,7 +32,7 @@ inline EffectKind kind() {
       .source = "Ghorbel et al. 2001, J. Mech. Design 123:90",
       .stage = EffectStage::kReading,
       .at = PlaceRule::kJoint,
-      .place_needs = "a revolute joint with gear_ratio in the arm file, turns of its motor for one of the joint",
+      .place_needs = "a revolute joint with gear_ratio in the arm file (turns of its motor per turn of the joint)",
       .odds = 1,
       .odds_reason = "strain wave gears have an error of about an arc minute once per turn of their input",
       .varies_with = {EffectVariable::kJoint},

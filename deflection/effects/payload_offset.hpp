@@ -19,7 +19,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 inline EffectKind kind() {
   return {.name = "payload-offset",
           .words = "the payload's centre is off the tip",
-          .law = "the hung load acts at tip + (x, y, z) in the tool's frame",
+          .law = "the hung load acts at tip + (x, y, z) in the last row's frame",
           .validity = "a load rigidly held; the tool's own weight is unchanged",
           .source = "statics",
           .stage = EffectStage::kLoad,

@@ -1,7 +1,7 @@
 // A slide that a turning joint carries along its screw, as the last axes of a SCARA do on one ball screw spline.
 //
 // Law: true position of the slide = its reading + travel * reading of the turning joint, as in joint_coupling.hpp.
-// Symbols: travel [m per rad]: the screw's lead over a turn, where the controller does not take it off.
+// Symbols: travel [m per rad]: the screw's lead over a turn, where the controller does not compensate for it.
 // Validity: readings counted from the encoders' zeros.
 // Source: coupled joints in Craig, Introduction to Robotics (actuator space and joint space).
 #pragma once
@@ -19,7 +19,7 @@ inline EffectKind kind() {
           .stage = EffectStage::kReading,
           .at = PlaceRule::kJointPair,
           .odds = 0.5,
-          .odds_reason = "only where both are on one screw, and the controller takes its lead off",
+          .odds_reason = "only where both are on one screw, and the controller does not compensate for its lead",
           .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"travel", Quantity::kLength, 0, -0.1, 0.1, 2e-3}},

@@ -1,8 +1,8 @@
 // A slide that gives the more the farther it is out: less of it overlaps its bearing.
 //
-// Law: rotation = M (c1 s + c2 s^2 + c3 s^3) about the axis, at the slide's end; M the moment there.
+// Law: rotation = M (c1 s + c2 s^2 + c3 s^3) about the axis, at the slide's guide.
 // Symbols: s how far the slide is out: above its lower limit, over its range, where limits are stated; its reading in
-// metres where not; c1 to c3 [rad/(N m)] at s = 1; M moment about the axis of the shape without deflection [N m].
+// metres where not; c1 to c3 [rad/(N m)] at s = 1; M the moment about the axis there [N m].
 // Validity: small rotations; readings that grow as the slide comes out. What it gives at s = 0 is joint-compliance.
 // Source: two bearings an overlap L - s apart give by 1 / (L - s)^2 under a moment, whose series in s / L has no
 // negative term; taken to third order.
@@ -35,23 +35,24 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 }
 
 inline EffectKind kind() {
-  return {.name = "slide-bending",
-          .words = "a slide is more compliant the farther it is extended",
-          .law = "rotation at a slide's end = moment * (linear * s + square * s^2 + cube * s^3), s its extension",
-          .validity = "small rotations; s over the range of the limits, or in metres where none are stated",
-          .source = "bearings an overlap apart, to third order",
-          .stage = EffectStage::kFlexibility,
-          .at = PlaceRule::kRowAxis,
-          .odds = 1,
-          .odds_reason = "telescopes are more compliant the farther they are extended",
-          .varies_with = {EffectVariable::kMoment, EffectVariable::kJoint},
-          .needs = {.moments = true},
-          .parameters = {{"linear", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
-                         {"square", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
-                         {"cube", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3}},
-          .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },
-          .apply = apply<double>,
-          .applyDual = apply<Dual>};
+  return {
+      .name = "slide-bending",
+      .words = "a slide is more compliant the farther it is extended",
+      .law = "rotation at a slide's guide = moment there * (linear * s + square * s^2 + cube * s^3), s its extension",
+      .validity = "small rotations; s over the range of the limits, or in metres where none are stated",
+      .source = "bearings an overlap apart, to third order",
+      .stage = EffectStage::kFlexibility,
+      .at = PlaceRule::kRowAxis,
+      .odds = 1,
+      .odds_reason = "telescopes are more compliant the farther they are extended",
+      .varies_with = {EffectVariable::kMoment, EffectVariable::kJoint},
+      .needs = {.moments = true},
+      .parameters = {{"linear", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
+                     {"square", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
+                     {"cube", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3}},
+      .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },
+      .apply = apply<double>,
+      .applyDual = apply<Dual>};
 }
 
 }  // namespace tubeplan::deflection::slide_bending

@@ -1,4 +1,4 @@
-// A tip elsewhere in the tool's frame.
+// A tip elsewhere in the last row's frame.
 //
 // Law: tip = tip drawn + v, in the last row's frame.
 // Symbols: v [m].
@@ -17,7 +17,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 
 inline EffectKind kind() {
   return {.name = "tool-offset",
-          .words = "the tip is offset in the tool frame",
+          .words = "the tip is offset in the last row's frame",
           .law = "tip = as drawn + (x, y, z) in the last row's frame",
           .validity = "geometry only",
           .source = "Klimchik et al., arXiv 1211.5739",

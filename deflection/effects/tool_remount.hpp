@@ -1,6 +1,6 @@
 // A tool or target that was mounted anew: in one set-up the tip is elsewhere than in the others.
 //
-// Law: tip in the tool's frame = as in the other set-ups + (x, y, z), in the set-up of that name.
+// Law: tip in the last row's frame = as in the other set-ups + (x, y, z), in the set-up of that name.
 // Symbols: x, y, z [m].
 // Validity: rigid; the same all through the set-up.
 // Source: geometry; the trap of measuring campaigns with several mountings.
@@ -19,11 +19,12 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 inline EffectKind kind() {
   return {.name = "tool-remount",
           .words = "the tip was remounted for a set-up",
-          .law = "in one set-up the tip is offset: tip = that of the others + (x, y, z)",
+          .law = "in one set-up the tip is offset: tip = that of the others + (x, y, z) in the last row's frame",
           .validity = "rigid, the same all through the set-up",
           .source = "geometry",
           .stage = EffectStage::kGeometry,
           .at = PlaceRule::kSetup,
+          .places_elsewhere = "a set-up of the readings, by its name",
           .odds = 2,
           .odds_reason = "tools and targets are removed and remounted between set-ups",
           .varies_with = {EffectVariable::kSetup},

@@ -1,4 +1,4 @@
-// A gear that errs twice per turn, as an elliptic wave generator or an oval ring does.
+// A gear that errs twice per turn, as an oval ring or an elliptic bearing of the joint does.
 //
 // Law: true joint angle = reading + A sin(2 q) + B cos(2 q).
 // Symbols: q reading [rad], A, B amplitudes [rad].
@@ -29,7 +29,7 @@ inline EffectKind kind() {
           .stage = EffectStage::kReading,
           .at = PlaceRule::kJoint,
           .odds = 1,
-          .odds_reason = "strain wave gears have an error twice per turn of the wave generator",
+          .odds_reason = "an oval ring or an elliptic bearing has an error twice per turn of the joint",
           .varies_with = {EffectVariable::kJoint},
           .needs = {},
           .parameters = {{"sine", Quantity::kAngle, 0, -0.5, 0.5, 0.005},

@@ -84,6 +84,7 @@ inline EffectKind kind() {
           .source = "the user",
           .stage = EffectStage::kReading,
           .at = PlaceRule::kJoint,
+          .places_elsewhere = "the formula's target: a joint, tip.x to tip.z, base.x to base.z, base.yaw",
           .odds = 0,
           .odds_reason = "a user's own law is never tried unasked",
           .varies_with = {},

@@ -28,6 +28,17 @@ class ProgramTest : public FolderTest {
     return outcome;
   }
 
+  /// Writes the mock-up with `map` as its holes in the place of its layout, as NAME with its arm and holes.csv beside
+  /// it.
+  void writeMappedMockup(const std::string& name, const std::string& map) const {
+    (void)write("holes.csv", map);
+    (void)write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
+    const std::string cell = contentOf(shippedCells() / "mockup.yaml");
+    const auto layout = cell.find("layout: {"), end = cell.find('}', layout) + 1;
+    ASSERT_NE(layout, std::string::npos);
+    (void)write(name, cell.substr(0, layout) + "map: holes.csv\n  pitch: 1.0625" + cell.substr(end));
+  }
+
   [[nodiscard]] static std::string shipped(const std::string& name) {
     return "'" + (shippedCells() / name).string() + "'";
   }

@@ -49,7 +49,7 @@ json mapsJson(const CentringResults& results) {
 
 std::string centringPage(const CentringResults& results, const json& figures) {
   json page = figures;
-  page["title"] = "Centring of " + results.task.cell.name + " over random truths";
+  page["title"] = "Centring of " + results.task.cell.name + " over random true arms";
   page["sheet"] = sheetPageJson(results.task.model.sheet, results.task.cell);
   page["maps"] = mapsJson(results);
   return renderCampaignReport(page);

@@ -101,14 +101,18 @@ std::vector<CentringSetting> settingsOf(const CampaignRequest& request, const Ce
   return settings;
 }
 
+/// Spread over the sheet, where none are named.
+constexpr std::size_t kTubes = 80;
+
 /// The tubes to visit, without those whose state keeps the tool out.
 void findHoles(const CampaignRequest& request, CentringTask& task) {
-  const auto selection = readTubes(request.tubes, task.model.sheet);
+  const std::string tubes = request.tubes.empty() ? tubesheets::spreadRequest(task.model.sheet, kTubes) : request.tubes;
+  const auto selection = readTubes(tubes, task.model.sheet);
   task.tubes = static_cast<int>(selection.tube_indices.size());
   task.holes.visited = touchCandidates(task.model, selection.tube_indices);
   if (static_cast<int>(task.holes.visited.size()) < request.holes)
     throw InputError(
-        "--tubes " + request.tubes, fmt::format("{} holes in reach of {} tubes", task.holes.visited.size(), task.tubes),
+        "--tubes " + tubes, fmt::format("{} holes in reach of {} tubes", task.holes.visited.size(), task.tubes),
         fmt::format("{} at least, as many as a run visits", request.holes), "name more tubes, or fewer --holes");
   for (const auto& setting : task.options.settings)
     if (setting.rule == TouchRule::kBest && task.holes.touchable.empty())

@@ -312,7 +312,7 @@ Campaign makeDiagnosisCampaign(const CampaignRequest& request) {
   campaign.text = diagnosisCampaignText;
   campaign.files = [task](const json& figures) {
     json page = figures;
-    page["title"] = "Diagnoses of " + task->cell.name + " over random truths";
+    page["title"] = "Diagnoses of " + task->cell.name + " over random true arms";
     return std::vector<CampaignResult>{{"outcomes.csv", outcomesCsv(figures)},
                                        {"report.html", renderCampaignReport(page)}};
   };

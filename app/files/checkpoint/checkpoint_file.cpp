@@ -1,6 +1,7 @@
 #include "app/files/checkpoint/checkpoint_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -58,6 +59,20 @@ std::string checkpointText(const CheckpointFormat& format, const PlanKey& questi
                      {"question_checksum", questionChecksum(question)},
                      {"checksum", fingerprintOf(payload)}};
   return head.dump() + "\n" + payload + "\n";
+}
+
+void putAside(const std::filesystem::path& path, const std::vector<std::string>& differences) {
+  std::filesystem::path aside;
+  int number = 0;
+  do aside = path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), ++number, path.extension().string());
+  while (std::filesystem::exists(aside));
+  std::error_code error;
+  std::filesystem::rename(path, aside, error);
+  if (error)
+    throw InputError("--out", fmt::format("{}, which cannot be renamed: {}", path.string(), error.message()),
+                     "a folder that can be written", "use another folder");
+  say(fmt::format("started again: {} is of {}; it is kept as {}", path.string(), fmt::join(differences, ", "),
+                  aside.filename().string()));
 }
 
 void say(const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); }

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
 #include "app/files/checkpoint/plan_key.hpp"
 
@@ -36,6 +38,10 @@ void readPayload(const CheckpointFormat& format, const std::filesystem::path& pa
 
 [[nodiscard]] std::string checkpointText(const CheckpointFormat& format, const PlanKey& question,
                                          const std::string& payload);
+
+/// Renames work on another question to the first free name beside it (tally.json to tally-1.json), and says so on
+/// standard error with the differences of the question. Throws InputError where that cannot be done.
+void putAside(const std::filesystem::path& path, const std::vector<std::string>& differences);
 
 /// On stderr: what was found of earlier work, and what is done with it.
 void say(const std::string& sentence);

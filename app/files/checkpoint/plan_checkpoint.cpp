@@ -76,7 +76,7 @@ bool PlanCheckpoint::takeStopped(const PlanKey& question) {
   if (must_resume_)
     throw InputError("--resume", fmt::format("{} stopped with {}", path.string(), fmt::join(differences, ", ")),
                      "the same options as the stopped run", "repeat them, or omit --resume to start again");
-  say(fmt::format("started again: {} is of {}", path.string(), fmt::join(differences, ", ")));
+  putAside(path, differences);
   return false;
 }
 

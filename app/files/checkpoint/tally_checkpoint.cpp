@@ -74,7 +74,7 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
   if (must_resume_)
     throw InputError("--resume", fmt::format("{} with {}", path().string(), fmt::join(differences, ", ")),
                      "the same options, with as many runs or more", "repeat them, or omit --resume to start again");
-  say(fmt::format("started again: {} is of {}", path().string(), fmt::join(differences, ", ")));
+  putAside(path(), differences);
   return std::nullopt;
 }
 

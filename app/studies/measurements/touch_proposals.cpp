@@ -6,6 +6,7 @@
 #include "app/studies/measurements/reading_candidates.hpp"
 #include "calibration/design/touch_choice.hpp"
 #include "calibration/design/touch_reserve.hpp"
+#include "calibration/estimation/base_calibration.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
@@ -138,7 +139,12 @@ class TouchSearch {
                       : calibration::chooseReadings(posed.problem, options.design);
     proposal.next = calibration::forecastReadings(*task_.of_base, posed, std::move(design), options);
     proposal.reason = proposal.next.reason;
-    if (task_.is_first) compareWithNearest();
+    if (!task_.is_first) return;
+    // No better than those that are refused once they are touched.
+    std::vector<calibration::Measurement> touches;
+    for (const auto& step : proposal.next.design.steps) touches.push_back(proposal.chosen(step).readings.front());
+    if (proposal.reason.empty()) proposal.reason = calibration::findTouchProblem(touches);
+    compareWithNearest();
   }
 
   [[nodiscard]] std::vector<ReadingCandidate> touchesUnderLoads() const {

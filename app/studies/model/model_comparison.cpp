@@ -6,10 +6,16 @@
 #include "app/studies/model/cell_fit.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/held_out.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::app {
 
 namespace {
+
+void stateChiSquare(double chi2, int degrees_of_freedom, ModelComparisonRow& compared) {
+  compared.chi2_per_dof = chi2 / std::max(1, degrees_of_freedom);
+  if (degrees_of_freedom > 0) compared.p_value = calibration::chiSquareTail(chi2, degrees_of_freedom);
+}
 
 /// A model that frees nothing: its error is what it is.
 ModelComparisonRow rowAsItStands(const std::string& name, const CellModel& cell,
@@ -25,7 +31,7 @@ ModelComparisonRow rowAsItStands(const std::string& name, const CellModel& cell,
   if (const auto weights = calibration::weighReadings(placed, fitted)) {
     compared.noise_floor = calibration::noiseFloor(fitted, *weights);
     const auto residual = calibration::whitenedResidual(placed, {}, fitted, *weights, {}, false);
-    compared.chi2_per_dof = residual.r.squaredNorm() / std::max(1, weights->degrees_of_freedom);
+    stateChiSquare(residual.r.squaredNorm(), weights->degrees_of_freedom, compared);
   }
   return compared;
 }
@@ -41,7 +47,7 @@ ModelComparisonRow comparisonRowOf(const std::string& name, const calibration::I
   compared.fitted = fit.after;
   compared.heldout = fit.heldout;
   compared.noise_floor = fit.noise_floor;
-  compared.chi2_per_dof = fit.chi2 / std::max(1, fit.degrees_of_freedom);
+  stateChiSquare(fit.chi2, fit.degrees_of_freedom, compared);
   return compared;
 }
 

@@ -21,8 +21,9 @@ struct ModelComparisonRow {
   calibration::ErrorSize heldout;
   double noise_floor = 0;  ///< m
   double chi2_per_dof = 0;
-  calibration::PlacedArm model;    ///< as fitted; no rows where it could not be
-  std::optional<StepTable> steps;  ///< where they were asked for
+  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< of chi-square, against the stated noise
+  calibration::PlacedArm model;                               ///< as fitted; no rows where it could not be
+  std::optional<StepTable> steps;                             ///< where they were asked for
 };
 
 /// A cell's model on readings; where it frees nothing it is judged as it stands. Throws JobStopped.

@@ -8,7 +8,6 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr int kCandidates = 80;
 constexpr std::uint64_t kTouchFits = 20;
 
 CentringTrials trialsOf(const planner::Workcell& model, const planner::Workcell& truth, const CentringHoles& holes,
@@ -57,10 +56,12 @@ double meanTouchError(const CentringTrials& trials) {
 StepExperiment runStepExperiment(const planner::Workcell& model, const planner::Workcell& truth,
                                  const StepExperimentOptions& options, const planner::PlanHooks& hooks) {
   StepExperiment experiment;
-  const CentringHoles holes{touchCandidates(model, kCandidates), {}};
+  const CentringHoles holes{touchCandidates(model, options.tubes), {}};
   if (static_cast<int>(holes.visited.size()) < std::max(options.test_holes, options.touch_fit_points)) {
     experiment.status = StepExperimentStatus::kTooFewHoles;
-    experiment.reason = "only " + std::to_string(holes.visited.size()) + " holes spread over the sheet can be reached";
+    experiment.reason = std::to_string(holes.visited.size()) + " of the " + std::to_string(options.tubes.size()) +
+                        " holes can be reached, and " +
+                        std::to_string(std::max(options.test_holes, options.touch_fit_points)) + " are needed";
     return experiment;
   }
   const auto trials = trialsOf(model, truth, holes, options, options.calibration_holes, TouchRule::kTested);

@@ -43,6 +43,7 @@ TEST_F(CommandWordsTest, TheManualPageHasEveryCommandAndNoStrayRequest) {
   const std::string page = run("man").out;
   EXPECT_TRUE(page.starts_with(".TH TUBEPLAN 1"));
   for (const Command& command : commands()) expectSays(page, ".SS " + std::string(command.name) + "\n");
+  expectSays(page, "(default: 8642)");
   std::istringstream lines(page);
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with(".")) continue;

@@ -183,6 +183,10 @@ TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
   const Outcome anew = run(mockup("--tubes spread:40 --seed 9 --runs 5 --out other"));
   EXPECT_EQ(anew.exit_code, 0);
   expectSays(anew.err, "started again: ");
+  expectSays(anew.err, "kept as tally-1.json");
+  EXPECT_EQ(contentOf(folder / "other/tally-1.json"), kept);
+  ASSERT_EQ(run(mockup("--tubes spread:40 --seed 10 --runs 5 --out other")).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "other/tally-2.json"));
 
   const Outcome resumed = run(question + "2000 --resume --out stopped");
   ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
@@ -237,7 +241,8 @@ TEST_F(CampaignCommand, RefusesBadInputWithOneMessage) {
 }
 
 TEST_F(CampaignCommand, SaysHowManyDiagnosesWereWithoutAVerdict) {
-  const std::string few = "campaign " + shipped("bench.yaml") + " --kind diagnose --runs 3 --seed 1 --nothing 0 --readings ";
+  const std::string few =
+      "campaign " + shipped("bench.yaml") + " --kind diagnose --runs 3 --seed 1 --nothing 0 --readings ";
   const Outcome undecided = run(few + "3"), impossible = run(few + "1");
   expectSays(undecided.out, "an effect hidden: 3 runs inconclusive");
   expectSays(impossible.out, "an effect hidden: 3 runs not made");

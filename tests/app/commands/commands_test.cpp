@@ -145,6 +145,52 @@ TEST_F(Commands, verifyRefutesAnotherSheetOrArm) {
   expectSays(arm.out, "tool.joint_stiffness.z");
 }
 
+TEST_F(Commands, verifyRefutesAToolThatLeansMoreThanItsFirstStepAllows) {
+  ASSERT_EQ(plan("made", "--tubes R20C40,R22C44").exit_code, 0);
+  for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
+  // So long a first step that any lean is too much.
+  (void)write("long.yaml", changed(contentOf(folder / "mockup.yaml"), "lengths: [0.5,", "lengths: [9000,"));
+  const Outcome outcome = run("verify long.yaml made");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
+  expectSays(outcome.out, "the tool leans by");
+  // What the plan states of it is held against the model.
+  json made = planJson("made");
+  made["tubes"][0]["tilt"] = 0.17;
+  writePlanJson("made", made);
+  expectSays(run("verify " + shipped("mockup.yaml") + " made").out, "the stated tilt is not the model's");
+}
+
+TEST_F(Commands, verifyNamesTubesThatTheMapHasPluggedSince) {
+  ASSERT_EQ(plan("made", "--tubes R20C40,R22C44").exit_code, 0);
+  ASSERT_EQ(run("map " + shipped("mockup.yaml") + " --csv holes.csv").exit_code, 0);
+  const std::string map = contentOf(folder / "holes.csv");
+  const auto line = map.find("\n20,40,") + 1, end = map.find('\n', line);
+  writeMappedMockup("plugged.yaml",
+                    map.substr(0, line) + changed(map.substr(line, end - line), "open", "plugged") + map.substr(end));
+  const Outcome outcome = run("verify plugged.yaml made");
+  expectSays(outcome.out + outcome.err, "1 of the 2 planned tubes would be left out unless named: R20C40 (plugged)");
+}
+
+TEST_F(Commands, mapWarnsOfExchangedNames) {
+  ASSERT_EQ(run("map " + shipped("mockup.yaml") + " --csv holes.csv").exit_code, 0);
+  const std::string map = contentOf(folder / "holes.csv");
+  writeMappedMockup("exchanged.yaml", changed(changed(changed(map, "\n20,40,", "\n20,0,"), "\n20,41,", "\n20,40,"),
+                                              "\n20,0,", "\n20,41,"));
+  const json found = jsonOf("map exchanged.yaml");
+  ASSERT_EQ(found["warnings"].size(), 2u) << found["warnings"];
+  expectSays(run("map exchanged.yaml").out, "R20C41 does not lie where its row puts column 41, R20C40 does");
+  EXPECT_EQ(jsonOf("map " + shipped("mockup.yaml"))["warnings"], json::array());
+}
+
+TEST_F(Commands, planWritesOverNoFilesButThoseOfAPlan) {
+  std::filesystem::create_directories(folder / "mine");
+  (void)write("mine/cell.yaml", "not a plan's");
+  const Outcome outcome = plan("mine", "--tubes R20C40");
+  EXPECT_EQ(outcome.exit_code, 2);
+  expectSays(outcome.err, "which no run of this command has left");
+  EXPECT_EQ(contentOf(folder / "mine/cell.yaml"), "not a plan's");
+}
+
 TEST_F(Commands, planSaysWhatIsInTheWay) {
   for (const char* name : {"mockup.yaml", "cobra-arm.yaml"}) (void)write(name, contentOf(shippedCells() / name));
   (void)write("blocked.yaml", changed(contentOf(folder / "mockup.yaml"), "scene:\n",
@@ -179,6 +225,21 @@ TEST_F(Commands, scoreRepeatsTheThesisExperiment) {
   EXPECT_NEAR(runs["mean_touch_error"], 0.030, 0.004);
   EXPECT_GT(runs["none"]["mean_counts"][0], 6);
   EXPECT_LT(runs["via_point"]["mean_counts"][0], 2);
+}
+
+TEST_F(Commands, scoreRepeatsTheExperimentOnTheTubesThatAreNamed) {
+  const std::string question =
+      "score " + shipped("mockup.yaml") + " --truth " + shipped("mockup.yaml") + " --runs 2 --seed 5 --tubes ";
+  EXPECT_NE(jsonOf(question + "spread:20")["none"], jsonOf(question + "spread:80")["none"]);
+  const Outcome few = run(question + "spread:9");
+  EXPECT_EQ(few.exit_code, 1);
+  expectSays(few.err, "of the 9 holes can be reached, and 14 are needed");
+}
+
+TEST_F(Commands, scoreRefusesOptionsOfRunsWithoutRuns) {
+  const std::string question = "score " + shipped("mockup.yaml") + " --truth " + shipped("mockup.yaml");
+  expectSays(run(question + " --unmodelled 0.1").err, "--runs");
+  EXPECT_EQ(run(question + " --stiffness 0.1").exit_code, 2);
 }
 
 TEST_F(Commands, aScoreWithoutErrorsTakesAllThreeSteps) {

@@ -31,6 +31,8 @@ TEST_F(EffectCommands, EveryEffectOfTheCatalogueIsListedWithItsPlaces) {
   expectSays(one.out, "gap (deg, usually up to 1.15)");
   expectSays(one.out, "tool.z");
   EXPECT_EQ(one.out.find("hysteresis"), std::string::npos);
+  expectSays(run("effects " + bench() + " tool-remount").out, "at: a set-up of the readings, by its name");
+  expectSays(run("effects " + bench() + " formula").out, "at: the formula's target: a joint");
   const json listed = json::parse(run("effects " + bench() + " --json -").out);
   for (const auto& effect : listed["effects"]) {
     EXPECT_NE(effect["words"], "") << effect["effect"];

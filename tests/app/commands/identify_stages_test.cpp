@@ -132,6 +132,9 @@ TEST_F(IdentifyStages, aStageWithoutReadingsOrWithAStrangeNameIsRefused) {
   const Outcome strange = run("identify bench.yaml all.csv --stage tool.jiont_stiffness.z");
   EXPECT_EQ(strange.exit_code, 2);
   expectSays(strange.err, "did you mean");
+  const Outcome both = run(fmt::format("identify bench.yaml all.csv --free tool.tip --stage {}", kFirst));
+  EXPECT_EQ(both.exit_code, 2);
+  expectSays(both.err, "--free");
 }
 
 // The elbow's joint offset is as drawn: the readings have no use for it.

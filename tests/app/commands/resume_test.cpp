@@ -125,6 +125,7 @@ TEST_F(Resume, RefusesWhatIsNotThereOrDamaged) {
   EXPECT_EQ(anew.exit_code, 0) << anew.err;
   expectSays(anew.err, "started again: ");
   EXPECT_EQ(planOf("made")["seed"], 8);
+  EXPECT_EQ(contentOf(folder / "made/progress-1.json"), memory);
 }
 
 TEST_F(Resume, AFewTubesMoreAndLessKeepTheRestOfThePlan) {

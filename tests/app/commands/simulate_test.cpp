@@ -240,6 +240,18 @@ TEST_F(Simulate, RefusesCampaignsThatCannotBe) {
   expectRefused(shipped("bench.yaml") + " --design setups.yaml --readings 9", {"2 set-ups", "known: false"});
 }
 
+TEST_F(Simulate, WritesOverNoReadingsButItsOwn) {
+  std::filesystem::create_directories(folder / "real");
+  (void)write("real/measurements.csv", "of a robot\n");
+  const std::string made = "simulate " + shipped("bench.yaml") + " --design bench --readings 5 --out ";
+  const Outcome outcome = run(made + "real");
+  EXPECT_EQ(outcome.exit_code, 2);
+  expectSays(outcome.err, "which no run of this command has left");
+  EXPECT_EQ(contentOf(folder / "real/measurements.csv"), "of a robot\n");
+  EXPECT_EQ(run(made + "own").exit_code, 0);
+  EXPECT_EQ(run(made + "own --seed 2").exit_code, 0);
+}
+
 TEST_F(Simulate, SaysWhyNothingIsInReachAndLeavesNothing) {
   (void)write("far.yaml", "kind: position\nregion: {from: [900, 0, 0], to: [901, 1, 1]}\n");
   const Outcome outcome = run("simulate " + shipped("bench.yaml") + " --design far.yaml --readings 9 --out out");

@@ -1,6 +1,8 @@
 // The commands touches and sensitivity from outside.
 #include "app/jobs/touches.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,6 +35,28 @@ class LookAhead : public ProgramTest {
     for (const std::string& word : words) expectSays(outcome.err, word);
   }
 };
+
+class SmallSheet : public LookAhead {
+ protected:
+  /// small.yaml, the mock-up with a sheet of so many rows of holes.
+  void writeSheet(int rows) const {
+    std::string map = "row,column,x_in,y_in\n";
+    for (int row = 1; row <= rows; ++row)
+      for (int column = 1; column <= 30; ++column)
+        map += fmt::format("{},{},{},{}\n", row, column, 1.0625 * (column - 15), 20 + 1.0625 * row);
+    writeMappedMockup("small.yaml", map);
+  }
+};
+
+TEST_F(SmallSheet, IsWorkedOnWithoutNamingTubes) {
+  writeSheet(1);
+  const Outcome proposed = run("touches small.yaml");
+  EXPECT_EQ(proposed.exit_code, 1) << proposed.err;
+  expectSays(proposed.out, "the touched holes lie nearly on a line");
+  writeSheet(3);
+  EXPECT_EQ(run("sensitivity small.yaml --json s.json").exit_code, 0);
+  EXPECT_EQ(run("campaign small.yaml --runs 3 --json c.json").exit_code, 0);
+}
 
 TEST_F(LookAhead, touchesPlacesTheBaseOfTheMockUp) {
   const json found = jsonOf("touches " + shipped("mockup.yaml") + " --tubes spread:12 --candidates 14");

@@ -43,6 +43,7 @@ TEST(Units, namesQuantities) {
   EXPECT_EQ(cobraUnits().nameOf(dimension::kTorquePerAngle), "lbf*in/deg");
   EXPECT_EQ(cobraUnits().nameOf(dimension::kPressure), "lbf/in^2");
   EXPECT_EQ(cobraUnits().nameOf(dimension::kLengthToTheFourth), "in^4");
+  EXPECT_EQ(cobraUnits().nameOf(dimension::kAnglePerTorque), "deg/(lbf*in)");
   EXPECT_EQ(cobraUnits().nameOf(dimension::kNone), "1");
 }
 

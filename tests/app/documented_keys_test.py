@@ -1,0 +1,60 @@
+"""documented_keys_test.py TUBEPLAN SOURCE: the keys that docs/files.md names are those that the commands write."""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, SOURCE = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve()
+CELLS = SOURCE / "app/cells"
+COMMON = {"version", "inputs", "units", "checks", "missing_columns"}
+
+
+def documented():
+    """Command: keys, of the table; what stands in parentheses is inside of them."""
+    section = (SOURCE / "docs/files.md").read_text().split("## JSON of the commands")[1].split("\n## ")[0]
+    rows = {}
+    for names, words in re.findall(r"^\| (`.*?) \| (.*) \|$", section, re.M):
+        keys = set(re.findall(r"`(\w+)`", re.sub(r"\([^()]*\)", "", words)))
+        for name in re.findall(r"`(\w+)`", names):
+            rows[name] = keys
+    return rows
+
+
+class DocumentedKeys(unittest.TestCase):
+    def test_every_key_that_is_written_is_named(self):
+        rows = documented()
+        with tempfile.TemporaryDirectory() as folder:
+            def run(words):
+                subprocess.run([PROGRAM, *words.split()], cwd=folder, capture_output=True, timeout=240, check=False)
+
+            bench, mockup = CELLS / "bench.yaml", CELLS / "mockup.yaml"
+            run(f"simulate {bench} --design bench --readings 40 --seed 7 --spread 0.1 --hide hysteresis@theta4:0.06deg --out s")
+            run(f"plan {mockup} --truth {CELLS / 'mockup-true.yaml'} --touches auto --tubes spread:5 --out p")
+            asked = [f"pose {bench} --joints=10,20,30,40", f"map {mockup}", f"calibrate {mockup} p/touches.csv",
+                     f"identify {bench} s/measurements.csv", f"compare {bench} s/measurements.csv",
+                     f"diagnose {bench} s/measurements.csv", f"ladder s/measurements.csv {bench}",
+                     f"improve {bench} s/measurements.csv --out better.yaml",
+                     f"touches {mockup} --tubes spread:12 --candidates 14", f"sensitivity {mockup} --tubes spread:5",
+                     f"score {mockup} --truth {mockup} --tubes spread:5", f"score {mockup} --truth {mockup} --runs 2",
+                     f"campaign {mockup} --runs 3", f"verify {mockup} p", f"effects {bench}"]
+            seen = {}
+            for words in asked:
+                command = words.split()[0]
+                run(words + " --json figures.json")
+                figures = set(json.loads((pathlib.Path(folder) / "figures.json").read_text()))
+                with self.subTest(words):
+                    self.assertEqual(figures - rows[command] - COMMON, set(), "written and not named")
+                seen.setdefault(command, set()).update(figures)
+            self.assertEqual(set(rows), set(seen))
+            # Each command of a row that two share has some of its keys; of a diagnosis some depend on the verdict.
+            shared = {"ladder": {"end", "steps", "set_aside"}, "improve": {"step_table"}, "touches": {"parameters"},
+                      "diagnose": {"remainder", "splitting", "warnings", "reason", "verdict_words"}}
+            for command, keys in seen.items():
+                self.assertEqual(rows[command] - keys - shared.get(command, set()), set(), f"{command}: named and not written")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])
