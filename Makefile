@@ -4,6 +4,7 @@
 # make site   the documents, every command and the catalogue of effects as a site in build/site/html
 # make sanitize  every test under the address, undefined-behaviour and thread sanitizers (clang; long): sanitize-libraries,
 #                sanitize-program and sanitize-threads in a row
+# make pictures  the pictures of the documents, taken anew
 # make coverage  lines and branches that the tests run, by folder (clang)
 # make mutants  mutants of what results hang on, and which of them no test kills (an hour or more)
 # make clean-root ROOT=FOLDER  the package in a Debian of its own: installed, planned, opened, linked (as root)
@@ -19,7 +20,7 @@ BUILD := build
 BENCH := build-bench
 SUDO  := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: demo test sanitize sanitize-libraries sanitize-program sanitize-threads coverage mutants clean-root bench package site program packages format clean
+.PHONY: demo test sanitize sanitize-libraries sanitize-program sanitize-threads coverage mutants clean-root bench package site pictures program packages format clean
 .DEFAULT_GOAL := demo
 
 demo: program
@@ -29,6 +30,10 @@ test: $(BUILD)/build.ninja
 	cmake --build $(BUILD) -j $(JOBS)
 	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j $(JOBS); \
 	  code=$$?; python3 tests/skipped.py $(BUILD); exit $$code
+
+pictures: $(BUILD)/build.ninja
+	cmake --build $(BUILD) -j $(JOBS)
+	TUBEPLAN=$(BUILD)/tubeplan TUBEPLAN_WEB=$(BUILD)/web node tests/web/docs_pictures.mjs
 
 bench: $(BENCH)/build.ninja
 	@cmake --build $(BENCH) -j $(JOBS) --target bench
