@@ -202,7 +202,7 @@ std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
     }
   if (!count) return "not scored";
   const Units& units = outcome.cell.units;
-  return fmt::format("{} mean, {} worst", lengthText(sum / count, units), lengthText(worst, units));
+  return fmt::format("{} mean, {} worst", lengthText(sum / count, units, 3), lengthText(worst, units, 3));
 }
 
 /// How many tubes should take how many steps, and whose opinion that is.

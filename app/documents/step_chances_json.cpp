@@ -46,12 +46,12 @@ std::string stepChancesText(const StepChances& chances, const Units& units) {
   if (!chances.reason.empty()) return "no probabilities of steps: " + chances.reason + "\n";
   std::string text = fmt::format("probabilities of steps count {}", fmt::join(countedIn(chances), ", "));
   if (chances.error.source != calibration::ModelErrorSource::kLeftOut)
-    text += fmt::format(" ({:.3g} {} per coordinate, 95 % {:.2g} to {:.2g}, {})",
+    text += fmt::format(" (median {:.3g} {} per coordinate, 95 % {:.2g} to {:.2g}, {})",
                         lengthOf(chances.error.model_error, units), units.length().name,
                         lengthOf(chances.error.lower, units), lengthOf(chances.error.upper, units),
                         chances.error.source == calibration::ModelErrorSource::kTouches
                             ? fmt::format("as estimated from the {} touches", chances.touches)
-                            : "as the cell states it");
+                            : "from what the cell states");
   text += "\n";
   for (const auto& left_out : leftOutOf(chances)) text += "  left out: " + left_out + "\n";
   return text;

@@ -21,6 +21,23 @@ std::size_t pastPlain(std::string_view text, const YamlNode& node) {
   return text.find_last_not_of(" \r", end - 1) + 1;
 }
 
+// A text under `|` or `>` goes on over the lines that are further in than its key, or its dash.
+std::size_t pastBlockText(std::string_view text, const YamlNode& node) {
+  const auto lineStart = [&](std::size_t at) { return at == 0 ? 0 : text.rfind('\n', at - 1) + 1; };
+  const bool is_item = node.path.ends_with(']');
+  const std::size_t start = lineStart(is_item ? node.begin : node.key_begin);
+  const std::size_t column = is_item ? text.find_first_not_of(' ', start) - start : node.key_begin - start;
+  std::size_t end = std::min(text.find('\n', node.begin), text.size());
+  for (std::size_t line = end + 1; line < text.size();) {
+    const std::size_t next = std::min(text.find('\n', line), text.size());
+    const std::size_t word = text.find_first_not_of(" \r", line);
+    if (word < next && word - line <= column) break;
+    if (word < next) end = next;
+    line = next + 1;
+  }
+  return end;
+}
+
 // Where a value without content would stand: right after its key's colon.
 std::size_t afterColon(std::string_view text, const YamlNode& node) {
   const char first = text[node.key_begin];
@@ -30,8 +47,11 @@ std::size_t afterColon(std::string_view text, const YamlNode& node) {
 
 std::size_t endOf(std::string_view text, const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kNull) return afterColon(text, node);
-  if (node.kind == YamlNode::Kind::kScalar)
-    return node.is_quoted ? pastQuoted(text, node.begin) : pastPlain(text, node);
+  if (node.kind == YamlNode::Kind::kScalar) {
+    const char first = node.is_quoted && node.begin < text.size() ? text[node.begin] : ' ';
+    if (first == '"' || first == '\'') return pastQuoted(text, node.begin);
+    return first == '|' || first == '>' ? pastBlockText(text, node) : pastPlain(text, node);
+  }
   if (node.is_flow) return pastFlow(text, node.begin);
   return node.items.empty() ? node.begin : endOf(text, node.items.back());
 }

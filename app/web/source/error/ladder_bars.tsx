@@ -82,7 +82,9 @@ export function LadderBars() {
           {unit}
         </label>
         {limit !== null && (
-          <span class="muted">{MARKED_MODELS.map(([mark, words]) => `${mark} ${words}`).join(", ")}</span>
+          <span class="acceptance-key">
+            within the tolerance: {MARKED_MODELS.map(([mark, words]) => `${mark} ${words}`).join(", ")}
+          </span>
         )}
       </p>
     </div>
@@ -90,7 +92,7 @@ export function LadderBars() {
 }
 
 const MARKED_MODELS = [
-  ["✓", "every error within it"],
+  ["✓", "every error"],
   ["◐", "the root mean square"],
   ["✗", "neither"],
 ] as const;

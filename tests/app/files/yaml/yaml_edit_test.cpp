@@ -33,6 +33,15 @@ TEST(YamlEdit, replacesEmptyValuesAndBlocks) {
   EXPECT_EQ(withYamlValue("'a': \"x\\\"y\"\nb: 'it''s'\n", "a", "2"), "'a': 2\nb: 'it''s'\n");
 }
 
+TEST(YamlEdit, replacesTextsOverSeveralLines) {
+  EXPECT_EQ(withYamlValue("a: >-\n  one\n\n  two\nb: 1\n", "a", "2"), "a: 2\nb: 1\n");
+  EXPECT_EQ(withYamlValue("m:\n  a: |\n    one\n  b: 1\n", "m.a", "2"), "m:\n  a: 2\n  b: 1\n");
+  EXPECT_EQ(withYamlValue("a: |\n  one\n  two", "a", "2"), "a: 2");
+  EXPECT_EQ(withYamlValue("l:\n  - |\n    one\n  - 3\n", "l[0]", "2"), "l:\n  - 2\n  - 3\n");
+  // Found by fuzzing: the sign below its key.
+  EXPECT_EQ(withYamlValue("#l\nbase: \n>#d}\n  -", "base.position", "1"), "#l\nbase: \n{position: 1}");
+}
+
 TEST(YamlEdit, isNotMisledByCommentsInBrackets) {
   const std::string text = "a: {b: [1, # ] not the end\n  2], c: 5}\nd: 1\n";
   EXPECT_EQ(withYamlValue(text, "a.b", "[]"), "a: {b: [], c: 5}\nd: 1\n");
