@@ -17,9 +17,8 @@ enum ExitCode { kDone = 0, kNegativeAnswer = 1, kBadInput = 2, kInternalError = 
 
 /// The same for a reader, with kStoppedExitCode.
 inline constexpr const char* kExitCodes =
-    "0 done, 1 a negative answer, 2 bad input, 3 the program failed (no memory left, or a defect of it), 130 stopped "
-    "by "
-    "Ctrl-C or SIGTERM";
+    "0 done, 1 a negative answer, 2 bad input, 3 the program failed (no memory left, or a defect of it), "
+    "130 stopped by Ctrl-C or SIGTERM";
 
 /// Does the work once the command line is read; returns the exit code. Throws InputError for bad input.
 using Run = std::function<int()>;

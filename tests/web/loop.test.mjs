@@ -147,6 +147,7 @@ describe("the loop", () => {
     assert.match(words, /bad\.csv/);
     assert.match(words, /not-a-number/);
     assert.match(words, /4|line|expected/);
+    assert.equal(await tab.locator("dialog[open]").count(), 0, "its columns are known: nothing is asked about them");
     assert.match(await tab.innerText(".chip-more"), /readings\.csv/);
     await tab.context().close();
   });

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {fieldsOf, filledRows, openColumns, tableOf, withTyped} from "../source/error/run_sheet_table";
+import {fieldsOf, filledRows, isOfRow, openColumns, tableOf, withTyped} from "../source/error/run_sheet_table";
 
 const SHEET = `id,kind,point,load_lbf,theta1_deg,x_in,y_in,z_in,theta1_dir
 N1,position,,0,12.5,,,,1
@@ -24,5 +24,12 @@ describe("a run sheet", () => {
     const touches = "id,kind,point,theta1_deg\nN1,touch,N1,3\n";
     expect(openColumns(tableOf(touches))).toEqual([]);
     expect(filledRows(touches, [])).toBe(touches);
+  });
+  it("tells a row that is refused from columns that are", () => {
+    const text = "# made by hand\nid,kind\n1,position\n";
+    expect(isOfRow("bad.csv:3 (kind)", text)).toBe(true);
+    expect(isOfRow("bad.csv:2", text)).toBe(false);
+    expect(isOfRow("bad.csv", text)).toBe(false);
+    expect(isOfRow(undefined, text)).toBe(false);
   });
 });

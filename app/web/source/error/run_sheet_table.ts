@@ -38,6 +38,13 @@ export function tableOf(text: string): RunSheetTable {
   return {columns, rows};
 }
 
+/** Whether what is refused is a row of a table, by its line, and not the columns. */
+export function isOfRow(where: string | undefined, text: string): boolean {
+  const line = Number(/:(\d+)/.exec(where ?? "")?.[1]);
+  const heading = text.split("\n").findIndex((each) => each.trim() !== "" && !each.startsWith("#")) + 1;
+  return line > heading;
+}
+
 export function lineOf(fields: readonly string[]): string {
   return fields.map((field) => (/[",]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field)).join(",");
 }

@@ -1,10 +1,10 @@
 // Loading readings and cells. Readings are compared with the model as soon as they are here.
 import {signal} from "@preact/signals";
 import type {WorkbenchState} from "../server/documents";
-import {post, postText} from "../server/requests";
+import {asProblem, post, postText} from "../server/requests";
 import {startCompare, stopWorkOnReadings} from "../error/loop";
 import {freshRows, idsHere, isFilledSheet, joinReadings} from "../error/run_sheet";
-import {tableOf} from "../error/run_sheet_table";
+import {isOfRow, tableOf} from "../error/run_sheet_table";
 import {cell, report, runJob, takeState} from "../server/workbench";
 import {askForColumns} from "./columns_dialog";
 import {dialog, view} from "./page_state";
@@ -100,6 +100,11 @@ export async function loadFiles(files: File[]): Promise<void> {
       return;
     } catch (error) {
       refused = error;
+      // Its columns are known: there is nothing to ask about them.
+      if (idsOf(texts[0]) !== null && isOfRow(asProblem(error).where, texts[0])) {
+        report(`${names} cannot be read`, error);
+        return;
+      }
     }
   }
   try {
