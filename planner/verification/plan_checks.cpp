@@ -96,7 +96,9 @@ class Checker {
       checkStatics(name, tube.q, tip);
       if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance))
         find(name + ": the stated tip is not the model's");
-      if (tube.centring_error && !(std::abs(*tube.centring_error - off) <= options_.stated_tolerance))
+      // Sideways: what lets a step of the tool in or keeps it out.
+      const double sideways = (tip - tube.hole_W).head<2>().norm();
+      if (tube.centring_error && !(std::abs(*tube.centring_error - sideways) <= options_.stated_tolerance))
         find(name + ": the stated centring error is not the model's");
     }
     for (const auto& [row, column] : plan_.unreachable) {

@@ -18,7 +18,7 @@ struct StatedTube {
   Eigen::Vector3d predicted_tip_W = Eigen::Vector3d::Zero();
   double dwell = 0;                           ///< s
   int zone = 0;                               ///< never falls along the path
-  std::optional<double> centring_error = {};  ///< m
+  std::optional<double> centring_error = {};  ///< m, sideways
   std::optional<double> tilt = {};            ///< rad, of the tool against the hole's axis
 };
 

@@ -160,6 +160,16 @@ TEST_F(Commands, verifyRefutesAToolThatLeansMoreThanItsFirstStepAllows) {
   expectSays(run("verify " + shipped("mockup.yaml") + " made").out, "the stated tilt is not the model's");
 }
 
+TEST_F(Commands, aPlanWithoutCompensationIsProvedToDoWhatItStates) {
+  ASSERT_EQ(plan("made", "--compensation none --tubes spread:6").exit_code, 0);
+  double largest = 0;
+  const json made = planJson("made");
+  for (const auto& tube : made["tubes"]) largest = std::max(largest, tube["centring_error"].get<double>());
+  EXPECT_GT(largest, 0.05);
+  const Outcome proof = run("verify " + shipped("mockup.yaml") + " made");
+  EXPECT_EQ(proof.exit_code, 0) << proof.out;
+}
+
 TEST_F(Commands, verifyNamesTubesThatTheMapHasPluggedSince) {
   ASSERT_EQ(plan("made", "--tubes R20C40,R22C44").exit_code, 0);
   ASSERT_EQ(run("map " + shipped("mockup.yaml") + " --csv holes.csv").exit_code, 0);

@@ -11,7 +11,7 @@ inline StatedPlan statedPlan(const Workcell& cell, const VisitPlan& plan) {
     const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(visit.tube)];
     const Eigen::Vector3d &tip = visit.branch.predicted_tip_W, place = visitPlace(cell, tube);
     stated.tubes.push_back({tube.row, tube.column, holeCentre(tube), visit.branch.q, tip, visit.dwell, 0,
-                            (tip - place).norm(), visit.branch.tilt});
+                            (tip - place).head<2>().norm(), visit.branch.tilt});
   }
   for (const auto& missed : plan.unreachable) {
     const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(missed.tube)];
