@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "tubesheets/median.hpp"
+
 namespace tubeplan::tubesheets {
 
 using Eigen::Vector2d;
@@ -18,17 +20,11 @@ constexpr std::size_t kLeastInRow = 4;  // holes, for their offset to be that of
 
 Vector2d inPlane(const Tube& tube) { return {tube.x, tube.y}; }
 
-double middle(std::vector<double>& values) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 /// Coordinate by coordinate, so that a few that are wrong do not count.
-Vector2d middleOf(const std::vector<Vector2d>& vectors) {
+Vector2d medianPlace(const std::vector<Vector2d>& vectors) {
   std::vector<double> x, y;
   for (const Vector2d& v : vectors) x.push_back(v.x()), y.push_back(v.y());
-  return {middle(x), middle(y)};
+  return {medianOf(std::move(x)), medianOf(std::move(y))};
 }
 
 /// From a column to the next; zero where no row has two holes.
@@ -38,7 +34,7 @@ Vector2d columnStep(const Sheet& sheet) {
     const Tube &a = sheet.tubes[k - 1], &b = sheet.tubes[k];
     if (a.row == b.row) steps.push_back((inPlane(b) - inPlane(a)) / (b.column - a.column));
   }
-  return steps.empty() ? Vector2d::Zero() : middleOf(steps);
+  return steps.empty() ? Vector2d::Zero() : medianPlace(steps);
 }
 
 /// Where column 0 of each row would lie, of rows with holes enough.
@@ -47,7 +43,7 @@ std::map<int, Vector2d> rowOrigins(const Sheet& sheet, const Vector2d& step) {
   for (const Tube& tube : sheet.tubes) by_row[tube.row].push_back(inPlane(tube) - tube.column * step);
   std::map<int, Vector2d> origins;
   for (const auto& [row, each] : by_row)
-    if (each.size() >= kLeastInRow) origins.emplace(row, middleOf(each));
+    if (each.size() >= kLeastInRow) origins.emplace(row, medianPlace(each));
   return origins;
 }
 

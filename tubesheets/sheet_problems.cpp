@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tubesheets/hole_grid.hpp"
+#include "tubesheets/median.hpp"
 #include "tubesheets/sheet.hpp"
 
 namespace tubeplan::tubesheets {
@@ -80,12 +81,6 @@ void findOverlaps(const Sheet& sheet, std::vector<Problem>& problems) {
            fmt::format("more than the hole diameter, {:.6g} m", sheet.hole_diameter), "the holes overlap"});
     }
   }
-}
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 std::optional<double> findMedianSpacing(const Sheet& sheet) {

@@ -207,18 +207,14 @@ int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, co
   return experiment.status == StepExperimentStatus::kStopped ? kStoppedExitCode : kDone;
 }
 
-tubesheets::Selection tubesOf(const ScoreOptions& options, const tubesheets::Sheet& sheet) {
-  if (!options.tubes.empty()) return readTubes(options.tubes, sheet);
-  return readTubes(tubesheets::spreadRequest(sheet, options.runs > 0 ? kTubesOfRuns : kTubes), sheet);
-}
-
 int run(const ScoreOptions& options) {
   const Cell cell = readCell(options.cell), true_cell = readCell(options.truth);
   const auto model = workcellOf(cell, "score positioning"), truth = workcellOf(true_cell, "score against it");
   if (model.sheet.fingerprint() != truth.sheet.fingerprint())
     throw InputError(options.truth, "another tube sheet", "the cell's, fingerprint " + model.sheet.fingerprint());
   checkJsonTarget(options.json);
-  const auto tubes = tubesOf(options, model.sheet).tube_indices;
+  const std::size_t spread = options.runs > 0 ? kTubesOfRuns : kTubes;
+  const auto tubes = readTubes(tubesOrSpread(options.tubes, model.sheet, spread), model.sheet).tube_indices;
   if (options.runs > 0) return runExperiment(options, tubes, model, truth, cell.units);
   const Scored scored = scoreAll(model, truth, tubes, options.seed, cell);
   if (scored.calibration.flexible.status != calibration::CalibrationStatus::kDone) {

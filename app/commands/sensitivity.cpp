@@ -77,9 +77,7 @@ void findSheetWork(const Cell& cell, const SensitivityOptions& options, Sensitiv
                    calibration::SensitivityTask& task) {
   planner::Workcell work = workcellOf(cell, "work at its holes");
   work.load = task.load;
-  const auto tubes =
-      readTubes(options.tubes.empty() ? tubesheets::spreadRequest(work.sheet, 60) : options.tubes, work.sheet)
-          .tube_indices;
+  const auto tubes = readTubes(tubesOrSpread(options.tubes, work.sheet, 60), work.sheet).tube_indices;
   for (const auto& hole : reachHoles(work, tubes, false)) task.work.push_back(hole.q);
   report.work_lost = static_cast<int>(tubes.size() - task.work.size());
   task.hole_axis_W = planner::kHoleAxis_W;

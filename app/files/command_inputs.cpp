@@ -73,6 +73,10 @@ double parseLoad(double load, const Units& units, const std::string& option) {
   return units.toInternal(load, dimension::kForce);
 }
 
+std::string tubesOrSpread(const std::string& request, const tubesheets::Sheet& sheet, std::size_t count) {
+  return request.empty() ? tubesheets::spreadRequest(sheet, count) : request;
+}
+
 tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet, const std::string& option) {
   tubesheets::Selection selection;
   if (namesCsvFile(request)) {

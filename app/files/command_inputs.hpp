@@ -26,6 +26,9 @@ namespace tubeplan::app {
 /// where it stands.
 [[nodiscard]] double parseLoad(double load, const Units& units, const std::string& option);
 
+/// What --tubes asks for; where that is nothing, so many tubes spread over the sheet, or all that take a tool.
+[[nodiscard]] std::string tubesOrSpread(const std::string& request, const tubesheets::Sheet& sheet, std::size_t count);
+
 /// The tubes that --tubes asks for: the selection language of tubesheets/work_list.hpp, or the name of a work list in a
 /// .csv file. Throws InputError for what either refuses; `option` is where they are asked for.
 [[nodiscard]] tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet,

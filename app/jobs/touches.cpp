@@ -138,8 +138,7 @@ void settleTask(const TouchRequest& request, TouchTask& task, TouchOutcome& outc
   }
   task.under_sheet = workcellOf(outcome.cell, "find holes to touch");
   const auto& sheet = task.under_sheet->sheet;
-  task.tubes =
-      readTubes(request.tubes.empty() ? tubesheets::spreadRequest(sheet, 60) : request.tubes, sheet).tube_indices;
+  task.tubes = readTubes(tubesOrSpread(request.tubes, sheet, 60), sheet).tube_indices;
 }
 
 }  // namespace

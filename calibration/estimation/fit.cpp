@@ -83,8 +83,8 @@ class Fitting {
       const double before = fit_.weights.model_error;
       const double now = modelErrorOf(readings_, fit_.weights, fit_.residual.error, fit_.degrees_of_freedom);
       if (std::abs(now - before) <= kModelErrorConverged * now) break;
-      fit_.weights.model_error = now;
-      if (!weigh(false) || !minimize() || !weigh(false) || !describe()) break;
+      fit_.weights = reweighted(fit_.weights, readings_, now, fit_.factors);
+      if (!minimize() || !weigh(false) || !describe()) break;
     }
     return std::move(fit_);
   }
@@ -162,9 +162,7 @@ class Fitting {
       fit_.factors = factors;
       if (rest) break;
     }
-    if (!is_robust) return weigh(false);  // what is reported is by the weights at the solution
-    fit_.weights = reweighted(fit_.weights, readings_, fit_.weights.model_error, fit_.factors);
-    return true;
+    return weigh(false);  // what is reported is by the weights at the solution
   }
 
   /// Residual, covariance and chi-square at the solution.

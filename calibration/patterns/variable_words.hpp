@@ -6,7 +6,8 @@
 
 namespace tubeplan::calibration {
 
-/// "the direction of approach of theta4" of the variable "sense of theta4"; others are said as they are named.
+/// "the direction of approach of theta4" of the variable "sense of theta4", "the load" of "load"; joints and moments
+/// are said as they are named.
 [[nodiscard]] inline std::string variableWords(const std::string& variable) {
   constexpr std::string_view kSense = "sense of ";
   if (variable.starts_with(kSense)) return "the direction of approach of " + variable.substr(kSense.size());

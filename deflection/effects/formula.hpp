@@ -1,9 +1,9 @@
 // A law that a user writes: TARGET += EXPRESSION, as `theta3 += c*sin(3*theta1)`; starts may follow: `; c=0.1, k=3`.
 //
-// Targets: a joint (its true value), tip.x, tip.y, tip.z (the tip's displacement along the last row's axes, as
-// tool-offset's), base.x, base.y, base.z, base.yaw (the base stands shifted and turned, as base-slip's). Symbols: a
-// joint's name (its reading: radians, of a slide a length), JOINT_dir (the sense of its last motion, -1, 0, 1),
-// moment_ROW_x, _y, _z (about the axes of a row, of the arm undeflected under its weights and the hung load), load,
+// Targets: a joint (its true value), tip.x, tip.y, tip.z (the tip shifted along the last row's axes, as tool-offset's),
+// base.x, base.y, base.z, base.yaw (the base stands shifted and turned, as base-slip's).
+// Symbols: a joint's name (its reading: radians, of a slide a length), JOINT_dir (the sense of its last motion, -1, 0,
+// 1), moment_ROW_x, _y, _z (about the axes of a row, of the arm undeflected under its weights and the hung load), load,
 // temperature, time. In names with other signs than letters and digits those become _. A reading without a temperature
 // has the arm's reference temperature, one without a time is at zero.
 // Numbers are those of the file's units: lengths, forces, temperatures and times among the symbols have them, and the

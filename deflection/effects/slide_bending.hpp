@@ -35,24 +35,23 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
 }
 
 inline EffectKind kind() {
-  return {
-      .name = "slide-bending",
-      .words = "a slide is more compliant the farther it is extended",
-      .law = "rotation at a slide's guide = moment there * (linear * s + square * s^2 + cube * s^3), s its extension",
-      .validity = "small rotations; s over the range of the limits, or in metres where none are stated",
-      .source = "bearings an overlap apart, to third order",
-      .stage = EffectStage::kFlexibility,
-      .at = PlaceRule::kRowAxis,
-      .odds = 1,
-      .odds_reason = "telescopes are more compliant the farther they are extended",
-      .varies_with = {EffectVariable::kMoment, EffectVariable::kJoint},
-      .needs = {.moments = true},
-      .parameters = {{"linear", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
-                     {"square", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
-                     {"cube", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3}},
-      .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },
-      .apply = apply<double>,
-      .applyDual = apply<Dual>};
+  return {.name = "slide-bending",
+          .words = "a slide is more compliant the farther it is extended",
+          .law = "rotation at its guide = moment there * (linear * s + square * s^2 + cube * s^3), s its extension",
+          .validity = "small rotations; s over the range of the limits, or in metres where none are stated",
+          .source = "bearings an overlap apart, to third order",
+          .stage = EffectStage::kFlexibility,
+          .at = PlaceRule::kRowAxis,
+          .odds = 1,
+          .odds_reason = "telescopes are more compliant the farther they are extended",
+          .varies_with = {EffectVariable::kMoment, EffectVariable::kJoint},
+          .needs = {.moments = true},
+          .parameters = {{"linear", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
+                         {"square", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3},
+                         {"cube", Quantity::kAnglePerTorque, 0, 0, kUnbounded, 1e-3}},
+          .places = [](const Arm& arm) { return places::ofAxes(arm, hasPlace); },
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
 }
 
 }  // namespace tubeplan::deflection::slide_bending

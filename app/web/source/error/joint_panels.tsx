@@ -109,9 +109,6 @@ function JointPanel({
   );
 }
 
-/** Of the p-value above a panel's picture, px. */
-const LABEL_HEIGHT = 13;
-
 function drawPanel(
   canvas: HTMLCanvasElement,
   multiple: Multiple,
@@ -119,8 +116,7 @@ function drawPanel(
   most: number,
   colours: Palette,
 ): void {
-  const {clientWidth: width, clientHeight} = canvas.parentElement!;
-  const height = Math.max(8, clientHeight - LABEL_HEIGHT);
+  const {clientWidth: width, clientHeight: height} = canvas;
   const context = clearedContext(canvas, width, height);
   const {points, means, zero} = panelPlaces(multiple, errors, most, width, height);
   context.strokeStyle = colours.line;

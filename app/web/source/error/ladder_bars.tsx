@@ -81,26 +81,29 @@ export function LadderBars() {
           />
           {unit}
         </label>
-        {limit !== null && (
-          <span class="acceptance-key">
-            within the tolerance: {MARKED_MODELS.map(([mark, words]) => `${mark} ${words}`).join(", ")}
-          </span>
-        )}
+        {limit !== null && <span class="acceptance-key">within the tolerance: {MARKS_IN_WORDS}</span>}
       </p>
     </div>
   );
 }
 
-const MARKED_MODELS = [
-  ["✓", "every error"],
-  ["◐", "the root mean square"],
-  ["✗", "neither"],
-] as const;
-const MARKS: Record<Acceptance, [string, string]> = {
-  accepted: ["✓", "accepted: no error is beyond the tolerance"],
-  "in part": ["◐", "in part: the errors are within the tolerance in the mean square, the largest is not"],
-  rejected: ["✗", "rejected: the errors are beyond the tolerance in the mean square"],
+/** The sign of each, what it says of a model, and what is within the tolerance then. */
+const MARKS: Record<Acceptance, {sign: string; words: string; within: string}> = {
+  accepted: {sign: "✓", words: "accepted: no error is beyond the tolerance", within: "every error"},
+  "in part": {
+    sign: "◐",
+    words: "in part: the errors are within the tolerance in the mean square, the largest is not",
+    within: "the root mean square",
+  },
+  rejected: {
+    sign: "✗",
+    words: "rejected: the errors are beyond the tolerance in the mean square",
+    within: "neither",
+  },
 };
+const MARKS_IN_WORDS = Object.values(MARKS)
+  .map(({sign, within}) => `${sign} ${within}`)
+  .join(", ");
 
 /** What a model is called, whether it is accepted, and what it is worth under the sheet. */
 function ModelName({model, limit}: {model: ComparedModel; limit: number | null}) {
@@ -110,11 +113,11 @@ function ModelName({model, limit}: {model: ComparedModel; limit: number | null})
       {acceptance ? (
         <b
           class={`acceptance ${acceptance.replace(" ", "-")}`}
-          title={MARKS[acceptance][1]}
+          title={MARKS[acceptance].words}
           role="img"
           aria-label={acceptance}
         >
-          {MARKS[acceptance][0]}
+          {MARKS[acceptance].sign}
         </b>
       ) : null}
       {model.name}

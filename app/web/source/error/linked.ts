@@ -21,4 +21,4 @@ effect(() => {
 });
 
 /** Of the ring about a reading that is selected, in the page's pixels. */
-export const PICKED_RADIUS = 5;
+export const SELECTED_RADIUS = 5;

@@ -11,7 +11,7 @@ import {isNumber, short} from "../../../drawing/numbers.js";
 import {READING_SIGMAS, sigmasText} from "../../../drawing/sigma_text.js";
 import {cell, units} from "../server/workbench";
 import {followLasso, isInside, type Loop} from "../drawing/lasso";
-import {PICKED_RADIUS, selectReadings, selectedReadings, pointed} from "./linked";
+import {SELECTED_RADIUS, selectReadings, selectedReadings, pointed} from "./linked";
 import {paintWithin} from "./plot_painting";
 import type {PlotRow} from "./error_plot";
 import type {ReadingErrors} from "./residuals";
@@ -116,7 +116,7 @@ function paintPicked(plot: uPlot, rows: PlotRow[] | null): void {
   paintWithin(plot, (context) => {
     context.strokeStyle = palette.peek().ink;
     context.lineWidth = uPlot.pxRatio;
-    drawRings(context, picked, PICKED_RADIUS * uPlot.pxRatio);
+    drawRings(context, picked, SELECTED_RADIUS * uPlot.pxRatio);
   });
 }
 

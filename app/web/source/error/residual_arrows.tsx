@@ -17,7 +17,7 @@ import {sheet} from "../shell/page_state";
 import {drawPlate} from "../../../drawing/sheet_ground.js";
 import type {SheetModel} from "../../../drawing/sheet_model.js";
 import {readingErrors, type ReadingErrors} from "./residuals";
-import {PICKED_RADIUS, selectReadings, selectedReadings, pointed} from "./linked";
+import {SELECTED_RADIUS, selectReadings, selectedReadings, pointed} from "./linked";
 import {SeriesLegend} from "./series_legend";
 import {showReading} from "./show_reading";
 
@@ -147,7 +147,7 @@ function drawPicked(
     const place = selectedReadings.peek().has(id) ? places[i] : null;
     return place ? [place] : [];
   });
-  drawRings(context, picked, PICKED_RADIUS);
+  drawRings(context, picked, SELECTED_RADIUS);
 }
 
 /** Draws them; where each reading's place is, in pixels. */

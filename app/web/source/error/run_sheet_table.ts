@@ -32,8 +32,12 @@ export function fieldsOf(line: string): string[] {
   return [...fields, field.trim()];
 }
 
+function hasFields(line: string): boolean {
+  return line.trim() !== "" && !line.startsWith("#");
+}
+
 export function tableOf(text: string): RunSheetTable {
-  const lines = text.split(/\r?\n/).filter((line) => line.trim() !== "" && !line.startsWith("#"));
+  const lines = text.split(/\r?\n/).filter(hasFields);
   const [columns = [], ...rows] = lines.map(fieldsOf);
   return {columns, rows};
 }
@@ -41,7 +45,7 @@ export function tableOf(text: string): RunSheetTable {
 /** Whether what is refused is a row of a table, by its line, and not the columns. */
 export function isOfRow(where: string | undefined, text: string): boolean {
   const line = Number(/:(\d+)/.exec(where ?? "")?.[1]);
-  const heading = text.split("\n").findIndex((each) => each.trim() !== "" && !each.startsWith("#")) + 1;
+  const heading = text.split("\n").findIndex(hasFields) + 1;
   return line > heading;
 }
 

@@ -11,7 +11,7 @@ export function SelectionBar() {
   if (selectedReadings.value.size === 0 && !last) return null;
   return (
     <div class="selection-bar" role="status">
-      {selectedReadings.value.size > 0 ? <PickedOut ids={[...selectedReadings.value]} /> : null}
+      {selectedReadings.value.size > 0 ? <SelectionTools ids={[...selectedReadings.value]} /> : null}
       {selectedReadings.value.size === 0 && last ? (
         <>
           <b>{markingWords(last)}</b>
@@ -29,7 +29,7 @@ export function SelectionBar() {
   );
 }
 
-function PickedOut({ids}: {ids: string[]}) {
+function SelectionTools({ids}: {ids: string[]}) {
   const isBusy = !areChangeable.value;
   const heldOut = new Set(
     (readingErrors.value?.readings ?? []).filter((reading) => reading.held_out).map((reading) => reading.id),
