@@ -70,7 +70,8 @@ void readFormulaText(const std::string& text) { (void)deflection::makeFormula(be
 void readCampaignText(const std::string& text) {
   (void)readCampaignFile(fileOf(text, "campaign.yaml"), bench().arm, bench().units, false);
 }
-void readMeshText(const std::string& text) { (void)readMeshFile(fileOf(text, "mesh.obj")); }
+void readObjText(const std::string& text) { (void)readMeshFile(fileOf(text, "mesh.obj")); }
+void readPlyText(const std::string& text) { (void)readMeshFile(fileOf(text, "mesh.ply")); }
 void readStlText(const std::string& text) { (void)readMeshFile(fileOf(text, "mesh.stl")); }
 void readCacheText(const std::string& text) { (void)cacheFrom(nlohmann::json::parse(text)); }
 /// plan.json, and from the first line that begins so path.csv.
@@ -120,7 +121,8 @@ const std::vector<FuzzedReader>& tubeplan::app::fuzzedReaders() {
       {"selection", readSelectionText},
       {"formula", readFormulaText},
       {"campaign", readCampaignText, false},
-      {"mesh", readMeshText, false},
+      {"obj", readObjText, false},
+      {"ply", readPlyText, false},
       {"stl", readStlText, false},
       {"cache", readCacheText},
       {"plan", readPlanText},
