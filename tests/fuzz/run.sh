@@ -2,12 +2,12 @@
 # Gives every reader damaged text for so many seconds each, begun from the shipped files, small ones of the tests and what
 # earlier runs have found (corpus/ in the build folder). `tests/fuzz/run.sh SECONDS [READER...]`, with RUNS=10000000 before it for
 # no more than so many texts each; a find ends it with its input in finds/. `cmake --preset fuzz && cmake --build build-fuzz`
-# before it.
+# before it, and `tests/fuzz/libraries.sh build-fuzz/libraries` for libraries that are watched too.
 set -eu
 cd "$(dirname "$0")/../.."
 seconds=${1:?seconds for each reader}
 shift
-readers=${*:-arm cell measurements foreign urdf hole-map work-list selection formula campaign mesh stl project cache plan verify tally yaml-edit call door lines}
+readers=${*:-arm cell measurements foreign urdf hole-map work-list selection formula campaign obj ply stl project cache plan verify tally yaml-edit call door lines}
 out=build-fuzz
 mkdir -p $out/finds
 for reader in $readers; do
@@ -28,18 +28,18 @@ for reader in $readers; do
   esac
   leaks=1
   case $reader in
-    urdf | stl) leaks=0 ;; # urdfdom itself leaks robots whose links go round in a ring, assimp the object of an STL text
+    urdf) leaks=0 ;; # urdfdom itself leaks robots whose links go round in a ring
   esac
   program=files
   case $reader in call | door | lines | project) program=workbench ;; esac
   # To keep how often each part of the source was reached (entropic) takes half of the fastest readers' time; of the slow
   # ones it prefers texts that take little of it.
   entropic=0
-  case $reader in cell | selection | verify | call | mesh) entropic=1 ;; esac
+  case $reader in cell | selection | verify | call) entropic=1 ;; esac
   echo "== $reader"
   # Frames that are gone are not watched, which is a third faster; the tests under the sanitizers watch them. To keep where each
   # block of memory was asked for takes half of the cell's time: a find that needs it is run once more without these options.
-  ASAN_OPTIONS=detect_leaks=$leaks:detect_stack_use_after_return=0:malloc_context_size=0 TUBEPLAN_READER=$reader $out/tests/fuzz/fuzz_$program "$corpus" -detect_leaks=$leaks -max_total_time="$seconds" -runs="${RUNS:--1}" -timeout=20 -rss_limit_mb=4096 \
+  ASAN_OPTIONS=detect_leaks=$leaks:detect_stack_use_after_return=0:malloc_context_size=0 TUBEPLAN_READER=$reader LD_LIBRARY_PATH=$out/libraries/installed $out/tests/fuzz/fuzz_$program "$corpus" -detect_leaks=$leaks -max_total_time="$seconds" -runs="${RUNS:--1}" -timeout=20 -rss_limit_mb=4096 \
     -max_len=4096 -entropic=$entropic -entropic_scale_per_exec_time=$entropic -print_final_stats=1 -verbosity=0 -artifact_prefix=$out/finds/$reader- 2>&1 | grep -E "ERROR|SUMMARY|stat::number_of|runtime error|Test unit" || true
   rm -rf /dev/shm/tubeplan-fuzz-$$
 done

@@ -30,11 +30,11 @@ Workbench& workbench() {
 
 /// A job that the input began belongs to it: it has a moment, then it is stopped and waited for.
 void endJobs() {
-  const auto patience = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::milliseconds(2);
   while (workbench().jobs().isBusy()) {
     if (std::chrono::steady_clock::now() > patience)
       for (const auto& job : workbench().jobs().list()) (void)workbench().jobs().cancel(job.at("id"));
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
   }
 }
 

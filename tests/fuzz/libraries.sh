@@ -1,0 +1,35 @@
+#!/bin/sh
+# libraries.sh FOLDER: the libraries that readers hand text to, of Debian's source with its patches, built for the fuzzer
+# into FOLDER/installed: run.sh has the programs load them instead of Debian's own, whose faults would pass unseen and whose
+# branches guide nothing. Needs a network for Debian's sources.
+set -eu
+mkdir -p "$1/lists/partial" && cd "$1"
+printf 'deb-src http://deb.debian.org/debian%s main\n' ' bookworm' '-security bookworm-security' > sources.list
+apt_here() { apt-get -q -o Dir::Etc::SourceList="$PWD/sources.list" -o Dir::Etc::SourceParts=/dev/null -o Dir::State::Lists="$PWD/lists" -o APT::Sandbox::User=root "$@"; }
+apt_here update
+flags="-O2 -g1 -fsanitize=address,fuzzer-no-link -fno-sanitize-coverage=trace-cmp -fno-omit-frame-pointer"
+mkdir -p installed
+
+# NAME OPTION...: a source package, all of whose libraries are wanted.
+library() {
+  name=$1
+  shift
+  apt_here source --download-only "$name"
+  rm -rf "$name" && mkdir "$name"
+  tar xf "${name}"_*.orig.tar.* -C "$name" --strip-components=1
+  tar xf "${name}"_*.debian.tar.* -C "$name"
+  [ ! -e "$name/debian/patches/series" ] || grep -v '^#' "$name/debian/patches/series" | while read -r patch; do
+    patch -s -d "$name" -p1 < "$name/debian/patches/$patch"
+  done
+  cmake -G Ninja -S "$name" -B "$name/build" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER=clang++-16 -DCMAKE_C_COMPILER=clang-16 \
+    -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_C_FLAGS="$flags" -DBUILD_SHARED_LIBS=ON -DBUILD_TESTING=OFF "$@"
+  cmake --build "$name/build"
+  find "$name/build" -name '*.so*' ! -type d -exec cp -P {} installed/ \;
+}
+
+library yaml-cpp -DYAML_CPP_BUILD_TESTS=OFF -DYAML_CPP_BUILD_TOOLS=OFF -DYAML_BUILD_SHARED_LIBS=ON
+library tinyxml2
+library urdfdom
+library muparser -DENABLE_SAMPLES=OFF -DENABLE_OPENMP=OFF
+library cpp-httplib -DHTTPLIB_COMPILE=ON
+for file in installed/libhttplib.so.*; do ln -sf "${file##*/}" "$(echo "$file" | sed 's/libhttplib/libcpp-httplib/')"; done # as Debian names it
