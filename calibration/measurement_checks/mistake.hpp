@@ -44,6 +44,7 @@ struct Mend {
   std::function<void(std::vector<Measurement>&)> change = [](std::vector<Measurement>&) {};
   bool frees_base = false;    ///< the base is taken as not known
   bool parts_setups = false;  ///< every set-up is taken alone, with a tip of its own
+  bool is_of_part = false;    ///< of some of the readings alone
   int zero_of = -1;           ///< joint whose zero is looked for from the value tried
 
   /// Changes the readings, and what they refer to among themselves with them.

@@ -19,6 +19,7 @@ constexpr double kDrastic = 8;        // fall of the error by the drawing that n
 constexpr double kAsGood = 3;         // log of the odds within which another mistake explains the readings as well
 constexpr double kAsGoodError = 1.5;  // times the error, for the same
 constexpr double kNoisePerRow = 0.6;  // lack of fit of a row by noise alone
+constexpr double kFits = 0.05;        // of the reach: readings with a larger error yet are not mended
 constexpr std::size_t kFinalists = 8;
 constexpr double kLimitSlack = 0.05;    // rad or m past a joint's limit
 constexpr double kShareOutside = 0.02;  // of readings past limits, that no hypothesis may have
@@ -75,6 +76,7 @@ class MistakeSearch {
     }
     noise = std::sqrt(noise / static_cast<double>(trials_.pool().counted.size()));
     const bool is_lack_of_fit = trials_.asIs().lack_of_fit - kNoisePerRow * rows > kOdds;
+    if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // of a part of the readings
     const bool is_bent =
         trials_.asIs().held_error > kDrastic * trials_.asIs().open_error;  // only a drawing bent to them fits
     return trials_.isBaseFar() || (trials_.asIs().held_error > kLeastFall * noise && (is_lack_of_fit || is_bent));
@@ -172,7 +174,6 @@ class MistakeSearch {
   }
 
   [[nodiscard]] bool explainsError(const Suspect& suspect) const {
-    constexpr double kFits = 0.05;  // of the reach: readings with a larger error yet are not mended
     if (std::min(suspect.drawn.error, suspect.open.error) >= kFits * trials_.reach()) return false;
     if (!trials_.asIs().ok) return suspect.drawn.error < kFits * trials_.reach();
     const double shrinks = trials_.shrinkage(suspect.drawn);
@@ -181,6 +182,9 @@ class MistakeSearch {
     if (suspect.mend.frees_base && !falls(trials_.asIs().whole_error, suspect.open.whole_error)) return false;
     if (!hasNumbers(suspect.mend) && trials_.gain(suspect.open) > 0 &&
         trials_.asIs().held_error >= kDrastic * suspect.drawn.held_error * shrinks)
+      return true;
+    if (suspect.mend.is_of_part && trials_.gain(suspect.open) >= kOdds &&
+        trials_.asIs().whole_error >= kDrastic * suspect.open.whole_error * shrinks)
       return true;
     return trials_.gain(suspect.open) >= kOdds && (falls(trials_.asIs().error, suspect.drawn.error) ||
                                                    falls(trials_.asIs().held_error, suspect.drawn.held_error) ||
@@ -199,11 +203,14 @@ class MistakeSearch {
            trials_.gain(suspect.open) >= kOdds;
   }
 
-  /// The errors that fall most: by the drawing, with the tip as drawn, or with all that is open.
+  /// The errors that fall most: by the drawing, with the tip as drawn, or with all that is open; of a part of the
+  /// readings those of all, as the part may be what others leave out.
   void stateErrors(const Suspect& best, MeasurementCheck& check) const {
-    const std::pair<double, double> errors[] = {{trials_.asIs().error, best.drawn.error},
-                                                {trials_.asIs().held_error, best.drawn.held_error},
-                                                {trials_.asIs().open_error, best.open.error}};
+    const std::pair<double, double> errors[] = {
+        {trials_.asIs().error, best.drawn.error},
+        {trials_.asIs().held_error, best.drawn.held_error},
+        {trials_.asIs().open_error, best.open.error},
+        {best.mend.is_of_part ? trials_.asIs().whole_error : 0, best.open.whole_error}};
     const auto& [as_is, mended] =
         *std::max_element(std::begin(errors), std::end(errors),
                           [](const auto& a, const auto& b) { return a.first * b.second < b.first * a.second; });

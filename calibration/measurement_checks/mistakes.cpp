@@ -14,6 +14,7 @@
 #include "calibration/measurement_checks/mirror.hpp"
 #include "calibration/measurement_checks/mistake.hpp"
 #include "calibration/measurement_checks/one_hole.hpp"
+#include "calibration/measurement_checks/part_in_unit.hpp"
 #include "calibration/measurement_checks/setup_alone.hpp"
 #include "calibration/measurement_checks/sheet_mirrored.hpp"
 #include "calibration/measurement_checks/shifted_rows.hpp"
@@ -25,12 +26,26 @@ namespace tubeplan::calibration {
 
 const std::vector<MistakeKind>& mistakeKinds() {
   static const std::vector<MistakeKind> kKinds = {
-      mistakes::coordinates_unit::kind(), mistakes::loads_unit::kind(),  mistakes::angles_unit::kind(),
-      mistakes::coordinate_unit::kind(),  mistakes::joint_unit::kind(),  mistakes::sigma_unit::kind(),
-      mistakes::mirror::kind(),           mistakes::axes::kind(),        mistakes::joint_sign::kind(),
-      mistakes::joint_zero::kind(),       mistakes::joint_order::kind(), mistakes::shifted_rows::kind(),
-      mistakes::holes_off::kind(),        mistakes::one_hole::kind(),    mistakes::sheet_mirrored::kind(),
-      mistakes::base_elsewhere::kind(),   mistakes::setup_alone::kind(), mistakes::without::kind(),
+      mistakes::coordinates_unit::kind(),
+      mistakes::loads_unit::kind(),
+      mistakes::angles_unit::kind(),
+      mistakes::coordinate_unit::kind(),
+      mistakes::joint_unit::kind(),
+      mistakes::sigma_unit::kind(),
+      mistakes::mirror::kind(),
+      mistakes::axes::kind(),
+      mistakes::joint_sign::kind(),
+      mistakes::joint_zero::kind(),
+      mistakes::joint_order::kind(),
+      mistakes::shifted_rows::kind(),
+      mistakes::holes_off::kind(),
+      mistakes::one_hole::kind(),
+      mistakes::sheet_mirrored::kind(),
+      mistakes::base_elsewhere::kind(),
+      mistakes::setup_alone::kind(),
+      mistakes::without::kind(),
+      mistakes::part_in_unit::coordinates(),
+      mistakes::part_in_unit::angles(),
   };
   return kKinds;
 }

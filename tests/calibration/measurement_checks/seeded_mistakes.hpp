@@ -154,6 +154,26 @@ inline Made coordinateInMillimetres(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) (*m.p_W)[axis] *= s.table.units.coordinates.factor / 1e-3;
   return std::string("coordinate-unit=") + "xyz"[axis] + ":mm";
 }
+/// From one of the readings on, as a file appended to another.
+inline std::pair<std::size_t, std::string> drawnEnd(const SeededSet& set, SeededRandom& random) {
+  const auto& readings = set.table.readings;
+  const int count = static_cast<int>(readings.size());
+  const auto first = static_cast<std::size_t>(count - 1 - drawnBelow(count / 2, random));
+  return {first, readings[first].id + ".." + readings.back().id};
+}
+inline Made lastInMillimetres(SeededSet& s, SeededRandom& random) {
+  if (!arePlaces(s) || areHoles(s)) return std::nullopt;
+  const auto [first, name] = drawnEnd(s, random);
+  for (std::size_t k = first; k < s.table.readings.size(); ++k)
+    *s.table.readings[k].p_W *= s.table.units.coordinates.factor / 1e-3;
+  return "coordinates-of=" + name + ":mm";
+}
+inline Made lastInRadians(SeededSet& s, SeededRandom& random) {
+  if (!arePlaces(s)) return std::nullopt;
+  const auto [first, name] = drawnEnd(s, random);
+  for (std::size_t k = first; k < s.table.readings.size(); ++k) s.table.readings[k].q *= std::numbers::pi / 180;
+  return "angles-of=" + name + ":rad";
+}
 inline Made mirrored(SeededSet& s, SeededRandom& random) {
   if (!arePlaces(s) || areHoles(s)) return std::nullopt;
   const int axis = drawnBelow(3, random);
@@ -303,6 +323,8 @@ inline const std::vector<SeededMistake>& seededMistakes() {
       {"angles", "degrees under rad", seeded::degrees},
       {"joint-unit", "one joint in radians under deg", seeded::jointInRadians},
       {"coordinate-unit", "one coordinate in mm", seeded::coordinateInMillimetres},
+      {"coordinates-of", "the last coordinates in mm", seeded::lastInMillimetres},
+      {"angles-of", "the last joint readings in radians under deg", seeded::lastInRadians},
       {"sigma", "sigma x 1000", seeded::sigmaThousandfold},
       {"sigma", "sigma x 25.4", seeded::sigmaInMillimetres},
       {"sigma", "sigma / 1000", seeded::sigmaThousandth},

@@ -1,0 +1,171 @@
+#include "calibration/measurement_checks/part_in_unit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "calibration/measurement_checks/angles_unit.hpp"
+#include "calibration/measurement_checks/coordinates_unit.hpp"
+#include "calibration/measurement_checks/robust_fit.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+
+namespace tubeplan::calibration::mistakes::part_in_unit {
+
+namespace {
+
+constexpr double kBlind = 0.01;   // of the reach: errors below it count as none
+constexpr double kMostOfOne = 3;  // what a single reading speaks for a unit, as the log of a ratio of errors
+constexpr double kLeastMean = 1;  // of a run: other units change numbers by more
+constexpr std::size_t kMostLooked = 2000, kEnd = 20;
+constexpr std::string_view kTo = "..";
+
+/// Where the bases may be: at their nominal places, and where they are not known as the first or the last readings have
+/// them, which are in one unit.
+std::vector<PlacedArm> placings(const CheckedReadings& checked) {
+  std::vector<PlacedArm> placed{checked.start};
+  const auto& bases = checked.start.base_poses;
+  if (std::ranges::all_of(bases, &BasePose::is_known)) return placed;
+  const auto count = static_cast<std::ptrdiff_t>(std::min(kEnd, checked.readings.size()));
+  const auto begin = checked.readings.begin(), end = checked.readings.end();
+  for (const auto& part : {std::vector(begin, begin + count), std::vector(end - count, end)}) {
+    RobustFitOptions options;
+    options.free.priors = checked.free.priors;
+    if (RobustFit fit = fitRobustly(checked.start, part, options); fit.ok) placed.push_back(std::move(fit.placed));
+  }
+  return placed;
+}
+
+/// How far readings are from where an arm would be.
+class Errors {
+ public:
+  Errors(const PlacedArm& placed, const std::vector<Measurement>& readings)
+      : placed_(placed), readings_(readings), predictor_(placed.arm) {}
+
+  /// m; not a number of readings that state no place.
+  double at(std::size_t k) {
+    const Measurement& reading = readings_[k];
+    if (!statesPlace(reading)) return std::numeric_limits<double>::quiet_NaN();
+    const auto found =
+        predictor_.predict(placed_.base_poses[static_cast<std::size_t>(basePoseOf(placed_, reading))].X_WB, reading);
+    if (!found.ok || found.value.size() < 3) return std::numeric_limits<double>::quiet_NaN();
+    return (found.value.head<3>() - *reading.p_W).norm();
+  }
+
+ private:
+  const PlacedArm& placed_;
+  const std::vector<Measurement>& readings_;
+  ReadingPredictor predictor_;
+};
+
+/// Which of two readings of the same rows an arm fits better, row by row.
+class Comparison {
+ public:
+  Comparison(const PlacedArm& placed, const std::vector<Measurement>& as_is, const std::vector<Measurement>& mended)
+      : as_is_(placed, as_is), mended_(placed, mended), blind_(kBlind * deflection::reachOf(placed.arm)) {}
+
+  /// Above zero where the mended one fits better; 0 where neither says anything.
+  double at(std::size_t k) {
+    const double ratio = std::log((as_is_.at(k) + blind_) / (mended_.at(k) + blind_));
+    return std::isfinite(ratio) ? std::clamp(ratio, -kMostOfOne, kMostOfOne) : 0;
+  }
+
+ private:
+  Errors as_is_, mended_;
+  double blind_;
+};
+
+struct Run {
+  std::size_t first = 0, last = 0;
+};
+
+/// The run whose sum is largest (Kadane), of those every so many that were looked at; then row by row at its ends.
+std::optional<Run> bestRun(Comparison& comparison, std::size_t count) {
+  const std::size_t stride = (count + kMostLooked - 1) / kMostLooked;
+  double best = 0, sum = 0;
+  Run run, found;
+  for (std::size_t k = 0; k < count; k += stride) {
+    if (sum <= 0) sum = 0, run.first = k;
+    sum += comparison.at(k);
+    if (sum > best) best = sum, found = {run.first, k};
+  }
+  const std::size_t looked = (found.last - found.first) / stride + 1;
+  if (best < kLeastMean * static_cast<double>(looked)) return std::nullopt;
+  for (std::size_t left = stride - 1; left > 0 && found.first > 0 && comparison.at(found.first - 1) > 0; --left)
+    --found.first;
+  for (std::size_t left = stride - 1; left > 0 && found.last + 1 < count && comparison.at(found.last + 1) > 0; --left)
+    ++found.last;
+  return found.last - found.first + 1 < count ? std::optional(found) : std::nullopt;
+}
+
+std::string textOf(const CheckedReadings& checked, const Run& run, const std::string& unit) {
+  return checked.readings[run.first].id + std::string(kTo) + checked.readings[run.last].id + ":" + unit;
+}
+
+/// The run that "FIRST..LAST" names.
+std::optional<Run> runNamed(const CheckedReadings& checked, const std::string& text) {
+  const std::size_t to = text.find(kTo);
+  if (to == std::string::npos) return std::nullopt;
+  const auto find = [&](const std::string& id) {
+    return static_cast<std::size_t>(std::ranges::find(checked.readings, id, &Measurement::id) -
+                                    checked.readings.begin());
+  };
+  const Run run{find(text.substr(0, to)), find(text.substr(to + kTo.size()))};
+  return run.first <= run.last && run.last < checked.readings.size() ? std::optional(run) : std::nullopt;
+}
+
+std::vector<std::string> valuesOf(const MistakeKind& whole, const CheckedReadings& checked) {
+  std::vector<std::string> values;
+  const auto units = whole.values(checked);
+  if (units.empty()) return values;
+  for (const PlacedArm& placed : placings(checked))
+    for (const auto& unit : units) {
+      auto mended = checked.readings;
+      whole.mend(checked, unit)->change(mended);
+      Comparison comparison(placed, checked.readings, mended);
+      const auto run = bestRun(comparison, mended.size());
+      if (!run) continue;
+      auto value = textOf(checked, *run, unit);
+      if (std::ranges::find(values, value) == values.end()) values.push_back(std::move(value));
+    }
+  return values;
+}
+
+std::optional<Mend> mendOf(const MistakeKind& whole, const CheckedReadings& checked, const std::string& value) {
+  const auto [part, unit] = partedAtColon(value);
+  const auto run = runNamed(checked, part);
+  const auto all = whole.mend(checked, unit);
+  if (!run || !all) return std::nullopt;
+  const std::string &first = checked.readings[run->first].id, &last = checked.readings[run->last].id;
+  Mend mend{all->mistake + "-of", value,
+            "in reading" + (first == last ? " " + first : "s " + first + " to " + last) + " " + all->sentence};
+  mend.is_of_part = true;
+  std::set<std::string> ids;
+  for (std::size_t k = run->first; k <= run->last; ++k) ids.insert(checked.readings[k].id);
+  mend.change = [change = all->change, ids = std::move(ids)](std::vector<Measurement>& readings) {
+    auto changed = readings;
+    change(changed);
+    for (std::size_t k = 0; k < readings.size(); ++k)
+      if (ids.contains(readings[k].id)) readings[k] = std::move(changed[k]);
+  };
+  return mend;
+}
+
+}  // namespace
+
+MistakeKind coordinates() {
+  return {"coordinates-of", "FIRST..LAST:UNIT", "two readings and a unit of length, such as 81..120:mm",
+          [](const CheckedReadings& checked) { return valuesOf(coordinates_unit::kind(), checked); },
+          [](const CheckedReadings& checked, const std::string& value) {
+            return mendOf(coordinates_unit::kind(), checked, value);
+          }};
+}
+
+MistakeKind angles() {
+  return {"angles-of", "FIRST..LAST:UNIT", "two readings and a unit of angle, such as 81..120:rad",
+          [](const CheckedReadings& checked) { return valuesOf(angles_unit::kind(), checked); },
+          [](const CheckedReadings& checked, const std::string& value) {
+            return mendOf(angles_unit::kind(), checked, value);
+          }};
+}
+
+}  // namespace tubeplan::calibration::mistakes::part_in_unit
