@@ -183,8 +183,10 @@ class MistakeSearch {
     if (!hasNumbers(suspect.mend) && trials_.gain(suspect.open) > 0 &&
         trials_.asIs().held_error >= kDrastic * suspect.drawn.held_error * shrinks)
       return true;
+    // A part that is mended fits as the others do, or it was another mistake.
     if (suspect.mend.is_of_part && trials_.gain(suspect.open) >= kOdds &&
-        trials_.asIs().whole_error >= kDrastic * suspect.open.whole_error * shrinks)
+        trials_.asIs().whole_error >= kDrastic * suspect.open.whole_error * shrinks &&
+        suspect.open.whole_error < kLeastFall * suspect.open.error)
       return true;
     return trials_.gain(suspect.open) >= kOdds && (falls(trials_.asIs().error, suspect.drawn.error) ||
                                                    falls(trials_.asIs().held_error, suspect.drawn.held_error) ||

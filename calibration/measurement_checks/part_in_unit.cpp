@@ -17,6 +17,7 @@ constexpr double kBlind = 0.01;   // of the reach: errors below it count as none
 constexpr double kMostOfOne = 3;  // what a single reading speaks for a unit, as the log of a ratio of errors
 constexpr double kLeastMean = 1;  // of a run: other units change numbers by more
 constexpr std::size_t kMostLooked = 2000, kEnd = 20;
+constexpr std::size_t kShortest = 2;  // a single reading that is off may be so for any reason
 constexpr std::string_view kTo = "..";
 
 /// Where the bases may be: at their nominal places, and where they are not known as the first or the last readings have
@@ -94,7 +95,8 @@ std::optional<Run> bestRun(Comparison& comparison, std::size_t count) {
     --found.first;
   for (std::size_t left = stride - 1; left > 0 && found.last + 1 < count && comparison.at(found.last + 1) > 0; --left)
     ++found.last;
-  return found.last - found.first + 1 < count ? std::optional(found) : std::nullopt;
+  const std::size_t length = found.last - found.first + 1;
+  return length >= kShortest && length < count ? std::optional(found) : std::nullopt;
 }
 
 std::string textOf(const CheckedReadings& checked, const Run& run, const std::string& unit) {

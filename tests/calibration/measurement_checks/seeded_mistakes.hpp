@@ -158,7 +158,7 @@ inline Made coordinateInMillimetres(SeededSet& s, SeededRandom& random) {
 inline std::pair<std::size_t, std::string> drawnEnd(const SeededSet& set, SeededRandom& random) {
   const auto& readings = set.table.readings;
   const int count = static_cast<int>(readings.size());
-  const auto first = static_cast<std::size_t>(count - 1 - drawnBelow(count / 2, random));
+  const auto first = static_cast<std::size_t>(count - 2 - drawnBelow(count / 2, random));
   return {first, readings[first].id + ".." + readings.back().id};
 }
 inline Made lastInMillimetres(SeededSet& s, SeededRandom& random) {
