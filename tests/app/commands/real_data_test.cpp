@@ -1,8 +1,14 @@
 // Files of real arms that stand beside the project on its developers' machines; without them there is nothing to read.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <numbers>
 
 #include "app/files/cell_reader.hpp"
 #include "app/files/measurements_reader.hpp"
+#include "app/files/text_file.hpp"
+#include "app/studies/model/cell_fit.hpp"
+#include "calibration/measurement_checks/measurement_checks.hpp"
 #include "tests/app/test_files.hpp"
 
 namespace tubeplan::app {
@@ -37,6 +43,30 @@ TEST(RealData, isReadWhole) {
     const auto held_out = std::count_if(readings.begin(), readings.end(), [](const auto& m) { return m.is_held_out; });
     EXPECT_GT(held_out, 0) << set.cell;
     EXPECT_LT(static_cast<std::size_t>(held_out), set.readings) << set.cell;
+  }
+}
+
+/// From two thirds on in metres, and then in radians, under columns of millimetres and degrees.
+TEST(RealData, aRunInAnotherUnitIsNamedByItsFirstAndLastReading) {
+  const fs::path folder = fs::path(TUBEPLAN_SOURCE_DIR) / "../shared/real";
+  if (!fs::exists(folder)) GTEST_SKIP() << "skipped: no real sets at ../shared/real";
+  for (const char* robot : {"motoman", "ur5", "wam"}) {
+    const Cell cell = readCell((folder / robot / "cell.yaml").string());
+    const std::string file = (folder / robot / "measurements.csv").string();
+    const MeasurementTable table = parseMeasurementTable(readTextFile(file), file, cell.arm);
+    const std::size_t first = table.readings.size() * 2 / 3;
+    const std::string run = table.readings[first].id + ".." + table.readings.back().id;
+    for (const bool is_of_angles : {false, true}) {
+      SCOPED_TRACE(fmt::format("{} {}", robot, is_of_angles));
+      auto readings = table.readings;
+      for (std::size_t k = first; k < readings.size(); ++k)
+        is_of_angles ? void(readings[k].q *= std::numbers::pi / 180) : void(*readings[k].p_W *= 1e-3);
+      const auto checks = calibration::checkMeasurements(
+          {startOf(cell, readings), readings, freeNumbersOf(cell), table.units, nullptr});
+      const auto* mistake = calibration::grossMistake(checks);
+      ASSERT_TRUE(mistake);
+      EXPECT_EQ(mistake->assume, is_of_angles ? "angles-of=" + run + ":rad" : "coordinates-of=" + run + ":m");
+    }
   }
 }
 
