@@ -246,7 +246,7 @@ describe("readings that look wrong", () => {
     await tab.waitForSelector(".chip-more >> text=others.csv", LIMIT);
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
     assert.deepEqual(await tab.locator(".notice").allInnerTexts(), []);
-    assert.deepEqual(tab.errors, []);
+    assert.deepEqual(errorsOf(tab), []);
     await tab.context().close();
     await server.stop();
   });
