@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <set>
 
 #include "calibration/measurement_checks/angles_unit.hpp"
@@ -36,14 +38,20 @@ std::vector<PlacedArm> placings(const CheckedReadings& checked) {
   return placed;
 }
 
-/// How far readings are from where an arm would be.
+/// How far readings are from where an arm would be, each found when it is first asked for.
 class Errors {
  public:
   Errors(const PlacedArm& placed, const std::vector<Measurement>& readings)
-      : placed_(placed), readings_(readings), predictor_(placed.arm) {}
+      : placed_(placed), readings_(readings), predictor_(placed.arm), known_(readings.size()) {}
 
   /// m; not a number of readings that state no place.
   double at(std::size_t k) {
+    if (!known_[k]) known_[k] = errorOf(k);
+    return *known_[k];
+  }
+
+ private:
+  double errorOf(std::size_t k) {
     const Measurement& reading = readings_[k];
     if (!statesPlace(reading)) return std::numeric_limits<double>::quiet_NaN();
     const auto found =
@@ -52,17 +60,16 @@ class Errors {
     return (found.value.head<3>() - *reading.p_W).norm();
   }
 
- private:
   const PlacedArm& placed_;
   const std::vector<Measurement>& readings_;
   ReadingPredictor predictor_;
+  std::vector<std::optional<double>> known_;
 };
 
 /// Which of two readings of the same rows an arm fits better, row by row.
 class Comparison {
  public:
-  Comparison(const PlacedArm& placed, const std::vector<Measurement>& as_is, const std::vector<Measurement>& mended)
-      : as_is_(placed, as_is), mended_(placed, mended), blind_(kBlind * deflection::reachOf(placed.arm)) {}
+  Comparison(Errors& as_is, Errors& mended, double reach) : as_is_(as_is), mended_(mended), blind_(kBlind * reach) {}
 
   /// Above zero where the mended one fits better; 0 where neither says anything.
   double at(std::size_t k) {
@@ -71,7 +78,7 @@ class Comparison {
   }
 
  private:
-  Errors as_is_, mended_;
+  Errors &as_is_, &mended_;
   double blind_;
 };
 
@@ -119,16 +126,20 @@ std::vector<std::string> valuesOf(const MistakeKind& whole, const CheckedReading
   std::vector<std::string> values;
   const auto units = whole.values(checked);
   if (units.empty()) return values;
-  for (const PlacedArm& placed : placings(checked))
+  const double reach = deflection::reachOf(checked.start.arm);
+  for (const PlacedArm& placed : placings(checked)) {
+    Errors as_is(placed, checked.readings);
     for (const auto& unit : units) {
-      auto mended = checked.readings;
-      whole.mend(checked, unit)->change(mended);
-      Comparison comparison(placed, checked.readings, mended);
-      const auto run = bestRun(comparison, mended.size());
+      auto readings = checked.readings;
+      whole.mend(checked, unit)->change(readings);
+      Errors mended(placed, readings);
+      Comparison comparison(as_is, mended, reach);
+      const auto run = bestRun(comparison, readings.size());
       if (!run) continue;
       auto value = textOf(checked, *run, unit);
       if (std::ranges::find(values, value) == values.end()) values.push_back(std::move(value));
     }
+  }
   return values;
 }
 
