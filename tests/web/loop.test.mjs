@@ -5,7 +5,7 @@ import {after, before, describe} from "node:test";
 import {readFileSync} from "node:fs";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, drop, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
+import {ask, controlsCutOff, drop, launch, makeFolder, openTab, serve, simulate, stateOf} from "./workbench.mjs";
 
 let made, server, browser;
 
@@ -41,9 +41,9 @@ describe("the loop", () => {
     await tab.waitForFunction(() => document.querySelectorAll(".ladder-row").length >= 2);
     assert.ok((await timesFloor(tab)) > 2, "before, the error must stand well above the floor");
     await tab.click(".next:has-text('Diagnose')"); // 3
-    await tab.click(".next:has-text('Add hysteresis at theta4')", {
-      timeout: 60000,
-    }); // 4
+    await tab.waitForSelector(".next:has-text('Add hysteresis at theta4')", {timeout: 60000});
+    assert.deepEqual(await controlsCutOff(tab), []);
+    await tab.click(".next:has-text('Add hysteresis at theta4')"); // 4
     await tab.waitForSelector(".verdict h1 >> text=At the noise floor", {
       timeout: 60000,
     });

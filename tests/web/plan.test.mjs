@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import path from "node:path";
 import {it} from "./limits.mjs";
-import {ask, launch, makeFolder, openTab, serve} from "./workbench.mjs";
+import {ask, controlsCutOff, launch, makeFolder, openTab, serve} from "./workbench.mjs";
 
 let made, server, browser, tab;
 
@@ -152,6 +152,15 @@ describe("the mock-up", () => {
     await tab.waitForSelector(".tube-rows .tube-row", {timeout: 20000});
     assert.equal(await tab.evaluate(() => location.hash), "#plan");
     assert.deepEqual(tab.errors, []);
+  });
+
+  it("has every control in reach on a telephone", async () => {
+    for (const view of ["sheet", "arm", "plan", "calibrate", "effects"]) {
+      await tab.goto(`${server.address}#${view}`);
+      await tab.waitForSelector(`.view-${view} .panel`);
+      assert.deepEqual(await controlsCutOff(tab), [], view);
+    }
+    await tab.goto(`${server.address}#plan`);
   });
 
   it("says that plan and base are of another model once their model is taken back", async () => {

@@ -251,6 +251,27 @@ export async function openTab(browser, address, {prepare = async () => {}, ...op
   return tab;
 }
 
+/** The words of the controls that a telephone's window cuts off, but in rows that scroll sideways. */
+export async function controlsCutOff(tab) {
+  const before = tab.viewportSize();
+  await tab.setViewportSize({width: 400, height: 800});
+  await tab.waitForTimeout(300); // the layout has settled
+  const {count, cut} = await tab.evaluate(() => {
+    const controls = [...document.querySelectorAll(".view .panel :is(button, input, select)")].filter(
+      (control) => control.checkVisibility() && !control.closest(".tabs, .segments"),
+    );
+    const isCut = (control) => {
+      const panel = control.closest(".panel").getBoundingClientRect(),
+        {left, right} = control.getBoundingClientRect();
+      return left < panel.left - 1 || right > panel.right + 1;
+    };
+    return {count: controls.length, cut: controls.filter(isCut).map((c) => c.textContent || c.ariaLabel || c.type)};
+  });
+  await tab.setViewportSize(before);
+  assert.ok(count > 0, "controls were looked at");
+  return cut;
+}
+
 /** Its errors, but that a result was gone again before it was fetched: the browser notes that by itself. */
 export function errorsOf(tab) {
   return tab.errors.filter((text) => !/status of 404/.test(text));
