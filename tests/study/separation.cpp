@@ -11,7 +11,7 @@
 
 #include "app/jobs/diagnosis.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
-#include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
+#include "tests/calibration/measurement_checks/seeded_sets.hpp"
 
 namespace {
 

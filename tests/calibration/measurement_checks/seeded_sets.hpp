@@ -1,0 +1,106 @@
+// Clean readings of arms that are a little off their drawing: by a design of a shipped cell, or by their number.
+#pragma once
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "app/files/cell_reader.hpp"
+#include "app/files/measurements_reader.hpp"
+#include "app/files/measurements_writer.hpp"
+#include "app/files/reading_input.hpp"
+#include "app/files/simulation_input.hpp"
+#include "app/studies/model/cell_fit.hpp"
+#include "calibration/measurement_checks/measurement_checks.hpp"
+
+namespace tubeplan::calibration {
+
+/// A cell with readings as their file has them.
+struct SeededSet {
+  std::string name;
+  app::Cell cell;
+  app::MeasurementTable table;
+};
+
+using SeededRandom = std::mt19937_64;
+
+inline double drawnBetween(double from, double to, SeededRandom& random) {
+  return from + (to - from) * static_cast<double>(random() >> 11) / 9007199254740992.0;
+}
+inline int drawnBelow(int count, SeededRandom& random) {
+  return static_cast<int>(random() % static_cast<std::uint64_t>(count));
+}
+
+inline app::Cell shippedCell(const std::string& name) {
+  return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells" / name).string());
+}
+
+/// Readings by a design of a shipped cell: stiffnesses a tenth off, the base where it is not known as well, and what is
+/// hidden. Nothing where the arm does not reach them.
+inline std::optional<SeededSet> simulatedSet(const std::string& cell_name, const std::string& design, int readings,
+                                             const std::vector<std::string>& hidden, std::uint64_t seed,
+                                             const std::function<void(app::SimulationTask&)>& change = {}) {
+  SeededSet set{fmt::format("{} {} {} readings seed {} {}", cell_name, design, readings, seed, fmt::join(hidden, "+")),
+                shippedCell(cell_name),
+                {}};
+  app::SimulationRequest request;
+  request.design = design;
+  request.readings = readings;
+  request.hide = hidden;
+  request.spread = set.cell.identify.empty() ? 0 : 0.1;
+  request.seed = seed;
+  auto task = app::prepareSimulation(set.cell, request);
+  if (change) change(task);
+  const auto campaign = app::simulateReadings(set.cell, task, seed, {});
+  if (campaign.status != CampaignStatus::kDone) return std::nullopt;
+  set.table = app::parseMeasurementTable(app::measurementsCsv(campaign.readings, set.cell.arm, set.cell.units),
+                                         "simulated.csv", set.cell.arm, set.cell.sheet ? &*set.cell.sheet : nullptr);
+  app::stateSigma(set.table.readings, set.cell, "simulated.csv", 0);
+  return set;
+}
+
+inline MeasurementChecks checksOf(const SeededSet& set) {
+  const CheckedReadings checked{app::startOf(set.cell, set.table.readings), set.table.readings,
+                                app::freeNumbersOf(set.cell), set.table.units,
+                                set.cell.sheet ? &*set.cell.sheet : nullptr};
+  return checkMeasurements(checked);
+}
+
+/// A clean set by its number: designs, sizes and seeds in turn.
+inline std::optional<SeededSet> cleanSet(std::uint64_t number) {
+  static constexpr int kSizes[] = {30, 60, 120, 45};
+  const int size = kSizes[number / 5 % 4];
+  const auto twoSetups = [](app::SimulationTask& task) {
+    task.design.setups = 2;
+    auto second = task.truth.bases.front();
+    task.truth.bases.front().setup = "A";
+    second.setup = "B";
+    second.X_WB.translation() += Eigen::Vector3d(0.05, -0.03, 0.01);
+    task.truth.bases.push_back(second);
+  };
+  switch (number % 5) {
+    case 0:
+      return simulatedSet("bench.yaml", "bench", size, {}, number);
+    case 1:
+      return simulatedSet("bowl.yaml", "bench", size, {}, number, twoSetups);
+    case 2:
+      return simulatedSet("bowl.yaml", "bowl", size, {}, number);
+    case 3:
+      return simulatedSet("bowl.yaml", "bench", size, {}, number);
+    default: {
+      auto set = simulatedSet("mockup.yaml", "bowl", 18, {}, number, [](app::SimulationTask& task) {
+        task.truth.bases.front().X_WB = shippedCell("mockup.yaml").X_WB;
+      });
+      if (set) set->cell.base_known = number % 2;
+      return set;
+    }
+  }
+}
+
+}  // namespace tubeplan::calibration
