@@ -3,6 +3,7 @@
 import {binnedMeans} from "./binned.js";
 import {jointKey} from "./error_parts.js";
 import {followedShare} from "./groups.js";
+import {isInShare} from "./shares.js";
 import {isNumber} from "./numbers.js";
 import {partsAlong} from "./reading_errors.js";
 import {rangeOf} from "./scales.js";
@@ -91,7 +92,7 @@ export function multiplesScale(multiples, errors) {
 }
 
 /** So many points say as much as thousands do in a small picture. */
-const MOST_POINTS = 300;
+export const MOST_POINTS = 300;
 
 /**
  * A panel's places in a box of this size: of every series' points, [x, y, series], and of the line of means.
@@ -106,14 +107,13 @@ export function panelPlaces({variable, part}, errors, most, width, height) {
   const across = (/** @type {number} */ x) => 8 + (inner * (x - low)) / (high - low || 1);
   const up = (/** @type {number} */ value) =>
     height / 2 - (0.46 * height * Math.max(-1.08, Math.min(1.08, value / most))) / 1.08;
-  const step = Math.max(1, Math.ceil(errors.readings.length / MOST_POINTS));
   const points = values.map((column) => {
     /** @type {[number, number][]} */
     const places = [];
-    for (let i = 0; i < column.length; i += step) {
+    for (let i = 0; i < column.length; ++i) {
       const x = xs[i],
         value = column[i];
-      if (!isNumber(x) || !isNumber(value)) continue;
+      if (!isNumber(x) || !isNumber(value) || !isInShare(i, column.length, MOST_POINTS)) continue;
       // Levels are spread a little, so that their points are seen.
       const beside = variable.kind === "sense" ? besideLevel(i) * 0.2 * inner : 0;
       places.push([across(x) + (x > (low + high) / 2 ? -Math.abs(beside) : Math.abs(beside)), up(value)]);

@@ -5,6 +5,7 @@ import {exact, short} from "../drawing/numbers.js";
 import {inPlane, PLANES} from "../drawing/planes.js";
 import {roundDown125} from "../drawing/scales.js";
 import {circlePath} from "../drawing/shapes.js";
+import {isInShare, MOST_ARROWS, shareText} from "../drawing/shares.js";
 import {append, el, figure, label, notRecorded, svg} from "./elements.js";
 import {conditionsText, placedReadings, readingName, rootMeanSquare, seriesOf, sizeOf} from "./error_series.js";
 import {hoverPicture} from "./tooltip.js";
@@ -39,13 +40,13 @@ function residualMap(report, readings, view, series) {
   const picture = figure(
       `Errors seen ${view.words}, ${series.name}`,
       (width) => drawResiduals(report, readings, shown, view, series, width));
-  const sizes = shown.map((reading) => sizeOf(reading[series.key]));
+  const sizes = shown.map((reading) => sizeOf(reading[series.key])), share = shareText(shown.length, MOST_ARROWS);
   const title = series.key === "before" ? "Before" : "After";
   return el(
       "div", {class: "card"}, el("h3", {}, `${title}: ${series.name}, seen ${view.words}`), picture.element,
       el("p", {class: "note"},
          `Root mean square ${lengthText(rootMeanSquare(sizes), report)}, largest ${
-             lengthText(Math.max(...sizes), report)}.`));
+             lengthText(sizes.reduce((largest, size) => Math.max(largest, size), 0), report)}.${share && ` ${share}.`}`));
 }
 
 /// The frame of a view: equal scales, all readings inside with room for their arrows.
@@ -66,10 +67,11 @@ function drawResiduals(report, readings, shown, view, series, width) {
     const [dx, dy] = inPlane(view, reading[series.key]);
     return arrowPath(...frame.place(reading.position), pixels * dx, -pixels * dy);
   };
+  const drawn = shown.filter((_, index) => isInShare(index, shown.length, MOST_ARROWS));
   append(drawing, [
     svg("path",
-        {d: shown.map((reading) => circlePath(...frame.place(reading.position), 1.3)).join(""), class: "place"}),
-    svg("path", {d: shown.map(arrowOf).join(""), class: `arrow-${series.key}`}),
+        {d: drawn.map((reading) => circlePath(...frame.place(reading.position), 1.3)).join(""), class: "place"}),
+    svg("path", {d: drawn.map(arrowOf).join(""), class: `arrow-${series.key}`}),
     scaleBars(report, frame, pixels, width), viewAxes(view, frame, width)
   ]);
   hoverPicture(drawing, width, (px, py) => {

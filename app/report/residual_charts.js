@@ -2,6 +2,7 @@
 import {isNumber} from "../drawing/numbers.js";
 import {rangeOf, roundTicks, widened} from "../drawing/scales.js";
 import {hollowPath} from "../drawing/shapes.js";
+import {isInShare, MOST_MARKS, shareText} from "../drawing/shares.js";
 import {besideLevel, variablesOf, variableTitle} from "../drawing/variables.js";
 import {zeroLine} from "./added_variable.js";
 import {chartFrame, evenAxis} from "./axes.js";
@@ -31,7 +32,7 @@ export function residualChartsSection(report) {
   const readings = list(report.readings).filter((reading) => numbers(reading.before, 3));
   const regressors = regressorsOf(report, readings);
   if (regressors.length === 0) return [notRecorded("What the errors could be drawn against")];
-  const shown = {part: ERROR_PARTS[0]};
+  const shown = {part: ERROR_PARTS[0]}, share = shareText(readings.length, MOST_MARKS);
   const pictures = regressors.map(
       (regressor) => figure(
           `Error against ${regressor.title}`, (width) => drawErrors(report, readings, regressor, shown.part, width)));
@@ -44,6 +45,7 @@ export function residualChartsSection(report) {
        "Where the errors follow one of these, the missing effect depends on it. An effect with a direction shows in x, y " +
            "or z rather than in the size."),
     el("div", {class: "card-head"}, seriesLegend(report), parts),
+    ...(share ? [el("p", {class: "note"}, `${share}.`)] : []),
     el("div", {class: "few"}, pictures.map((picture) => el("div", {class: "card"}, picture.element)))
   ];
 }
@@ -81,6 +83,7 @@ function errorMarks(series, points, regressor, at) {
   const spread = (index) => (regressor.kind === "sense" ? side * (13.5 + 11 * besideLevel(index)) : 0);
   const isHollow = series.key === "before";
   const d = points.map(([vx, vy], index) => {
+    if (!isInShare(index, points.length, MOST_MARKS)) return "";
     const [px, py] = at(vx, vy);
     return hollowPath(series.mark.shape, px + spread(index), py, isHollow ? 2.4 : 1.9);
   });

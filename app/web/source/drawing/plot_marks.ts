@@ -4,8 +4,8 @@ import {marksPath, type Mark} from "./marks";
 
 export interface MarkLook {
   isHollow?: boolean;
-  /** Thousands: smaller and without an outline of their own where they are full. */
-  isMany?: boolean;
+  /** Whether the mark of a row is drawn; all are without it. */
+  isDrawn?: (row: number) => boolean;
 }
 
 export function markPaths(mark: Mark, colour: string, look: MarkLook = {}): uPlot.Series {
@@ -13,22 +13,29 @@ export function markPaths(mark: Mark, colour: string, look: MarkLook = {}): uPlo
   return {
     stroke: colour,
     fill: isFull ? colour : undefined,
-    width: look.isMany ? 0.8 : 1.2,
+    width: 1.2,
     points: {show: false},
     paths: (plot, series, from, to) => {
-      const r = (look.isMany ? 1.6 : isFull ? 2.6 : 3.2) * uPlot.pxRatio;
-      const path = marksPath(mark.shape, placesOf(plot, series, from, to), r);
+      const r = (isFull ? 2.6 : 3.2) * uPlot.pxRatio;
+      const path = marksPath(mark.shape, placesOf(plot, series, from, to, look.isDrawn), r);
       return {stroke: path, fill: isFull ? path : undefined};
     },
   };
 }
 
 /** Where a series has values, in the canvas's pixels. */
-function* placesOf(plot: uPlot, series: number, from: number, to: number): Generator<[number, number]> {
+function* placesOf(
+  plot: uPlot,
+  series: number,
+  from: number,
+  to: number,
+  isDrawn: (row: number) => boolean = () => true,
+): Generator<[number, number]> {
   const xs = plot.data[0],
     ys = plot.data[series];
   for (let i = from; i <= to; ++i) {
     const value = ys[i];
-    if (value !== null && value !== undefined) yield [plot.valToPos(xs[i], "x", true), plot.valToPos(value, "y", true)];
+    if (value !== null && value !== undefined && isDrawn(i))
+      yield [plot.valToPos(xs[i], "x", true), plot.valToPos(value, "y", true)];
   }
 }

@@ -61,7 +61,10 @@ function RankingTable({rows}: {rows: Row[]}) {
           <th>effect</th>
           <th>probability</th>
           <th class="number">chi² falls by</th>
-          <th class="size" title="as this effect alone would have it, by one linear step; the cards have the fitted sizes">
+          <th
+            class="size"
+            title="as this effect alone would have it, by one linear step; the cards have the fitted sizes"
+          >
             size, alone
           </th>
           <th />

@@ -5,6 +5,7 @@ import {exact, isNumber, plainUnit, tickTexts} from "../../../drawing/numbers.js
 import type {View} from "../../../drawing/own_variable.js";
 import {partRange, levelRange, levelTicks, plotted, spreadAtLevel} from "../../../drawing/reading_errors.js";
 import {roundTicks, widened} from "../../../drawing/scales.js";
+import {isInShare, MOST_MARKS} from "../../../drawing/shares.js";
 import {variableTitle} from "../../../drawing/variables.js";
 import type {Palette} from "../drawing/colours";
 import {axis} from "../drawing/plot";
@@ -33,9 +34,6 @@ interface PlotLook {
   isBrief: boolean;
 }
 
-/** Beyond so many points marks are small. */
-const MANY = 1500;
-
 export function makePlot(errors: ReadingErrors, view: View, look: PlotLook): MadePlot {
   const {isLevel, xs, values, means, law} = plotted(errors, view);
   const rows = plotRows(errors, isLevel, xs);
@@ -58,7 +56,10 @@ export function makePlot(errors: ReadingErrors, view: View, look: PlotLook): Mad
       series: [
         {},
         ...errors.series.map(({mark}, k) =>
-          markPaths(mark, colours[mark.colour], {isHollow: k === 0, isMany: rows.length > MANY}),
+          markPaths(mark, colours[mark.colour], {
+            isHollow: k === 0,
+            isDrawn: (row) => isInShare(rows[row].index, errors.readings.length, MOST_MARKS),
+          }),
         ),
       ],
     },

@@ -5,6 +5,7 @@ import {palette, type Palette} from "../drawing/colours";
 import {marksPath} from "../drawing/marks";
 import {
   loudest,
+  MOST_POINTS,
   MULTIPLE_COLUMNS,
   multiplesOf,
   multiplesScale,
@@ -58,7 +59,7 @@ export function JointPanels() {
           </>
         ))}
       </div>
-      <SeriesLegend errors={errors}>
+      <SeriesLegend errors={errors} most={MOST_POINTS}>
         <span>
           <i class="mean-line" /> means and p: {errors.tested === 0 ? "before" : "after"}; errors beyond ± {short(most)}{" "}
           are drawn at the edge

@@ -11,6 +11,7 @@ import {extentOf, fit, nearestPlace, toPixel, type Camera, type Size} from "../.
 import {exact} from "../../../drawing/numbers.js";
 import {inPlane, PLANES, type Plane} from "../../../drawing/planes.js";
 import {roundDown125} from "../../../drawing/scales.js";
+import {isInShare, MOST_ARROWS} from "../../../drawing/shares.js";
 import type {Vector3} from "../server/documents";
 import {units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
@@ -74,7 +75,7 @@ export function ResidualArrows() {
         />
         <i class="point-ring" ref={ring} hidden />
       </div>
-      <SeriesLegend errors={errors} />
+      <SeriesLegend errors={errors} most={MOST_ARROWS} />
     </div>
   );
 }
@@ -173,7 +174,10 @@ function drawArrows(
     const [u, v] = inPlane(which, error);
     return [frame.sign * grow * u, -grow * v];
   };
-  errors.series.forEach((series, k) => drawSeries(context, series, k === 0, shown, colours, onScreen));
+  const {readings} = errors,
+    picked = selectedReadings.peek();
+  const isShown = (i: number) => isInShare(i, readings.length, MOST_ARROWS) || picked.has(readings[i].id);
+  errors.series.forEach((series, k) => drawSeries(context, series, k === 0, shown, isShown, colours, onScreen));
   drawScale(context, colours, largest, grow, width, height);
   return shown;
 }
@@ -184,6 +188,7 @@ function drawSeries(
   series: ReadingErrors["series"][number],
   isBefore: boolean,
   places: PlacesOnScreen,
+  isShown: (reading: number) => boolean,
   colours: Palette,
   onScreen: (error: Vector3) => [number, number],
 ): void {
@@ -191,7 +196,7 @@ function drawSeries(
   context.lineWidth = 1.3;
   places.forEach((at, i) => {
     const error = series.errors[i];
-    if (!at || !error) return;
+    if (!at || !error || !isShown(i)) return;
     context.beginPath();
     context.arc(...at, 1.5, 0, 2 * Math.PI);
     context.fill();

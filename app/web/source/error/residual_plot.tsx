@@ -6,6 +6,7 @@ import {explanationTitle} from "../../../drawing/explanations.js";
 import {Plot} from "../drawing/plot";
 import type {View} from "../../../drawing/own_variable.js";
 import {commonMost, letterOf} from "../../../drawing/reading_errors.js";
+import {MOST_MARKS} from "../../../drawing/shares.js";
 import {makePlot} from "./error_plot";
 import {chosenPart, chosenVariable, parts, shownView, variables, viewBeside} from "./focus";
 import {currentDiagnosis} from "./loop";
@@ -121,7 +122,7 @@ function ErrorPlot({errors, view, most, index}: ErrorPlotProps) {
 
 function PlotLegend({errors, hasLaw, isBrief}: {errors: ReadingErrors | null; hasLaw: boolean; isBrief: boolean}) {
   return (
-    <SeriesLegend errors={errors} isBrief={isBrief}>
+    <SeriesLegend errors={errors} isBrief={isBrief} most={MOST_MARKS}>
       <span>
         <i class="means-sign" /> means {isBrief ? "" : errors?.judged === 1 ? "after " : "before "}± 2 s.e.
       </span>

@@ -1,18 +1,23 @@
 // What the series of errors are, with their marks.
 import type {ComponentChildren} from "preact";
+import {shareText} from "../../../drawing/shares.js";
 import {MarkIcon} from "../drawing/marks";
 import type {ReadingErrors} from "./residuals";
 
 export function SeriesLegend({
   errors,
   isBrief = false,
+  most,
   children,
 }: {
   errors: ReadingErrors | null;
   /** What the series are is said above: here before and after alone. */
   isBrief?: boolean;
+  /** How many of the readings are drawn. */
+  most: number;
   children?: ComponentChildren;
 }) {
+  const share = shareText(errors?.readings.length ?? 0, most);
   return (
     <p class="series-legend">
       {(errors?.series ?? []).map((series) => (
@@ -22,6 +27,7 @@ export function SeriesLegend({
         </span>
       ))}
       {children}
+      {share ? <span>{share}</span> : null}
     </p>
   );
 }

@@ -1,0 +1,28 @@
+// Of thousands of readings a share is drawn: more marks would hide one another. It goes by the readings' places in the
+// list, so that before and after have the same, and not by every so many of them, which may all have one load.
+import {whole} from "./numbers.js";
+
+/** So many arrows, or marks, a picture shows one by one. */
+export const MOST_ARROWS = 400;
+export const MOST_MARKS = 1000;
+
+const GOLDEN = 0.6180339887498949;
+
+/**
+ * Whether a reading is of the share that is drawn: multiples of the golden ratio lie evenly within a turn.
+ * @param {number} index @param {number} count of readings @param {number} most that are drawn, about
+ */
+export function isInShare(index, count, most) {
+  return count <= most || (index * GOLDEN) % 1 < most / count;
+}
+
+/**
+ * How many are drawn, for the legend; nothing where all are.
+ * @param {number} count @param {number} most
+ */
+export function shareText(count, most) {
+  if (count <= most) return "";
+  let drawn = 0;
+  for (let index = 0; index < count; ++index) drawn += Number(isInShare(index, count, most));
+  return `${whole(drawn)} of ${whole(count)} readings drawn`;
+}
