@@ -19,6 +19,7 @@ import {
 } from "../drawing/reading_errors.js";
 import {rangeOf, roundTicks, widened} from "../drawing/scales.js";
 import {hollowPath} from "../drawing/shapes.js";
+import {isInShare, MOST_MARKS, shareText} from "../drawing/shares.js";
 import {variablesOf, variableTitle} from "../drawing/variables.js";
 import {chartFrame} from "./axes.js";
 import {append, el, figure, svg} from "./elements.js";
@@ -94,17 +95,18 @@ function leadOf(plots) {
       "The errors against what they follow most, with means of bins.";
 }
 
-/// What the marks of a pair are, and what else stands in the picture: [sign of the style sheet, words].
-export function pairLegend(pair, signs) {
+/// What the marks of a pair are, how many are drawn, and what else stands in the picture: [sign of the style sheet, words].
+export function pairLegend(pair, signs, most) {
   const items =
       pair.series.map((series, k) => [markIcon(series.mark, 14, {isHollow: k === 0}), series.name.split(":")[0]]);
   const others = signs.map(([name, words]) => [el("i", {class: name, "aria-hidden": "true"}), words]);
-  return el("ul", {class: "legend"}, [...items, ...others].map((item) => el("li", {}, item)));
+  const share = shareText(pair.readings.length, most);
+  return el("ul", {class: "legend"}, [...items, ...others, ...(share ? [share] : [])].map((item) => el("li", {}, item)));
 }
 
 function lawLegend(pair, hasLaw) {
   const means = ["mean-sign", `means ${pair.judged === 0 ? "before" : "after"}, two standard errors to both sides`];
-  return pairLegend(pair, hasLaw ? [means, ["law-sign", "law and its spread"]] : [means]);
+  return pairLegend(pair, hasLaw ? [means, ["law-sign", "law and its spread"]] : [means], MOST_MARKS);
 }
 
 function lawCard(report, pair, view, most, letter) {
@@ -135,7 +137,8 @@ function drawLaw(report, pair, view, most, width) {
     const x = xs[index];
     return isNumber(x) && isNumber(value) ? at(spreadAtLevel(isLevel, x, index), value) : null;
   }));
-  append(drawing, places.map((series, k) => pointMarks(pair.series[k].mark.shape, series.filter(Boolean), k)));
+  const isShown = (place, index) => place !== null && isInShare(index, pair.readings.length, MOST_MARKS);
+  append(drawing, places.map((series, k) => pointMarks(pair.series[k].mark.shape, series.filter(isShown), k)));
   append(drawing, means.map((bin) => meanMark(bin, at)));
   hoverPicture(drawing, width, (px, py) => lawTip(report, pair, view, places, px, py));
   return drawing;

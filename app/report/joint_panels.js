@@ -1,6 +1,13 @@
 // Where a joint's errors are: each joint's against its angle, its direction, its moment and the load, the loudest
 // framed.
-import {loudest, MULTIPLE_COLUMNS, multiplesOf, multiplesScale, panelPlaces} from "../drawing/joint_multiples.js";
+import {
+  loudest,
+  MOST_POINTS,
+  MULTIPLE_COLUMNS,
+  multiplesOf,
+  multiplesScale,
+  panelPlaces
+} from "../drawing/joint_multiples.js";
 import {chance, plainUnit, short} from "../drawing/numbers.js";
 import {el, figure, notRecorded, svg} from "./elements.js";
 import {errorAxesOf, errorPairsOf, pairLegend, pointMarks} from "./error_law.js";
@@ -19,7 +26,7 @@ export function jointPanelsSection(report) {
            `and the load, all to one scale of \u00b1${short(most)} ${
                plainUnit(multiples[0].part.unit)}; larger errors are drawn at its edge. The p-value of each variable is corrected for the number of ` +
            `tests; ${loud ? "the most significant is framed" : "none is below 0.01"}.`),
-    pairLegend(errors, [["line-sign", `means ${errors.tested === 0 ? "before" : "after"}`]]),
+    pairLegend(errors, [["line-sign", `means ${errors.tested === 0 ? "before" : "after"}`]], MOST_POINTS),
     el("div", {class: "card"}, panelTable(errors, multiples, loud, most))
   ];
 }
