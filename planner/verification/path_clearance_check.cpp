@@ -69,7 +69,8 @@ class PathClearance {
  public:
   PathClearance(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options, const PlanHooks& hooks,
                 const TellFinding& find, PlanCheck& result)
-      : plan_(plan),
+      : arm_(cell.arm),
+        plan_(plan),
         options_(options),
         hooks_(hooks),
         find_(find),
@@ -93,9 +94,9 @@ class PathClearance {
 
   void run() {
     double before = 0;
+    bool was_within = false;
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
       if (hooks_.progress && k % 64 == 0) hooks_.progress("verify", k, plan_.path.size());
-      if (hooks_.stop && hooks_.stop()) return find_("stopped before the clearance was proved");
       std::string names;
       const PathRow& row = plan_.path[k];
       const double here = marginAtRow(k, &names);
@@ -104,18 +105,30 @@ class PathClearance {
         find_(fmt::format("path row {}: too near: {}", k + 1, names));
         result_.least_margin = std::min(result_.least_margin, here);
       }
-      if (k > 0 && here >= 0 && before >= 0) {
+      const bool is_within = isWithinLimits(row.q);
+      if (is_within && was_within && here >= 0 && before >= 0) {
         PathRow from = plan_.path[k - 1];
         from.kind = row.kind;
         const double start = from.kind == plan_.path[k - 1].kind ? before : marginAt(from.q, row.kind, nullptr);
         proveBetween(from, row.q, start, here, k);
       }
+      if (isStopped()) return find_("stopped before the clearance was proved");
       before = here;
+      was_within = is_within;
     }
     checkStated();
   }
 
  private:
+  [[nodiscard]] bool isStopped() const { return hooks_.stop && hooks_.stop(); }
+
+  /// Else the row is refuted, and the way there may have no end.
+  [[nodiscard]] bool isWithinLimits(const VectorXd& q) const {
+    for (int j = 0; j < q.size(); ++j)
+      if (isPastLimit(arm_.joint(j), q[j])) return false;
+    return true;
+  }
+
   /// What was met at a row is a lower value of its margin, by no more than it may be off.
   void checkStated() {
     if (!plan_.least_clearance || plan_.path.empty()) return;
@@ -159,7 +172,7 @@ class PathClearance {
     result_.tightest = names;
   }
 
-  /// False once the stretch is refuted.
+  /// False once the stretch is refuted, or all is stopped.
   bool proveBetween(const PathRow& a, const VectorXd& qb, double margin_a, double margin_b, std::size_t row) {
     const double far = travel(a.q, qb), proved = std::min({margin_a, margin_b, (margin_a + margin_b - far) / 2});
     const bool too_coarse = proved < least_met_ - options_.report_accuracy && far >= options_.least_travel;
@@ -167,6 +180,7 @@ class PathClearance {
       result_.least_margin = std::min(result_.least_margin, proved);
       return true;
     }
+    if (isStopped()) return false;
     PathRow middle = a;
     middle.q = (a.q + qb) / 2;
     std::string names;
@@ -180,6 +194,7 @@ class PathClearance {
     return proveBetween(a, middle.q, margin_a, margin, row) && proveBetween(middle, qb, margin, margin_b, row);
   }
 
+  const deflection::Arm& arm_;
   const StatedPlan& plan_;
   const PlanCheckOptions& options_;
   const PlanHooks& hooks_;
@@ -196,6 +211,11 @@ class PathClearance {
 };
 
 }  // namespace
+
+bool isPastLimit(const deflection::Joint<double>& joint, double q) {
+  constexpr double kRounding = 1e-12;  // rad or m, to which a plan's files state joint values
+  return q < joint.lower - kRounding || q > joint.upper + kRounding;
+}
 
 void checkPathClearance(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options,
                         const PlanHooks& hooks, const TellFinding& find, PlanCheck& result) {

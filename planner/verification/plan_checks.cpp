@@ -174,8 +174,7 @@ class Checker {
     for (std::size_t k = 0; k < plan_.path.size(); ++k)
       for (int j = 0; j < plan_.path[k].q.size(); ++j) {
         const auto& joint = cell_.arm.joint(j);
-        const double q = plan_.path[k].q[j];
-        if (q < joint.lower - 1e-12 || q > joint.upper + 1e-12)
+        if (isPastLimit(joint, plan_.path[k].q[j]))
           find(fmt::format("path row {}: {} is past its limit", k + 1, joint.name));
       }
   }
