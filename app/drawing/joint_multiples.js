@@ -3,10 +3,10 @@
 import {binnedMeans} from "./binned.js";
 import {jointKey} from "./error_parts.js";
 import {followedShare} from "./groups.js";
-import {isInShare} from "./shares.js";
 import {isNumber} from "./numbers.js";
 import {partsAlong} from "./reading_errors.js";
 import {rangeOf} from "./scales.js";
+import {isInShare, MOST_POINTS} from "./shares.js";
 import {besideLevel, findVariable} from "./variables.js";
 
 /** @typedef {import("./error_parts.js").Part} Part */
@@ -90,9 +90,6 @@ export function multiplesScale(multiples, errors) {
   sizes.sort((a, b) => a - b);
   return sizes[Math.floor(0.97 * (sizes.length - 1))] || 1;
 }
-
-/** So many points say as much as thousands do in a small picture. */
-export const MOST_POINTS = 300;
 
 /**
  * A panel's places in a box of this size: of every series' points, [x, y, series], and of the line of means.

@@ -2,9 +2,10 @@
 // list, so that before and after have the same, and not by every so many of them, which may all have one load.
 import {whole} from "./numbers.js";
 
-/** So many arrows, or marks, a picture shows one by one. */
+/** So many arrows, or marks, a picture shows one by one, and so many points a joint's small panel. */
 export const MOST_ARROWS = 400;
 export const MOST_MARKS = 1000;
+export const MOST_POINTS = 300;
 
 const GOLDEN = 0.6180339887498949;
 

@@ -1,14 +1,8 @@
 // Where a joint's errors are: each joint's against its angle, its direction, its moment and the load, the loudest
 // framed.
-import {
-  loudest,
-  MOST_POINTS,
-  MULTIPLE_COLUMNS,
-  multiplesOf,
-  multiplesScale,
-  panelPlaces
-} from "../drawing/joint_multiples.js";
+import {loudest, MULTIPLE_COLUMNS, multiplesOf, multiplesScale, panelPlaces} from "../drawing/joint_multiples.js";
 import {chance, plainUnit, short} from "../drawing/numbers.js";
+import {MOST_POINTS} from "../drawing/shares.js";
 import {el, figure, notRecorded, svg} from "./elements.js";
 import {errorAxesOf, errorPairsOf, pairLegend, pointMarks} from "./error_law.js";
 import {list} from "./values.js";

@@ -3,7 +3,7 @@ import {arrowPath, usualLargest} from "../drawing/arrows.js";
 import {extentOf, fit, heightFor, nearestPlace, toPixel} from "../drawing/frames.js";
 import {exact, short} from "../drawing/numbers.js";
 import {inPlane, PLANES} from "../drawing/planes.js";
-import {roundDown125} from "../drawing/scales.js";
+import {rangeOf, roundDown125} from "../drawing/scales.js";
 import {circlePath} from "../drawing/shapes.js";
 import {isInShare, MOST_ARROWS, shareText} from "../drawing/shares.js";
 import {append, el, figure, label, notRecorded, svg} from "./elements.js";
@@ -46,7 +46,7 @@ function residualMap(report, readings, view, series) {
       "div", {class: "card"}, el("h3", {}, `${title}: ${series.name}, seen ${view.words}`), picture.element,
       el("p", {class: "note"},
          `Root mean square ${lengthText(rootMeanSquare(sizes), report)}, largest ${
-             lengthText(sizes.reduce((largest, size) => Math.max(largest, size), 0), report)}.${share && ` ${share}.`}`));
+             lengthText(rangeOf(sizes)[1], report)}.${share && ` ${share}.`}`));
 }
 
 /// The frame of a view: equal scales, all readings inside with room for their arrows.

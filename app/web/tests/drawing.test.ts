@@ -18,6 +18,7 @@ import {stateMark, STEP_MARKS, verdictMark} from "../../drawing/kinds.js";
 import {inPlane, PLANES} from "../../drawing/planes.js";
 import {rankingRows, triedText} from "../../drawing/ranking.js";
 import {hollowPath, outlineOf, type Shape} from "../../drawing/shapes.js";
+import {isInShare, shareText} from "../../drawing/shares.js";
 import {READING_SIGMAS, sigmasText} from "../../drawing/sigma_text.js";
 import {verdictItems} from "../../drawing/verdict_items.js";
 import {requiredText, stepsAtError, stepText, visitText} from "../../drawing/visits.js";
@@ -236,5 +237,27 @@ describe("the files of app/drawing", () => {
           /^(import \{[^}]*\} from "\.\/\w+\.js";|import \{$|export (async )?(function\*?|const|let|class) )/,
         );
     }
+  });
+});
+
+describe("the share of readings that is drawn", () => {
+  const drawn = (count: number, most: number) => [...Array(count).keys()].filter((i) => isInShare(i, count, most));
+
+  it("is all of few, and near what was asked for of many", () => {
+    expect(drawn(400, 400)).toHaveLength(400);
+    expect(shareText(400, 400)).toBe("");
+    for (const count of [401, 1000, 30000]) expect(Math.abs(drawn(count, 400).length - 400)).toBeLessThan(4);
+    expect(shareText(30000, 400)).toBe(`${drawn(30000, 400).length} of 30,000 readings drawn`);
+  });
+
+  it("has every part of a design that repeats itself, and of the session, as often", () => {
+    const indices = drawn(30000, 1500);
+    for (const period of [2, 3, 4, 5, 20])
+      for (let part = 0; part < period; ++part) {
+        const share = indices.filter((i) => i % period === part).length / indices.length;
+        expect(Math.abs(share * period - 1)).toBeLessThan(0.1);
+      }
+    for (let tenth = 0; tenth < 10; ++tenth)
+      expect(Math.abs(indices.filter((i) => Math.floor(i / 3000) === tenth).length - 150)).toBeLessThan(4);
   });
 });

@@ -15,7 +15,6 @@ import {
 import {columnsOf, filtered, rowsOf, sorted, wrongWord} from "../source/error/reading_rows";
 import {findVariable, variablesOf, variableTitle} from "../../drawing/variables.js";
 import type {EffectAt, ErrorReading, LeverageDocument, MomentsDocument, Vector3} from "../source/server/documents";
-import {isInShare, shareText} from "../../drawing/shares.js";
 
 // Two turning joints in a plane, the second at the end of a link of 10; sixty readings, the world's z up.
 const COUNT = 60;
@@ -178,28 +177,6 @@ describe("findings of the program", () => {
     expect(findVariable("order of the readings", variables)?.key).toBe("order");
     expect(findVariable("theta1 and theta2", variables)?.key).toBe("theta1");
     expect(findVariable("constant", variables)).toBeNull();
-  });
-});
-
-describe("the share of readings that is drawn", () => {
-  const drawn = (count: number, most: number) => [...Array(count).keys()].filter((i) => isInShare(i, count, most));
-
-  it("is all of few, and near what was asked for of many", () => {
-    expect(drawn(400, 400)).toHaveLength(400);
-    expect(shareText(400, 400)).toBe("");
-    for (const count of [401, 1000, 30000]) expect(Math.abs(drawn(count, 400).length - 400)).toBeLessThan(4);
-    expect(shareText(30000, 400)).toBe(`${drawn(30000, 400).length} of 30,000 readings drawn`);
-  });
-
-  it("has every part of a design that repeats itself, and of the session, as often", () => {
-    const indices = drawn(30000, 1500);
-    for (const period of [2, 3, 4, 5, 20])
-      for (let part = 0; part < period; ++part) {
-        const share = indices.filter((i) => i % period === part).length / indices.length;
-        expect(Math.abs(share * period - 1)).toBeLessThan(0.1);
-      }
-    for (let tenth = 0; tenth < 10; ++tenth)
-      expect(Math.abs(indices.filter((i) => Math.floor(i / 3000) === tenth).length - 150)).toBeLessThan(4);
   });
 });
 

@@ -5,7 +5,6 @@ import {palette, type Palette} from "../drawing/colours";
 import {marksPath} from "../drawing/marks";
 import {
   loudest,
-  MOST_POINTS,
   MULTIPLE_COLUMNS,
   multiplesOf,
   multiplesScale,
@@ -13,6 +12,7 @@ import {
   type Multiple,
 } from "../../../drawing/joint_multiples.js";
 import {chance, short} from "../../../drawing/numbers.js";
+import {MOST_POINTS} from "../../../drawing/shares.js";
 import {cell, sceneDocument} from "../server/workbench";
 import {chosenPart, chosenVariable, parts, shownView, variables} from "./focus";
 import {compare} from "./loop";
