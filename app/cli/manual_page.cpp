@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/cli/command.hpp"
 #include "app/cli/command_words.hpp"
 #include "app/version.hpp"
 
