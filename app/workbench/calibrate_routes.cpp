@@ -19,6 +19,7 @@
 #include "calibration/simulation/simulated_touch.hpp"
 #include "planner/reach/compensation.hpp"
 #include "tubesheets/csv_table.hpp"
+#include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
 
