@@ -31,12 +31,13 @@ int run(const CompareOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   checkJsonTarget(options.json);
   checkReportTarget(options.report);
-  const auto [comparison, warnings, figures] = compareModel(input, options.request, terminalWorkHooks());
+  const auto [comparison, readings, set_aside, warnings, figures] =
+      compareModel(input, options.request, terminalWorkHooks());
   writeJson(options.json, figures);
   if (options.report.isWanted()) writeReport(options.report, comparisonPage(input, options.request.seed, figures));
   if (printsText(options.json)) {
-    fmt::print("{}{}", checksText(input.checks, input.cell.units),
-               comparisonText(comparison, input.readings, input.cell.units));
+    fmt::print("{}{}{}", checksText(input.checks, input.cell.units),
+               comparisonText(comparison, readings, input.cell.units), setAsideText(set_aside, input.readings.size()));
     for (const auto& warning : warnings) fmt::print("  warning: {}\n", warning);
   }
   return comparison.verdict == calibration::Adequacy::kAdequate ? kDone : kNegativeAnswer;

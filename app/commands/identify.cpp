@@ -57,10 +57,11 @@ int run(const IdentifyOptions& options) {
     };
   const auto outcome = identifyModel(input, request, terminalWorkHooks());
   if (!options.out.empty() && outcome.fit.status == IdentificationStatus::kDone)
-    writeFilesTogether(identifiedCell(cell, outcome.fit, readings, options.out).inOrder(), "--out");
+    writeFilesTogether(identifiedCell(cell, outcome.fit, outcome.readings, options.out).inOrder(), "--out");
   writeJson(options.json, outcome.figures);
   if (printsText(options.json)) {
-    fmt::print("{}{}{}", identificationText(outcome.fit, readings, cell.units),
+    fmt::print("{}{}{}{}", setAsideText(outcome.set_aside, readings.size()),
+               identificationText(outcome.fit, outcome.readings, cell.units),
                predictedCentringText(outcome.centring, cell.units), overlapText(outcome.overlaps));
     for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warning);
     for (const auto& warning : outcome.of_effects) fmt::print("  warning: {}\n", warningText(warning, cell.units));

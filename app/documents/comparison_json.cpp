@@ -141,6 +141,11 @@ std::string noiseSentence(const Comparison& result) {
   if (!result.noise_disagrees)
     return fmt::format("Repeated readings scatter {:.2f} times as much as stated, within what chance allows.",
                        repeats.noise_ratio);
+  if (areBeyondNoise(repeats))
+    return fmt::format(
+        "Repeated readings scatter {:.3g} times as much as stated: that is no noise (up to {:.0f} times would pass as "
+        "such); a reading is wrong, or something between them was not recorded.",
+        repeats.noise_ratio, calibration::kMostNoiseRatio);
   return fmt::format(
       "The stated noise disagrees with the repeated readings: they scatter {:.2f} times as much ({}); lack of fit is "
       "judged by that scatter.",

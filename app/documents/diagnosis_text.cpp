@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/documents/figures.hpp"
+#include "app/documents/measurement_checks_json.hpp"
 #include "app/files/effects_reader.hpp"
 #include "app/files/input_error.hpp"
 
@@ -246,15 +247,6 @@ std::string closestText(const Diagnosis& result, const Units& units) {
   return text;
 }
 
-std::string setAsideText(const Diagnosis& result, const std::vector<Measurement>& readings) {
-  if (result.set_aside.empty()) return "";
-  std::vector<std::string> names;
-  for (const std::string& id : idsOf(result.set_aside, readings)) names.push_back(nameInLine(id));
-  return fmt::format("  set aside as outliers: {} of {} readings ({:.2g} %): {}\n", names.size(), readings.size(),
-                     100. * static_cast<double>(names.size()) / static_cast<double>(readings.size()),
-                     fmt::join(names, ", "));
-}
-
 /// The least of each kind that would have been seen, at the place where it shows best.
 std::string detectableText(const Diagnosis& result, const Units& units) {
   std::map<std::string, const calibration::DetectableEffect*> least;
@@ -304,7 +296,7 @@ std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement
     text += fmt::format("  {:<40} {:>9.3f} {:>15.1f}   {}\n", entry.effect + "@" + entry.at, entry.probability,
                         entry.fall, numberText(entry.size, units));
   }
-  text += closestText(result, units) + setAsideText(result, readings);
+  text += closestText(result, units) + setAsideText(idsOf(result.set_aside, readings), readings.size());
   for (const auto& lack : result.not_tried) text += "  not tried: " + lack + "\n";
   if (result.verdict == Verdict::kAdequate || result.verdict == Verdict::kInconclusive)
     text += detectableText(result, units);

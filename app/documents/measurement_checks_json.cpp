@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figures.hpp"
+#include "app/files/input_error.hpp"
 
 namespace tubeplan::app {
 
@@ -60,6 +61,14 @@ std::vector<std::string> warningsWithChecks(const MeasurementChecks& checks, std
     if (check.name != "base-from-nominal" && check.name != "few-readings") all.push_back(checkText(check, units));
   all.insert(all.end(), warnings.begin(), warnings.end());
   return all;
+}
+
+std::string setAsideText(const std::vector<std::string>& ids, std::size_t readings) {
+  if (ids.empty()) return "";
+  std::vector<std::string> names;
+  for (const std::string& id : ids) names.push_back(nameInLine(id));
+  return fmt::format("  set aside as outliers: {} of {} readings ({:.2g} %): {}\n", names.size(), readings,
+                     100. * static_cast<double>(names.size()) / static_cast<double>(readings), fmt::join(names, ", "));
 }
 
 }  // namespace tubeplan::app

@@ -24,4 +24,7 @@ void addChecks(const calibration::MeasurementChecks& checks, const Units& units,
 [[nodiscard]] std::vector<std::string> warningsWithChecks(const calibration::MeasurementChecks& checks,
                                                           std::vector<std::string> warnings, const Units& units);
 
+/// A line that names the readings set aside as outliers, and their share of all; empty where there are none.
+[[nodiscard]] std::string setAsideText(const std::vector<std::string>& ids, std::size_t readings);
+
 }  // namespace tubeplan::app

@@ -197,6 +197,7 @@ ReadingsWithChecks checkTable(MeasurementTable table, const std::string& file, C
   if (is_overruled)
     for (auto& check : checks.checks) check.severity = calibration::CheckSeverity::kRemark;
   if (copies) checks.checks.push_back(*copies);
+  checks.is_overruled = is_overruled;
   return {std::move(checked.readings), std::move(checks)};
 }
 

@@ -5,6 +5,7 @@
 #include "app/files/input_error.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/studies/model/cell_fit.hpp"
+#include "calibration/estimation/set_aside.hpp"
 
 namespace tubeplan::app {
 
@@ -19,27 +20,63 @@ void requireCompared(const calibration::Comparison& result, const CellReadings& 
   throw refusalOf(result.refit.reading_problem, result.reason, input);
 }
 
+calibration::ComparisonOptions comparisonOptions(const CellReadings& input, const ComparisonRequest& request,
+                                                 const WorkHooks& hooks) {
+  calibration::ComparisonOptions options;
+  options.refit.free = freeNumbersOf(input.cell);
+  options.refit.folds = request.folds;
+  options.refit.seed = request.seed;
+  options.refit.intervals_by_profile = false;
+  options.hooks = hooks;
+  return options;
+}
+
+/// Readings off by more than noise explains; none of readings with a mistake in them, which is to be mended first.
+std::vector<int> outliersOf(const CellReadings& input, const calibration::Comparison& all,
+                            const calibration::ComparisonOptions& options) {
+  if (input.checks.is_overruled || calibration::grossMistake(input.checks)) return {};
+  const auto start = startOf(input.cell, input.readings);
+  calibration::IdentificationOptions fit = options.refit;
+  fit.hooks = withoutProgress(options.hooks);
+  const bool is_fitted = all.refit.status != calibration::IdentificationStatus::kNotRun;
+  return calibration::readingsToSetAside(
+      start, input.readings, is_fitted ? all.refit : calibration::judgedAsItStands(start, input.readings, fit), fit);
+}
+
+/// Where readings have a mistake in them no model is adequate for them, however well it fits.
+void withholdVerdict(const CellReadings& input, calibration::Comparison& comparison) {
+  if (comparison.verdict != calibration::Adequacy::kAdequate || !calibration::grossMistake(input.checks)) return;
+  comparison.verdict = calibration::Adequacy::kInconclusive;
+  comparison.grounds.emplace_back("a mistake is suspected in the readings");
+}
+
 }  // namespace
 
 ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request, const WorkHooks& hooks,
                                const calibration::Identification* refitted) {
   const auto& cell = input.cell;
-  const auto& readings = input.readings;
-  calibration::ComparisonOptions comparison;
-  comparison.refit.free = freeNumbersOf(cell);
-  comparison.refit.folds = request.folds;
-  comparison.refit.seed = request.seed;
-  comparison.refit.intervals_by_profile = false;
-  comparison.hooks = hooks;
-  comparison.refitted = refitted;
+  calibration::ComparisonOptions options = comparisonOptions(input, request, hooks);
+  options.refitted = refitted;
   ComparisonOutcome outcome;
-  outcome.comparison = calibration::compare(startOf(cell, readings), readings, comparison);
+  outcome.readings = input.readings;
+  outcome.comparison = calibration::compare(startOf(cell, input.readings), input.readings, options);
   requireGoingOn(hooks);
   requireCompared(outcome.comparison, input);
+  if (const auto aside = outliersOf(input, outcome.comparison, options); !aside.empty()) {
+    for (const int k : aside) outcome.set_aside.push_back(input.readings[static_cast<std::size_t>(k)].id);
+    outcome.readings = calibration::withoutReadings(input.readings, aside);
+    options.refitted = nullptr;
+    outcome.comparison = calibration::compare(startOf(cell, outcome.readings), outcome.readings, options);
+    requireGoingOn(hooks);
+    requireCompared(outcome.comparison, input);
+  }
+  withholdVerdict(input, outcome.comparison);
+  const auto& readings = outcome.readings;
   outcome.figures = comparisonJson(outcome.comparison, readings, cell.units);
   if (outcome.comparison.refit.status != calibration::IdentificationStatus::kNotRun)
     outcome.warnings = fitWarnings(outcome.comparison.refit, readings);
   outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);
+  outcome.figures["set_aside"] = outcome.set_aside;
   addChecks(input.checks, cell.units, outcome.figures);
   return outcome;
 }

@@ -18,6 +18,8 @@ struct ComparisonRequest {
 
 struct ComparisonOutcome {
   calibration::Comparison comparison;
+  std::vector<calibration::Measurement> readings;  ///< that were compared: all but those set aside
+  std::vector<std::string> set_aside;              ///< ids of outliers
   std::vector<std::string> warnings;  ///< of the fit
   nlohmann::json figures;             ///< as `tubeplan compare --json` writes them
 };

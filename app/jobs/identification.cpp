@@ -13,6 +13,7 @@
 #include "app/files/reading_input.hpp"
 #include "app/files/suggestion.hpp"
 #include "app/studies/model/cell_fit.hpp"
+#include "calibration/estimation/set_aside.hpp"
 
 namespace tubeplan::app {
 
@@ -106,19 +107,44 @@ std::vector<calibration::EffectWarning> effectWarnings(const IdentificationReque
 
 }  // namespace
 
+namespace {
+
+/// Fits all readings and, where some are off by more than noise explains, what is left without them; stages and robust
+/// losses take all.
+void fitWithoutOutliers(const CellReadings& input, const IdentificationRequest& request, const WorkHooks& hooks,
+                        IdentificationOutcome& outcome) {
+  const auto& cell = input.cell;
+  outcome.readings = input.readings;
+  outcome.fit = identifyAsAsked(request, cell, input.readings, hooks);
+  requireGoingOn(hooks);
+  requireAccepted(outcome.fit, request, input);
+  const IdentificationOptions options = identificationOptions(request, cell, withoutProgress(hooks));
+  if (!request.stages.empty() || options.loss != calibration::RobustLoss::kNone || input.checks.is_overruled) return;
+  const auto aside =
+      calibration::readingsToSetAside(startOf(cell, input.readings), input.readings, outcome.fit, options);
+  requireGoingOn(hooks);
+  if (aside.empty()) return;
+  for (const int k : aside) outcome.set_aside.push_back(input.readings[static_cast<std::size_t>(k)].id);
+  outcome.readings = calibration::withoutReadings(input.readings, aside);
+  outcome.fit = identifyAsAsked(request, cell, outcome.readings, hooks);
+  requireGoingOn(hooks);
+  requireAccepted(outcome.fit, request, input);
+}
+
+}  // namespace
+
 IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
                                     const WorkHooks& hooks) {
   const auto& cell = input.cell;
-  const auto& readings = input.readings;
   beginStep(hooks, "fit");
   IdentificationOutcome outcome;
-  outcome.fit = identifyAsAsked(request, cell, readings, hooks);
-  requireGoingOn(hooks);
-  requireAccepted(outcome.fit, request, input);
+  fitWithoutOutliers(input, request, hooks, outcome);
+  const auto& readings = outcome.readings;
   beginStep(hooks, "uncertainties");
   outcome.warnings = fitWarnings(outcome.fit, readings);
   outcome.figures = identificationJson(outcome.fit, readings, cell.units);
   outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);
+  outcome.figures["set_aside"] = outcome.set_aside;
   addChecks(input.checks, cell.units, outcome.figures);
   outcome.overlaps = calibration::findFormulaOverlaps(outcome.fit, readings);
   if (!outcome.overlaps.empty()) outcome.figures["overlap"] = overlapJson(outcome.overlaps);

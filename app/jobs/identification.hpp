@@ -32,6 +32,8 @@ struct IdentificationRequest {
 
 struct IdentificationOutcome {
   calibration::Identification fit;
+  std::vector<calibration::Measurement> readings;  ///< that the fit was given: all but those set aside
+  std::vector<std::string> set_aside;              ///< ids of outliers
   std::vector<std::string> warnings;  ///< of the readings
   std::vector<calibration::FormulaOverlap> overlaps;
   PredictedCentring centring;

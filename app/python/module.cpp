@@ -131,7 +131,7 @@ class PythonCell {
       if (!out.empty()) checkWritableCellAndArm(input.cell, out, "out");
       auto identified = identifyModel(input, request, hooks());
       if (!out.empty() && identified.fit.status == calibration::IdentificationStatus::kDone)
-        writeFilesTogether(identifiedCell(input.cell, identified.fit, input.readings, out).inOrder(), "out");
+        writeFilesTogether(identifiedCell(input.cell, identified.fit, identified.readings, out).inOrder(), "out");
       return identified.figures;
     });
   }

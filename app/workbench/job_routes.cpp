@@ -67,8 +67,8 @@ Cell rereadCell(const Cell& cell, const std::string& text) {
   return parseCell(text, cell.path, arm.empty() ? std::nullopt : std::optional(arm));
 }
 
-Cell fittedCell(const CellReadings& input, const calibration::Identification& fit) {
-  return identifiedCell(input.cell, fit, input.readings, input.cell.path).reread();
+Cell fittedCell(const Cell& cell, const IdentificationOutcome& outcome) {
+  return identifiedCell(cell, outcome.fit, outcome.readings, cell.path).reread();
 }
 
 }  // namespace tubeplan::app

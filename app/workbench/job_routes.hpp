@@ -7,6 +7,7 @@
 #include "app/files/reading_input.hpp"
 #include "app/jobs/comparison.hpp"
 #include "app/jobs/diagnosis.hpp"
+#include "app/jobs/identification.hpp"
 #include "app/studies/job_steps.hpp"
 #include "app/workbench/exchange.hpp"
 #include "app/workbench/workbench.hpp"
@@ -48,7 +49,7 @@ void finishJob(Workbench& workbench, const Session& began, JobInput input, const
 
 /// The cell as an export would leave it after a fit, or with other effects: written and read again, so that what
 /// follows is what the commands would give on the files.
-[[nodiscard]] Cell fittedCell(const CellReadings& input, const calibration::Identification& fit);
+[[nodiscard]] Cell fittedCell(const Cell& cell, const IdentificationOutcome& outcome);
 [[nodiscard]] Cell rereadCell(const Cell& cell, const std::string& text);
 
 }  // namespace tubeplan::app

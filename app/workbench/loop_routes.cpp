@@ -119,7 +119,7 @@ Answer identify(Workbench& workbench, const Request& request) {
     const CellReadings input = inputOf(began);
     const auto outcome = identifyModel(input, asked, hooksOf(context));
     requireFitted(outcome, input);
-    finishFit(workbench, began, "fitted", "fit", fittedCell(input, outcome.fit), outcome.figures, asked.seed, context);
+    finishFit(workbench, began, "fitted", "fit", fittedCell(input.cell, outcome), outcome.figures, asked.seed, context);
     return "identify";
   });
 }
@@ -151,7 +151,7 @@ Answer add(Workbench& workbench, const Request& request) {
     fit.seed = seed;
     const auto outcome = identifyModel(input, fit, hooksOf(context));
     requireFitted(outcome, input);
-    finishFit(workbench, began, label, asked.formula.empty() ? "effect" : "formula", fittedCell(input, outcome.fit),
+    finishFit(workbench, began, label, asked.formula.empty() ? "effect" : "formula", fittedCell(input.cell, outcome),
               outcome.figures, seed, context);
     return "identify";
   });
@@ -173,7 +173,7 @@ Answer remove(Workbench& workbench, const Request& request) {
     fit.seed = seed;
     const auto outcome = identifyModel(input, fit, hooksOf(context));
     requireFitted(outcome, input);
-    finishFit(workbench, began, label, "without", fittedCell(input, outcome.fit), outcome.figures, seed, context);
+    finishFit(workbench, began, label, "without", fittedCell(input.cell, outcome), outcome.figures, seed, context);
     return "identify";
   });
 }

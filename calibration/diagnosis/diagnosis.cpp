@@ -12,10 +12,10 @@
 #include "calibration/diagnosis/posterior.hpp"
 #include "calibration/diagnosis/ranking.hpp"
 #include "calibration/diagnosis/remainder.hpp"
-#include "calibration/diagnosis/set_aside.hpp"
 #include "calibration/estimation/evidence.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/held_out.hpp"
+#include "calibration/estimation/set_aside.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 
@@ -96,7 +96,8 @@ void weighModels(Answer& answer) {
 /// whatever is stated.
 void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model, Diagnosis& result) {
   const Repeats repeats = repeatsBy(work, model);
-  const bool is_larger = repeats.noise_ratio > 1 && disagreesWithStatedNoise(repeats, kLackOfFit);
+  const bool is_larger =
+      repeats.noise_ratio > 1 && !areBeyondNoise(repeats) && disagreesWithStatedNoise(repeats, kLackOfFit);
   if (!is_larger || !(repeats.lack_of_fit_p_value >= kLackOfFit)) return;
   result.repeats = repeats;
   result.remainder = {};

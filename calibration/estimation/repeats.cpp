@@ -92,8 +92,12 @@ Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeig
       1., 2 * std::min(chiSquareLowerTail(scatter, result.pure_freedom), chiSquareTail(scatter, result.pure_freedom)));
   result.lack_freedom = freedom - result.pure_freedom;
   if (result.lack_freedom < 1 || scatter <= 0) return result;
-  result.lack_of_fit_F = std::max(0., chi2 - scatter) / result.lack_freedom / (scatter / result.pure_freedom);
-  result.lack_of_fit_p_value = fisherTail(result.lack_of_fit_F, result.lack_freedom, result.pure_freedom);
+  const double lack = std::max(0., chi2 - scatter) / result.lack_freedom;
+  const double variance = std::min(result.noise_ratio, kMostNoiseRatio) * std::min(result.noise_ratio, kMostNoiseRatio);
+  result.lack_of_fit_F = lack / variance;
+  result.lack_of_fit_p_value = areBeyondNoise(result)
+                                   ? chiSquareTail(lack * result.lack_freedom / variance, result.lack_freedom)
+                                   : fisherTail(result.lack_of_fit_F, result.lack_freedom, result.pure_freedom);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "calibration/measurement_checks/mistake_search.hpp"
 #include "calibration/measurement_checks/mistake_trials.hpp"
 #include "calibration/measurement_checks/plain_checks.hpp"
+#include "calibration/measurement_checks/stale_joints.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/statistics.hpp"
 
@@ -113,6 +114,7 @@ MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckO
   if (auto mistake = findMistake(trials)) result.checks.push_back(std::move(*mistake));
   if (as_is.ok && !grossMistake(result)) {
     checkBase(trials, result.checks);
+    if (auto stale = staleJoints(checked, as_is.placed)) result.checks.push_back(std::move(*stale));
     if (auto far = placesOutOfReach(checked, as_is.placed)) result.checks.push_back(std::move(*far));
     for (auto& hole : mistakenHoles(checked, as_is.placed)) result.checks.push_back(std::move(hole));
   }

@@ -50,6 +50,7 @@ struct MissingColumn {
 struct MeasurementChecks {
   std::vector<MeasurementCheck> checks;  ///< mistakes first
   std::vector<MissingColumn> missing;
+  bool is_overruled = false;             ///< somebody has said that the readings count as they are, every one
   double base_shift = 0, base_turn = 0;  ///< m, rad: of the base found from the nominal one, the largest of all set-ups
 };
 

@@ -36,8 +36,9 @@ Evaluation evaluate(const PlacedArm& placed, const std::vector<Measurement>& rea
 }
 
 bool isInadequate(const ModelLackOfFit& lack_of_fit, double level) {
-  const bool by_repeats = disagreesWithStatedNoise(lack_of_fit.repeats, level) && lack_of_fit.repeats.lack_freedom > 0;
-  return (by_repeats ? lack_of_fit.repeats.lack_of_fit_p_value : lack_of_fit.p_value) < level;
+  const Repeats& repeats = lack_of_fit.repeats;
+  const bool by_repeats = disagreesWithStatedNoise(repeats, level) && repeats.lack_freedom > 0;
+  return areBeyondNoise(repeats) || (by_repeats ? repeats.lack_of_fit_p_value : lack_of_fit.p_value) < level;
 }
 
 std::string inconclusiveSince(const ModelLackOfFit& lack_of_fit, const std::vector<Measurement>& readings,
@@ -143,7 +144,9 @@ void giveVerdict(Comparison& result, double level) {
   const auto& lack_of_fit = result.after_refit;
   result.noise_disagrees = disagreesWithStatedNoise(lack_of_fit.repeats, level);
   if (result.status == ComparisonStatus::kNotConverged) result.grounds.emplace_back("the refit did not converge");
-  if (lack_of_fit.adequacy == Adequacy::kInadequate)
+  const bool is_beyond = areBeyondNoise(lack_of_fit.repeats);
+  if (is_beyond) result.grounds.emplace_back("repeated readings differ by more than any noise");
+  if (lack_of_fit.adequacy == Adequacy::kInadequate && !is_beyond)
     result.grounds.emplace_back(result.noise_disagrees ? "the error exceeds the scatter of repeated readings"
                                                        : "the error exceeds the stated noise");
   if (!result.patterns.findings.empty()) {

@@ -1,4 +1,4 @@
-// Readings that a diagnosis sets aside as outliers, by their places in ascending order.
+// Readings that a fit, a comparison and a diagnosis set aside as outliers, by their places in ascending order.
 #pragma once
 
 #include <functional>
@@ -31,5 +31,14 @@ using BaselineFit = std::function<Identification(const std::vector<Measurement>&
 [[nodiscard]] std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& readings,
                                                              const Identification& baseline, double level,
                                                              const BaselineFit& fit);
+
+/// Returns the readings that are set aside before a model is fitted or judged, by withoutOutliers(): empty where there
+/// are none, or too many. `baseline` is the fit of all readings by `options`; nothing may have been free.
+[[nodiscard]] std::vector<int> readingsToSetAside(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                                  const Identification& baseline, const IdentificationOptions& options);
+
+/// Returns a model as it stands as if it had been fitted with nothing free: its outliers and its chi-square.
+[[nodiscard]] Identification judgedAsItStands(const PlacedArm& start, const std::vector<Measurement>& readings,
+                                              const IdentificationOptions& options);
 
 }  // namespace tubeplan::calibration
