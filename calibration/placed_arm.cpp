@@ -115,15 +115,13 @@ void takePrior(const Priors& priors, const deflection::Arm& arm, Unknown& unknow
 }
 
 void addBase(const PlacedArm& placed, std::vector<Unknown>& list) {
-  static constexpr const char* kNames[] = {"base.shift.x", "base.shift.y", "base.shift.z",
-                                           "base.turn.x",  "base.turn.y",  "base.turn.z"};
   for (int p = 0; p < static_cast<int>(placed.base_poses.size()); ++p) {
     const BasePose& base_pose = placed.base_poses[static_cast<std::size_t>(p)];
     if (base_pose.is_known) continue;
     for (int k = 0; k < 6; ++k) {
       Unknown unknown;
       unknown.owner = Unknown::Owner::kBase;
-      unknown.name = kNames[k] + (base_pose.setup.empty() ? "" : "@" + base_pose.setup);
+      unknown.name = baseStepNames()[static_cast<std::size_t>(k)] + (base_pose.setup.empty() ? "" : "@" + base_pose.setup);
       unknown.quantity = k < 3 ? Quantity::kLength : Quantity::kAngle;
       unknown.base_pose = p;
       unknown.component = k;
@@ -256,6 +254,12 @@ std::pair<double, double> valuesBetween(const Unknown& unknown, double lower, do
   if (unknown.scale == Unknown::Scale::kLinear) return {valueAt(unknown, lower), valueAt(unknown, upper)};
   const bool may_be_rigid = lower <= unknown.lower;
   return {valueAt(unknown, upper), may_be_rigid ? deflection::kRigid : valueAt(unknown, lower)};
+}
+
+const std::array<std::string, 6>& baseStepNames() {
+  static const std::array<std::string, 6> kNames{"base.shift.x", "base.shift.y", "base.shift.z",
+                                                 "base.turn.x",  "base.turn.y",  "base.turn.z"};
+  return kNames;
 }
 
 Eigen::Isometry3d moved(const Eigen::Isometry3d& X_WB, const BaseStep& step) {

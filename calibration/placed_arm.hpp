@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -17,6 +18,9 @@ namespace tubeplan::calibration {
 /// X_WB becomes (exp(rotation) R, p + translation). The order of every 6 x 6 covariance of a base.
 using BaseStep = Eigen::Matrix<double, 6, 1>;
 [[nodiscard]] Eigen::Isometry3d moved(const Eigen::Isometry3d& X_WB, const BaseStep& step);
+
+/// Returns "base.shift.x", ..., "base.turn.z": the names of a base step's components.
+[[nodiscard]] const std::array<std::string, 6>& baseStepNames();
 
 /// One base pose: every set-up of a session has its own.
 struct BasePose {

@@ -19,6 +19,7 @@
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/touch_input.hpp"
+#include "app/files/touched_base.hpp"
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
 #include "app/files/workcell.hpp"
@@ -59,7 +60,7 @@ struct Scored {
 Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes,
                 std::uint64_t seed, const Cell& cell) {
   Scored result;
-  result.calibration = calibrateBoth(nominal, touchesByTrueArm(nominal, truth, seed));
+  result.calibration = calibrateBoth(nominal, cell, touchesByTrueArm(nominal, truth, seed));
   if (result.calibration.flexible.status != calibration::CalibrationStatus::kDone) return result;
   const ScoringModels models = scoringModels(nominal, result.calibration, truth);
   const planner::ArmClearance clearance(models.flexible);
@@ -189,8 +190,10 @@ void printExperiment(const StepExperiment& experiment, const Units& units) {
 }
 
 int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, const planner::Workcell& model,
-                  const planner::Workcell& truth, const Units& units) {
+                  const planner::Workcell& truth, const Cell& cell) {
+  const Units& units = cell.units;
   StepExperimentOptions settings;
+  settings.uncertainty = cell.uncertainty;
   settings.tubes = tubes;
   settings.runs = options.runs;
   settings.seed = options.seed;
@@ -208,14 +211,16 @@ int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, co
 }
 
 int run(const ScoreOptions& options) {
-  const Cell cell = readCell(options.cell), true_cell = readCell(options.truth);
+  Cell cell = readCell(options.cell);
+  forgetTouches(cell);  // the true arm touches anew
+  const Cell true_cell = readCell(options.truth);
   const auto model = workcellOf(cell, "score positioning"), truth = workcellOf(true_cell, "score against it");
   if (model.sheet.fingerprint() != truth.sheet.fingerprint())
     throw InputError(options.truth, "another tube sheet", "the cell's, fingerprint " + model.sheet.fingerprint());
   checkJsonTarget(options.json);
   const std::size_t spread = options.runs > 0 ? kTubesOfRuns : kTubes;
   const auto tubes = readTubes(tubesOrSpread(options.tubes, model.sheet, spread), model.sheet).tube_indices;
-  if (options.runs > 0) return runExperiment(options, tubes, model, truth, cell.units);
+  if (options.runs > 0) return runExperiment(options, tubes, model, truth, cell);
   const Scored scored = scoreAll(model, truth, tubes, options.seed, cell);
   if (scored.calibration.flexible.status != calibration::CalibrationStatus::kDone) {
     fmt::print(stderr, "{}", calibrationText(scored.calibration.flexible, cell));

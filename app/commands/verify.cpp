@@ -30,7 +30,7 @@ struct VerifyOptions {
   std::string cell, folder, json;
 };
 
-/// Differences between the arm of the cell and the arm that the plan was made with.
+/// Differences between the arm of the cell and the arm that the plan was made with, as their files have them.
 std::vector<std::string> armDifferences(const deflection::Arm& cell, const deflection::Arm& plan) {
   const auto now = deflection::parametersOf(cell), then = deflection::parametersOf(plan);
   if (now.size() != then.size()) return {"the cell's arm is not the plan's: its rows or flexible axes differ"};
@@ -44,6 +44,7 @@ std::vector<std::string> armDifferences(const deflection::Arm& cell, const defle
 /// Sheet, tool and scene as the cell has them now; arm and base as the plan was made with.
 planner::Workcell checkedWorkcell(const Cell& cell, const Cell& planned, const PlanFiles& files) {
   planner::Workcell work = workcellOf(cell, "verify a plan on it");
+  work.arm = workcellOf(planned, "verify a plan on it").arm;
   work.X_WB = planned.X_WB;
   work.load = files.load;
   work.insertion = files.insertion;
@@ -150,7 +151,8 @@ int run(const VerifyOptions& options) {
     checks.limits_tilt = false;
   }
   planner::PlanCheck check = planner::checkPlan(work, files.plan, checks, terminalHooks());
-  for (const auto& difference : armDifferences(cell.arm, planned.arm)) check.findings.push_back(difference);
+  for (const auto& difference : armDifferences(cell.filedArm(), planned.filedArm()))
+    check.findings.push_back(difference);
   const auto strangers = findIdentityProblems(files, work.sheet);
   check.findings.insert(check.findings.begin(), strangers.begin(), strangers.end());
   if (!check.findings.empty()) check.status = planner::PlanCheckStatus::kRefuted;

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figures.hpp"
+#include "app/documents/pattern_json.hpp"
+#include "app/files/joint_units.hpp"
 #include "app/files/units.hpp"
 #include "calibration/patterns/comparison.hpp"
 
@@ -20,14 +22,27 @@ constexpr double kMostSigmas = 3;          // of where a base may well stand
 constexpr double kMostPitches = 10;        // by which people miscount
 constexpr double kOnLattice = 0.75;        // pitches; a shift beyond the sheet's size is further from all of its holes
 constexpr double kTooGood = 1e-6;          // share of calibrations that fit so well by chance
+constexpr double kMiscounted = 0.01;       // share of sessions whose holes are all named from a wrong row or column
 constexpr std::size_t kEnoughTouches = 4;  // with them a touch that is off can be told from a model that is
 
-void judgeFit(const BaseCalibration& base, const Units& units, BaseVerdict& verdict) {
+/// "if theta1 of touch T6 was read 0.4 deg too large, the touches fit (p = 0.4): read it again".
+std::string suspectText(const calibration::SuspectReading& suspect, const Cell& cell) {
+  const auto& joint = cell.arm.joint(suspect.joint);
+  const Dimension dimension = jointDimension(joint);
+  return fmt::format("if {} of touch {} was read {:.3g} {} too {}, the touches fit (p = {:.2g}): read it again",
+                     joint.name, suspect.touch, std::abs(cell.units.toFile(suspect.off, dimension)),
+                     cell.units.nameOf(dimension), suspect.off > 0 ? "large" : "small", suspect.p_value);
+}
+
+void judgeFit(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdict) {
+  const Units& units = cell.units;
   verdict.fit_is_off = calibration::isFitRefused(base);
   if (verdict.fit_is_off) {
     verdict.warnings.push_back(fmt::format(
-        "the touches do not fit: their lack of fit is {:.0f} times what their stated noise explains (p = {:.1g})",
-        std::sqrt(base.chi2 / std::max(1, base.degrees_of_freedom)), base.p_value));
+        "the touches do not fit: their error is {:.3g} times what their noise and the uncertainty of the arm's numbers "
+        "explain ({})",
+        std::sqrt(base.chi2 / std::max(1, base.degrees_of_freedom)),
+        chanceText(base.p_value)));
     if (base.odd_touch >= 0) {
       const auto& odd = base.residuals[static_cast<std::size_t>(base.odd_touch)];
       verdict.to_do.push_back(fmt::format(
@@ -35,6 +50,7 @@ void judgeFit(const BaseCalibration& base, const Units& units, BaseVerdict& verd
           "touch it again, or leave it out (--assume without={})",
           odd.id, odd.hole, lengthText(base.rms_of_others, units), lengthText(base.rms, units), odd.id));
     }
+    for (const auto& suspect : base.suspect_readings) verdict.to_do.push_back(suspectText(suspect, cell));
     if (base.residuals.size() < kEnoughTouches)
       verdict.to_do.emplace_back(
           "touch a fourth hole, far from the others, and calibrate again: it distinguishes a wrong touch from a wrong "
@@ -67,7 +83,13 @@ HolesApart holesNearest(const tubesheets::Sheet& sheet, const Eigen::Vector2d& w
   return {to.row - from.row, to.column - from.column, placeOf(to) - placeOf(from)};
 }
 
-/// Whole rows and columns by which every hole may have been named wrongly: those that bring the base nearer to nominal.
+/// How much likelier a base that stands so far from nominal is than one that stands there, by the base's prior.
+double likelihoodRatio(const Eigen::Vector3d& there, const Eigen::Vector3d& here, const BasePrior& prior) {
+  return std::exp((here.squaredNorm() - there.squaredNorm()) / (2 * prior.shift * prior.shift));
+}
+
+/// Whole rows and columns by which every hole may have been named wrongly: said where that is likelier, by where the
+/// base is expected, than a base that stands as found.
 void judgeShift(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdict) {
   const Units& units = cell.units;
   const Eigen::Vector3d shift = base.from_start.head<3>();
@@ -76,7 +98,8 @@ void judgeShift(const BaseCalibration& base, const Cell& cell, BaseVerdict& verd
   const HolesApart apart = cell.sheet ? holesNearest(*cell.sheet, shift.head<2>()) : HolesApart{};
   const Eigen::Vector3d left(shift.x() - apart.way.x(), shift.y() - apart.way.y(), shift.z());
   if (apart.way.norm() > 0 && apart.way.norm() <= kMostPitches * cell.sheet->pitch &&
-      left.head<2>().norm() < kOnLattice * cell.sheet->pitch) {
+      left.head<2>().norm() < kOnLattice * cell.sheet->pitch &&
+      kMiscounted * likelihoodRatio(left, shift, cell.base_prior) > 1) {
     verdict.is_implausible = true;
     verdict.warnings.push_back(fmt::format(
         "the base stands {:+.2f} pitches along x and {:+.2f} along y from nominal: if every hole name were off by "
@@ -122,8 +145,8 @@ FromNominalSigma sigmaOf(const BaseCalibration& base) {
 
 BaseVerdict judgeBase(const BaseCalibration& base, const Cell& cell) {
   BaseVerdict verdict;
+  if (!base.residuals.empty()) judgeFit(base, cell, verdict);
   if (base.status != calibration::CalibrationStatus::kDone) return verdict;
-  judgeFit(base, cell.units, verdict);
   judgeShift(base, cell, verdict);
   judgeTurn(base, cell, verdict);
   if (verdict.is_implausible)
@@ -134,35 +157,37 @@ BaseVerdict judgeBase(const BaseCalibration& base, const Cell& cell) {
 }
 
 nlohmann::json baseVerdictJson(const BaseVerdict& verdict, const BaseCalibration& base, const Units& units) {
-  if (base.status != calibration::CalibrationStatus::kDone) return nlohmann::json::object();
+  const auto adequacy = verdict.fit_is_off ? calibration::Adequacy::kInadequate : calibration::Adequacy::kAdequate;
+  nlohmann::json json = {{"verdict", nameOf(adequacy)},
+                         {"verdict_words", wordsOf(adequacy)},
+                         {"warnings", verdict.warnings},
+                         {"to_do", verdict.to_do}};
+  if (base.status != calibration::CalibrationStatus::kDone) return json;
   const FromNominalSigma sigma = sigmaOf(base);
   nlohmann::json pitches = nullptr;
   if (verdict.pitches.allFinite()) pitches = {rounded(verdict.pitches.x()), rounded(verdict.pitches.y())};
-  const auto adequacy = verdict.fit_is_off ? calibration::Adequacy::kInadequate : calibration::Adequacy::kAdequate;
-  return {{"verdict", nameOf(adequacy)},
-          {"verdict_words", wordsOf(adequacy)},
-          {"warnings", verdict.warnings},
-          {"to_do", verdict.to_do},
-          {"nominal",
-           {{"shift", vectorJson(base.from_start.head<3>(), units, dimension::kLength)},
-            {"turn", vectorJson(base.from_start.tail<3>(), units, dimension::kAngle)},
-            {"distance", lengthOf(verdict.distance, units)},
-            {"angle", angleOf(verdict.angle, units)},
-            {"sigma", {{"distance", lengthOf(sigma.distance, units)}, {"angle", angleOf(sigma.angle, units)}}},
-            {"pitches", pitches},
-            {"implausible", verdict.is_implausible}}}};
+  json["nominal"] = {{"shift", vectorJson(base.from_start.head<3>(), units, dimension::kLength)},
+                     {"turn", vectorJson(base.from_start.tail<3>(), units, dimension::kAngle)},
+                     {"distance", lengthOf(verdict.distance, units)},
+                     {"angle", angleOf(verdict.angle, units)},
+                     {"sigma", {{"distance", lengthOf(sigma.distance, units)}, {"angle", angleOf(sigma.angle, units)}}},
+                     {"pitches", pitches},
+                     {"implausible", verdict.is_implausible}};
+  return json;
 }
 
 std::string baseVerdictText(const BaseVerdict& verdict, const BaseCalibration& base, const Units& units,
                             bool with_to_do) {
   const FromNominalSigma sigma = sigmaOf(base);
-  std::string text = fmt::format(
-      "from nominal {:.4g} {}{} (sigma {:.2g}) and {:.4g} {} (sigma {:.2g})\n", lengthOf(verdict.distance, units),
-      units.length().name,
-      verdict.pitches.allFinite()
-          ? fmt::format(", {:+.2f} pitches along x and {:+.2f} along y", verdict.pitches.x(), verdict.pitches.y())
-          : "",
-      lengthOf(sigma.distance, units), angleOf(verdict.angle, units), units.angle().name, angleOf(sigma.angle, units));
+  std::string text;
+  if (base.status == calibration::CalibrationStatus::kDone)
+    text = fmt::format("from nominal {:.4g} {}{} (sigma {:.2g}) and {:.4g} {} (sigma {:.2g})\n",
+                       lengthOf(verdict.distance, units), units.length().name,
+                       verdict.pitches.allFinite() ? fmt::format(", {:+.2f} pitches along x and {:+.2f} along y",
+                                                                 verdict.pitches.x(), verdict.pitches.y())
+                                                   : "",
+                       lengthOf(sigma.distance, units), angleOf(verdict.angle, units), units.angle().name,
+                       angleOf(sigma.angle, units));
   for (const auto& warning : verdict.warnings) text += "warning: " + warning + "\n";
   if (with_to_do)
     for (const auto& step : verdict.to_do) text += "  to do: " + step + "\n";

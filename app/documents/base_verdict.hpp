@@ -24,10 +24,11 @@ struct BaseVerdict {
   std::vector<std::string> to_do;     ///< what to do about them, a sentence each
 };
 
-/// `cell`: as it was before, its base the nominal one. Of a calibration that is done.
+/// Judges a base against `cell` as it was before, its base the nominal one; of one that was refused, its touches alone.
 [[nodiscard]] BaseVerdict judgeBase(const calibration::BaseCalibration& base, const Cell& cell);
 
-/// {verdict: adequate | falls-short, warnings, to_do, nominal: {shift, turn, distance, angle, pitches, implausible}}.
+/// {verdict: adequate | falls-short, warnings, to_do, nominal: {shift, turn, distance, angle, pitches, implausible}}; without
+/// `nominal` for a base that was refused.
 [[nodiscard]] nlohmann::json baseVerdictJson(const BaseVerdict& verdict, const calibration::BaseCalibration& base,
                                              const Units& units);
 

@@ -8,6 +8,7 @@
 #include "app/documents/figures.hpp"
 #include "app/documents/pose_json.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/joint_units.hpp"
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
 
@@ -31,6 +32,46 @@ nlohmann::json covarianceJson(const Eigen::Matrix<double, 6, 6>& covariance, con
   return rows;
 }
 
+/// What the touches say of the arm's numbers.
+nlohmann::json numbersJson(const BaseCalibration& result, const Units& units) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& number : result.numbers) {
+    const double unit = units.factor(dimensionOf(number.quantity));
+    list.push_back({{"name", number.name},
+                    {"filed", rounded(number.filed / unit)},
+                    {"value", rounded(number.value / unit)},
+                    {"sigma_before", rounded(number.prior / unit)},
+                    {"sigma", rounded(number.posterior / unit)},
+                    {"unit", units.nameOf(dimensionOf(number.quantity))}});
+  }
+  return list;
+}
+
+nlohmann::json suspectReadingsJson(const BaseCalibration& result, const Cell& cell) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& suspect : result.suspect_readings) {
+    const auto& joint = cell.arm.joint(suspect.joint);
+    list.push_back({{"touch", suspect.touch},
+                    {"joint", joint.name},
+                    {"off", rounded(suspect.off / cell.units.factor(jointDimension(joint)))},
+                    {"unit", cell.units.nameOf(jointDimension(joint))},
+                    {"p_value", suspect.p_value}});
+  }
+  return list;
+}
+
+/// What is left at each touch by the base and the arm as found.
+std::string residualsText(const BaseCalibration& result, const Units& units) {
+  const auto length = [&](double metres) { return metres / units.factor(dimension::kLength); };
+  const int digits = lengthDecimals(units);
+  std::string text;
+  for (const auto& touch : result.residuals)
+    text += fmt::format("  touch {:<4} {:<8} off by {:+.{}f} {:+.{}f} {:+.{}f} {}\n", nameInLine(touch.id),
+                        nameInLine(touch.hole), length(touch.residual_W.x()), digits, length(touch.residual_W.y()),
+                        digits, length(touch.residual_W.z()), digits, units.length().name);
+  return text;
+}
+
 }  // namespace
 
 nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) {
@@ -39,12 +80,19 @@ nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) 
                          {"reason", result.reason},
                          {"suspects", result.suspects},
                          {"units", unitsJson(units)}};
-  if (result.status != CalibrationStatus::kDone) return json;
-  json["base"] = poseJson(result.X_WB, units);
-  json["covariance"] = covarianceJson(result.covariance, units);
-  const Eigen::VectorXd sigma = result.covariance.diagonal().cwiseSqrt();
-  json["sigma"] = {{"position", vectorJson(sigma.head(3), units, dimension::kLength)},
-                   {"rotation", vectorJson(sigma.tail(3), units, dimension::kAngle)}};
+  if (result.residuals.empty()) return json;
+  if (result.status == CalibrationStatus::kDone) {
+    json["base"] = poseJson(result.X_WB, units);
+    json["covariance"] = covarianceJson(result.covariance, units);
+    const Eigen::VectorXd sigma = result.covariance.diagonal().cwiseSqrt();
+    json["sigma"] = {{"position", vectorJson(sigma.head(3), units, dimension::kLength)},
+                     {"rotation", vectorJson(sigma.tail(3), units, dimension::kAngle)}};
+    json["numbers"] = numbersJson(result, units);
+  }
+  json["suspect_readings"] = suspectReadingsJson(result, cell);
+  json["odd_touch"] = result.odd_touch < 0
+                          ? nlohmann::json()
+                          : nlohmann::json(result.residuals[static_cast<std::size_t>(result.odd_touch)].id);
   json["rms"] = lengthOf(result.rms, units);
   json["chi2"] = result.chi2;
   json["degrees_of_freedom"] = result.degrees_of_freedom;
@@ -71,7 +119,8 @@ nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) 
 std::string calibrationText(const BaseCalibration& result, const Cell& cell, bool in_full) {
   const Units& units = cell.units;
   if (result.status != CalibrationStatus::kDone)
-    return "calibration " + std::string(statusName(result.status)) + ": " + result.reason + "\n";
+    return "calibration " + std::string(statusName(result.status)) + ": " + result.reason + "\n" +
+           residualsText(result, units) + baseVerdictText(judgeBase(result, cell), result, units, in_full);
   const auto length = [&](double metres) { return metres / units.factor(dimension::kLength); };
   const auto angle = [&](double radians) { return radians / units.factor(dimension::kAngle); };
   const std::string unit(units.length().name), turn(units.angle().name);
@@ -88,10 +137,7 @@ std::string calibrationText(const BaseCalibration& result, const Cell& cell, boo
   text += fmt::format("fit   rms {} {}, chi-square {:.2f} for {} degrees of freedom{}\n", fixed(result.rms), unit,
                       result.chi2, result.degrees_of_freedom,
                       result.degrees_of_freedom > 0 ? fmt::format(" (p = {:.3g})", result.p_value) : "");
-  for (const auto& touch : result.residuals)
-    text += fmt::format("  touch {:<4} {:<8} off by {:+.{}f} {:+.{}f} {:+.{}f} {}\n", nameInLine(touch.id),
-                        nameInLine(touch.hole), length(touch.residual_W.x()), digits, length(touch.residual_W.y()),
-                        digits, length(touch.residual_W.z()), digits, unit);
+  text += residualsText(result, units);
   for (const auto& check : result.distances) {
     if (!in_full) break;
     text += fmt::format("  {} to {}: {} by the arm, {} on the sheet, {:+.{}f} (sigma {}) {}\n", nameInLine(check.from),

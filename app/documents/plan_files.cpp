@@ -152,6 +152,15 @@ json travelJson(const PlanRequest& request, const planner::VisitPlan& plan, cons
   return travel;
 }
 
+/// The cell as the plan was made with it.
+std::string calibratedText(const PlanOutcome& outcome, const std::filesystem::path& out) {
+  if (!outcome.calibration) return cellTextAt(outcome.cell, out);
+  const auto& base = outcome.calibration->flexible;
+  return cellTextWithBase(outcome.cell,
+                          {base.X_WB, base.covariance, true, outcome.chances.model_error, outcome.touches, &base.arm},
+                          out);
+}
+
 }  // namespace
 
 json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
@@ -221,12 +230,7 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
   folder.write("plan.json", planFileText(request, outcome));
   folder.write("path.csv", pathCsv(outcome));
   const auto cell_file = folder.path() / "cell.yaml";
-  folder.write("cell.yaml", outcome.calibration
-                                ? cellTextWithBase(outcome.cell,
-                                                   {outcome.model.X_WB, outcome.model.base_covariance, true,
-                                                    modelErrorByTouches(outcome.chances.error, outcome.touches.size())},
-                                                   cell_file)
-                                : cellTextAt(outcome.cell, cell_file));
+  folder.write("cell.yaml", calibratedText(outcome, cell_file));
   if (!outcome.touches.empty())
     folder.write("touches.csv", touchesCsv(outcome.touches, outcome.cell));
   else if (std::filesystem::exists(folder.path() / "plan.json"))

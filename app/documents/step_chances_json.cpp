@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::app {
 
@@ -12,16 +16,32 @@ namespace {
 std::vector<std::string> countedIn(const StepChances& chances) {
   std::vector<std::string> counted{"the encoders"};
   if (!chances.base_is_exact) counted.emplace_back("the base pose");
-  if (chances.error.source != calibration::ModelErrorSource::kLeftOut) counted.emplace_back("the model's own error");
+  if (!chances.numbers_are_exact) counted.emplace_back("the arm's numbers");
+  if (chances.model_error) counted.emplace_back("the model's own error");
   return counted;
 }
 
 std::vector<std::string> leftOutOf(const StepChances& chances) {
   std::vector<std::string> left_out;
   if (chances.base_is_exact) left_out.emplace_back("the base pose, which the cell states as known");
-  if (chances.error.source == calibration::ModelErrorSource::kLeftOut)
-    left_out.emplace_back("the model's own error, which has not been measured (touch holes, or `identify`)");
+  if (chances.numbers_are_exact)
+    left_out.emplace_back(
+        "the arm's numbers, whose uncertainty beside this base is not known (touch holes, or `identify`)");
+  if (!chances.model_error)
+    left_out.emplace_back("the model's own error, which nothing shows (`identify` estimates it)");
   return left_out;
+}
+
+bool isByTouches(const ModelError& error) { return error.from == kByTouches; }
+
+/// 95 % of where a standard deviation lies that was found by so many degrees of freedom [m].
+std::array<double, 2> rangeOf(const ModelError& error) {
+  if (error.degrees_of_freedom == 0) return {error.sigma, error.sigma};
+  const double freedom = error.degrees_of_freedom;
+  const auto at = [&](double tail) {
+    return error.sigma * std::sqrt(freedom / calibration::chiSquareQuantile(tail, error.degrees_of_freedom));
+  };
+  return {at(0.025), at(0.975)};
 }
 
 }  // namespace
@@ -34,24 +54,24 @@ nlohmann::json stepChancesJson(const StepChances& chances, const Units& units) {
                          {"left_out", leftOutOf(chances)},
                          {"expected_counts", expected},
                          {"model_error", nullptr}};
-  if (chances.error.source == calibration::ModelErrorSource::kLeftOut) return json;
-  json["model_error"] = {
-      {"source", chances.error.source == calibration::ModelErrorSource::kTouches ? kByTouches : "cell"},
-      {"value", lengthOf(chances.error.model_error, units)},
-      {"range", {lengthOf(chances.error.lower, units), lengthOf(chances.error.upper, units)}}};
+  if (!chances.model_error) return json;
+  const auto range = rangeOf(*chances.model_error);
+  json["model_error"] = {{"source", isByTouches(*chances.model_error) ? kByTouches : "cell"},
+                         {"value", lengthOf(chances.model_error->sigma, units)},
+                         {"range", {lengthOf(range[0], units), lengthOf(range[1], units)}}};
   return json;
 }
 
 std::string stepChancesText(const StepChances& chances, const Units& units) {
   if (!chances.reason.empty()) return "no probabilities of steps: " + chances.reason + "\n";
   std::string text = fmt::format("probabilities of steps count {}", fmt::join(countedIn(chances), ", "));
-  if (chances.error.source != calibration::ModelErrorSource::kLeftOut)
-    text += fmt::format(" (median {:.3g} {} per coordinate, 95 % {:.2g} to {:.2g}, {})",
-                        lengthOf(chances.error.model_error, units), units.length().name,
-                        lengthOf(chances.error.lower, units), lengthOf(chances.error.upper, units),
-                        chances.error.source == calibration::ModelErrorSource::kTouches
-                            ? fmt::format("as estimated from the {} touches", chances.touches)
-                            : "from what the cell states");
+  if (chances.model_error) {
+    const auto range = rangeOf(*chances.model_error);
+    text += fmt::format(
+        " ({:.3g} {} per coordinate, 95 % {:.2g} to {:.2g}, {})", lengthOf(chances.model_error->sigma, units),
+        units.length().name, lengthOf(range[0], units), lengthOf(range[1], units),
+        isByTouches(*chances.model_error) ? "as estimated from the touches" : "from what the cell states");
+  }
   text += "\n";
   for (const auto& left_out : leftOutOf(chances)) text += "  left out: " + left_out + "\n";
   return text;

@@ -12,6 +12,8 @@
 #include "app/files/scene_reader.hpp"
 #include "app/files/sheet_reader.hpp"
 #include "app/files/suggestion.hpp"
+#include "app/files/touched_base.hpp"
+#include "app/files/uncertainty_reader.hpp"
 #include "deflection/rotation.hpp"
 #include "planner/scene/shape.hpp"
 
@@ -171,7 +173,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   const YamlNode& root = cell.source.root;
   root.expectKeys({"arm", "base"},
                   {"name", "effects", "identify", "tubesheet", "calibration_tool", "scene", "link_shapes", "clearance",
-                   "park", "gravity", "prior", "model_error", "setups", "pair"});
+                   "park", "gravity", "prior", "model_error", "uncertainty", "touched", "setups", "pair"});
   cell.name = root.find("name") ? root.at("name").text() : std::filesystem::path(path).stem().string();
   const ArmSource source = readCellArm(root.at("arm"), arm_text, cell);
   if (const YamlNode* pair = root.find("pair")) requireSamePair(*pair, source, cell);
@@ -184,6 +186,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   if (const YamlNode* identify = root.find("identify")) readIdentify(*identify, cell);
   if (const YamlNode* prior = root.find("prior")) readPriors(*prior, cell);
   if (const YamlNode* error = root.find("model_error")) readModelError(*error, cell);
+  if (const YamlNode* uncertainty = root.find("uncertainty")) cell.uncertainty = readUncertainty(*uncertainty, cell);
   const auto folder = std::filesystem::path(path).parent_path();
   if (const YamlNode* sheet = root.find("tubesheet")) cell.sheet = readSheet(*sheet, cell.units, folder);
   if (const YamlNode* tool = root.find("calibration_tool")) {
@@ -201,6 +204,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   const auto stated_by_scene = findToolAxis(cell.scene);
   if (!source.names_tool_axis) cell.arm.tool_axis_L = stated_by_scene.value_or(cell.arm.tool_axis_L);
   cell.tool_axis_stated = source.names_tool_axis || stated_by_scene.has_value();
+  if (const YamlNode* touched = root.find("touched")) readTouched(*touched, cell);
   return cell;
 }
 

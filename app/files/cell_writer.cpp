@@ -16,6 +16,8 @@
 #include "app/files/input_error.hpp"
 #include "app/files/origin.hpp"
 #include "app/files/quantities.hpp"
+#include "app/files/touched_base.hpp"
+#include "app/files/uncertainty_reader.hpp"
 #include "app/files/yaml/yaml_edit.hpp"
 #include "calibration/estimation/held_out.hpp"
 #include "deflection/rotation.hpp"
@@ -68,8 +70,13 @@ std::string withBaseText(std::string text, const Cell& cell, const BaseChange& b
   text = withYamlValue(text, "base.position", listText(base.X_WB.translation(), cell.units, dimension::kLength));
   text = withYamlValue(text, "base.rpy", listText(rpy, cell.units, dimension::kAngle));
   text = withYamlValue(text, "base.known", base.known ? "true" : "false");
-  if (base.model_error) text = withModelError(text, *base.model_error, cell.units);
-  return base.covariance ? withYamlValue(text, "base.covariance", covarianceText(*base.covariance, cell.units)) : text;
+  const bool is_of_touches = cell.model_error && cell.model_error->from == kByTouches;
+  if (base.model_error)
+    text = withModelError(text, *base.model_error, cell.units);
+  else if (is_of_touches && parseYaml(text, "cell").find("model_error"))
+    text = withoutYamlValue(text, "model_error");
+  if (base.covariance) text = withYamlValue(text, "base.covariance", covarianceText(*base.covariance, cell.units));
+  return base.arm ? withTouched(text, cell, base.touches, *base.arm) : withoutTouched(text);
 }
 
 // A file named in the cell, as it is named from where the cell is written to.
@@ -88,7 +95,7 @@ std::vector<std::pair<std::string, double>> foundNumbers(const Cell& cell, const
   std::vector<std::pair<std::string, double>> numbers;
   for (const auto& parameter : deflection::parametersOf(result.fitted.arm)) {
     if (parameter.path.effect >= 0) continue;
-    const auto before = deflection::findParameter(cell.arm, parameter.name);
+    const auto before = deflection::findParameter(cell.filedArm(), parameter.name);
     if (!before || before->value != parameter.value) numbers.emplace_back(parameter.name, parameter.value);
   }
   return numbers;
@@ -198,7 +205,7 @@ CellFiles filesOf(const Cell& cell, const calibration::Identification& result, c
   ArmSource source;
   source.arm = result.fitted.arm;
   source.units = cell.units;
-  std::string text = withoutIdentifying(cellTextAt(cell, out), cell, rigid);
+  std::string text = withoutTouched(withoutIdentifying(cellTextAt(cell, out), cell, rigid));
   CellFiles files;
   if (is_inline) {
     text = withoutArmParameters(withArmParameters(text, arm_node, source, numbers), arm_node, rigid);
@@ -211,6 +218,8 @@ CellFiles filesOf(const Cell& cell, const calibration::Identification& result, c
   if (!result.fitted.arm.effects.empty())
     text = withYamlValue(text, "effects", effectsText(result.fitted.arm, cell.units));
   if (const auto error = modelErrorOf(result)) text = withModelError(text, *error, cell.units);
+  if (result.uncertainty)
+    text = withYamlValue(text, "uncertainty", uncertaintyText(*result.uncertainty, result.fitted.arm, cell.units));
   if (result.fitted.base_poses.size() > 1)
     files.of_setups = cellsOfSetups(text, cell, result, out);
   else if (!result.fitted.base_poses.front().is_known)

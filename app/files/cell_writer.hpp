@@ -12,11 +12,14 @@
 
 namespace tubeplan::app {
 
+/// A base to be written. Touches that placed it go with it, those of an earlier base do not.
 struct BaseChange {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   std::optional<Matrix6d> covariance;  ///< as Cell::base_covariance; none removes nothing that the file has
   bool known = true;
-  std::optional<ModelError> model_error = {};  ///< none leaves the file's as it is
+  std::optional<ModelError> model_error = {};  ///< none leaves what the file has, but for that of earlier touches
+  std::vector<calibration::Measurement> touches = {};
+  const deflection::Arm* arm = nullptr;  ///< as the touches have it; null without touches
 };
 
 /// The cell's text with another base, to be written at `out`: the files it names are named relative to there.
@@ -40,8 +43,9 @@ struct CellFiles {
 /// The cell with the numbers that were found, to be written at `out`. Where its arm stands in a file of its own that
 /// file is written too, beside the cell under the cell's name and "-arm". A base that was not known is written where
 /// there is one set-up; of several, each has a cell of its own beside it, under the name and "-setup-" and the
-/// set-up's, and the cell itself keeps the base it has. What is written is read back: throws InputError, and nothing is
-/// to be written, where it does not give the error of `readings` that the identification reports.
+/// set-up's, and the cell itself keeps the base it has. How well the readings determined the arm's numbers goes with them.
+/// What is written is read back: throws InputError, and nothing is to be written, where it does not give the error of
+/// `readings` that the identification reports.
 [[nodiscard]] CellFiles identifiedCell(const Cell& cell, const calibration::Identification& result,
                                        const std::vector<calibration::Measurement>& readings,
                                        const std::filesystem::path& out);

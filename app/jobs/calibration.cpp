@@ -5,7 +5,7 @@
 #include "app/files/cell_writer.hpp"
 #include "app/files/touch_input.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
-#include "app/studies/positioning/model_error_by_touches.hpp"
+#include "app/studies/positioning/step_chances.hpp"
 
 namespace tubeplan::app {
 
@@ -13,10 +13,13 @@ CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration
                                  const std::string& file) {
   requireEnoughTouches(touches, file);
   CalibrationOutcome outcome;
+  outcome.touches = touches;
   calibration::BaseCalibrationOptions options;
+  options.arm = cell.uncertainty;
+  if (const auto known = cell.knownModelError()) options.model_error = known->sigma;
   if (cell.sheet) options.neighbours = neighboursOn(*cell.sheet);
-  outcome.calibration = calibration::calibrateBase(cell.arm, touches, cell.X_WB, options);
-  outcome.model_error = modelErrorOf(cell, outcome.calibration, touches);
+  outcome.calibration = calibration::calibrateBase(cell.filedArm(), touches, cell.X_WB, options);
+  outcome.model_error = modelErrorBeside(cell, outcome.calibration);
   outcome.figures = calibrationJson(outcome.calibration, cell);
   if (outcome.model_error) outcome.figures["model_error"] = modelErrorJson(*outcome.model_error, cell.units);
   return outcome;
@@ -24,7 +27,8 @@ CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration
 
 std::string calibratedCellText(const Cell& cell, const CalibrationOutcome& outcome, const std::string& out) {
   const auto& base = outcome.calibration;
-  return cellTextWithBase(cell, {base.X_WB, base.covariance, true, outcome.model_error}, out);
+  return cellTextWithBase(cell, {base.X_WB, base.covariance, true, outcome.model_error, outcome.touches, &base.arm},
+                          out);
 }
 
 }  // namespace tubeplan::app

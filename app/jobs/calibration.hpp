@@ -13,8 +13,8 @@ namespace tubeplan::app {
 
 struct CalibrationOutcome {
   calibration::BaseCalibration calibration;
-  std::optional<ModelError>
-      model_error;         ///< as the touches determine it, where the cell does not have it from elsewhere
+  std::optional<ModelError> model_error;  ///< beside the base that was found
+  std::vector<calibration::Measurement> touches;
   nlohmann::json figures;  ///< as `tubeplan calibrate --json` writes them
 };
 

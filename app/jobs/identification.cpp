@@ -84,6 +84,7 @@ Identification identifyAsAsked(const IdentificationRequest& request, const Cell&
   const auto start = startOf(cell, readings);
   IdentificationOptions asked = identificationOptions(request, cell, hooks);
   asked.observe = request.observe;
+  asked.uncertainty = cell.uncertainty;
   if (request.stages.empty()) return calibration::identify(start, readings, asked);
   if (!request.free.empty())
     throw InputError("--free", "it together with --stage", "one of them",

@@ -12,6 +12,7 @@
 #include "app/files/measurements_reader.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/files/touch_input.hpp"
+#include "app/files/touched_base.hpp"
 #include "app/files/units.hpp"
 #include "app/files/workcell.hpp"
 #include "app/studies/positioning/planned_visits.hpp"
@@ -146,7 +147,7 @@ void addConditions(const PlanRequest& request, const tubesheets::Selection& sele
 /// Whether the base could be placed by the touches.
 bool placeBase(PlanOutcome& outcome, std::vector<calibration::Measurement> touches) {
   outcome.touches = std::move(touches);
-  outcome.calibration = calibrateBoth(outcome.nominal, outcome.touches);
+  outcome.calibration = calibrateBoth(outcome.nominal, outcome.cell, outcome.touches);
   if (outcome.calibration->flexible.status != calibration::CalibrationStatus::kDone) return false;
   outcome.model = withBase(outcome.nominal, outcome.calibration->flexible);
   return true;
@@ -174,8 +175,9 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
     outcome.cell.warnings.push_back(std::move(warning));
   outcome.predicted = predictVisits(outcome.model, outcome.plan);
   if (outcome.model.insertion > 0) outcome.play = playInTubes(outcome.model, outcome.plan);
+  const calibration::BaseCalibration* placed_by = outcome.calibration ? &outcome.calibration->flexible : nullptr;
   outcome.chances =
-      stepChances({outcome.cell, outcome.model, outcome.touches, visitPostures(outcome.plan), outcome.predicted});
+      stepChances({outcome.cell, outcome.model, placed_by, visitPostures(outcome.plan), outcome.predicted});
   if (outcome.truth)
     outcome.scores = scoreVisitModes(scoringModels(outcome.nominal, outcome.calibration, *outcome.truth), outcome.plan);
 }
@@ -183,7 +185,9 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
 }  // namespace
 
 PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanCheckpoint& checkpoint) {
-  PlanOutcome outcome = begun(readCell(request.cell), request);
+  Cell cell = readCell(request.cell);
+  if (!request.touches.empty()) forgetTouches(cell);
+  PlanOutcome outcome = begun(cell, request);
   const auto selection = readTubes(request.tubes, outcome.nominal.sheet);
   addConditions(request, selection, outcome);
   if (!request.touches.empty() && !placeBase(outcome, touchesFor(request, outcome))) return outcome;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/estimation/arm_uncertainty.hpp"
 #include "calibration/placed_arm.hpp"
 #include "deflection/arm.hpp"
 #include "planner/scene/scene.hpp"
@@ -29,7 +30,17 @@ struct BasePrior {
 struct ModelError {
   double sigma = 0;            ///< m
   int degrees_of_freedom = 0;  ///< by which it was found; 0: taken as known
-  std::string from;            ///< how it was found: "identify", "touches"; empty: somebody wrote it
+  std::string from;            ///< how it was found: "identify", kByTouches; empty: somebody wrote it
+};
+
+/// ModelError::from of an error estimated from the touches of a calibration.
+inline constexpr const char* kByTouches = "touches";
+
+/// Touches that placed the base, and the arm as its file has it: beside that base the arm's numbers are as the touches
+/// have them.
+struct PlacedByTouches {
+  std::vector<calibration::Measurement> touches;
+  deflection::Arm filed_arm;
 };
 
 /// Internal units throughout.
@@ -40,6 +51,8 @@ struct CellModel {
   bool tool_axis_stated = false;            ///< by the arm file or by the scene; else the arm has the default
   std::optional<Matrix6d> base_covariance;  ///< of shift [m] and small turn [rad] along and about the world's x, y, z
   BasePrior base_prior;
+  std::optional<PlacedByTouches> placed_by;  ///< none: nobody touched, or somebody wrote the base
+  calibration::ArmUncertainty uncertainty;   ///< of the arm's numbers where they are not fitted
   std::optional<ModelError> model_error;
   std::optional<tubesheets::Sheet> sheet;
   std::optional<tubesheets::SteppedTool> tool;
@@ -47,6 +60,14 @@ struct CellModel {
   planner::Scene scene;                 ///< links only where the file has neither scene nor shapes
   std::vector<std::string> identify;    ///< dotted names, or `geometry`
   calibration::Priors priors;           ///< of what a fit frees
+
+  /// The model's own error where it is known by more than the touches of a base.
+  [[nodiscard]] std::optional<ModelError> knownModelError() const {
+    return model_error && model_error->from != kByTouches ? model_error : std::nullopt;
+  }
+
+  /// The arm as its file has it.
+  [[nodiscard]] const deflection::Arm& filedArm() const { return placed_by ? placed_by->filed_arm : arm; }
 };
 
 }  // namespace tubeplan::app

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "calibration/estimation/determined_numbers.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/held_out.hpp"
 #include "calibration/estimation/identified_numbers.hpp"
@@ -277,6 +278,7 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
     return result;
   }
   summarize(model, result);
+  if (options.uncertainty) result.uncertainty = determinedNumbers(result, fitted, *options.uncertainty);
   judgeHeldOut(model, held_out, result);
   const bool converged = model.fit.solution.status == LeastSquaresStatus::kConverged;
   result.status = converged ? IdentificationStatus::kDone : IdentificationStatus::kNotConverged;

@@ -37,6 +37,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/estimation/arm_uncertainty.hpp"
 #include "calibration/estimation/identifiability.hpp"
 #include "calibration/estimation/least_squares.hpp"
 #include "calibration/estimation/whitened_residual.hpp"
@@ -56,6 +57,7 @@ struct IdentificationOptions {
   double outlier_level = 0.01;  ///< chance of naming any reading an outlier where there is none
   double drop_level = 0;        ///< above 0: numbers that the readings do not need at this level are given up
   bool intervals_by_profile = true;
+  std::optional<ArmUncertainty> uncertainty;  ///< of the numbers that are held; none: what is determined is not asked
   WorkHooks hooks;                 ///< the solver is stopped by these too
   IterationObserver observe = {};  ///< of the fits to all readings, from every start; refits of some are not reported
 };
@@ -115,6 +117,7 @@ struct Identification {
   double p_value = std::numeric_limits<double>::quiet_NaN();
   double model_error = 0;  ///< m, standard deviation of each coordinate beyond the noise, as the covariance has it:
                            ///< above 0 where chi-square refuses the stated noise
+  std::optional<ArmUncertainty> uncertainty;  ///< of all the arm's numbers by the readings, where it was asked for
   std::vector<Outlier> outliers;
   Eigen::VectorXd errors;           ///< length of each fitted reading's error [m], in the order of `used`
   std::vector<int> used;            ///< readings that were fitted

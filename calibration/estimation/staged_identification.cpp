@@ -95,6 +95,7 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
   for (const auto& stage : stages) {
     IdentificationOptions now = options;
     now.free.names = stage.names;
+    now.uncertainty.reset();  // of one stage's readings alone it would not be that of all
     const auto some = readingsOf(readings, stage.setup);
     PlacedArm from{state.arm, {}};
     for (const auto& base_pose : state.base_poses)

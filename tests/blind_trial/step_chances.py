@@ -43,8 +43,8 @@ def to_base(places):
     return np.stack([-y, x, z], axis=1)
 
 
-def plan(program, words, folder):
-    done = subprocess.run([program, "plan", str(CELL)] + words + ["--out", "plan"], cwd=folder, capture_output=True, text=True)
+def plan(program, words, folder, cell=CELL):
+    done = subprocess.run([program, "plan", str(cell)] + words + ["--out", "plan"], cwd=folder, capture_output=True, text=True)
     path = pathlib.Path(folder) / "plan/plan.json"
     return json.loads(path.read_text()) if path.exists() else None      # such touches are refused
 
@@ -115,20 +115,24 @@ def trial(program, holes, asked, seed):
     visits = [tube for tube in planned["tubes"] if tube["probability_by_steps"]] if planned else []
     if not visits:
         return None
-    q = np.radians([tube["joints"] for tube in visits]) + rng.normal(0., drawn_arm.encoder_sigma, (len(visits), 4))
+    return np.sum([tube["probability_by_steps"] for tube in visits], axis=0), steps_by(design, hidden, visits, tool, rng)
+
+
+def steps_by(design, hidden, visits, tool, rng):
+    """How many of the planned visits the true arm of a design makes with 0, 1, ... steps inserted."""
+    q = np.radians([tube["joints"] for tube in visits])
+    q = q + rng.normal(0., design.arm.encoder_sigma, q.shape)
     at_work = draw_session(q, np.zeros(len(q)), rng)
-    numbers = Numbers.nominal(arm, q, at_work.load)
-    numbers.base_position += design.base_position
-    numbers.base_turn += design.base_turn
+    numbers = design.numbers(at_work)
     for effect, place, shape, size in hidden:
-        effect.apply(numbers, arm, at_work, place, shape, size)
-    state = solve(arm, numbers)
+        effect.apply(numbers, design.arm, at_work, place, shape, size)
+    state = solve(design.arm, numbers)
     off = measured(numbers, state) - to_base([tube["hole"] for tube in visits])
-    axis = turned(state.R_tip, np.broadcast_to(tool_axis(arm), off.shape))
+    axis = turned(state.R_tip, np.broadcast_to(tool_axis(design.arm), off.shape))
     happened = np.zeros(len(tool["steps"]) + 1)
     for offset, up in zip(off, axis):
         happened[steps_inserted(tool, offset[:2], up[:2] / up[2])] += 1
-    return np.sum([tube["probability_by_steps"] for tube in visits], axis=0), happened
+    return happened
 
 
 def tool_axis(arm):

@@ -8,6 +8,8 @@
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
+#include "app/files/touched_base.hpp"
+#include "app/files/uncertainty_reader.hpp"
 #include "app/files/workcell.hpp"
 #include "app/studies/measurements/simulated_calibration.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
@@ -137,6 +139,7 @@ void requireTouchable(const CentringTask& task) {
 CentringTask centringTask(const CampaignRequest& request) {
   CentringTask task;
   task.cell = readCell(request.cell);
+  forgetTouches(task.cell);
   task.model = workcellOf(task.cell, "score positioning");
   const std::string truth = request.truth.empty() ? request.cell : request.truth;
   task.truth = workcellOf(readCell(truth), "score against it");
@@ -148,6 +151,7 @@ CentringTask centringTask(const CampaignRequest& request) {
     for (auto* arm : {&task.model.arm, &task.truth.arm})
       setEncoderSigma(angleFrom("--encoder-sigma", request.encoder_sigma, 0, task.cell.units), *arm);
   task.options.spread = spreadOf(request, task.cell.units);
+  task.options.uncertainty = task.cell.uncertainty;
   task.options.holes = request.holes;
   task.options.seed = request.seed;
   task.options.settings = settingsOf(request, task);
@@ -172,6 +176,8 @@ PlanKey centringKey(const CentringTask& task, const CampaignRequest& request) {
           {"kind of campaign", "centre"},
           {"arm and scene", modelFingerprint(task.cell)},
           {"base", numbersFingerprint(task.model.X_WB.matrix())},
+          {"uncertainty of the arm's numbers",
+           fingerprintOf(uncertaintyText(task.cell.uncertainty, task.cell.arm, task.cell.units))},
           {"true arm", modelFingerprint(truth)},
           {"true base", numbersFingerprint(task.truth.X_WB.matrix())},
           {"sheet", task.model.sheet.fingerprint()},

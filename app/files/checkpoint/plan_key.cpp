@@ -20,8 +20,9 @@ namespace {
 // What proved motions and postures do not depend on, of a cell's keys. The sheet has its own fingerprint, the base its
 // own part; of the tool what shapes a plan is the tilt that it allows and, where it enters tubes, its play there: parts
 // too.
-constexpr std::array<std::string_view, 8> kOtherKeys{"name", "base",        "identify", "tubesheet", "calibration_tool",
-                                                     "park", "model_error", "pair"};
+constexpr std::array<std::string_view, 10> kOtherKeys{
+    "name", "base",        "identify", "tubesheet",   "calibration_tool",
+    "park", "model_error", "pair",     "uncertainty", "touched"};
 constexpr std::array<std::string_view, 10> kModelParts{"program",   "arm and scene", "base",      "load",
                                                        "clearance", "compensation",  "insertion", "tilt allowed",
                                                        "travel",    "sheet"};
@@ -105,12 +106,21 @@ std::string insertionText(const planner::Workcell& model) {
   return text + " m";
 }
 
+/// Of the base, and of the arm's numbers as the touches that placed it have them.
+std::string baseFingerprint(const planner::Workcell& model) {
+  const auto parameters = deflection::parametersOf(model.arm);
+  Eigen::VectorXd numbers(16 + static_cast<Eigen::Index>(parameters.size()));
+  numbers.head<16>() = model.X_WB.matrix().reshaped();
+  for (std::size_t k = 0; k < parameters.size(); ++k) numbers[16 + static_cast<Eigen::Index>(k)] = parameters[k].value;
+  return numbersFingerprint(numbers);
+}
+
 PlanKey planKeyOf(const PlanKeyInputs& inputs, const std::vector<int>& tubes) {
   std::string tubes_text;
   for (const int tube : tubes) tubes_text += fmt::format("{} ", tube);
   return {{"program", programText()},
           {"arm and scene", modelFingerprint(inputs.cell)},
-          {"base", numbersFingerprint(inputs.model.X_WB.matrix())},
+          {"base", baseFingerprint(inputs.model)},
           {"load", fmt::format("{} N", inputs.model.load)},
           {"clearance", clearanceText(inputs)},
           {"compensation", fmt::format("{}, standoff {} m", inputs.compensation, inputs.standoff)},

@@ -110,15 +110,19 @@ std::string withYamlValue(const std::string& text, std::string_view path, std::s
 
 std::string withoutYamlValue(const std::string& text, std::string_view path) {
   const YamlNode root = parseYaml(text, kFileName);
-  const YamlNode* parent = findNode(root, parentPath(path));
-  assert(parent && parent->kind == YamlNode::Kind::kMap);
-  std::string rest;
-  for (std::size_t k = 0; k < parent->items.size(); ++k) {
-    if (parent->items[k].path == path) continue;
-    assert(parent->items[k].kind == YamlNode::Kind::kScalar);
-    rest += (rest.empty() ? "" : ", ") + parent->keys[k] + ": " + parent->items[k].scalar;
+  const YamlNode *node = findNode(root, path), *parent = findNode(root, parentPath(path));
+  assert(node && parent && parent->kind == YamlNode::Kind::kMap);
+  if (parent->items.size() == 1) return replaced(text, *parent, "{}");
+  std::size_t begin = node->key_begin, end = endOf(text, *node);
+  if (!parent->is_flow) {  // its lines, up to where its key's line starts and the last of its own ends
+    begin = begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1;
+    end = std::min(text.find('\n', end), text.size() - 1) + 1;
+  } else if (const std::size_t next = text.find_first_not_of(" \n\r", end); text[next] == ',') {
+    end = text.find_first_not_of(" \n\r", next + 1);
+  } else {
+    begin = text.rfind(',', begin);
   }
-  return replaced(text, *parent, "{" + rest + "}");
+  return text.substr(0, begin) + text.substr(end);
 }
 
 }  // namespace tubeplan::app

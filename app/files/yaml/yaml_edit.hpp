@@ -12,8 +12,8 @@ namespace tubeplan::app {
 /// must exist.
 [[nodiscard]] std::string withYamlValue(const std::string& text, std::string_view path, std::string_view value);
 
-/// The text without the key at the end of the path, which must be there. The values beside it must be plain numbers or
-/// words; they are written again as a flow map.
+/// Returns the text without the key at the end of the path, which must be there, and its value. The last key of a map
+/// leaves `{}`.
 [[nodiscard]] std::string withoutYamlValue(const std::string& text, std::string_view path);
 
 }  // namespace tubeplan::app

@@ -53,27 +53,47 @@ BestTouches bestTouches(const planner::Workcell& cell, const std::vector<calibra
   return {std::move(plans), {}};
 }
 
-BothCalibrations calibrateBoth(const planner::Workcell& cell, const std::vector<calibration::Measurement>& touches) {
-  return calibrateBoth(cell.arm, deflection::rigidCopy(cell.arm), cell.X_WB, cell.sheet, touches);
-}
+namespace {
 
-BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
-                               const Eigen::Isometry3d& X_WB_start, const tubesheets::Sheet& sheet,
-                               const std::vector<calibration::Measurement>& touches,
-                               calibration::LeastSquaresMethod method) {
+BothCalibrations calibrateBothBy(calibration::BaseCalibrationOptions options, const deflection::Arm& flexible,
+                                 const deflection::Arm& rigid, const Eigen::Isometry3d& X_WB_start,
+                                 const std::vector<calibration::Measurement>& touches) {
   BothCalibrations both;
-  calibration::BaseCalibrationOptions options;
-  options.method = method;
-  options.neighbours = neighboursOn(sheet);
   both.flexible = calibration::calibrateBase(flexible, touches, X_WB_start, options);
   // A rigid model is off by inches; that is no sign of a mistaken hole, nor does who works with it look for its error.
-  options.mistaken_hole_p_value = 0;
+  options.arm = calibration::ArmUncertainty::none();
   options.model_error = 0;
+  options.mistaken_hole_p_value = 0;
+  options.finds_model_error = false;
+  options.finds_suspects = false;
   both.rigid = calibration::calibrateBase(rigid, touches, X_WB_start, options);
   return both;
 }
 
+}  // namespace
+
+BothCalibrations calibrateBoth(const planner::Workcell& placed, const CellModel& cell,
+                               const std::vector<calibration::Measurement>& touches) {
+  calibration::BaseCalibrationOptions options;
+  options.arm = cell.uncertainty;
+  if (const auto known = cell.knownModelError()) options.model_error = known->sigma;
+  options.neighbours = neighboursOn(placed.sheet);
+  return calibrateBothBy(options, placed.arm, deflection::rigidCopy(placed.arm), placed.X_WB, touches);
+}
+
+BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
+                               const calibration::ArmUncertainty& uncertainty, const Eigen::Isometry3d& X_WB_start,
+                               const tubesheets::Sheet& sheet, const std::vector<calibration::Measurement>& touches) {
+  calibration::BaseCalibrationOptions options;
+  options.arm = uncertainty;
+  options.finds_suspects = false;
+  options.method = calibration::LeastSquaresMethod::kLevenbergMarquardt;
+  options.neighbours = neighboursOn(sheet);
+  return calibrateBothBy(options, flexible, rigid, X_WB_start, touches);
+}
+
 planner::Workcell withBase(planner::Workcell cell, const calibration::BaseCalibration& base) {
+  cell.arm = base.arm;
   cell.X_WB = base.X_WB;
   cell.base_covariance = base.covariance;
   return cell;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/studies/cell_model.hpp"
 #include "calibration/design/touch_choice.hpp"
 #include "calibration/estimation/base_calibration.hpp"
 #include "planner/workcell.hpp"
@@ -30,20 +31,20 @@ struct BestTouches {
 /// The tube whose hole a candidate names, by its index in the sheet.
 [[nodiscard]] int tubeOf(const calibration::TouchPlan& candidate, const tubesheets::Sheet& sheet);
 
-/// The base by the flexible model and, for comparison, by the rigid one.
+/// The base by the flexible model and, for comparison, by the rigid one, whose numbers are taken as exact.
 struct BothCalibrations {
   calibration::BaseCalibration flexible, rigid;
 };
-[[nodiscard]] BothCalibrations calibrateBoth(const planner::Workcell& cell,
+[[nodiscard]] BothCalibrations calibrateBoth(const planner::Workcell& placed, const CellModel& cell,
                                              const std::vector<calibration::Measurement>& touches);
 
-/// The same with both arms at hand, for many calibrations of one model.
-[[nodiscard]] BothCalibrations calibrateBoth(
-    const deflection::Arm& flexible, const deflection::Arm& rigid, const Eigen::Isometry3d& X_WB_start,
-    const tubesheets::Sheet& sheet, const std::vector<calibration::Measurement>& touches,
-    calibration::LeastSquaresMethod method = calibration::LeastSquaresMethod::kHybrid);
+/// The same with both arms at hand, for many calibrations of one model: nothing is said of touches that do not fit.
+[[nodiscard]] BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
+                                             const calibration::ArmUncertainty& uncertainty,
+                                             const Eigen::Isometry3d& X_WB_start, const tubesheets::Sheet& sheet,
+                                             const std::vector<calibration::Measurement>& touches);
 
-/// The cell with its base as calibrated.
+/// Returns the cell with its base as calibrated, and its arm as the touches have it.
 [[nodiscard]] planner::Workcell withBase(planner::Workcell cell, const calibration::BaseCalibration& base);
 
 }  // namespace tubeplan::app

@@ -135,6 +135,7 @@ class Improver {
     options.free = freeNumbersOf(cell);
     options.seed = request_.seed;
     options.intervals_by_profile = false;
+    options.uncertainty = cell.uncertainty;
     options.hooks = hooks;
     const auto used = calibration::withoutReadings(readings_, set_aside_);
     ImprovedModel model{name, cell, calibration::identify(startOf(cell, used), used, options), step, set_aside_};

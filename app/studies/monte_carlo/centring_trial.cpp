@@ -176,8 +176,7 @@ Trial CentringTrials::runSetting(const Run& run, std::size_t index) const {
     trial.failure = TrialFailure::kUntouchable;
     return trial;
   }
-  const auto base =
-      calibrateBoth(flexible_, rigid_, X_WB_, sheet_, touches, calibration::LeastSquaresMethod::kLevenbergMarquardt);
+  const auto base = calibrateBoth(flexible_, rigid_, options_.uncertainty, X_WB_, sheet_, touches);
   trial.failure = failureOf(base);
   if (trial.failure != TrialFailure::kNone) return trial;
   trial.touch_error = meanResidual(base.flexible);
@@ -202,7 +201,7 @@ std::vector<TrialVisit> CentringTrials::visit(const Run& run, const std::vector<
     to_score.push_back({hole->plan.p_WH, hole->plan.q_start, trialHole(*hole, run.index).tip_error});
   planner::TipPrediction true_tips(run.truth);
   const auto rigid = centringsAt({rigid_, base.rigid.X_WB}, run.truth, true_tips, to_score);
-  const auto flexible = centringsAt({flexible_, base.flexible.X_WB}, run.truth, true_tips, to_score);
+  const auto flexible = centringsAt({base.flexible.arm, base.flexible.X_WB}, run.truth, true_tips, to_score);
   std::vector<TrialVisit> visits;
   for (std::size_t k = 0; k < holes.size(); ++k)
     visits.push_back({static_cast<int>(holes[k] - holes_.data()), {rigid[k], flexible[k]}});

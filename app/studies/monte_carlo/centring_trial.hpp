@@ -42,6 +42,7 @@ struct CentringHoles {
 
 struct CentringOptions {
   TruthSpread spread;
+  calibration::ArmUncertainty uncertainty;  ///< of the arm's numbers, beside which bases are calibrated
   int holes = 10;  ///< visited in a run, each time others
   std::uint64_t seed = 1;
   std::vector<CentringSetting> settings;

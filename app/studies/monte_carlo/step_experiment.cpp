@@ -11,11 +11,12 @@ namespace {
 constexpr std::uint64_t kTouchFits = 20;
 
 CentringTrials trialsOf(const planner::Workcell& model, const planner::Workcell& truth, const CentringHoles& holes,
-                        const StepExperimentOptions& options, int touches, TouchRule rule) {
+                        const StepExperimentOptions& options, const calibration::ArmUncertainty& uncertainty,
+                        int touches, TouchRule rule) {
   return {model,
           truth,
           holes,
-          {options.spread, options.test_holes, options.seed, {{touches, rule, touchSigmaOf(model.tool)}}}};
+          {options.spread, uncertainty, options.test_holes, options.seed, {{touches, rule, touchSigmaOf(model.tool)}}}};
 }
 
 /// At the hole goal-point and via-point compensation are one.
@@ -40,7 +41,7 @@ void addRun(const std::vector<ModeScores>& scores, int steps, StepExperiment& ex
   ++experiment.runs;
 }
 
-/// Mean error that a base fitted to many touches leaves at them.
+/// Mean error that a base alone, fitted to many touches, leaves at them.
 double meanTouchError(const CentringTrials& trials) {
   double sum = 0;
   int count = 0;
@@ -64,7 +65,8 @@ StepExperiment runStepExperiment(const planner::Workcell& model, const planner::
                         std::to_string(std::max(options.test_holes, options.touch_fit_points)) + " are needed";
     return experiment;
   }
-  const auto trials = trialsOf(model, truth, holes, options, options.calibration_holes, TouchRule::kTested);
+  const auto trials =
+      trialsOf(model, truth, holes, options, options.uncertainty, options.calibration_holes, TouchRule::kTested);
   const auto steps = static_cast<int>(model.tool.steps.size());
   const auto runs = static_cast<std::size_t>(options.runs);
   for (std::size_t run = 0; run < runs; ++run) {
@@ -80,8 +82,8 @@ StepExperiment runStepExperiment(const planner::Workcell& model, const planner::
     for (double& count : experiment.mean_counts[mode]) count /= std::max(1, experiment.runs);
     experiment.mean_error[mode] /= std::max(1, experiment.scored[mode]);
   }
-  experiment.mean_touch_error =
-      meanTouchError(trialsOf(model, truth, holes, options, options.touch_fit_points, TouchRule::kRandom));
+  experiment.mean_touch_error = meanTouchError(trialsOf(
+      model, truth, holes, options, calibration::ArmUncertainty::none(), options.touch_fit_points, TouchRule::kRandom));
   const bool complete = experiment.runs + static_cast<int>(experiment.refused.size()) == options.runs;
   experiment.status = complete ? StepExperimentStatus::kDone : StepExperimentStatus::kStopped;
   if (!complete) experiment.reason = "stopped after " + std::to_string(experiment.runs) + " runs, which are kept";

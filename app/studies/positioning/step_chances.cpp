@@ -5,29 +5,60 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/statistics.hpp"
-
 namespace tubeplan::app {
 
 namespace {
 
-using calibration::ModelErrorSource;
+using Eigen::Index;
 
 std::vector<double> mixed(const std::vector<calibration::TipErrorCase>& cases, const planner::Centring& predicted,
                           const tubesheets::SteppedTool& tool) {
   std::vector<double> chances(tool.steps.size() + 1, cases.empty() ? std::numeric_limits<double>::quiet_NaN() : 0);
   for (const auto& tip : cases) {
-    const auto of_case =
-        tubesheets::probabilityBySteps(tool, predicted.offset + tip.mean, tip.covariance, predicted.lean);
+    const auto of_case = tubesheets::probabilityBySteps(tool, predicted.offset, tip.covariance, predicted.lean);
     for (std::size_t k = 0; k < chances.size(); ++k) chances[k] += tip.weight * of_case[k];
   }
   return chances;
 }
 
-std::optional<calibration::StatedModelError> statedBy(const CellModel& cell, bool has_touches) {
-  // What earlier touches said of the model the new ones say again, perhaps being the same.
-  if (!cell.model_error || (has_touches && !isFoundElsewhere(cell.model_error))) return std::nullopt;
-  return calibration::StatedModelError{cell.model_error->sigma, cell.model_error->degrees_of_freedom};
+/// What the readings of an identification left uncertain of a base that they placed and of the arm: the cell's
+/// `determined`, base first. Nothing where it has no base.
+std::optional<calibration::JointUncertainty> determinedWithBase(const CellModel& cell, const deflection::Arm& arm) {
+  const auto& determined = cell.uncertainty.determined;
+  std::vector<Index> order;
+  for (const auto& name : calibration::baseStepNames()) {
+    const auto found = std::find(determined.begin(), determined.end(), name);
+    if (found == determined.end()) return std::nullopt;
+    order.push_back(found - determined.begin());
+  }
+  calibration::FreeChoice choice{{}, false, {}};
+  for (std::size_t k = 0; k < determined.size(); ++k)
+    if (deflection::findParameter(arm, determined[k])) {
+      choice.names.push_back(determined[k]);
+      order.push_back(static_cast<Index>(k));
+    }
+  calibration::PlacedArm placed{arm, {}};
+  calibration::JointUncertainty joint{chooseUnknowns(placed, choice).list, cell.uncertainty.covariance(order, order)};
+  for (std::size_t k = 0; k < joint.numbers.size(); ++k) {
+    const double to_variable = 1 / slopeAt(joint.numbers[k], 0);
+    joint.covariance.row(6 + static_cast<Index>(k)) *= to_variable;
+    joint.covariance.col(6 + static_cast<Index>(k)) *= to_variable;
+  }
+  return joint;
+}
+
+/// Of a base and an arm as they stand in the cell.
+calibration::JointUncertainty uncertaintyOf(const CellModel& cell, const planner::Workcell& model) {
+  if (cell.placed_by) {
+    const double model_error = cell.model_error ? cell.model_error->sigma : 0;
+    const auto numbers = calibration::uncertainNumbers(model.arm, cell.uncertainty);
+    if (auto joint =
+            calibration::uncertaintyByTouches(model.arm, model.X_WB, numbers, cell.placed_by->touches, model_error))
+      return *std::move(joint);
+  }
+  if (cell.base_covariance)
+    if (auto joint = determinedWithBase(cell, model.arm)) return *std::move(joint);
+  return {{}, model.base_covariance};
 }
 
 }  // namespace
@@ -35,25 +66,24 @@ std::optional<calibration::StatedModelError> statedBy(const CellModel& cell, boo
 StepChances stepChances(const StepQuestion& question) {
   const CellModel& cell = question.cell;
   StepChances chances;
-  chances.touches = static_cast<int>(question.touches.size());
-  if (question.touches.empty() && !cell.base_known && !cell.base_covariance) {
+  if (!question.placed_by && !cell.base_known && !cell.base_covariance) {
     chances.reason = "the base has not been calibrated: touch holes and calibrate (--touches)";
     return chances;
   }
-  chances.base_is_exact = question.touches.empty() && question.model.base_covariance.isZero(0);
-  const calibration::TipErrorQuestion asked{question.model.arm,
-                                            question.model.X_WB,
-                                            question.model.load,
-                                            question.touches,
-                                            question.model.base_covariance,
-                                            statedBy(cell, !question.touches.empty()),
-                                            question.postures};
-  chances.error = calibration::findTipError(asked);
+  chances.model_error = question.placed_by ? modelErrorBeside(cell, *question.placed_by) : cell.model_error;
+  std::optional<calibration::StatedModelError> model_error;
+  if (chances.model_error) model_error = {chances.model_error->sigma, chances.model_error->degrees_of_freedom};
+  const calibration::TipErrorQuestion asked{
+      question.model.arm,  question.model.X_WB,
+      question.model.load, question.placed_by ? question.placed_by->uncertainty : uncertaintyOf(cell, question.model),
+      model_error,         question.postures};
+  chances.numbers_are_exact = asked.uncertainty.numbers.empty();
+  chances.base_is_exact = asked.uncertainty.covariance.isZero(0);
+  const auto errors = calibration::findTipError(asked);
   chances.by_posture.resize(question.postures.size());
   oneapi::tbb::parallel_for(std::size_t{0}, chances.by_posture.size(), [&](std::size_t k) {
-    chances.by_posture[k] = mixed(chances.error.at[k], question.predicted[k], question.model.tool);
+    chances.by_posture[k] = mixed(errors[k], question.predicted[k], question.model.tool);
   });
-  chances.error.at.clear();
   return chances;
 }
 
@@ -71,13 +101,9 @@ std::vector<double> expectedCounts(const StepChances& chances) {
   return counts;
 }
 
-bool isFoundElsewhere(const std::optional<ModelError>& error) { return error && error->from != kByTouches; }
-
-std::optional<ModelError> modelErrorByTouches(const calibration::TipError& error, std::size_t touches) {
-  if (error.source != ModelErrorSource::kTouches) return std::nullopt;
-  const int freedom = 3 * static_cast<int>(touches) - 6;
-  const double middle = calibration::chiSquareQuantile(0.5, freedom);
-  return ModelError{error.model_error * std::sqrt(middle / freedom), freedom, kByTouches};
+std::optional<ModelError> modelErrorBeside(const CellModel& cell, const calibration::BaseCalibration& base) {
+  if (base.is_model_error_found) return ModelError{base.model_error, base.degrees_of_freedom, kByTouches};
+  return cell.knownModelError();
 }
 
 }  // namespace tubeplan::app

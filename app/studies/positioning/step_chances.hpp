@@ -6,27 +6,25 @@
 #include <vector>
 
 #include "app/studies/cell_model.hpp"
+#include "calibration/estimation/base_calibration.hpp"
 #include "calibration/forecast/tip_error.hpp"
 #include "planner/reach/scoring.hpp"
 
 namespace tubeplan::app {
 
-/// ModelError::from of an error estimated from the touches of a calibration.
-inline constexpr const char* kByTouches = "touches";
-
 struct StepChances {
   std::string reason;                           ///< why there are none; empty where there are some
-  calibration::TipError error;                  ///< `at` is emptied once used
-  int touches = 0;                              ///< by which the model's error was judged
+  std::optional<ModelError> model_error;        ///< as counted; none: left out
   bool base_is_exact = false;                   ///< somebody says that the base is known, and not how well
+  bool numbers_are_exact = false;               ///< nothing is known of how well the arm's numbers are
   std::vector<std::vector<double>> by_posture;  ///< of 0, 1, ... steps; each adds up to 1
 };
 
 /// Where the arm goes by its model, and how the tool stands there by it.
 struct StepQuestion {
-  const CellModel& cell;                                 ///< as read: what it says of base and model error
-  const planner::Workcell& model;                        ///< placed
-  const std::vector<calibration::Measurement>& touches;  ///< that placed it; none: it stands as the cell has it
+  const CellModel& cell;                          ///< as read: what it says of base, numbers and model error
+  const planner::Workcell& model;                 ///< placed
+  const calibration::BaseCalibration* placed_by;  ///< that placed it; null: it stands as the cell has it
   const std::vector<Eigen::VectorXd>& postures;
   const std::vector<planner::Centring>& predicted;  ///< by the model itself, one for each posture
 };
@@ -40,11 +38,8 @@ struct StepQuestion {
 /// How many holes take 0, 1, ... steps on the average.
 [[nodiscard]] std::vector<double> expectedCounts(const StepChances& chances);
 
-/// Whether the model's error is known by more than the touches of a calibration.
-[[nodiscard]] bool isFoundElsewhere(const std::optional<ModelError>& error);
-
-/// The model's error by the touches, for the cell's file: as Student's t of their degrees of freedom would have it;
-/// nothing where the touches were not asked.
-[[nodiscard]] std::optional<ModelError> modelErrorByTouches(const calibration::TipError& error, std::size_t touches);
+/// Returns the model's own error beside a calibrated base: that of touches which do not fit, else the known one.
+[[nodiscard]] std::optional<ModelError> modelErrorBeside(const CellModel& cell,
+                                                         const calibration::BaseCalibration& base);
 
 }  // namespace tubeplan::app

@@ -8,7 +8,7 @@ ScoringModels scoringModels(const planner::Workcell& model, const std::optional<
                             const planner::Workcell& truth) {
   ScoringModels models{bases ? withBase(model, bases->flexible) : model, bases ? withBase(model, bases->rigid) : model,
                        truth};
-  models.rigid.arm = deflection::rigidCopy(models.rigid.arm);
+  if (!bases) models.rigid.arm = deflection::rigidCopy(models.rigid.arm);
   return models;
 }
 

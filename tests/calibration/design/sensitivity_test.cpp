@@ -118,7 +118,9 @@ TEST(Sensitivity, ErrorAfterCalibrationIsWhatACalibrationLeaves) {
     const auto& number = numberOf(result, name);
     const double step = 1e-3 * number.parameter.value;
     const Arm truth = withMore(c.cell.arm, number.parameter, step);
-    const auto base = calibrateBase(c.cell.arm, touchesBy(truth, c), c.cell.X_WB_nominal);
+    BaseCalibrationOptions exact;
+    exact.arm = ArmUncertainty::none();
+    const auto base = calibrateBase(c.cell.arm, touchesBy(truth, c), c.cell.X_WB_nominal, exact);
     ASSERT_EQ(base.status, CalibrationStatus::kDone) << name << base.reason;
     double left = 0, known = 0;
     for (const auto& q : c.task.work) {
@@ -137,7 +139,8 @@ TEST(Sensitivity, UncompensatedErrorIsWhatRigidCalibrationLeaves) {
   const Arm rigid = deflection::rigidCopy(c.cell.arm);
   BaseCalibrationOptions blunt;
   blunt.mistaken_hole_p_value = 0;
-  blunt.model_error = 0;
+  blunt.arm = ArmUncertainty::none();
+  blunt.finds_model_error = blunt.finds_suspects = false;
   const auto base = calibrateBase(rigid, touchesBy(c.cell.arm, c), c.cell.X_WB_nominal, blunt);
   ASSERT_EQ(base.status, CalibrationStatus::kDone) << base.reason;
   double left = 0;

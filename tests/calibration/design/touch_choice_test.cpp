@@ -44,10 +44,12 @@ TEST(TouchChoice, PredictsTheSpreadOfManyCalibrations) {
   auto touched = cell;
   touched.plans = chosen;
   double sum = 0;
+  BaseCalibrationOptions exact;
+  exact.arm = ArmUncertainty::none();
   constexpr int kRuns = 200;
   for (int run = 0; run < kRuns; ++run) {
-    const auto found =
-        calibrateBase(cell.arm, touchesOf(touched, 0.005, 50 + static_cast<std::uint64_t>(run)), cell.X_WB_nominal);
+    const auto found = calibrateBase(cell.arm, touchesOf(touched, 0.005, 50 + static_cast<std::uint64_t>(run)),
+                                     cell.X_WB_nominal, exact);
     for (const auto& q : work) {
       const Eigen::Vector3d off =
           predictTip(cell.arm, found.X_WB, q, 0).value - predictTip(cell.arm, cell.X_WB_true, q, 0).value;

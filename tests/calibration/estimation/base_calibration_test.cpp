@@ -35,10 +35,12 @@ TEST(BaseCalibration, IsTheSameByEitherSolver) {
   BaseCalibrationOptions quick;
   quick.method = LeastSquaresMethod::kLevenbergMarquardt;
   quick.mistaken_hole_p_value = 0;  // a rigid arm is off by inches
-  quick.model_error = 0;
+  quick.finds_model_error = quick.finds_suspects = false;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     auto touches = touchesOf(cell, 0.005, seed);
-    for (const auto& arm : {cell.arm, deflection::rigidCopy(cell.arm)}) {
+    for (const bool is_rigid : {false, true}) {
+      const deflection::Arm arm = is_rigid ? deflection::rigidCopy(cell.arm) : cell.arm;
+      quick.arm = is_rigid ? ArmUncertainty::none() : ArmUncertainty{};
       BaseCalibrationOptions slow = quick;
       slow.method = LeastSquaresMethod::kInteriorPoint;
       const auto one = calibrateBase(arm, touches, cell.X_WB_nominal, quick);
@@ -69,26 +71,89 @@ TEST(BaseCalibration, RecoversAHangingBase) {
   EXPECT_LE(stepBetween(found.X_WB, X_WB).head<3>().norm(), 1e-6 * kInch);
 }
 
-TEST(BaseCalibration, NinetyFivePercentRegionsCoverTheTruth) {
-  const auto cell = touchedCell();
-  constexpr int kRuns = 1000;
-  int covered = 0, accepted = 0;
+/// How often the stated regions hold, over arms whose numbers are off as a cell says that they may be.
+struct Coverage {
+  int runs = 0, held = 0, fits = 0, held_where_it_fits = 0;
   double chi2 = 0;
-  for (int run = 0; run < kRuns; ++run) {
-    const auto found =
-        calibrateBase(cell.arm, touchesOf(cell, 0.005, static_cast<std::uint64_t>(run) + 1), cell.X_WB_nominal);
-    ASSERT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
+};
+
+Coverage coverageOf(const ArmUncertainty& uncertainty, int runs) {
+  constexpr double kInRegion = 12.591587;  // 95 % of chi-square with 6 degrees of freedom
+  const auto cell = touchedCell();
+  BaseCalibrationOptions options;
+  options.arm = uncertainty;
+  options.finds_suspects = false;
+  Coverage coverage;
+  for (int run = 1; run <= runs; ++run) {
+    const auto seed = static_cast<std::uint64_t>(run);
+    auto truth = cell;
+    truth.arm = drawnArm(cell.arm, uncertainty, seed);
+    const auto found = calibrateBase(cell.arm, touchesOf(truth, 0.005, seed), cell.X_WB_nominal, options);
+    EXPECT_EQ(found.status, CalibrationStatus::kDone) << found.reason;
     const BaseStep off = stepBetween(found.X_WB, cell.X_WB_true);
-    covered += off.dot(found.covariance.ldlt().solve(off)) < 12.591587;  // 95 % of chi-square with 6 degrees of freedom
-    accepted += found.p_value > 0.05;
-    chi2 += found.chi2 / kRuns;
+    const bool is_held = off.dot(found.covariance.ldlt().solve(off))<kInRegion, fits = found.p_value> 0.05;
+    ++coverage.runs;
+    coverage.held += is_held;
+    coverage.fits += fits;
+    coverage.held_where_it_fits += is_held && fits;
+    coverage.chi2 += found.chi2 / runs;
   }
-  EXPECT_GE(covered, 930);
-  EXPECT_LE(covered, 970);
-  EXPECT_GE(accepted, 930);
-  EXPECT_LE(accepted, 970);
-  EXPECT_NEAR(chi2, 3, 0.3);
-  RecordProperty("covered_of_1000", covered);
+  return coverage;
+}
+
+/// Exact arms, stiffnesses that are off, and all numbers that are.
+TEST(BaseCalibration, NinetyFivePercentRegionsHoldTheBaseWhateverOfTheArmIsUncertain) {
+  constexpr int kRuns = 1000;
+  ArmUncertainty stiffnesses = ArmUncertainty::none();
+  stiffnesses.stiffness = 0.1;
+  for (const auto& uncertainty : {ArmUncertainty::none(), stiffnesses, ArmUncertainty{}}) {
+    const Coverage coverage = coverageOf(uncertainty, kRuns);
+    EXPECT_NEAR(coverage.held, 0.95 * kRuns, 20);
+    EXPECT_NEAR(coverage.fits, 0.95 * kRuns, 20);
+    EXPECT_NEAR(coverage.held_where_it_fits / static_cast<double>(coverage.fits), 0.95, 0.02);
+    EXPECT_NEAR(coverage.chi2, 3, 0.3);
+  }
+}
+
+TEST(BaseCalibration, AnArmTakenAsExactThatIsNotHasFalseRegions) {
+  const auto cell = touchedCell();
+  ArmUncertainty stiffnesses = ArmUncertainty::none();
+  stiffnesses.stiffness = 0.1;
+  BaseCalibrationOptions exact;
+  exact.arm = ArmUncertainty::none();
+  exact.finds_suspects = exact.finds_model_error = false;
+  int held = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    auto truth = cell;
+    truth.arm = drawnArm(cell.arm, stiffnesses, seed);
+    const auto found = calibrateBase(cell.arm, touchesOf(truth, 0.005, seed), cell.X_WB_nominal, exact);
+    const BaseStep off = stepBetween(found.X_WB, cell.X_WB_true);
+    held += off.dot(found.covariance.ldlt().solve(off)) < 12.591587;
+  }
+  EXPECT_LT(held, 50) << "what the file does not know counts";
+}
+
+TEST(BaseCalibration, TheArmAsTouchedBringsTheTipNearerToOtherHoles) {
+  const auto cell = touchedCell(), elsewhere = touchedCell({{-20, 20}, {0, 30}, {25, 15}, {-30, 35}});
+  ArmUncertainty stiffnesses = ArmUncertainty::none();
+  stiffnesses.stiffness = 0.1;
+  double as_touched = 0, as_filed = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    auto truth = cell;
+    truth.arm = drawnArm(cell.arm, stiffnesses, seed);
+    const auto touches = touchesOf(truth, 0.005, seed);
+    for (const bool is_touched : {true, false}) {
+      BaseCalibrationOptions options;
+      options.arm = is_touched ? stiffnesses : ArmUncertainty::none();
+      options.finds_suspects = false;
+      const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal, options);
+      for (const auto& plan : elsewhere.plans)
+        (is_touched ? as_touched : as_filed) += (predictTip(found.arm, found.X_WB, plan.q_start, 0).value -
+                                                 predictTip(truth.arm, cell.X_WB_true, plan.q_start, 0).value)
+                                                    .squaredNorm();
+    }
+  }
+  EXPECT_LT(std::sqrt(as_touched), 0.6 * std::sqrt(as_filed));
 }
 
 TEST(BaseCalibration, MoreTouchesTightenTheBase) {
@@ -103,12 +168,16 @@ TEST(BaseCalibration, MoreTouchesTightenTheBase) {
 
 TEST(BaseCalibration, DistanceChecksDoNotDependOnTheBase) {
   const auto cell = touchedCell();
-  const auto found = calibrateBase(cell.arm, touchesOf(cell, 0, 1), cell.X_WB_nominal);
+  BaseCalibrationOptions exact;
+  exact.arm = ArmUncertainty::none();
+  const auto found = calibrateBase(cell.arm, touchesOf(cell, 0, 1), cell.X_WB_nominal, exact);
+  const auto uncertain = calibrateBase(cell.arm, touchesOf(cell, 0, 1), cell.X_WB_nominal);
   ASSERT_EQ(found.distances.size(), 3u);
-  for (const auto& check : found.distances) {
-    EXPECT_NEAR(check.by_arm, check.on_sheet, 1e-8);
-    EXPECT_GT(check.sigma, 0.005 * kInch);
-    EXPECT_LT(check.sigma, 0.02 * kInch);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(found.distances[k].by_arm, found.distances[k].on_sheet, 1e-8);
+    EXPECT_GT(found.distances[k].sigma, 0.005 * kInch);
+    EXPECT_LT(found.distances[k].sigma, 0.02 * kInch);
+    EXPECT_GT(uncertain.distances[k].sigma, 1.5 * found.distances[k].sigma);
   }
 }
 
@@ -143,6 +212,7 @@ TEST(BaseCalibration, NamesTheOneTouchThatDoesNotAgreeWithTheOthers) {
     touches.push_back(plannedTouch({name, name, X_WB * shape.X_BD.p, {}}, q * kDegree, 0, 0.005 * kInch));
   }
   BaseCalibrationOptions options;
+  options.arm = ArmUncertainty::none();
   options.mistaken_hole_p_value = 0;
   EXPECT_EQ(calibrateBase(cell.arm, touches, cell.X_WB_nominal, options).odd_touch, -1) << "they all fit";
   touches[1].q[1] += 0.2 * kDegree;
@@ -153,6 +223,31 @@ TEST(BaseCalibration, NamesTheOneTouchThatDoesNotAgreeWithTheOthers) {
   EXPECT_LT(found.rms_of_others, found.rms / 3);
   touches[4].q[1] -= 0.2 * kDegree;
   EXPECT_EQ(calibrateBase(cell.arm, touches, cell.X_WB_nominal, options).odd_touch, -1) << "two do not agree";
+}
+
+/// A joint of one touch misread, by little or by much: the larger the mistake, the more is said.
+TEST(BaseCalibration, NamesTheJointReadingThatIsOff) {
+  const auto cell = touchedCell({{-40, 10}, {38, 12}, {10, 45}, {-5, 20}, {30, 35}});
+  for (const double off : {0.5, 1., 5.}) {
+    int named = 0, first = 0;
+    for (std::size_t touch = 0; touch < cell.plans.size(); ++touch)
+      for (Eigen::Index joint = 0; joint < 2; ++joint) {  // the tip is far from these
+        auto touches = touchesOf(cell, 0.005, 3 + touch);
+        touches[touch].q[joint] += off * kDegree;
+        const auto found = calibrateBase(cell.arm, touches, cell.X_WB_nominal);
+        EXPECT_TRUE(isFitRefused(found)) << off;
+        EXPECT_EQ(found.residuals.size(), touches.size()) << "a refused fit shows what it left";
+        for (std::size_t k = 0; k < found.suspect_readings.size(); ++k) {
+          const auto& suspect = found.suspect_readings[k];
+          if (suspect.touch != touches[touch].id || suspect.joint != joint) continue;
+          ++named;
+          first += k == 0;
+          EXPECT_NEAR(suspect.off, off * kDegree, 0.3 * off * kDegree + 0.1 * kDegree);
+        }
+      }
+    EXPECT_GE(named, 9) << off;
+    EXPECT_GE(first, 7) << off;
+  }
 }
 
 TEST(BaseCalibration, AHoleMayBeTouchedAgainUnderAnotherPush) {

@@ -4,6 +4,7 @@
 #include "app/files/cell_reader.hpp"
 #include "calibration/estimation/base_calibration.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/random_stream.hpp"
 #include "calibration/simulation/simulated_touch.hpp"
 #include "tests/units.hpp"
 
@@ -35,6 +36,20 @@ inline TouchedCell touchedCell(const std::vector<std::pair<double, double>>& hol
     cell.plans.push_back({id, "H" + std::to_string(cell.plans.size() + 1), hole, branches.front().q});
   }
   return cell;
+}
+
+/// The arm with its numbers off as they may be.
+inline deflection::Arm drawnArm(const deflection::Arm& arm, const ArmUncertainty& uncertainty, std::uint64_t seed) {
+  const UncertainNumbers numbers = uncertainNumbers(arm, uncertainty);
+  RandomStream random(seed * 7919 + 1);
+  Eigen::VectorXd z(numbers.root.cols());
+  for (double& value : z) value = random.normal(1);
+  const Eigen::VectorXd values = numbers.root * z;
+  deflection::Arm drawn = arm;
+  for (std::size_t k = 0; k < numbers.unknowns.size(); ++k)
+    deflection::locate(drawn, numbers.unknowns[k].path) =
+        valueAt(numbers.unknowns[k], values[static_cast<Eigen::Index>(k)]);
+  return drawn;
 }
 
 /// Touches of the true arm; with sigma 0 exact ones, which still carry a stated noise of 0.005 in.

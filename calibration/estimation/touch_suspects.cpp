@@ -1,0 +1,108 @@
+#include "calibration/estimation/touch_suspects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "calibration/estimation/fit.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kFarBetter = 0.25;        // of chi-square, which a supposed hole must leave at most
+constexpr std::size_t kLeastOthers = 4;    // touches: any three fit nearly anything
+constexpr double kFirstStep = 2e-3;        // rad or m, of a misread joint that is looked for
+constexpr double kMostMisread = 0.2;       // rad or m
+constexpr std::size_t kMostSuspected = 3;  // readings that are named
+
+TouchFit fitOf(const TouchesToExplain& asked, const std::vector<Measurement>& touches, double model_error) {
+  return fitTouches(asked.arm, asked.numbers, touches, asked.X_WB, {model_error, false, asked.options.method});
+}
+
+double rmsOf(const Eigen::Matrix3Xd& error_W) {
+  return error_W.norm() / std::sqrt(static_cast<double>(error_W.cols()));
+}
+
+/// The touches with one joint of one of them corrected.
+class CorrectedReading {
+ public:
+  CorrectedReading(const TouchesToExplain& asked, std::size_t touch, Eigen::Index joint)
+      : asked_(asked), touches_(asked.touches), touch_(touch), joint_(joint) {}
+
+  /// Chi-square with so much added to the reading; infinite where no base is found.
+  double chi2At(double added) {
+    touches_[touch_].q[joint_] = asked_.touches[touch_].q[joint_] + added;
+    const TouchFit fit = fitOf(asked_, touches_, asked_.options.model_error);
+    return fit.status == LeastSquaresStatus::kConverged ? fit.chi2 : std::numeric_limits<double>::infinity();
+  }
+
+  /// The correction by which chi-square is least, by parabolas through three corrections that draw together.
+  double best() {
+    constexpr int kRounds = 4;
+    double at = 0, step = kFirstStep;
+    for (int round = 0; round < kRounds; ++round, step /= 4) {
+      const double below = chi2At(at - step), here = chi2At(at), above = chi2At(at + step);
+      const double curvature = below + above - 2 * here;
+      if (!(curvature > 0)) break;
+      at = std::clamp(at + step * (below - above) / (2 * curvature), -kMostMisread, kMostMisread);
+    }
+    return at;
+  }
+
+ private:
+  const TouchesToExplain& asked_;
+  std::vector<Measurement> touches_;
+  std::size_t touch_;
+  Eigen::Index joint_;
+};
+
+}  // namespace
+
+std::vector<std::string> findMistakenHoles(const TouchesToExplain& asked, double chi2) {
+  std::vector<std::pair<double, std::string>> found;
+  const auto& touches = asked.touches;
+  for (std::size_t k = 0; asked.options.neighbours && k < touches.size(); ++k)
+    for (const auto& neighbour : asked.options.neighbours(touches[k])) {
+      std::vector<Measurement> supposed = touches;
+      supposed[k].p_W = neighbour.p_WH;
+      const TouchFit fit = fitOf(asked, supposed, asked.options.model_sigma);
+      if (fit.p_value > kLackOfFit && fit.chi2 < chi2 * kFarBetter)
+        found.emplace_back(fit.chi2,
+                           "touch " + touches[k].id + " named " + touches[k].point + " fits hole " + neighbour.name);
+    }
+  std::sort(found.begin(), found.end());
+  std::vector<std::string> names;
+  for (auto& [fit, name] : found) names.push_back(name);
+  return names;
+}
+
+OddTouch findOddTouch(const TouchesToExplain& asked) {
+  if (asked.touches.size() < kLeastOthers) return {};
+  std::vector<OddTouch> found;
+  for (int k = 0; k < static_cast<int>(asked.touches.size()); ++k) {
+    const auto others = withoutReadings(asked.touches, {k});
+    if (!findTouchProblem(others, asked.options).empty()) continue;
+    const TouchFit fit = fitOf(asked, others, asked.options.model_error);
+    if (fit.p_value >= kLackOfFit) found.push_back({k, rmsOf(fit.error_W)});
+  }
+  return found.size() == 1 ? found.front() : OddTouch{};
+}
+
+std::vector<SuspectReading> findSuspectReadings(const TouchesToExplain& asked) {
+  std::vector<SuspectReading> found;
+  const int freedom = 3 * static_cast<int>(asked.touches.size()) - 7;
+  for (std::size_t k = 0; k < asked.touches.size(); ++k)
+    for (Eigen::Index j = 0; j < asked.arm.jointCount(); ++j) {
+      CorrectedReading reading(asked, k, j);
+      const double added = reading.best();
+      const double p_value = chiSquareTail(reading.chi2At(added), freedom);
+      if (p_value >= kLackOfFit) found.push_back({asked.touches[k].id, j, -added, p_value});
+    }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.p_value > b.p_value; });
+  if (found.size() > kMostSuspected) found.resize(kMostSuspected);
+  return found;
+}
+
+}  // namespace tubeplan::calibration
