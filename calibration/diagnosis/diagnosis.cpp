@@ -12,6 +12,7 @@
 #include "calibration/diagnosis/posterior.hpp"
 #include "calibration/diagnosis/ranking.hpp"
 #include "calibration/diagnosis/remainder.hpp"
+#include "calibration/diagnosis/size_sets.hpp"
 #include "calibration/estimation/evidence.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/held_out.hpp"
@@ -237,6 +238,7 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   Diagnosis& result = found.result;
   if (!found.work.basis.residual.ok || !found.is_found) return std::move(result);
   listDetectable(found.work, result);
+  for (auto& alternative : result.alternatives) findSizeSets(found.work.basis, alternative);
   judgeAll(found, result);
   setApart(found.work, result);
   goOn(found.work.options.hooks.stop);
