@@ -10,6 +10,7 @@
 #include "app/documents/figures.hpp"
 #include "app/files/effects_reader.hpp"
 #include "app/files/units_json.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
 
@@ -20,10 +21,26 @@ using calibration::Diagnosis, calibration::Explanation, calibration::FoundEffect
 
 nlohmann::json numberJson(const FoundNumber& number, const Units& units) {
   const Dimension unit = dimensionOf(number.quantity);
-  return {{"name", number.name},
-          {"value", finiteJson(number.value / units.factor(unit))},
-          {"sigma", finiteJson(number.sigma / units.factor(unit))},
-          {"unit", units.nameOf(unit)}};
+  nlohmann::json json = {{"name", number.name},
+                         {"value", finiteJson(number.value / units.factor(unit))},
+                         {"sigma", finiteJson(number.sigma / units.factor(unit))},
+                         {"unit", units.nameOf(unit)}};
+  if (std::isfinite(number.lower))
+    json["interval"] = {number.lower / units.factor(unit), number.upper / units.factor(unit)};
+  return json;
+}
+
+/// Sizes that explain the readings as well as each other, and the kinds of measurement that decide.
+void addModes(const FoundEffect& effect, const Units& units, nlohmann::json& json) {
+  if (effect.modes.empty()) return;
+  for (const auto& values : effect.modes) {
+    nlohmann::json mode;
+    for (std::size_t k = 0; k < effect.numbers.size(); ++k)
+      mode[effect.numbers[k].name] = finiteJson(values[k] / units.factor(dimensionOf(effect.numbers[k].quantity)));
+    json["modes"].push_back(mode);
+  }
+  json["decided_by"] = nlohmann::json::array();
+  for (const auto kind : effect.decided_by) json["decided_by"].push_back(calibration::kindOf(kind).name);
 }
 
 nlohmann::json effectJson(const FoundEffect& effect, const deflection::Arm& arm, const Units& units) {
@@ -42,6 +59,7 @@ nlohmann::json effectJson(const FoundEffect& effect, const deflection::Arm& arm,
                          {"add", additionText(effect, arm, units)}};
   if (!effect.also.empty()) json["also_words"] = alsoText(effect);
   if (!effect.frees.empty()) json["frees"] = effect.frees;
+  addModes(effect, units, json);
   addEffectWords(effect.effect, json);
   return json;
 }

@@ -52,7 +52,8 @@ nlohmann::json numberJson(const IdentifiedNumber& number, const Units& units) {
                          {"prior", priorJson(number.unknown, units)},
                          {"prior_deviation", finiteJson(number.prior_deviation)},
                          {"interval", {finiteJson(number.lower / factor), finiteJson(number.upper / factor)}},
-                         {"interval_by", number.is_profile ? "profile" : "sigma"}};
+                         {"interval_by", !number.modes.empty() ? "modes" : number.is_profile ? "profile" : "sigma"}};
+  for (const double value : number.modes) json["modes"].push_back(finiteJson(value / factor));
   if (number.is_at_bound) json["at_bound"] = true;
   if (!number.note.empty()) json["note"] = number.note;
   return json;

@@ -1,8 +1,4 @@
-// Whether the readings say which sizes an effect has, or only that they are among several.
-//
-// Readings of steps, or of a distance, do not say on which side the tip is. The likelihood of an effect that moves it is
-// then a ring, or has several minima, and a fit stops at one of them. The sizes are looked for in every direction anew:
-// where others explain the readings as well, the answer is the set of them.
+// Whether the readings say which sizes the effects of an explanation have, or only that they are among several.
 #pragma once
 
 #include "calibration/diagnosis/diagnosis.hpp"

@@ -10,6 +10,7 @@
 #include "calibration/estimation/held_out.hpp"
 #include "calibration/estimation/identified_numbers.hpp"
 #include "calibration/estimation/outliers.hpp"
+#include "calibration/estimation/widened_sizes.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/measurements/reading_problems.hpp"
 #include "calibration/random_stream.hpp"
@@ -278,6 +279,7 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
     return result;
   }
   summarize(model, result);
+  if (options.intervals_by_profile) widenSizes(model, result);
   if (options.uncertainty) result.uncertainty = determinedNumbers(result, fitted, *options.uncertainty);
   judgeHeldOut(model, held_out, result);
   const bool converged = model.fit.solution.status == LeastSquaresStatus::kConverged;

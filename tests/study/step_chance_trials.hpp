@@ -32,12 +32,21 @@ struct StepChanceTrial {
 /// What the true arms have that the model lacks; every one of them has stiffnesses that are off.
 enum class HiddenPhysics { kMixed, kEffects, kField, kStiffnesses };
 
+inline constexpr double kStiffnessSigma = 0.05;
+
+/// What is known of the true arms' numbers: only their stiffnesses are drawn.
+inline calibration::ArmUncertainty uncertaintyOfTrials() {
+  auto uncertainty = calibration::ArmUncertainty::none();
+  uncertainty.stiffness = kStiffnessSigma;
+  return uncertainty;
+}
+
 class StepChanceTrials {
  public:
   StepChanceTrials(const app::Cell& cell, int touches, int holes, HiddenPhysics hidden = HiddenPhysics::kMixed)
       : cell_(cell),
         model_(app::workcellOf(cell, "study")),
-        truths_(model_, {.stiffness_sigma = 0.05}),
+        truths_(model_, {.stiffness_sigma = kStiffnessSigma}),
         hidden_(hidden),
         candidates_(app::touchCandidates(model_, 120)),
         touches_(touches),
@@ -71,6 +80,7 @@ class StepChanceTrials {
     const auto touches = app::touchHoles(truth, drawn, touches_, app::touchSigmaOf(model_.tool), draw.seed());
     if (touches.empty()) return trial;
     calibration::BaseCalibrationOptions options;
+    options.arm = cell_.uncertainty;
     options.neighbours = app::neighboursOn(model_.sheet);
     const auto base = calibration::calibrateBase(model_.arm, touches, model_.X_WB, options);
     if (base.status != calibration::CalibrationStatus::kDone) return trial;
@@ -81,7 +91,7 @@ class StepChanceTrials {
     std::vector<int> happened;
     for (int k = touches_; k < touches_ + holes_; ++k)
       visit(placed, truth, drawn[static_cast<std::size_t>(k)], postures, predicted, happened);
-    const auto chances = app::stepChances({cell_, placed, touches, postures, predicted});
+    const auto chances = app::stepChances({cell_, placed, &base, postures, predicted});
     for (std::size_t k = 0; k < postures.size(); ++k) {
       ++trial.holes;
       ++trial.happened[static_cast<std::size_t>(happened[k])];

@@ -25,7 +25,8 @@ int main(int argc, char** argv) {
   cli.add_option("--touches", touches);
   cli.add_option("--hidden", hidden, "mixed, effects, field or stiffnesses")->transform(CLI::CheckedTransformer(kinds));
   CLI11_PARSE(cli, argc, argv);
-  const app::Cell cell = app::readCell(std::string(TUBEPLAN_SOURCE_DIR) + "/app/cells/mockup.yaml");
+  app::Cell cell = app::readCell(std::string(TUBEPLAN_SOURCE_DIR) + "/app/cells/mockup.yaml");
+  cell.uncertainty = testing::uncertaintyOfTrials();
   bool is_right = true;
   for (const int count : touches) {
     const testing::StepChanceTrials trials(cell, count, holes, hidden);

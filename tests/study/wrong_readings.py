@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""wrong_readings.py TUBEPLAN CELLS-FOLDER [--runs 5000] [--seed 1] [--jobs 1] [--command NAME]: plausible wrong readings through the real commands.
+"""wrong_readings.py TUBEPLAN CELLS-FOLDER [--runs 5000] [--seed 1] [--jobs 1] [--command NAME] [--pairs]: plausible wrong readings through the real commands.
 
 Readings are simulated, then spoilt as people spoil them: other units, signs, orders, zeros, shifted or lost rows, single
 digits, a few readings of a single posture. Each spoilt file goes through one command. No run may crash, hang, end with
 an exit code that is not documented, leave standard error without a word where it refuses, or print a number that is none.
+No verdict may contradict the figures beside it, and none may be "adequate" where the error is beyond any noise.
 """
 import argparse
 import concurrent.futures
@@ -28,6 +29,8 @@ ASSUMPTIONS = ["coordinates=mm", "angles=rad", "mirror=y", "joint-sign=theta3", 
                "shift=1", "loads=N", "sigma=mil", "base=unknown", "axes=yxz", "as-is", "coordinates=parsec", "nonsense=1", "shift="]
 NO_NUMBER = re.compile(r"(?<![A-Za-z])-?(nan|inf)(?![A-Za-z])", re.IGNORECASE)
 SECONDS = 240
+MOST_NOISE_RATIO = 3  # of repeats over the stated noise, which may excuse a model
+SLACK = 1.3  # of an rms of few readings by chance
 
 
 class Table:
@@ -109,6 +112,14 @@ def rows_twice(table, rng):
         table.rows.append([row[0] + "-again"] + row[1:])
 
 
+def stale_joints(table, rng):
+    """Rows logged before the controller had its new joints."""
+    joints = table.joints()
+    for n in rng.sample(range(1, len(table.rows)), min(len(table.rows) - 1, rng.choice([1, 1, 2, 3]))):
+        for k in joints:
+            table.rows[n][k] = table.rows[n - 1][k]
+
+
 def lost_rows(table, rng):
     del table.rows[rng.randint(1, max(1, len(table.rows) - 1)):]
 
@@ -137,6 +148,10 @@ SPOILS = [scaled(Table.places, [25.4, 2.54, 0.0254, 1000, 1 / 12, 1 / 25.4]), sc
           lost_rows, lost_columns, all_alike, far_away]
 
 
+def named(spoil):
+    return spoil.__qualname__.removesuffix(".<locals>.spoil")
+
+
 def arguments(command, cell, rng):
     if command == "improve":
         words = [command, cell, "m.csv", "--steps", "1", "--out", "better.yaml"]
@@ -154,7 +169,7 @@ def arguments(command, cell, rng):
     return words + (["--json", "-"] if rng.random() < 0.5 else [])
 
 
-def complaint(done, as_json):
+def complaint(done, command, as_json):
     """What is wrong with a finished run; nothing where it is all right."""
     if done.returncode not in (0, 1, 2):
         return f"exit code {done.returncode}: {done.stderr[-300:]}"
@@ -164,11 +179,40 @@ def complaint(done, as_json):
         return done.stderr[-300:]
     if as_json and done.returncode != 2:
         try:
-            json.loads(done.stdout, parse_constant=refuse_constant)
+            figures = json.loads(done.stdout, parse_constant=refuse_constant)
         except ValueError as error:
             return f"no JSON: {error}"
+        if found := contradictions(command, figures):
+            return "; ".join(found)
     found = NO_NUMBER.search(done.stdout)
     return f"'{found.group()}' in: {done.stdout[max(0, found.start() - 80):found.end() + 20]!r}" if found else ""
+
+
+def contradictions(command, figures):
+    """Verdicts that the figures of the same document do not bear out, of what has one."""
+    rms, found = figures.get("rms") or {}, []
+    if command == "compare":
+        refit = figures["after_refit"]
+        rms = {"noise_floor": refit["noise_floor"], "before": refit["rms"]}
+        repeats = refit["repeats"] or {}
+        excused = repeats and repeats["noise_over_stated"] is not None and repeats["noise_over_stated"] <= MOST_NOISE_RATIO
+        if figures["verdict"] == "adequate" and refit["p_value"] is not None and refit["p_value"] < 1e-6 and not excused:
+            found.append(f"adequate at p = {refit['p_value']}")
+        if figures["verdict"] == "falls-short" and not figures["grounds"]:
+            found.append("falls short on no ground")
+    if command == "identify" and (figures.get("p_value") or 1) < 1e-6 and not figures["warnings"] and not figures.get("checks"):
+        found.append(f"p = {figures['p_value']} without a word")
+    if command not in ("compare", "diagnose"):
+        return found
+    numbers = [rms.get(key) for key in ("noise_floor", "before")]
+    if figures["verdict"] == "adequate" and None not in numbers and numbers[1] > SLACK * MOST_NOISE_RATIO * numbers[0]:
+        found.append(f"adequate with an error of {numbers[1]} beside a floor of {numbers[0]}")
+    if command == "diagnose" and figures["verdict"] in ("explained", "partly-explained"):
+        if rms["heldout_after"] is None or rms["heldout_after"] >= rms["heldout_before"]:
+            found.append("explained though the held-out error does not fall")
+    if command == "diagnose" and figures["verdict"] == "explained" and rms["after"] > SLACK * MOST_NOISE_RATIO * rms["noise_floor"]:
+        found.append(f"explained with {rms['after']} left beside a floor of {rms['noise_floor']}")
+    return found
 
 
 def refuse_constant(word):
@@ -197,7 +241,7 @@ def serve(program, cell, folder, rng):
     return "" if code in (0, 130) else f"serve ended with {code}"
 
 
-def attempt(program, cells, seed, command):
+def attempt(program, cells, seed, command, pairs):
     """Spoils one set and runs one command, the seed's own where none is named: what happened, and what is wrong with it."""
     rng = random.Random(seed)
     cell, design = rng.choice(CELLS)
@@ -210,19 +254,19 @@ def attempt(program, cells, seed, command):
         if made.returncode != 0:
             return None, ""
         table = Table((pathlib.Path(folder) / "s/measurements.csv").read_text())
-        spoils = rng.sample(SPOILS, rng.choice([1, 1, 1, 2]))
+        spoils = rng.sample(SPOILS + [stale_joints], 2) if pairs else rng.sample(SPOILS, rng.choice([1, 1, 1, 2]))
         for spoil in spoils:
             spoil(table, rng)
         (pathlib.Path(folder) / "m.csv").write_text(table.text())
         if command == "serve":
             return f"seed {seed}: {design} {size} {effect or 'nothing hidden'}: serve", serve(program, cell, folder, rng)
         words = arguments(command, cell, rng)
-        what = f"seed {seed}: {design} {size} {effect or 'nothing hidden'}: {' '.join(words)}"
+        what = f"seed {seed}: {design} {size} {effect or 'nothing hidden'}: {' + '.join(named(s) for s in spoils)}: {' '.join(words)}"
         try:
             done = subprocess.run([program] + words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, errors="replace")
         except subprocess.TimeoutExpired:
             return what, f"not done after {SECONDS} s"
-        wrong = complaint(done, "--json" in words)
+        wrong = complaint(done, command, "--json" in words)
         if not wrong and done.returncode == 1 and (pathlib.Path(folder) / "better.yaml").exists():
             wrong = "a cell written by a run that answered no"
         return what, wrong
@@ -236,12 +280,13 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--command", choices=COMMANDS, help="the only one to run")
+    parser.add_argument("--pairs", action="store_true", help="two mistakes in every file")
     asked = parser.parse_args()
     program, cells = str(asked.program.resolve()), asked.cells.resolve()
     wrong = made = 0
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
         seeds = range(asked.seed, asked.seed + asked.runs)
-        for what, complaint_found in pool.map(lambda seed: attempt(program, cells, seed, asked.command), seeds):
+        for what, complaint_found in pool.map(lambda seed: attempt(program, cells, seed, asked.command, asked.pairs), seeds):
             made += what is not None
             if complaint_found:
                 wrong += 1

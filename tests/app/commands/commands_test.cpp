@@ -51,7 +51,7 @@ TEST_F(Commands, poseGivesRigidFlexibleAndChange) {
 TEST_F(Commands, calibrateFindsTheBaseThatAPlanTouchedWith) {
   ASSERT_EQ(plan("made").exit_code, 0);
   const Outcome outcome = run("calibrate " + shipped("mockup.yaml") + " made/touches.csv --out again.yaml --json -");
-  EXPECT_EQ(outcome.exit_code, 1) << "the true arm has other stiffnesses: the touches do not fit";
+  EXPECT_EQ(outcome.exit_code, 0) << "the true arm's stiffnesses are off by what its file leaves open";
   const json found = json::parse(outcome.out, nullptr, false);
   const json made = planJson("made");
   EXPECT_EQ(found["status"], "done");

@@ -5,6 +5,7 @@
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 #include <chrono>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -140,6 +141,64 @@ TEST_F(CompareCommand, openShowsTheReportInABrowser) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   EXPECT_EQ(contentOf(folder / "shown.txt"), std::filesystem::canonical(folder / "page.html").string() + "\n");
   EXPECT_NE(run("compare " + shipped("bench.yaml") + " readings.csv --open").exit_code, 0) << "without a report";
+}
+
+/// A table whose row `row` has another number in the column of index `column`.
+std::string withCell(const std::string& table, std::size_t row, std::size_t column,
+                     const std::function<std::string(const std::string&)>& change) {
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < row; ++k) at = table.find('\n', at) + 1;
+  for (std::size_t k = 0; k < column; ++k) at = table.find(',', at) + 1;
+  const std::size_t end = table.find_first_of(",\n", at);
+  return table.substr(0, at) + change(table.substr(at, end - at)) + table.substr(end);
+}
+
+// One rule for outliers: what is off by itself is set aside, named and in no figure, whoever asks.
+TEST_F(CompareCommand, anOutlierIsSetAsideAsDiagnoseDoes) {
+  const auto off = [](const std::string& inches) { return fmt::format("{}", std::stod(inches) + 0.2); };
+  (void)write("clean.csv", readingsWith(0));
+  (void)write("readings.csv", withCell(readingsWith(0), 18, 8, off));
+  const json clean = json::parse(run("compare " + shipped("bench.yaml") + " clean.csv --json -").out);
+  EXPECT_EQ(clean["set_aside"], json::array());
+  for (const char* command : {"compare", "identify", "diagnose"}) {
+    const std::string free = command == std::string("identify") ? " --free tool.joint_stiffness.z" : "";
+    const Outcome outcome =
+        run(fmt::format("{} {} readings.csv{} --json -", command, shipped("bench.yaml"), free));
+    EXPECT_EQ(outcome.exit_code, 0) << command << outcome.err;
+    EXPECT_EQ(json::parse(outcome.out)["set_aside"], json::array({"18"})) << command;
+  }
+  const json without = json::parse(run("compare " + shipped("bench.yaml") + " readings.csv --json -").out);
+  EXPECT_EQ(without["verdict"], "adequate");
+  EXPECT_EQ(without["as_it_stands"]["readings"], 39);
+  EXPECT_LT(without["as_it_stands"]["rms"], 1.1 * clean["as_it_stands"]["rms"].get<double>());
+  const Outcome kept = run("compare " + shipped("bench.yaml") + " readings.csv --assume as-is --json -");
+  EXPECT_EQ(kept.exit_code, 1);
+  EXPECT_EQ(json::parse(kept.out)["set_aside"], json::array());
+}
+
+// A row that was logged before the controller had its new joints is a mistake that is named, and no repeat of the row
+// before.
+TEST_F(CompareCommand, aStaleRowIsNamedAndExcusesNothing) {
+  std::string table = readingsWith(0);
+  std::vector<std::string> rows;
+  for (std::size_t at = 0; at < table.size(); at = table.find('\n', at) + 1)
+    rows.push_back(table.substr(at, table.find('\n', at) + 1 - at));
+  const auto fieldOf = [](const std::string& row, std::size_t column) {
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < column; ++k) at = row.find(',', at) + 1;
+    return row.substr(at, row.find_first_of(",\n", at) - at);
+  };
+  for (const std::size_t column : {2u, 3u, 4u, 5u, 6u, 11u, 12u, 13u, 14u})
+    table = withCell(table, 21, column, [&](const std::string&) { return fieldOf(rows[20], column); });
+  (void)write("readings.csv", table);
+  const Outcome outcome = run("compare " + shipped("bench.yaml") + " readings.csv --json -");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_NE(report["verdict"], "adequate");
+  ASSERT_FALSE(report["checks"].empty());
+  EXPECT_EQ(report["checks"][0]["name"], "stale-joints");
+  EXPECT_EQ(report["checks"][0]["assume"], "without=21");
+  EXPECT_EQ(run("compare " + shipped("bench.yaml") + " readings.csv --assume without=21").exit_code, 0);
 }
 
 }  // namespace

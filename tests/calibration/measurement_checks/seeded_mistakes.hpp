@@ -247,6 +247,21 @@ inline Made duplicate(SeededSet& s, SeededRandom& random) {
   return "without=" + m.id;
 }
 
+/// Logged before the controller had its new joints.
+inline Made staleJoints(SeededSet& s, SeededRandom& random) {
+  auto& readings = s.table.readings;
+  if (!arePlaces(s) || areHoles(s) || readings.size() < 12) return std::nullopt;
+  const auto k = static_cast<std::size_t>(1 + drawnBelow(static_cast<int>(readings.size()) - 1, random));
+  const Measurement& before = readings[k - 1];
+  if (readings[k].kind == MeasurementKind::kDeflection || readings[k].kind != before.kind ||
+      readings[k].setup != before.setup || (readings[k].q - before.q).norm() < 0.3)
+    return std::nullopt;
+  readings[k].q = before.q;
+  readings[k].side_q = before.side_q;
+  readings[k].load = before.load;
+  return "without=" + readings[k].id;
+}
+
 }  // namespace seeded
 
 inline const std::vector<SeededMistake>& seededMistakes() {
@@ -280,6 +295,7 @@ inline const std::vector<SeededMistake>& seededMistakes() {
       {"setup", "tip mounted anew", seeded::tipAnew},
       {"out-of-reach", "a place out of reach", seeded::outOfReach},
       {"duplicates", "a row twice", seeded::duplicate},
+      {"stale-joints", "the joints of the row before", seeded::staleJoints},
   };
   return kMistakes;
 }

@@ -10,7 +10,8 @@ namespace {
 using nlohmann::json;
 
 TEST(StepChances, HappenAsOftenAsPredictedByArmsOfOtherPhysics) {
-  const Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+  Cell cell = readCell((shippedCells() / "mockup.yaml").string());
+  cell.uncertainty = testing::uncertaintyOfTrials();
   const testing::StepChanceTrials trials(cell, 3, 8);
   std::vector<testing::StepChanceTrial> found;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) found.push_back(trials.run(seed));
@@ -44,8 +45,14 @@ TEST_F(StepChancesOfAPlan, AreNotGivenForABaseThatNobodyPlaced) {
 }
 
 TEST_F(StepChancesOfAPlan, SayWhetherTouchesOrTheCellToldTheModelsError) {
+  // Stiffnesses that are off by what the arm's file leaves open are no error of the model.
   const json by_touches = planned("mockup.yaml --touches auto --truth mockup-true.yaml");
-  EXPECT_EQ(by_touches["probabilities"]["model_error"]["source"], "touches");
+  EXPECT_TRUE(by_touches["probabilities"]["model_error"].is_null());
+  EXPECT_EQ(by_touches["probabilities"]["counted"],
+            (std::vector<std::string>{"the encoders", "the base pose", "the arm's numbers"}));
+  write("exact.yaml", contentOf(folder / "mockup.yaml") + "uncertainty: none\n");
+  const json exact = planned("exact.yaml --touches auto --truth mockup-true.yaml");
+  EXPECT_EQ(exact["probabilities"]["model_error"]["source"], "touches");
   write("stated.yaml", contentOf(folder / "mockup.yaml") + "model_error: 0.02\n");
   const json by_cell = planned("stated.yaml --touches auto --truth mockup-true.yaml");
   EXPECT_EQ(by_cell["probabilities"]["model_error"]["source"], "cell");
@@ -71,8 +78,9 @@ TEST_F(StepChancesOfAPlan, AKnownBaseWithoutAWordOnTheModelSaysSo) {
 }
 
 TEST_F(StepChancesOfAPlan, ACalibratedCellCarriesTheModelsErrorOn) {
-  (void)planned("mockup.yaml --touches auto --truth mockup-true.yaml");
-  const Outcome outcome = run("calibrate mockup.yaml plan/touches.csv --out placed.yaml --json -");
+  write("exact.yaml", contentOf(folder / "mockup.yaml") + "uncertainty: none\n");
+  (void)planned("exact.yaml --touches auto --truth mockup-true.yaml");
+  const Outcome outcome = run("calibrate exact.yaml plan/touches.csv --out placed.yaml --json -");
   const json found = json::parse(outcome.out, nullptr, false);
   EXPECT_EQ(found["model_error"]["from"], "touches");
   EXPECT_EQ(found["model_error"]["degrees_of_freedom"], 3);

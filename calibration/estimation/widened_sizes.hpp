@@ -1,0 +1,11 @@
+// Intervals of effects' sizes over all sizes that explain the readings as well (size_modes.hpp).
+#pragma once
+
+#include "calibration/estimation/identified_numbers.hpp"
+
+namespace tubeplan::calibration {
+
+/// Widens them where readings of steps, which do not say on which side the tip is, were fitted.
+void widenSizes(const FittedModel& model, Identification& result);
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,58 @@
+// Readings of one posture tell the noise within the factor to which it is known; beyond it they excuse nothing.
+#include "calibration/estimation/repeats.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "calibration/patterns/comparison.hpp"
+#include "tests/calibration/campaign.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+Comparison compared(const std::vector<Measurement>& readings) {
+  ComparisonOptions options;
+  options.refit.folds = 0;
+  return compare(placeForReadings(deflection::cobraArm(), Eigen::Isometry3d::Identity(), true, readings), readings,
+                 options);
+}
+
+Comparison comparedWithNoise(double ratio, std::uint64_t seed) {
+  CampaignPlan plan;
+  plan.postures = 18;
+  plan.repeats = 3;
+  plan.noise = ratio * plan.stated;
+  return compared(makeCampaign(deflection::cobraArm(), seed, plan));
+}
+
+TEST(Repeats, FindTheRatioOfTheNoise) {
+  for (const double ratio : {0.5, 1., 2., 5., 20.})
+    EXPECT_NEAR(comparedWithNoise(ratio, 3).after_refit.repeats.noise_ratio, ratio, 0.25 * ratio);
+}
+
+TEST(Repeats, ExcuseAModelUpToTheirBoundOnly) {
+  for (const auto& [ratio, verdict] : {std::pair{1., Adequacy::kAdequate}, std::pair{2., Adequacy::kAdequate},
+                                       std::pair{5., Adequacy::kInadequate}, std::pair{50., Adequacy::kInadequate}})
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const Comparison result = comparedWithNoise(ratio, seed);
+      EXPECT_EQ(result.verdict, verdict) << ratio << " times the stated noise, seed " << seed;
+      EXPECT_EQ(areBeyondNoise(result.after_refit.repeats), ratio > kMostNoiseRatio) << ratio;
+    }
+}
+
+// Two readings of one posture a metre apart, and a model that is right of all others.
+TEST(Repeats, AStaleRowIsNotNoise) {
+  auto readings = makeCampaign(deflection::cobraArm(), 4);
+  readings[20].q = readings[19].q;
+  readings[20].load = readings[19].load;
+  readings[20].approach_directions = readings[19].approach_directions;
+  const Comparison result = compared(readings);
+  ASSERT_EQ(result.after_refit.repeats.groups, 1);
+  EXPECT_TRUE(areBeyondNoise(result.after_refit.repeats));
+  EXPECT_EQ(result.verdict, Adequacy::kInadequate);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
