@@ -14,10 +14,19 @@ namespace tubeplan::app {
 
 namespace {
 
+std::string stepsHeading(std::size_t counts, const Units& units) {
+  std::string text = fmt::format("{:<34}", "model");
+  for (std::size_t k = 0; k < counts; ++k) text += fmt::format(" {:>9}", k == 0 ? "0 steps" : std::to_string(k));
+  return text + fmt::format(" {:>9} {:>9}   holes by number of inserted steps; centring error in {}\n", "median", "95 %",
+                            units.length().name);
+}
+
 std::string stepsText(const std::vector<ModelComparisonRow>& comparison, const Units& units) {
   std::string text;
+  std::size_t counts = 0;
   for (const auto& compared : comparison) {
     if (!compared.steps) continue;
+    counts = std::max(counts, compared.steps->counts.size());
     text += fmt::format("{:<34}", compared.name);
     for (const int count : compared.steps->counts) text += fmt::format(" {:>9}", count);
     if (compared.steps->holes > 0)
@@ -27,11 +36,7 @@ std::string stepsText(const std::vector<ModelComparisonRow>& comparison, const U
     if (compared.steps->no_posture > 0) text += fmt::format("  ({} of them not reached)", compared.steps->no_posture);
     text += "\n";
   }
-  if (text.empty()) return "";
-  return fmt::format(
-             "{:<34} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}   holes by number of inserted steps; centring error in {}\n",
-             "model", "0 steps", "1", "2", "3", "median", "95 %", units.length().name) +
-         text;
+  return text.empty() ? "" : stepsHeading(counts, units) + text;
 }
 
 }  // namespace

@@ -183,7 +183,7 @@ export interface LadderDocument {
     fitted_numbers: number;
     rms: {as_it_stands: number; fitted: number; heldout: number | null; noise_floor: number};
     worst: {as_it_stands: number; fitted: number; heldout: number | null};
-    steps?: {holes: number; counts: number[]; three: number} | null;
+    steps?: {holes: number; counts: number[]} | null;
   }[];
   units: Units;
   model: number;
