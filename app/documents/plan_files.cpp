@@ -155,9 +155,8 @@ json travelJson(const PlanRequest& request, const planner::VisitPlan& plan, cons
 std::string calibratedText(const PlanOutcome& outcome, const std::filesystem::path& out) {
   if (!outcome.calibration) return cellTextAt(outcome.cell, out);
   const auto& base = outcome.calibration->flexible;
-  return cellTextWithBase(outcome.cell,
-                          {base.X_WB, base.covariance, true, outcome.chances.model_error, outcome.touches, &base.arm},
-                          out);
+  return cellTextWithBase(
+      outcome.cell, {base.X_WB, base.covariance, true, outcome.chances.model_error, outcome.touches, &base.arm}, out);
 }
 
 }  // namespace
