@@ -16,7 +16,8 @@ namespace tubeplan::app {
 ///   sheet: {name, leg, viewed_from: "below" | "above", hole_diameter, pitch, rows, columns,
 ///           holes: [[row, column, x, y, state], ...], fingerprint}
 ///   steps: [{diameter, tolerance}, ...]   the calibration tool's steps, as many as it has, step 1 first
-///   tubes: [{order, row, column, x, y, tilt, predicted_error, steps, probability_by_steps, none, goal_point, via_point}]
+///   tubes: [{order, row, column, x, y, tilt, predicted_error, steps, probability_by_steps, none, goal_point,
+///   via_point}]
 ///          in visiting order; each mode {error, dx, dy, steps, approach_deviation}, or null without a truth
 ///   unreachable: [{row, column, x, y, reason}];  tour: [[x, y], ...] the tip's trace in the sheet's plane
 ///   touches: [{id, hole, row, column, x, y, residual: [3], sigma: [3]}]
