@@ -123,7 +123,7 @@ double probabilityWithinAll(const std::vector<Ring>& rings, const Eigen::Vector2
 }  // namespace
 
 std::vector<std::string> stepWords(const SteppedTool& tool) {
-  constexpr std::array kNumbers{"no", "one", "two", "three", "four", "five", "six"};
+  constexpr std::array kNumbers{"no", "one", "two", "three", "four", "five", "six", "seven", "eight"};
   std::vector<std::string> words;
   for (std::size_t entered = 0; entered <= tool.steps.size(); ++entered) {
     const std::string number = entered < kNumbers.size() ? kNumbers[entered] : std::to_string(entered);

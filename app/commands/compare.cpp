@@ -37,7 +37,8 @@ int run(const CompareOptions& options) {
   if (options.report.isWanted()) writeReport(options.report, comparisonPage(input, options.request.seed, figures));
   if (printsText(options.json)) {
     fmt::print("{}{}{}", checksText(input.checks, input.cell.units),
-               comparisonText(comparison, readings, input.cell.units), setAsideText(set_aside, input.readings.size()));
+               comparisonText(comparison, readings, set_aside.size(), input.cell.units),
+               setAsideText(set_aside, input.readings.size()));
     for (const auto& warning : warnings) fmt::print("  warning: {}\n", warning);
   }
   return comparison.verdict == calibration::Adequacy::kAdequate ? kDone : kNegativeAnswer;

@@ -14,7 +14,7 @@
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/diagnosis_pages.hpp"
-#include "app/documents/figures.hpp"
+#include "app/documents/error_figures.hpp"
 #include "app/documents/improvement_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/model_comparison_json.hpp"
@@ -58,7 +58,7 @@ class Keeper {
       first_ = files;
     if (printsText(options_.json))
       fmt::print("{}{}: held-out error {}\n", model.name, withoutText(model.set_aside.size()),
-                 lengthText(model.fit.heldout.rms, input_.cell.units));
+                 errorText(model.fit.heldout.rms, errorUnitOf(model.fit.after.are_angles, input_.cell.units)));
     std::fflush(stdout);
   }
 
@@ -79,6 +79,7 @@ class Keeper {
 
 void print(const Improvement& result, const ImproveOptions& options, const CellReadings& input) {
   const Units& units = input.cell.units;
+  fmt::print("{}\n", improvementSentence(result, units));
   for (std::size_t k = 0; k < result.steps.size(); ++k) {
     const auto& step = result.steps[k];
     fmt::print("step {}: {}: {}\n", k + 1, nameOf(step.diagnosis.verdict), sentenceOf(step, units));

@@ -53,7 +53,9 @@ int run(const LadderOptions& options) {
     writeReport(options.report, ladderPage(outcome.figures, options.measurements, options.request.seed));
   const Units& units = models.front().input.cell.units;
   if (printsText(options.json))
-    fmt::print("{}{}{}", checksText(models.back().input.checks, units), modelComparisonText(outcome.comparison, units),
+    fmt::print("{}{}\n{}{}{}", checksText(models.back().input.checks, units),
+               modelComparisonSentence(outcome.comparison, units), modelComparisonText(outcome.comparison, units),
+               setAsideText(outcome.set_aside, models.back().input.readings.size()),
                ladderStepsText(outcome.steps, units));
   return kDone;
 }

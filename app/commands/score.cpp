@@ -41,9 +41,6 @@ struct ScoreOptions {
 /// Spread over the sheet, where none are named.
 constexpr std::size_t kTubes = 60, kTubesOfRuns = 80;
 
-/// Table 5.7: of ten holes, how many took 0, 1, 2, 3 steps without and with compensation.
-constexpr int kThesisCounts[2][4] = {{7, 2, 1, 0}, {0, 4, 4, 2}};
-
 struct ScoredTube {
   int tube;
   std::string reason;  ///< why it could not be scored
@@ -158,8 +155,7 @@ nlohmann::json experimentJson(const StepExperiment& experiment, const Units& uni
   nlohmann::json json = {{"units", unitsJson(units)},
                          {"runs", experiment.runs},
                          {"refused", experiment.refused},
-                         {"mean_touch_error", lengthOf(experiment.mean_touch_error, units)},
-                         {"thesis_table_5_7", {{"none", kThesisCounts[0]}, {"goal_point", kThesisCounts[1]}}}};
+                         {"mean_touch_error", lengthOf(experiment.mean_touch_error, units)}};
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode)
     json[kModeKeys[mode]] = {{"mean_counts", experiment.mean_counts[mode]},
                              {"counts_by_run", experiment.counts_by_run[mode]},
@@ -184,9 +180,6 @@ void printExperiment(const StepExperiment& experiment, const Units& units) {
   fmt::print(
       "goal-point and via-point compensation share the posture at the hole: they differ during the approach, not in "
       "these counts\n");
-  for (int row = 0; row < 2; ++row)
-    fmt::print("table 5.7, {:<18}{:6}{:6}{:6}{:6}\n", row == 0 ? "without" : "with", kThesisCounts[row][0],
-               kThesisCounts[row][1], kThesisCounts[row][2], kThesisCounts[row][3]);
 }
 
 int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, const planner::Workcell& model,

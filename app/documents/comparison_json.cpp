@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/diagnosis_views_json.hpp"
+#include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/identification_json.hpp"
 #include "app/documents/pattern_json.hpp"
@@ -40,12 +41,17 @@ json repeatsJson(const Repeats& repeats) {
             {"p_value", finiteJson(repeats.lack_of_fit_p_value)}}}};
 }
 
-json lackOfFitJson(const ModelLackOfFit& lack_of_fit, const Units& units) {
-  return {{"rms", lengthJson(lack_of_fit.errors.rms, units)},
-          {"mean", lengthJson(lack_of_fit.errors.mean, units)},
-          {"worst", lengthJson(lack_of_fit.errors.max, units)},
+/// The unit that the errors of a comparison are in.
+ErrorUnit errorUnitOf(const Comparison& result, const Units& units) {
+  return errorUnitOf(result.after_refit.errors.are_angles || result.as_it_stands.errors.are_angles, units);
+}
+
+json lackOfFitJson(const ModelLackOfFit& lack_of_fit, const ErrorUnit& unit) {
+  return {{"rms", errorJson(lack_of_fit.errors.rms, unit)},
+          {"mean", errorJson(lack_of_fit.errors.mean, unit)},
+          {"worst", errorJson(lack_of_fit.errors.max, unit)},
           {"readings", lack_of_fit.errors.readings},
-          {"noise_floor", lengthJson(lack_of_fit.noise_floor, units)},
+          {"noise_floor", errorJson(lack_of_fit.noise_floor, unit)},
           {"chi2", finiteJson(lack_of_fit.chi2)},
           {"degrees_of_freedom", lack_of_fit.degrees_of_freedom},
           {"chi2_per_dof", finiteJson(lack_of_fit.chi2 / std::max(1, lack_of_fit.degrees_of_freedom))},
@@ -79,6 +85,17 @@ json comparedJointsJson(const Eigen::VectorXd& q, const deflection::Arm& arm, co
   return list;
 }
 
+/// Whether a reading measures nothing but the tool's turn: its error is an angle.
+bool isAngle(const Measurement& reading) { return calibration::measureAnglesAlone({reading}); }
+
+/// Length of a reading's error, an angle of one that measures nothing else, and the name of its unit.
+json sizeJson(const Measurement& reading, const Eigen::Vector3d& error_W, double turn, const Units& units) {
+  return isAngle(reading) ? finiteJson(turn / units.factor(dimension::kAngle)) : lengthJson(error_W.norm(), units);
+}
+std::string sizeUnit(const Measurement& reading, const Units& units) {
+  return std::string(isAngle(reading) ? units.angle().name : units.length().name);
+}
+
 json comparedReadingJson(const ComparedReading& compared, const Measurement& reading, const Comparison& result,
                          const Units& units) {
   json entry = {
@@ -99,8 +116,9 @@ json comparedReadingJson(const ComparedReading& compared, const Measurement& rea
       {"position_after", placeJson(compared.tip_after, units)},
       {"error_before", placeJson(compared.error_before, units)},
       {"error_after", placeJson(compared.error_after, units)},
-      {"size_before", lengthJson(compared.error_before.norm(), units)},
-      {"size_after", lengthJson(compared.error_after.norm(), units)},
+      {"size_before", sizeJson(reading, compared.error_before, compared.turn_before, units)},
+      {"size_after", sizeJson(reading, compared.error_after, compared.turn_after, units)},
+      {"size_unit", sizeUnit(reading, units)},
       {"sigmas_before", finiteJson(compared.sigmas_before)},
       {"sigmas_after", finiteJson(compared.sigmas_after)}};
   addOwnNumbers(reading, units, entry);
@@ -129,7 +147,8 @@ json worstJson(const Comparison& result, const std::vector<Measurement>& reading
     const auto& compared = result.readings.at(reading);
     list.push_back({{"id", readings.at(reading).id},
                     {"error", placeJson(compared.error_after, units)},
-                    {"size", lengthJson(compared.error_after.norm(), units)},
+                    {"size", sizeJson(readings.at(reading), compared.error_after, compared.turn_after, units)},
+                    {"unit", sizeUnit(readings.at(reading), units)},
                     {"sigmas", finiteJson(compared.sigmas_after)}});
   }
   return list;
@@ -152,10 +171,10 @@ std::string noiseSentence(const Comparison& result) {
       repeats.noise_ratio, chanceText(repeats.noise_p_value));
 }
 
-std::string lackOfFitLine(const char* title, const ModelLackOfFit& lack_of_fit, const Units& units) {
+std::string lackOfFitLine(const char* title, const ModelLackOfFit& lack_of_fit, const ErrorUnit& unit) {
   return fmt::format("  {:<16} rms {:>10}  mean {:>10}  worst {:>10}  chi-square per freedom {:.3g} ({}): {}\n", title,
-                     lengthText(lack_of_fit.errors.rms, units, 3), lengthText(lack_of_fit.errors.mean, units, 3),
-                     lengthText(lack_of_fit.errors.max, units, 3),
+                     errorText(lack_of_fit.errors.rms, unit, 3), errorText(lack_of_fit.errors.mean, unit, 3),
+                     errorText(lack_of_fit.errors.max, unit, 3),
                      lack_of_fit.chi2 / std::max(1, lack_of_fit.degrees_of_freedom),
                      lack_of_fit.degrees_of_freedom > 0 ? chanceText(lack_of_fit.p_value) : "no degree of freedom",
                      nameOf(lack_of_fit.adequacy));
@@ -175,10 +194,11 @@ std::string equivalentsText(const Comparison& result, const Units& units) {
 }
 
 std::string errorClause(const Comparison& result, const Units& units) {
+  const ErrorUnit unit = errorUnitOf(result, units);
   return fmt::format("the error is {} as it stands and {} after the refit; noise alone explains {}",
-                     lengthText(result.as_it_stands.errors.rms, units, 3),
-                     lengthText(result.after_refit.errors.rms, units, 3),
-                     lengthText(result.after_refit.noise_floor, units, 3));
+                     errorText(result.as_it_stands.errors.rms, unit, 3),
+                     errorText(result.after_refit.errors.rms, unit, 3),
+                     errorText(result.after_refit.noise_floor, unit, 3));
 }
 
 /// The error, then each of the verdict's reasons.
@@ -202,9 +222,11 @@ std::string comparisonSentence(const Comparison& result, const Units& units) {
   return fmt::format("The model falls short, since {}: {}.", fmt::join(result.grounds, ", and "), error);
 }
 
-json comparisonJson(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+json comparisonJson(const Comparison& result, const std::vector<Measurement>& readings, std::size_t set_aside,
+                    const Units& units) {
   const auto& after = result.after_refit;
   const auto& refit = result.refit;
+  const ErrorUnit unit = errorUnitOf(result, units);
   json report = {{"status", statusName(result.status)},
                  {"reason", result.reason},
                  {"units", unitsJson(units)},
@@ -216,19 +238,22 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
                  {"noise", noiseSentence(result)},
                  {"chi2_per_dof", finiteJson(after.chi2 / std::max(1, after.degrees_of_freedom))},
                  {"p_value", finiteJson(after.p_value)},
-                 {"as_it_stands", lackOfFitJson(result.as_it_stands, units)},
-                 {"after_refit", lackOfFitJson(after, units)}};
-  report["rms"] = {{"before", lengthJson(result.as_it_stands.errors.rms, units)},
-                   {"after_base", lengthJson(refit.after_base.rms, units)},
-                   {"after", lengthJson(after.errors.rms, units)},
-                   {"noise_floor", lengthJson(after.noise_floor, units)},
-                   {"heldout_before", lengthJson(refit.heldout_before.rms, units)},
-                   {"heldout_after", lengthJson(refit.heldout.rms, units)}};
+                 {"as_it_stands", lackOfFitJson(result.as_it_stands, unit)},
+                 {"after_refit", lackOfFitJson(after, unit)}};
+  report["rms"] = {{"before", errorJson(result.as_it_stands.errors.rms, unit)},
+                   {"after_base", errorJson(refit.after_base.rms, unit)},
+                   {"after", errorJson(after.errors.rms, unit)},
+                   {"noise_floor", errorJson(after.noise_floor, unit)},
+                   {"heldout_before", errorJson(refit.heldout_before.rms, unit)},
+                   {"heldout_after", errorJson(refit.heldout.rms, unit)}};
+  report["error_unit"] = unit.name;
+  report["error_budget"] = errorBudgetJson(budgetOf(result), set_aside, units);
   report["ladder"] = {
       {{"name", "as it stands"}, {"rms", report["rms"]["before"]}, {"heldout_rms", report["rms"]["heldout_before"]}},
       {{"name", "refitted"}, {"rms", report["rms"]["after"]}, {"heldout_rms", report["rms"]["heldout_after"]}}};
-  report["refit"] =
-      refit.status == calibration::IdentificationStatus::kNotRun ? json() : identificationJson(refit, readings, units);
+  report["refit"] = refit.status == calibration::IdentificationStatus::kNotRun
+                        ? json()
+                        : identificationJson(refit, readings, set_aside, units);
   report["worst"] = worstJson(result, readings, units);
   report["patterns"] = json::array();
   for (const auto& test : result.patterns.findings) report["patterns"].push_back(findingJson(test, units));
@@ -244,15 +269,19 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
   return report;
 }
 
-std::string comparisonText(const Comparison& result, const std::vector<Measurement>& readings, const Units& units) {
+std::string comparisonText(const Comparison& result, const std::vector<Measurement>& readings, std::size_t set_aside,
+                           const Units& units) {
+  const ErrorUnit unit = errorUnitOf(result, units);
   std::string text = fmt::format("{}\n{}\n", nameOf(result.verdict), comparisonSentence(result, units));
   if (!result.reason.empty()) text += "  " + result.reason + "\n";
-  text += lackOfFitLine("as it stands", result.as_it_stands, units);
-  text += lackOfFitLine("after the refit", result.after_refit, units);
+  text += lackOfFitLine("as it stands", result.as_it_stands, unit);
+  text += lackOfFitLine("after the refit", result.after_refit, unit);
   if (result.refit.heldout.readings > 0)
-    text += fmt::format("  held out: rms {} with only the base fitted, {} after the refit\n",
-                        lengthText(result.refit.heldout_before.rms, units, 3),
-                        lengthText(result.refit.heldout.rms, units, 3));
+    text +=
+        fmt::format("  held out: rms {} with only the base fitted, {} after the refit\n",
+                    errorText(result.refit.heldout_before.rms, unit, 3), errorText(result.refit.heldout.rms, unit, 3));
+  if (const std::string budget = errorBudgetText(budgetOf(result), set_aside, units); !budget.empty())
+    text += "  " + budget + "\n";
   text += noiseSentence(result) + "\n";
   for (const auto& test : result.patterns.findings)
     text += "  " + patternSentence(test, units) +
@@ -261,9 +290,11 @@ std::string comparisonText(const Comparison& result, const std::vector<Measureme
       fmt::format("  {} patterns tested, {} found\n", result.patterns.tests.size(), result.patterns.findings.size());
   for (std::size_t k = 0; k < std::min<std::size_t>(3, result.worst.size()); ++k) {
     const auto reading = static_cast<std::size_t>(result.worst[k]);
+    const auto& worst = result.readings.at(reading);
+    const double size = isAngle(readings.at(reading)) ? worst.turn_after / units.factor(dimension::kAngle)
+                                                      : worst.error_after.norm() / units.factor(dimension::kLength);
     text += fmt::format("  worst: reading {} is off by {} ({:.1f} sigmas)\n", nameInLine(readings.at(reading).id),
-                        lengthText(result.readings.at(reading).error_after.norm(), units, 3),
-                        result.readings.at(reading).sigmas_after);
+                        figureText(size, sizeUnit(readings.at(reading), units), 3), worst.sigmas_after);
   }
   return text + equivalentsText(result, units);
 }

@@ -7,6 +7,7 @@
 #include "app/documents/diagnosis_text.hpp"
 #include "app/documents/diagnosis_views_json.hpp"
 #include "app/documents/effect_words_json.hpp"
+#include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
 #include "app/files/effects_reader.hpp"
 #include "app/files/units_json.hpp"
@@ -64,7 +65,8 @@ nlohmann::json effectJson(const FoundEffect& effect, const deflection::Arm& arm,
   return json;
 }
 
-nlohmann::json rankedJson(const RankedEffect& entry, const deflection::Arm& arm, const Units& units) {
+nlohmann::json rankedJson(const RankedEffect& entry, const deflection::Arm& arm, const ErrorUnit& unit,
+                          const Units& units) {
   const bool is_one = entry.effects.size() == 1;
   nlohmann::json json = {
       {"effect", entry.effect},
@@ -76,8 +78,7 @@ nlohmann::json rankedJson(const RankedEffect& entry, const deflection::Arm& arm,
       {"size", numberJson(entry.size, units)},
       {"kept_fraction", finiteJson(entry.kept_fraction)},
       {"heldout_rms",
-       {{"before", lengthJson(entry.heldout_before.rms, units)},
-        {"after", lengthJson(entry.heldout_after.rms, units)}}}};
+       {{"before", errorJson(entry.heldout_before.rms, unit)}, {"after", errorJson(entry.heldout_after.rms, unit)}}}};
   addEffectWords(entry.effect, json);
   return json;
 }
@@ -91,13 +92,14 @@ nlohmann::json effectsJson(const Explanation& explanation, const Diagnosis& resu
 
 /// An explanation with what it leaves.
 nlohmann::json explanationJson(const Explanation& explanation, const Diagnosis& result, const Units& units) {
+  const ErrorUnit unit = errorUnitOf(result.before.are_angles, units);
   return {{"effects", effectsJson(explanation, result, units)},
           {"chi2", finiteJson(explanation.chi2)},
           {"probability", finiteJson(explanation.probability)},
           {"remainder_probability", finiteJson(explanation.remainder_probability)},
           {"p_value", finiteJson(explanation.p_value)},
-          {"rms", lengthJson(explanation.after.rms, units)},
-          {"heldout_rms", lengthJson(explanation.heldout.rms, units)}};
+          {"rms", errorJson(explanation.after.rms, unit)},
+          {"heldout_rms", errorJson(explanation.heldout.rms, unit)}};
 }
 
 /// The explanations that are shown.
@@ -110,18 +112,20 @@ nlohmann::json explanationsJson(const Diagnosis& result, const Units& units) {
   return list;
 }
 
-nlohmann::json remainderJson(const calibration::Remainder& remainder, const Units& units) {
+nlohmann::json remainderJson(const Diagnosis& result, const ErrorUnit& unit) {
+  const auto& remainder = result.remainder;
   nlohmann::json follows = nlohmann::json::array();
   for (const auto& [name, share] : remainder.follows) follows.push_back({{"variable", name}, {"share", share}});
   return {{"probability", finiteJson(remainder.probability)},
-          {"size", lengthJson(remainder.size, units)},
-          {"floor", lengthJson(remainder.floor, units)},
+          {"size", errorJson(budgetOf(result).remainder, unit)},
+          {"floor", errorJson(remainder.floor, unit)},
           {"follows", follows}};
 }
 
 }  // namespace
 
 nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
+  const ErrorUnit unit = errorUnitOf(result.before.are_angles, units);
   nlohmann::json json = {{"verdict", nameOf(result.verdict)},
                          {"verdict_words", wordsOf(result.verdict)},
                          {"sentence", diagnosisSentence(result, units)},
@@ -134,22 +138,25 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
   for (const auto& explanation : result.closest) json["closest"].push_back(explanationJson(explanation, result, units));
   json["ranking"] = nlohmann::json::array();
   for (const auto& entry : result.ranking)
-    json["ranking"].push_back(rankedJson(entry, result.baseline.fitted.arm, units));
-  json["rms"] = {{"noise_floor", lengthJson(result.noise_floor, units)},
-                 {"before", lengthJson(result.before.rms, units)},
-                 {"after", lengthJson(result.after.rms, units)},
-                 {"heldout_before", lengthJson(result.heldout_before.rms, units)},
-                 {"heldout_after", lengthJson(result.heldout_after.rms, units)}};
+    json["ranking"].push_back(rankedJson(entry, result.baseline.fitted.arm, unit, units));
+  json["rms"] = {{"noise_floor", errorJson(result.noise_floor, unit)},
+                 {"before", errorJson(result.before.rms, unit)},
+                 {"after", errorJson(result.after.rms, unit)},
+                 {"heldout_before", errorJson(result.heldout_before.rms, unit)},
+                 {"heldout_after", errorJson(result.heldout_after.rms, unit)}};
+  json["error_unit"] = unit.name;
+  json["error_budget"] = errorBudgetJson(budgetOf(result), result.set_aside.size(), units);
+  json["probability_words"] = kProbabilityWords;
   json["chi2_per_dof"] = finiteJson(result.chi2 / std::max(1, result.degrees_of_freedom));
   json["degrees_of_freedom"] = result.degrees_of_freedom;
   json["p_value"] = finiteJson(result.p_value);
   json["probability"] = {{"nothing_missing", finiteJson(result.nothing_probability)},
                          {"unknown_alone", finiteJson(result.unknown_probability)},
                          {"scatter_alone", finiteJson(result.scatter_probability)}};
-  json["model_error"] = lengthJson(result.model_error, units);
+  json["model_error"] = errorJson(result.model_error, unit);
   if (result.repeats.groups > 0)
     json["repeats"] = {{"groups", result.repeats.groups}, {"noise_ratio", finiteJson(result.repeats.noise_ratio)}};
-  if (std::isfinite(result.remainder.floor)) json["remainder"] = remainderJson(result.remainder, units);
+  if (std::isfinite(result.remainder.floor)) json["remainder"] = remainderJson(result, unit);
   json["detectable"] = nlohmann::json::array();
   for (const auto& entry : result.detectable)
     json["detectable"].push_back({{"effect", entry.effect},

@@ -8,10 +8,12 @@
 #include <map>
 #include <utility>
 
+#include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/effects_reader.hpp"
 #include "app/files/input_error.hpp"
+#include "calibration/estimation/whitened_residual.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {
@@ -102,10 +104,15 @@ std::string followsText(const calibration::Remainder& remainder) {
   return fmt::format("{}", fmt::join(variables, ", "));
 }
 
+/// A figure of the readings' errors.
+std::string errorText(double error, const Diagnosis& result, const Units& units, int digits = kDigits) {
+  return errorText(error, errorUnitOf(result.before.are_angles, units), digits);
+}
+
 std::string remainderSentence(const Diagnosis& result, const Units& units) {
   const auto& remainder = result.remainder;
   if (!std::isfinite(remainder.size)) return "";
-  const std::string size = lengthText(remainder.size, units, kDigits);
+  const std::string size = errorText(budgetOf(result).remainder, result, units);
   if (remainder.follows.empty()) return fmt::format("{} remains that {}.", size, kFollowsNothing);
   return fmt::format("{} remains that no known effect explains; it follows {}.", size, followsText(remainder));
 }
@@ -119,7 +126,7 @@ std::string repeatsSentence(const calibration::Repeats& repeats) {
 
 std::string nothingSentence(const Diagnosis& result, const Units& units) {
   return fmt::format("Nothing is missing: the error of {} is explained by noise ({}).",
-                     lengthText(result.before.rms, units, kDigits), lengthText(result.noise_floor, units, kDigits));
+                     errorText(budgetOf(result).total, result, units), errorText(result.noise_floor, result, units));
 }
 
 std::string missingSentence(const Diagnosis& result, const Units& units) {
@@ -146,9 +153,8 @@ std::string modesSentence(const Explanation& explanation, const Units& units) {
 
 std::string fallSentence(const Diagnosis& result, const Units& units) {
   return fmt::format("With it the held-out error falls from {} to {}; the noise floor is {}.",
-                     lengthText(result.heldout_before.rms, units, kDigits),
-                     lengthText(result.heldout_after.rms, units, kDigits),
-                     lengthText(result.noise_floor, units, kDigits));
+                     errorText(result.heldout_before.rms, result, units),
+                     errorText(result.heldout_after.rms, result, units), errorText(result.noise_floor, result, units));
 }
 
 std::string scatterSentence(const Diagnosis& result, const Units& units) {
@@ -156,7 +162,7 @@ std::string scatterSentence(const Diagnosis& result, const Units& units) {
       "The readings scatter by {} beyond their stated noise, and this scatter {}: sigma is too small, the arm does "
       "not repeat, something unrecorded acts on it, or it changes too fast for these readings: with time, or with a "
       "joint as the turns of a gear or a screw do.",
-      lengthText(result.remainder.size, units, kDigits), kFollowsNothing);
+      errorText(budgetOf(result).remainder, result, units), kFollowsNothing);
 }
 
 constexpr double kWorthNaming = 0.03;  // probability of something unknown beside the explanations
@@ -273,7 +279,7 @@ std::string closestText(const Diagnosis& result, const Units& units) {
     if (names.size() == kMost || std::find(names.begin(), names.end(), name) != names.end()) continue;
     names.push_back(name);
     text += fmt::format("  fitted: {}: probability {:.3f}, chi-square {:.1f}, rms {}\n", name, model.probability,
-                        model.chi2, lengthText(model.after.rms, units));
+                        model.chi2, errorText(model.after.rms, result, units, 4));
   }
   return text;
 }
@@ -317,11 +323,15 @@ std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement
   if (std::isfinite(result.nothing_probability))
     text += fmt::format("nothing missing has probability {:.3g}\n", result.nothing_probability);
   if (result.model_error > 0)
-    text += fmt::format("about {} in each coordinate beyond the stated noise {}\n",
-                        lengthText(result.model_error, units), kFollowsNothing);
+    text += fmt::format("scatter of about {} (root mean square) beyond the stated noise {}\n",
+                        errorText(calibration::lengthOfRows(readings) * result.model_error, result, units),
+                        kFollowsNothing);
+  if (const std::string budget = errorBudgetText(budgetOf(result), result.set_aside.size(), units); !budget.empty())
+    text += budget + "\n";
   for (const auto& alternative : result.alternatives) text += alternativeText(alternative, units);
   if (!result.ranking.empty())
-    text += "  effect                                  probability  chi-square reduction   size\n";
+    text +=
+        fmt::format("  {:<40} {:>9} {:>15}   size   ({})\n", "effect", "is there", "chi2 falls by", kProbabilityWords);
   for (std::size_t k = 0; k < result.ranking.size() && k < 10; ++k) {
     const auto& entry = result.ranking[k];
     text += fmt::format("  {:<40} {:>9.3f} {:>15.1f}   {}\n", entry.effect + "@" + entry.at, entry.probability,

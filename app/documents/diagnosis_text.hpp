@@ -12,6 +12,10 @@ namespace tubeplan::app {
 /// Of what remains where no term of the unknown discrepancy, smooth functions all, takes it.
 inline constexpr const char* kFollowsNothing = "follows no slow function of what the readings record";
 
+/// What the probabilities of a ranking are: each is of the models that the effect is part of.
+inline constexpr const char* kProbabilityWords =
+    "the probability of an effect is that it is there; several may be, so that these do not add to 100 %";
+
 /// The ids of the readings at these places.
 [[nodiscard]] std::vector<std::string> idsOf(const std::vector<int>& places,
                                              const std::vector<calibration::Measurement>& readings);

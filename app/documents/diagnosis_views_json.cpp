@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/diagnosis_text.hpp"
+#include "app/documents/error_figures.hpp"
 #include "app/documents/model_comparison_json.hpp"
 #include "app/files/joint_units.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -91,8 +92,9 @@ json readingJson(const Measurement& reading, const deflection::Arm& arm, const U
 }
 
 json modelComparisonJson(const Diagnosis& result, const Units& units) {
+  const ErrorUnit unit = errorUnitOf(result.before.are_angles, units);
   const auto row = [&](const std::string& name, double rms, double heldout) {
-    return json{{"name", name}, {"rms", briefLength(rms, units)}, {"heldout_rms", briefLength(heldout, units)}};
+    return json{{"name", name}, {"rms", brief(rms / unit.factor)}, {"heldout_rms", brief(heldout / unit.factor)}};
   };
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto& base_poses = result.baseline.fitted.base_poses;

@@ -23,12 +23,14 @@ nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units) {
   return {lengthJson(metres.x(), units), lengthJson(metres.y(), units), lengthJson(metres.z(), units)};
 }
 
+std::string figureText(double value, std::string_view unit, int digits) {
+  if (!std::isfinite(value)) return "none";
+  const bool is_whole = std::abs(value) >= std::pow(10, digits) && std::abs(value) < 1e7;  // 1331, not 1.33e+03
+  return is_whole ? fmt::format("{:.0f} {}", value, unit) : fmt::format("{:.{}g} {}", value, digits, unit);
+}
+
 std::string lengthText(double metres, const Units& units, int digits) {
-  if (!std::isfinite(metres)) return "none";
-  const double length = metres / units.factor(dimension::kLength);
-  const bool is_whole = std::abs(length) >= std::pow(10, digits) && std::abs(length) < 1e7;  // 1331, not 1.33e+03
-  return is_whole ? fmt::format("{:.0f} {}", length, units.length().name)
-                  : fmt::format("{:.{}g} {}", length, digits, units.length().name);
+  return figureText(metres / units.factor(dimension::kLength), units.length().name, digits);
 }
 
 namespace {

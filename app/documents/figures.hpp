@@ -24,6 +24,9 @@ namespace tubeplan::app {
 /// "0.0123 in", to so many digits; "none" where it is not finite.
 [[nodiscard]] std::string lengthText(double metres, const Units& units, int digits = 4);
 
+/// "0.0123 in": a figure with its unit, to so many digits.
+[[nodiscard]] std::string figureText(double value, std::string_view unit, int digits);
+
 /// Decimals at which lengths stand in columns: a ten-thousandth of an inch is seen in every unit.
 [[nodiscard]] int lengthDecimals(const Units& units);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/pose_json.hpp"
 #include "app/files/input_error.hpp"
@@ -25,10 +26,10 @@ std::string identifiableText(const IdentifiedNumber& number) {
   return fmt::format("with {}", fmt::join(number.with, " and "));
 }
 
-nlohmann::json sizeJson(const ErrorSize& size, const Units& units) {
-  return {{"rms", lengthJson(size.rms, units)},
-          {"mean", lengthJson(size.mean, units)},
-          {"max", lengthJson(size.max, units)},
+nlohmann::json sizeJson(const ErrorSize& size, const ErrorUnit& unit) {
+  return {{"rms", errorJson(size.rms, unit)},
+          {"mean", errorJson(size.mean, unit)},
+          {"max", errorJson(size.max, unit)},
           {"readings", size.readings}};
 }
 
@@ -59,8 +60,13 @@ nlohmann::json numberJson(const IdentifiedNumber& number, const Units& units) {
   return json;
 }
 
-std::string lengthFigure(double metres, const Units& units) {
-  return std::isfinite(metres) ? fmt::format("{:.4g}", metres / units.factor(dimension::kLength)) : "none";
+std::string errorFigure(double error, const ErrorUnit& unit) {
+  return std::isfinite(error) ? fmt::format("{:.4g}", error / unit.factor) : "none";
+}
+
+/// The unit that the errors of a fit are in.
+ErrorUnit errorUnitOf(const Identification& result, const Units& units) {
+  return errorUnitOf(result.after.are_angles || result.before.are_angles, units);
 }
 
 /// Open where there is no end: a stiffness that may be rigid.
@@ -70,10 +76,10 @@ std::string intervalText(double lower, double upper) {
   return std::isfinite(upper) ? fmt::format("95 % {:.6g} or less", upper) : "95 % anything";
 }
 
-std::string sizeText(const char* title, const ErrorSize& size, const Units& units) {
+std::string sizeText(const char* title, const ErrorSize& size, const ErrorUnit& unit) {
   if (size.readings == 0) return "";
-  return fmt::format("  {:<34} rms {:>9}  mean {:>9}  worst {:>9} {}\n", title, lengthFigure(size.rms, units),
-                     lengthFigure(size.mean, units), lengthFigure(size.max, units), units.length().name);
+  return fmt::format("  {:<34} rms {:>9}  mean {:>9}  worst {:>9} {}\n", title, errorFigure(size.rms, unit),
+                     errorFigure(size.mean, unit), errorFigure(size.max, unit), unit.name);
 }
 
 std::string numberText(const IdentifiedNumber& number, const Units& units) {
@@ -99,7 +105,7 @@ std::string baseText(const calibration::BasePose& base, const Units& units) {
 }  // namespace
 
 nlohmann::json identificationJson(const Identification& result, const std::vector<calibration::Measurement>& readings,
-                                  const Units& units) {
+                                  std::size_t set_aside, const Units& units) {
   nlohmann::json json = {{"status", statusName(result.status)}, {"reason", result.reason}, {"units", unitsJson(units)}};
   json["parameters"] = nlohmann::json::array();
   if (result.status == IdentificationStatus::kRefused) return json;
@@ -112,22 +118,25 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
   json["base_steps"] = nlohmann::json::array();
   for (const auto& number : result.numbers)
     if (number.unknown.owner == Unknown::Owner::kBase) json["base_steps"].push_back(numberJson(number, units));
-  json["rms"] = {{"before", lengthJson(result.before.rms, units)},
-                 {"after_base", lengthJson(result.after_base.rms, units)},
-                 {"after", lengthJson(result.after.rms, units)},
-                 {"heldout_before", lengthJson(result.heldout_before.rms, units)},
-                 {"heldout_after", lengthJson(result.heldout.rms, units)},
-                 {"noise_floor", lengthJson(result.noise_floor, units)}};
-  json["errors"] = {{"before", sizeJson(result.before, units)},
-                    {"after_base", sizeJson(result.after_base, units)},
-                    {"after", sizeJson(result.after, units)},
-                    {"heldout_before", sizeJson(result.heldout_before, units)},
-                    {"heldout_after", sizeJson(result.heldout, units)}};
+  const ErrorUnit unit = errorUnitOf(result, units);
+  json["rms"] = {{"before", errorJson(result.before.rms, unit)},
+                 {"after_base", errorJson(result.after_base.rms, unit)},
+                 {"after", errorJson(result.after.rms, unit)},
+                 {"heldout_before", errorJson(result.heldout_before.rms, unit)},
+                 {"heldout_after", errorJson(result.heldout.rms, unit)},
+                 {"noise_floor", errorJson(result.noise_floor, unit)}};
+  json["errors"] = {{"before", sizeJson(result.before, unit)},
+                    {"after_base", sizeJson(result.after_base, unit)},
+                    {"after", sizeJson(result.after, unit)},
+                    {"heldout_before", sizeJson(result.heldout_before, unit)},
+                    {"heldout_after", sizeJson(result.heldout, unit)}};
+  json["error_unit"] = unit.name;
+  json["error_budget"] = errorBudgetJson(budgetOf(result), set_aside, units);
   json["chi2"] = finiteJson(result.chi2);
   json["degrees_of_freedom"] = result.degrees_of_freedom;
   json["chi2_per_dof"] = finiteJson(result.chi2 / std::max(1, result.degrees_of_freedom));
   json["p_value"] = finiteJson(result.p_value);
-  json["model_error"] = lengthJson(result.model_error, units);
+  json["model_error"] = errorJson(result.model_error, unit);
   json["dropped"] = result.dropped;
   json["correlations"] = nlohmann::json::array();
   for (const auto& pair : result.correlations)
@@ -135,7 +144,7 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
   json["outliers"] = nlohmann::json::array();
   for (const auto& outlier : result.outliers)
     json["outliers"].push_back({{"id", readings.at(static_cast<std::size_t>(outlier.reading)).id},
-                                {"size", lengthJson(outlier.size, units)},
+                                {"size", errorJson(outlier.size, unit)},
                                 {"sigmas", finiteJson(outlier.sigmas)}});
   json["singular_values"] = nlohmann::json::array();
   for (const double value : result.singular_values) json["singular_values"].push_back(finiteJson(value));
@@ -149,16 +158,17 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
 std::string identificationText(const Identification& result, const std::vector<calibration::Measurement>& readings,
                                const Units& units) {
   if (result.status == IdentificationStatus::kRefused) return "not identified: " + result.reason + "\n";
+  const ErrorUnit unit = errorUnitOf(result, units);
   std::string text;
   if (result.status == IdentificationStatus::kNotConverged) text = "NOT CONVERGED: " + result.reason + "\n";
   text += fmt::format("errors of {} readings\n", result.used.size());
-  text += sizeText("as it stands", result.before, units);
-  text += sizeText("with the base fitted", result.after_base, units);
-  text += sizeText("identified", result.after, units);
-  text += sizeText("held out, with the base fitted", result.heldout_before, units);
-  text += sizeText("held out, identified", result.heldout, units);
+  text += sizeText("as it stands", result.before, unit);
+  text += sizeText("with the base fitted", result.after_base, unit);
+  text += sizeText("identified", result.after, unit);
+  text += sizeText("held out, with the base fitted", result.heldout_before, unit);
+  text += sizeText("held out, identified", result.heldout, unit);
   if (result.numbers.empty()) return text;
-  text += fmt::format("  {:<34} rms {:>9}\n", "noise alone", lengthFigure(result.noise_floor, units));
+  text += fmt::format("  {:<34} rms {:>9}\n", "noise alone", errorFigure(result.noise_floor, unit));
   text += fmt::format("chi-square {:.1f} for {} degrees of freedom", result.chi2, result.degrees_of_freedom);
   text += result.degrees_of_freedom > 0
               ? fmt::format(" ({:.2f} each, p = {:.3g})\n", result.chi2 / result.degrees_of_freedom, result.p_value)
@@ -167,7 +177,7 @@ std::string identificationText(const Identification& result, const std::vector<c
     text += fmt::format(
         "lack of fit: the model error is {} {} in each coordinate beyond the stated noise (one standard deviation); "
         "standard deviations and intervals count it as noise, not as what a missing effect shifts the numbers by\n",
-        lengthFigure(result.model_error, units), units.length().name);
+        errorFigure(result.model_error, unit), unit.name);
   text += "parameters\n";
   for (const auto& number : result.numbers)
     if (number.unknown.owner == Unknown::Owner::kArm) text += numberText(number, units);
@@ -181,7 +191,7 @@ std::string identificationText(const Identification& result, const std::vector<c
   for (const auto& outlier : result.outliers)
     text += fmt::format("  outlier: reading {} is off by {} {} ({:.1f} sigmas)\n",
                         nameInLine(readings.at(static_cast<std::size_t>(outlier.reading)).id),
-                        lengthFigure(outlier.size, units), units.length().name, outlier.sigmas);
+                        errorFigure(outlier.size, unit), unit.name, outlier.sigmas);
   return text;
 }
 

@@ -1,6 +1,7 @@
 // An identification as JSON and as a table for people.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -9,10 +10,10 @@
 
 namespace tubeplan::app {
 
-/// `readings` are those that were given, for naming outliers.
+/// `readings` are those that were given to the fit, for naming outliers; so many others were set aside.
 [[nodiscard]] nlohmann::json identificationJson(const calibration::Identification& result,
                                                 const std::vector<calibration::Measurement>& readings,
-                                                const Units& units);
+                                                std::size_t set_aside, const Units& units);
 
 [[nodiscard]] std::string identificationText(const calibration::Identification& result,
                                              const std::vector<calibration::Measurement>& readings, const Units& units);

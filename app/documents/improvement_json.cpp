@@ -1,10 +1,12 @@
 #include "app/documents/improvement_json.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
 #include "app/documents/diagnosis_text.hpp"
+#include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/model_comparison_json.hpp"
 
@@ -40,12 +42,14 @@ std::string sentenceOf(const ImprovementStep& step, const Units& units) {
 }
 
 std::string reasonText(const ImprovementStep& step, const Units& units) {
-  const std::string first = lengthText(step.first, units), second = lengthText(step.second, units);
+  const ErrorUnit unit = errorUnitOf(step.diagnosis.before.are_angles, units);
+  const std::string first = errorText(step.first, unit), second = errorText(step.second, unit);
   switch (step.reason) {
     case ImprovementReason::kNothingMissing:
       return "nothing is missing";
     case ImprovementReason::kScatter:
-      return fmt::format("the remainder, {} beyond the stated noise, {}", first, kFollowsNothing);
+      return fmt::format("the remainder, {} beyond the stated noise, {}",
+                         errorText(budgetOf(step.diagnosis).remainder, unit), kFollowsNothing);
     case ImprovementReason::kSure:
       return "certain, and it predicts the farthest poses";
     case ImprovementReason::kSureInAll:
@@ -83,12 +87,58 @@ std::vector<std::string> idsSetAside(const Improvement& result, const std::vecto
   return result.models.empty() ? std::vector<std::string>() : idsOf(result.models.back().set_aside, readings);
 }
 
+namespace {
+
+/// How the loop ended, as the end of a sentence.
+const char* endWords(ImprovementEnd end) {
+  switch (end) {
+    case ImprovementEnd::kNotRun:
+      return "the model was not improved";
+    case ImprovementEnd::kAdequate:
+      return "nothing more is missing";
+    case ImprovementEnd::kNothingSure:
+      return "what is left no known effect is certain to explain";
+    case ImprovementEnd::kAmbiguous:
+      return "several effects explain what is left, and these readings cannot tell them apart";
+    case ImprovementEnd::kDoesNotCarryOver:
+      return "no further effect predicts the readings that it was not fitted to";
+    case ImprovementEnd::kMistake:
+      return "a mistake in the readings is suspected and is to be mended first";
+    case ImprovementEnd::kInconclusive:
+      return "the readings allow no verdict on what is left";
+    case ImprovementEnd::kMostSteps:
+      return "the steps asked for are used up, and more may be missing";
+    case ImprovementEnd::kNotFitted:
+      return "the model as given cannot be fitted";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string improvementSentence(const Improvement& result, const Units& units) {
+  std::vector<std::string> added;
+  for (const auto& step : result.steps) added.insert(added.end(), step.added.begin(), step.added.end());
+  const std::string what = added.empty() ? "Nothing was added" : fmt::format("Added {}", fmt::join(added, ", "));
+  if (result.models.empty()) return fmt::format("{}: {}.", what, endWords(result.end));
+  const auto &first = result.models.front().fit, &last = result.models.back().fit;
+  const ErrorUnit unit = errorUnitOf(last.after.are_angles, units);
+  const auto text = [&](double error) { return errorText(error, unit, 3); };
+  const std::string error = added.empty() ? fmt::format("the held-out error is {}", text(last.heldout.rms))
+                                          : fmt::format("the held-out error {} from {} to {}",
+                                                        last.heldout.rms < first.heldout.rms ? "fell" : "rose",
+                                                        text(first.heldout.rms), text(last.heldout.rms));
+  return fmt::format("{}; {} (noise floor {}): {}.", what, error, text(last.noise_floor), endWords(result.end));
+}
+
 nlohmann::json improvementJson(const Improvement& result, const std::vector<calibration::Measurement>& readings,
                                const Units& units) {
   const auto pair = [&](const calibration::ErrorSize& before, const calibration::ErrorSize& after) {
-    return nlohmann::json{{"before", lengthJson(before.rms, units)}, {"after", lengthJson(after.rms, units)}};
+    const ErrorUnit unit = errorUnitOf(before.are_angles, units);
+    return nlohmann::json{{"before", errorJson(before.rms, unit)}, {"after", errorJson(after.rms, unit)}};
   };
-  nlohmann::json json = modelComparisonJson(comparisonRowsOf(result), units);
+  nlohmann::json json = modelComparisonJson(comparisonRowsOf(result), idsSetAside(result, readings).size(), units);
+  json["sentence"] = improvementSentence(result, units);
   json["end"] = nameOf(result.end);
   json["set_aside"] = idsSetAside(result, readings);
   json["steps"] = nlohmann::json::array();

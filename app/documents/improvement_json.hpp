@@ -23,6 +23,9 @@ namespace tubeplan::app {
 [[nodiscard]] std::vector<std::string> idsSetAside(const Improvement& result,
                                                    const std::vector<calibration::Measurement>& readings);
 
+/// What was added, what became of the held-out error, and what is left, in one sentence.
+[[nodiscard]] std::string improvementSentence(const Improvement& result, const Units& units);
+
 /// As `tubeplan improve --json` writes it.
 [[nodiscard]] nlohmann::json improvementJson(const Improvement& result,
                                              const std::vector<calibration::Measurement>& readings, const Units& units);

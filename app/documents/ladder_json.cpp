@@ -25,8 +25,10 @@ nlohmann::json ladderStepsJson(const LadderSteps& steps, std::uint64_t seed, con
 }  // namespace
 
 nlohmann::json ladderJson(const std::vector<ModelComparisonRow>& comparison, const LadderSteps& steps,
-                          std::uint64_t seed, const Units& units) {
-  nlohmann::json figures = modelComparisonJson(comparison, units);
+                          const std::vector<std::string>& set_aside, std::uint64_t seed, const Units& units) {
+  nlohmann::json figures = modelComparisonJson(comparison, set_aside.size(), units);
+  figures["sentence"] = modelComparisonSentence(comparison, units);
+  figures["set_aside"] = set_aside;
   figures["step_table"] = ladderStepsJson(steps, seed, units);
   return figures;
 }
@@ -61,6 +63,10 @@ std::string ladderPage(const nlohmann::json& figures, const std::string& measure
                          {"measurements", measurements},
                          {"seed", seed},
                          {"units", figures["units"]},
+                         {"sentence", figures["sentence"]},
+                         {"error_unit", figures["error_unit"]},
+                         {"error_budget", figures["error_budget"]},
+                         {"set_aside", figures["set_aside"]},
                          {"models", ladderModels(figures["models"])}};
   for (const auto& compared : figures["models"]) page["noise_floor"] = compared["rms"]["noise_floor"];
   page["step_table"] = figures["step_table"];

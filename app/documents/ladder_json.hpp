@@ -14,7 +14,8 @@ namespace tubeplan::app {
 /// As `tubeplan ladder --json` writes it; of the steps {real_arm, unmodelled_sigma, holes, out_of_reach, seed}, or
 /// {reason}.
 [[nodiscard]] nlohmann::json ladderJson(const std::vector<ModelComparisonRow>& comparison, const LadderSteps& steps,
-                                        std::uint64_t seed, const Units& units);
+                                        const std::vector<std::string>& set_aside, std::uint64_t seed,
+                                        const Units& units);
 
 /// One sentence on what stands for the real arm, or why there is no table.
 [[nodiscard]] std::string ladderStepsText(const LadderSteps& steps, const Units& units);

@@ -1,6 +1,7 @@
 // The error of one model after another as JSON and as text.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -10,7 +11,13 @@
 
 namespace tubeplan::app {
 
-[[nodiscard]] nlohmann::json modelComparisonJson(const std::vector<ModelComparisonRow>& comparison, const Units& units);
+/// All models are judged on the same readings; so many others were set aside.
+[[nodiscard]] nlohmann::json modelComparisonJson(const std::vector<ModelComparisonRow>& comparison,
+                                                 std::size_t set_aside, const Units& units);
+
+/// Which model predicts held-out readings best, and how near it comes to the noise, in one sentence.
+[[nodiscard]] std::string modelComparisonSentence(const std::vector<ModelComparisonRow>& comparison,
+                                                  const Units& units);
 
 /// Errors with a bar each; below, the steps of the tool, where they are there.
 [[nodiscard]] std::string modelComparisonText(const std::vector<ModelComparisonRow>& comparison, const Units& units);

@@ -80,8 +80,7 @@ json tubeJson(const PlanOutcome& outcome, std::size_t k) {
                 {"predicted_tip", exactVector(visit.branch.predicted_tip_W, units, dimension::kLength)},
                 {"centring_error", outcome.predicted[k].error / units.factor(dimension::kLength)},
                 {"tilt", angleOf(visit.branch.tilt, units)},
-                {"steps", outcome.chances.by_posture.empty() ? outcome.predicted[k].steps
-                                                             : likeliestSteps(outcome.chances.by_posture[k])},
+                {"steps", expectedSteps(outcome, k)},
                 {"approach_deviation", lengthOf(visit.branch.path_deviation, units)},
                 {"probability_by_steps", chancesJson(outcome, k)}};
   if (!outcome.play.empty()) entry["play_in_tube"] = lengthOf(outcome.play[k], units);
@@ -156,12 +155,16 @@ json travelJson(const PlanRequest& request, const planner::VisitPlan& plan, cons
 std::string calibratedText(const PlanOutcome& outcome, const std::filesystem::path& out) {
   if (!outcome.calibration) return cellTextAt(outcome.cell, out);
   const auto& base = outcome.calibration->flexible;
-  return cellTextWithBase(outcome.cell,
-                          {base.X_WB, base.covariance, true, outcome.chances.model_error, outcome.touches, &base.arm},
-                          out);
+  return cellTextWithBase(
+      outcome.cell, {base.X_WB, base.covariance, true, outcome.chances.model_error, outcome.touches, &base.arm}, out);
 }
 
 }  // namespace
+
+int expectedSteps(const PlanOutcome& outcome, std::size_t k) {
+  const auto& chances = outcome.chances.by_posture;
+  return chances.empty() ? outcome.predicted[k].steps : likeliestSteps(chances[k]);
+}
 
 json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
   const auto& plan = outcome.plan;

@@ -1,6 +1,7 @@
 // What a plan leaves behind: plan.json, path.csv, cell.yaml, touches.csv, worklist.csv, report.html.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -11,6 +12,10 @@ namespace tubeplan::app {
 
 /// plan.json as the contract has it.
 [[nodiscard]] nlohmann::json planJson(const PlanRequest& request, const PlanOutcome& outcome);
+
+/// How many steps are expected to enter at visit `k`: the likeliest number, or by the predicted error where no chances
+/// are known.
+[[nodiscard]] int expectedSteps(const PlanOutcome& outcome, std::size_t k);
 
 /// plan.json's text: planJson() with the fingerprint of the path's numbers, by which `verify` knows them again.
 [[nodiscard]] std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome);

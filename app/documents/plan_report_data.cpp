@@ -49,6 +49,7 @@ json tubesData(const PlanOutcome& outcome) {
                   {"y", lengthOf(tube.y, units)},
                   {"tilt", angleOf(visit.branch.tilt, units)},
                   {"predicted_error", lengthOf(outcome.predicted[k].error, units)},
+                  {"steps", expectedSteps(outcome, k)},
                   {"probability_by_steps",
                    outcome.chances.by_posture.empty() ? json(nullptr) : json(outcome.chances.by_posture[k])}};
     if (visit.dwell > 0) entry["dwell_s"] = visit.dwell;

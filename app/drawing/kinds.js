@@ -5,14 +5,6 @@
 /** @typedef {"ink"|"muted"|"accent"|"hole"|"faint"|"rose"|"violet"|"case0"|"case1"|"case2"|"case3"} MarkColour */
 /** @typedef {{shape: Shape, colour: MarkColour}} Mark */
 
-/** How far the calibration tool goes in: no step, one, two, three. @type {Mark[]} */
-export const STEP_MARKS = [
-  {shape: "cross", colour: "case0"},
-  {shape: "triangle", colour: "case1"},
-  {shape: "square", colour: "case2"},
-  {shape: "disc", colour: "case3"},
-];
-
 /** Tubes that cannot be visited, that were not scored, that nobody asked for. @type {Mark} */
 export const UNREACHABLE = {shape: "hatched", colour: "rose"};
 /** @type {Mark} */

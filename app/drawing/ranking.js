@@ -10,6 +10,9 @@ export const MOST_RANKED = 12;
 /** @typedef {{effect: string, at: string, words?: string, probability?: number | null, chi2_fall?: number | null,
  *    kept_fraction?: number | null, size?: RankedSize | null}} Ranked */
 
+/** What a ranked effect's probability is: each is of all explanations that the effect is part of. */
+export const IS_THERE = "probability that it is there";
+
 /** A figure behind a bar. @typedef {{share: number, text: string}} Barred */
 
 /** @param {unknown} value @param {number} most @param {string} text @returns {Barred} */
@@ -36,15 +39,20 @@ export function rankingRows(ranking) {
 }
 
 /**
- * How many were tried, and what else is probable.
- * @param {{ranking: readonly unknown[], probability?: any}} document
+ * How many were tried, what their probabilities are, and what else is probable.
+ * @param {{ranking: readonly unknown[], probability?: any, probability_words?: unknown}} document
  */
-export function triedText({ranking, probability: chances}) {
+export function triedText({ranking, probability: chances, probability_words: meaning}) {
   const causes = `${plural(ranking.length, "cause")} ${ranking.length === 1 ? "was" : "were"}`;
-  const tried = `${causes} tried, each alone and with others.`;
+  const tried = `${causes} tried, each alone and with others.${typeof meaning === "string" ? ` ${sentence(meaning)}` : ""}`;
   if (!isNumber(chances?.nothing_missing)) return tried;
   return (
     `${tried} The probability that nothing is missing is ${probability(chances.nothing_missing)}, ` +
     `that no known effect is involved ${probability(chances.unknown_alone)}.`
   );
+}
+
+/** @param {string} words */
+function sentence(words) {
+  return `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
 }

@@ -1,11 +1,13 @@
 #include "app/jobs/comparison.hpp"
 
+#include <algorithm>
+
 #include "app/documents/comparison_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/reading_input.hpp"
+#include "app/jobs/outliers.hpp"
 #include "app/studies/model/cell_fit.hpp"
-#include "calibration/estimation/set_aside.hpp"
 
 namespace tubeplan::app {
 
@@ -27,20 +29,15 @@ calibration::ComparisonOptions comparisonOptions(const CellReadings& input, cons
   options.refit.folds = request.folds;
   options.refit.seed = request.seed;
   options.refit.intervals_by_profile = false;
+  options.refit.hooks = hooks;
   options.hooks = hooks;
   return options;
 }
 
-/// Readings off by more than noise explains; none of readings with a mistake in them, which is to be mended first.
-std::vector<int> outliersOf(const CellReadings& input, const calibration::Comparison& all,
-                            const calibration::ComparisonOptions& options) {
-  if (input.checks.is_overruled || calibration::grossMistake(input.checks)) return {};
-  const auto start = startOf(input.cell, input.readings);
-  calibration::IdentificationOptions fit = options.refit;
-  fit.hooks = withoutProgress(options.hooks);
-  const bool is_fitted = all.refit.status != calibration::IdentificationStatus::kNotRun;
-  return calibration::readingsToSetAside(
-      start, input.readings, is_fitted ? all.refit : calibration::judgedAsItStands(start, input.readings, fit), fit);
+bool isAnythingFree(const calibration::PlacedArm& start, const calibration::IdentificationOptions& options) {
+  const bool has_base = options.free.base && std::any_of(start.base_poses.begin(), start.base_poses.end(),
+                                                         [](const auto& base) { return !base.is_known; });
+  return has_base || !options.free.names.empty();
 }
 
 /// Where readings have a mistake in them no model is adequate for them, however well it fits.
@@ -52,27 +49,41 @@ void withholdVerdict(const CellReadings& input, calibration::Comparison& compari
 
 }  // namespace
 
+RefitOfReadings refitReadings(const CellReadings& input, const ComparisonRequest& request, const WorkHooks& hooks) {
+  const calibration::IdentificationOptions options = comparisonOptions(input, request, hooks).refit;
+  const auto fitted = [&](const std::vector<calibration::Measurement>& readings) {
+    const auto start = startOf(input.cell, readings);
+    auto fit = isAnythingFree(start, options) ? calibration::identify(start, readings, options)
+                                              : calibration::Identification{};
+    requireGoingOn(hooks);
+    return fit;
+  };
+  RefitOfReadings refit{input.readings, {}, fitted(input.readings)};
+  if (refit.fit.status == calibration::IdentificationStatus::kRefused) return refit;
+  const auto aside = outliersOf(input, refit.fit, options);
+  requireGoingOn(hooks);
+  if (aside.empty()) return refit;
+  refit.set_aside = idsAt(aside, input.readings);
+  refit.readings = calibration::withoutReadings(input.readings, aside);
+  refit.fit = fitted(refit.readings);
+  return refit;
+}
+
 ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request, const WorkHooks& hooks,
-                               const calibration::Identification* refitted) {
+                               const RefitOfReadings* made) {
   const auto& cell = input.cell;
+  const RefitOfReadings refit = made ? *made : refitReadings(input, request, hooks);
   calibration::ComparisonOptions options = comparisonOptions(input, request, hooks);
-  options.refitted = refitted;
+  if (refit.fit.status != calibration::IdentificationStatus::kNotRun) options.refitted = &refit.fit;
   ComparisonOutcome outcome;
-  outcome.readings = input.readings;
-  outcome.comparison = calibration::compare(startOf(cell, input.readings), input.readings, options);
+  outcome.readings = refit.readings;
+  outcome.set_aside = refit.set_aside;
+  outcome.comparison = calibration::compare(startOf(cell, refit.readings), refit.readings, options);
   requireGoingOn(hooks);
   requireCompared(outcome.comparison, input);
-  if (const auto aside = outliersOf(input, outcome.comparison, options); !aside.empty()) {
-    for (const int k : aside) outcome.set_aside.push_back(input.readings[static_cast<std::size_t>(k)].id);
-    outcome.readings = calibration::withoutReadings(input.readings, aside);
-    options.refitted = nullptr;
-    outcome.comparison = calibration::compare(startOf(cell, outcome.readings), outcome.readings, options);
-    requireGoingOn(hooks);
-    requireCompared(outcome.comparison, input);
-  }
   withholdVerdict(input, outcome.comparison);
   const auto& readings = outcome.readings;
-  outcome.figures = comparisonJson(outcome.comparison, readings, cell.units);
+  outcome.figures = comparisonJson(outcome.comparison, readings, outcome.set_aside.size(), cell.units);
   if (outcome.comparison.refit.status != calibration::IdentificationStatus::kNotRun)
     outcome.warnings = fitWarnings(outcome.comparison.refit, readings);
   outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);

@@ -16,19 +16,29 @@ struct ComparisonRequest {
   std::uint64_t seed = 1;
 };
 
+/// What is free fitted to the readings that are no outliers.
+struct RefitOfReadings {
+  std::vector<calibration::Measurement> readings;  ///< all but those set aside
+  std::vector<std::string> set_aside;              ///< ids of outliers
+  calibration::Identification fit;                 ///< of `readings`; not run where nothing is free
+};
+
 struct ComparisonOutcome {
   calibration::Comparison comparison;
   std::vector<calibration::Measurement> readings;  ///< that were compared: all but those set aside
   std::vector<std::string> set_aside;              ///< ids of outliers
-  std::vector<std::string> warnings;  ///< of the fit
-  nlohmann::json figures;             ///< as `tubeplan compare --json` writes them
+  std::vector<std::string> warnings;               ///< of the fit
+  nlohmann::json figures;                          ///< as `tubeplan compare --json` writes them
 };
 
-/// `refitted`: the refit, where it is made already. Throws InputError for a list `identify` that names no parameters
-/// and for readings that determine nothing, JobStopped.
+/// Throws JobStopped.
+[[nodiscard]] RefitOfReadings refitReadings(const CellReadings& input, const ComparisonRequest& request,
+                                            const WorkHooks& hooks = {});
+
+/// `made`: the refit, where it is made already. Throws InputError for a list `identify` that names no parameters and
+/// for readings that determine nothing, JobStopped.
 [[nodiscard]] ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request,
-                                             const WorkHooks& hooks = {},
-                                             const calibration::Identification* refitted = nullptr);
+                                             const WorkHooks& hooks = {}, const RefitOfReadings* made = nullptr);
 
 /// What the pattern search makes of the refit's errors, as `tested` of the figures; empty where it cannot be made.
 [[nodiscard]] nlohmann::json testedPatterns(const CellReadings& input, std::uint64_t seed, const WorkHooks& hooks = {});

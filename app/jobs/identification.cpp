@@ -143,7 +143,7 @@ IdentificationOutcome identifyModel(const CellReadings& input, const Identificat
   const auto& readings = outcome.readings;
   beginStep(hooks, "uncertainties");
   outcome.warnings = fitWarnings(outcome.fit, readings);
-  outcome.figures = identificationJson(outcome.fit, readings, cell.units);
+  outcome.figures = identificationJson(outcome.fit, readings, outcome.set_aside.size(), cell.units);
   outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);
   outcome.figures["set_aside"] = outcome.set_aside;
   addChecks(input.checks, cell.units, outcome.figures);

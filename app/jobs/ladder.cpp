@@ -4,10 +4,19 @@
 
 #include "app/documents/ladder_json.hpp"
 #include "app/files/workcell.hpp"
+#include "app/jobs/outliers.hpp"
+#include "app/studies/model/cell_fit.hpp"
 
 namespace tubeplan::app {
 
 namespace {
+
+std::vector<calibration::Measurement> without(const CellReadings& input, const std::vector<std::string>& ids) {
+  auto readings = input.readings;
+  std::erase_if(readings,
+                [&](const auto& reading) { return std::find(ids.begin(), ids.end(), reading.id) != ids.end(); });
+  return readings;
+}
 
 /// A cell for its sheet and tool: the one that was named, else the first that has both.
 std::optional<Cell> sheetCell(const LadderRequest& request, const std::vector<LadderModel>& models) {
@@ -55,6 +64,25 @@ LadderSteps stepsOf(const std::vector<LadderModel>& models, const LadderRequest&
   return addStepTables(std::move(real), request.holes, request.seed, comparison, hooks);
 }
 
+bool isMade(const calibration::Identification* fit) {
+  return fit && fit->status != calibration::IdentificationStatus::kNotRun;
+}
+
+/// Ids of the outliers of a model that is still to be fitted, beside those that were set aside before.
+std::vector<std::string> setAsideBy(const LadderModel& model, const LadderRequest& request, const WorkHooks& hooks) {
+  beginStep(hooks, "fit");
+  CellReadings input = model.input;
+  input.readings = without(input, request.set_aside);
+  calibration::IdentificationOptions options;
+  options.free = freeNumbersOf(input.cell);
+  options.seed = request.seed;
+  options.hooks = hooks;
+  const auto fit = fitForLadder(input.cell, input.readings, request.seed, calibration::withoutProgress(hooks));
+  std::vector<std::string> ids = idsAt(outliersOf(input, fit, options), input.readings);
+  ids.insert(ids.end(), request.set_aside.begin(), request.set_aside.end());
+  return ids;
+}
+
 }  // namespace
 
 Cell rigidOf(Cell cell) {
@@ -66,15 +94,17 @@ Cell rigidOf(Cell cell) {
 LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderRequest& request,
                           const WorkHooks& hooks) {
   LadderOutcome outcome;
+  const bool is_top_made = isMade(models.back().fit);
+  outcome.set_aside = is_top_made ? request.set_aside : setAsideBy(models.back(), request, hooks);
   for (const auto& [name, input, fit] : models) {
     beginStep(hooks, "ladder: " + name, outcome.comparison.size(), models.size());
-    const bool is_made = fit && fit->status != calibration::IdentificationStatus::kNotRun;
-    outcome.comparison.push_back(
-        is_made ? comparisonRowOf(name, *fit)
-                : comparisonRowOf(name, input.cell, input.readings, request.seed, calibration::withoutProgress(hooks)));
+    outcome.comparison.push_back(isMade(fit) ? comparisonRowOf(name, *fit)
+                                             : comparisonRowOf(name, input.cell, without(input, outcome.set_aside),
+                                                               request.seed, calibration::withoutProgress(hooks)));
   }
   outcome.steps = stepsOf(models, request, outcome.comparison, within(hooks, "ladder"));
-  outcome.figures = ladderJson(outcome.comparison, outcome.steps, request.seed, models.front().input.cell.units);
+  outcome.figures =
+      ladderJson(outcome.comparison, outcome.steps, outcome.set_aside, request.seed, models.front().input.cell.units);
   return outcome;
 }
 

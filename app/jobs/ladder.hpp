@@ -21,19 +21,24 @@ struct LadderRequest {
   std::string truth;  ///< a cell's file; empty: the best model of the ladder, with an unmodelled error
   std::string sheet;  ///< a cell's file, for its sheet and tool; empty: the truth's, else the first cell's that has one
   int holes = 1000;   ///< of the step table
+  std::vector<std::string> set_aside = {};  ///< ids of readings that are outliers already; where the last model's fit
+                                            ///< is made, all that it was made without
   std::uint64_t seed = 1;
 };
 
 struct LadderOutcome {
   std::vector<ModelComparisonRow> comparison;
   LadderSteps steps;
+  std::vector<std::string>
+      set_aside;           ///< ids of the readings that are outliers of the last model: no model is judged on them
   nlohmann::json figures;  ///< as `tubeplan ladder --json` writes them
 };
 
 /// The cell's arm taken as rigid: only its base is fitted.
 [[nodiscard]] Cell rigidOf(Cell cell);
 
-/// There must be a model. Throws InputError for sheets that differ, JobStopped.
+/// There must be a model. Outliers of the last are set aside, so that all are judged on the same readings. Throws
+/// InputError for sheets that differ, JobStopped.
 [[nodiscard]] LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderRequest& request,
                                         const WorkHooks& hooks = {});
 

@@ -1,4 +1,5 @@
 // Explanations side by side, and the readings at which they differ most.
+import {errorUnit} from "../drawing/error_budget.js";
 import {explanationTitle, isEnough, sizeText} from "../drawing/explanations.js";
 import {pValue, short} from "../drawing/numbers.js";
 import {letterOf} from "../drawing/reading_errors.js";
@@ -25,7 +26,7 @@ export function alternativesSection(report) {
 }
 
 function alternativesTable(report, explanations) {
-  const unit = lengthUnit(report);
+  const unit = errorUnit(report);
   const rows = explanations.map(
       (entry, i) =>
           [`${letterOf(i)}: ${explanationTitle(entry)}`,
@@ -53,7 +54,7 @@ function differenceCard(report, leader, other, index) {
   const heading = el("h3", {}, `${explanationTitle(leader)}, or ${explanationTitle(other)}`);
   const differences = differencesOf(report, 0, index);
   if (differences.length === 0) return el("div", {class: "card"}, heading, notRecorded("Where they differ"));
-  const unit = lengthUnit(report), floor = noiseFloorOf(report);
+  const unit = lengthUnit(report), floor = errorUnit(report) === unit ? noiseFloorOf(report) : null;
   const rms = rootMeanSquare(differences.map((entry) => entry.between));
   if (floor !== null && rms < SAME_SHARE * floor) {
     const text =

@@ -23,8 +23,8 @@ function centringSentence(report) {
   const setting = list(report.settings)[0], steps = list(object(setting?.compensated)?.steps);
   const last = steps[steps.length - 1], chance = object(last?.probability);
   if (!chance) return "No run was scored.";
-  return `With ${settingName(report, setting)}, ${
-             last.at_least} steps of the tool enter a hole with a probability of ` +
+  return `With ${settingName(report, setting)}, ${last.at_least} of ${
+             plural(steps.length, "step")} of the tool enter a hole with a probability of ` +
       `${probability(chance.value)} (${probability(chance.low)} to ${probability(chance.high)}) after compensation.`;
 }
 

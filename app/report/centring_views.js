@@ -166,12 +166,12 @@ function refusedList(report) {
   return entries.length ? el("ul", {class: "reasons"}, entries) : el("p", {class: "good"}, "Every run was scored.");
 }
 
-/// Bands of chances with the marks of the steps, told apart by colour and by shape.
+/// Bands of chances, told apart by colour and by shape.
 const CHANCES = [
-  {...STEP_MARKS[0], name: "below 50 %", least: 0},
-  {...STEP_MARKS[1], name: "50 to 95 %", least: 0.5},
-  {...STEP_MARKS[2], name: "95 to 99 %", least: 0.95},
-  {...STEP_MARKS[3], name: "99 % or more", least: 0.99},
+  {shape: "cross", colour: "case0", name: "below 50 %", least: 0},
+  {shape: "triangle", colour: "case1", name: "50 to 95 %", least: 0.5},
+  {shape: "square", colour: "case2", name: "95 to 99 %", least: 0.95},
+  {shape: "disc", colour: "case3", name: "99 % or more", least: 0.99},
 ];
 
 function chanceCase(value) { return CHANCES.findLastIndex((chance) => value >= chance.least); }

@@ -1,4 +1,5 @@
 // What the errors depend on, the worst readings, and a ladder's models as a table.
+import {errorUnit} from "../drawing/error_budget.js";
 import {errorOf} from "../drawing/ladder.js";
 import {fixed, isNumber, pValue, short, whole} from "../drawing/numbers.js";
 import {barred} from "../drawing/ranking.js";
@@ -36,16 +37,16 @@ export function worstSection(report) {
     const size = [entry.error, entry.size, entry.rms, sizeOf(reading?.after ?? reading?.before)].find(isNumber);
     return [
       textOf(entry.id), textOf(entry.point ?? reading?.point), reading ? conditionsText(report, reading) : null,
-      short(size), isNumber(entry.sigmas) ? fixed(entry.sigmas, 1) : null
+      `${short(size)} ${textOf(entry.unit, lengthUnit(report))}`, isNumber(entry.sigmas) ? fixed(entry.sigmas, 1) : null
     ];
   });
   return [el(
       "div", {class: "card"},
-      table(["reading", "point", "at", `error, ${lengthUnit(report)}`, "in sigmas"], rows, {text: [0, 1, 2]}))];
+      table(["reading", "point", "at", "error", "in sigmas"], rows, {text: [0, 1, 2]}))];
 }
 
 export function modelsSection(report) {
-  const unit = lengthUnit(report);
+  const unit = errorUnit(report);
   const models = list(report.models).length > 0 ? list(report.models) : list(report.ladder);
   if (models.length === 0) return [notRecorded("The models")];
   const rows = models.map(

@@ -1,4 +1,5 @@
 // The pages about a model's errors: a diagnosis, a comparison, a ladder.
+import {budgetText, idsSetAside} from "../drawing/error_budget.js";
 import {isEnough} from "../drawing/explanations.js";
 import {verdictMark} from "../drawing/kinds.js";
 import {errorOf} from "../drawing/ladder.js";
@@ -9,7 +10,7 @@ import {alternativesSection} from "./alternatives_view.js";
 import {modelsSection, patternsSection, worstSection} from "./comparison_view.js";
 import {rankingSection} from "./effect_ranking.js";
 import {append, el, followColourScheme} from "./elements.js";
-import {ladderSection, noiseFloorOf} from "./error_ladder.js";
+import {errorText, ladderSection, noiseFloorOf} from "./error_ladder.js";
 import {errorLawSection} from "./error_law.js";
 import {reportExplanations} from "./error_series.js";
 import {hiddenEffectsSection} from "./hidden_effects.js";
@@ -22,7 +23,7 @@ import {commandsSection, historySection, inputsSection, parametersSection} from 
 import {residualMapsSection} from "./residual_arrows.js";
 import {residualChartsSection} from "./residual_charts.js";
 import {readReport, showSections} from "./sections.js";
-import {lengthText, list, object, textList, textOf} from "./values.js";
+import {list, object, textList, textOf} from "./values.js";
 
 const LADDER = {
   id: "ladder",
@@ -127,7 +128,7 @@ function factsOf(report) {
       `${short(report.chi2_per_dof)}${isNumber(report.p_value) ? ` (p\u00a0${pValue(report.p_value)})` : ""}` :
                                                                  null;
   const isBetter = reportExplanations(report).some(isEnough) || report.page !== "diagnosis";
-  const error = (value) => (errorOf(value) === null ? null : lengthText(errorOf(value), report));
+  const error = (value) => (errorOf(value) === null ? null : errorText(errorOf(value), report));
   const facts = Array.isArray(report.facts) ? report.facts : [];
   const own = facts.filter((fact) => Array.isArray(fact) && fact.length === 2);
   return [
@@ -135,7 +136,7 @@ function factsOf(report) {
     ["Held-out error before", error(rms.heldout_before)],
     ["Held-out error after", isBetter ? error(rms.heldout_after) : null], ["Noise floor", error(noiseFloorOf(report))],
     ["Chi-square per degree of freedom", chi2],
-    ["Readings set aside", textList(report.set_aside).length > 0 ? whole(report.set_aside.length) : null]
+    ["Readings set aside", idsSetAside(report).length > 0 ? whole(idsSetAside(report).length) : null]
   ].filter(([, value]) => value !== null && value !== "");
 }
 
@@ -158,6 +159,7 @@ function showHead(report, page) {
   append(document.getElementById("head"), [
     el("h1", {}, title), verdict ? verdictLine(report, verdict) : null,
     answer.length === 0 ? null : el("div", {class: "answer"}, answer.map((item) => el("p", {}, item))),
+    budgetText(report) === "" ? null : el("p", {class: "budget"}, budgetText(report)),
     facts.length === 0 ? null :
                          el("dl", {class: "summary"},
                             facts.map(([name, value]) => el("div", {}, el("dt", {}, name), el("dd", {}, value))))

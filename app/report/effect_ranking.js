@@ -1,6 +1,6 @@
 // Every effect that was tried, most probable first.
 import {isNumber, whole} from "../drawing/numbers.js";
-import {MOST_RANKED, rankingRows, triedText} from "../drawing/ranking.js";
+import {IS_THERE, MOST_RANKED, rankingRows, triedText} from "../drawing/ranking.js";
 import {el, notRecorded, svg, table} from "./elements.js";
 import {reportExplanations} from "./error_series.js";
 import {list, object, textList} from "./values.js";
@@ -23,7 +23,12 @@ function rankingLead(report) {
       " The explanation above combines several; here the reduction of chi-square is that of each alone." :
       "";
   const lacks = textList(report.not_tried);
-  return `${triedText({ranking: list(report.ranking), probability: object(report.probability)})}${joined}${
+  const about = {
+    ranking: list(report.ranking),
+    probability: object(report.probability),
+    probability_words: report.probability_words
+  };
+  return `${triedText(about)}${joined}${
       lacks.length === 0 ? "" : ` Not tried: ${lacks.join("; ")}.`}`;
 }
 
@@ -52,5 +57,5 @@ function rankingTable(rows) {
                          barCell(row.shows)]);
   return el(
       "div", {class: "ranking"},
-      table(["effect", "probability", "chi-square reduction", "size", "observable"], cells));
+      table(["effect", IS_THERE, "chi-square reduction", "size", "observable"], cells));
 }

@@ -1,7 +1,9 @@
 // The error of each model in turn, fitted and held-out side by side, over the noise floor.
+import {errorUnit} from "../drawing/error_budget.js";
 import {axisEnd, barOf, errorOf, floorText, LADDER_WORDS, comparedModels, timesFloor} from "../drawing/ladder.js";
+import {short} from "../drawing/numbers.js";
 import {append, el, figure, label, notRecorded, svg} from "./elements.js";
-import {lengthText, lengthUnit, list, object} from "./values.js";
+import {list, object} from "./values.js";
 
 /// The models of a diagnosis, a comparison or a ladder.
 function reportModels(report) {
@@ -11,6 +13,9 @@ function reportModels(report) {
 
 export function noiseFloorOf(report) { return errorOf(report.noise_floor ?? object(report.rms)?.noise_floor); }
 
+/// "0.0123 in" of an error of the report.
+export function errorText(value, report) { return `${short(value)}\u00a0${errorUnit(report)}`; }
+
 export function ladderSection(report) {
   const models = reportModels(report);
   if (models.length === 0) return [notRecorded("The errors of the models")];
@@ -18,7 +23,7 @@ export function ladderSection(report) {
   const picture = figure("Error of each model", (width) => drawLadder(report, models, floor, width));
   return [
     el("p", {class: "lead"},
-       "Root mean square of the readings' errors. An overfitted model does well on the readings " +
+       "Root mean square, over the readings in use, of the length of measured less predicted. An overfitted model does well on the readings " +
            "that it was fitted to and badly on those held out."),
     el("div", {class: "card"}, hatching(), picture.element,
        el("ul", {class: "legend"}, el("li", {}, ladderIcon("error-fitted"), LADDER_WORDS.fitted),
@@ -85,7 +90,7 @@ function ladderText(report, value, floor, {left, y, tall, end, scale}) {
   const stop = left + Math.min(value, end) * scale, line = left + (floor ?? 0) * scale;
   return label(
       (stop < line && line < stop + 170 ? line : stop) + 8, y + tall - 4,
-      times ? `${lengthText(value, report)} (${times})` : lengthText(value, report),
+      times ? `${errorText(value, report)} (${times})` : errorText(value, report),
       {class: "strong"});
 }
 
@@ -93,7 +98,7 @@ function floorLine(report, floor, x, height, width) {
   return [
     svg("line", {x1: x, x2: x, y1: 15, y2: height - 8, class: "required"}),
     label(
-        x + 5, 12, floorText(floor, lengthUnit(report)),
+        x + 5, 12, floorText(floor, errorUnit(report)),
         {class: "required-text", "text-anchor": x > width - 180 ? "end" : "start"})
   ];
 }

@@ -1,14 +1,13 @@
 // Beside a ladder's errors, how many steps of the tool go in were each model to steer the arm.
-import {STEP_MARKS} from "../drawing/kinds.js";
 import {isNumber, percent, plural, whole} from "../drawing/numbers.js";
 import {el, figure, table} from "./elements.js";
 import {drawStepBars} from "./step_table.js";
 import {lengthText, list, numbers, object, textOf} from "./values.js";
 
-/// [{name, counts}] of the models that were scored.
+/// [{name, counts}] of the models that were scored; all under the same tool.
 function modelStepRows(report) {
-  return list(report.models)
-      .map((model) => ({name: textOf(model.name), counts: numbers(model.steps, STEP_MARKS.length)}))
+  const models = list(report.models), count = models.find((model) => Array.isArray(model.steps))?.steps.length;
+  return models.map((model) => ({name: textOf(model.name), counts: numbers(model.steps, count)}))
       .filter((row) => row.counts);
 }
 
@@ -29,6 +28,6 @@ export function ladderStepsSection(report) {
        "Each model computes the postures under the same random holes; the true arm then positions the tip. " +
            `True arm: ${textOf(about.real_arm, "a model")}.${beyond}`),
     el("div", {class: "card"}, bars.element),
-    el("div", {class: "card"}, table(["model", ...STEP_MARKS.map((_, i) => plural(i, "step"))], cells))
+    el("div", {class: "card"}, table(["model", ...rows[0].counts.map((_, i) => plural(i, "step"))], cells))
   ];
 }

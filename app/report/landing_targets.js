@@ -1,6 +1,7 @@
 // Where the tips land about the centre of one hole, with the rings of the tool's steps.
-import {STEP_MARKS} from "../drawing/kinds.js";
+import {UNSCORED} from "../drawing/kinds.js";
 import {exact, isNumber, plural, short} from "../drawing/numbers.js";
+import {stepCountOf, stepMark} from "../drawing/steps.js";
 import {modeName, scoredCase} from "./cases.js";
 import {errorsOf, largestError} from "./centring_errors.js";
 import {append, el, figure, label, svg} from "./elements.js";
@@ -60,7 +61,7 @@ function drawTarget({errors, tolerances, reach, mirror, report, key}, width) {
 function landingMark(tube, offset, {reach, scale, middle, report, key}) {
   const error = Math.hypot(...offset), within = Math.min(1, reach / (error || 1));
   const index = scoredCase(tube, key, report.steps);
-  const mark = index === null ? UNSCORED : STEP_MARKS[index];
+  const mark = index === null ? UNSCORED : stepMark(index, stepCountOf(report));
   const place = middle.map((value, k) => value + scale * within * offset[k]);
   return svgMark(
       mark, ...place, 4.2, {}, svg("title", {}, `${tubeName(tube)}: ${short(error)} ${lengthUnit(report)}`));

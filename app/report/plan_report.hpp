@@ -15,8 +15,9 @@ namespace tubeplan::app {
 ///   title, cell, version: text; seed: number or text; units: {length, angle}; summary: [[label, value], ...]
 ///   sheet: {name, leg, viewed_from: "below" | "above", hole_diameter, pitch, rows, columns,
 ///           holes: [[row, column, x, y, state], ...], fingerprint}
-///   steps: [{diameter, tolerance}, ...]   the calibration tool's three steps, step 1 first
-///   tubes: [{order, row, column, x, y, tilt, predicted_error, probability_by_steps: [4], none, goal_point, via_point}]
+///   steps: [{diameter, tolerance}, ...]   the calibration tool's steps, as many as it has, step 1 first
+///   tubes: [{order, row, column, x, y, tilt, predicted_error, steps, probability_by_steps, none, goal_point,
+///   via_point}]
 ///          in visiting order; each mode {error, dx, dy, steps, approach_deviation}, or null without a truth
 ///   unreachable: [{row, column, x, y, reason}];  tour: [[x, y], ...] the tip's trace in the sheet's plane
 ///   touches: [{id, hole, row, column, x, y, residual: [3], sigma: [3]}]
@@ -25,7 +26,7 @@ namespace tubeplan::app {
 ///   bowl_radius: of a sphere about the sheet's centre
 ///   side_views: [{label, rigid, flexible, shapes: [{from, to, radius}], hole, world_centre, centre_aside}]
 ///          points [r, z] in the arm's vertical plane; the sheet's centre lies centre_aside beside it, at world_centre
-///   counts: {none, goal_point, via_point}: tubes by number of steps, [4] each; counted from `tubes` when absent
+///   counts: {none, goal_point, via_point}: tubes by number of steps, 0 to all; counted from `tubes` when absent
 ///   times: {travel_time_s, lower_bound_s, gap, row_by_row_time_s, total_time_s}, gap as a fraction
 ///   min_clearance, clearance_required, tightest: text, clearance_along: [[time in s, clearance], ...]
 [[nodiscard]] std::string renderPlanReport(const nlohmann::json& report);

@@ -1,7 +1,7 @@
 // The page itself, section by section.
 import {duration, isNumber, plural, short, whole} from "../drawing/numbers.js";
 import {MARKED} from "../drawing/sigma_text.js";
-import {countsOf} from "./cases.js";
+import {wholeToolText} from "./cases.js";
 import {clearanceSection} from "./clearance_view.js";
 import {append, el, followColourScheme, notRecorded} from "./elements.js";
 import {errorArrowsSection} from "./error_arrows.js";
@@ -30,7 +30,7 @@ const SECTIONS = [
   {id: "list", title: "Work list", make: workListSection},
 ];
 
-/// "60 tubes are visited in 9 min 12 s; with via-point compensation all three steps enter 41 of 60 (0 without)."
+/// "60 tubes visited in 9 min 12 s of travel; against the true arm ...; least clearance 0.25 in."
 function headSentence(report) {
   const parts = [];
   if (Array.isArray(report.tubes)) {
@@ -40,13 +40,8 @@ function headSentence(report) {
   }
   if (Array.isArray(report.unreachable) && report.unreachable.length > 0)
     parts.push(`${whole(report.unreachable.length)} cannot be visited`);
-  const after = countsOf(report, "via_point"), before = countsOf(report, "none");
-  if (after) {
-    const total = after.reduce((sum, count) => sum + count, 0);
-    parts.push(
-        `against the true arm all three steps of the tool enter ${whole(after[3])} of ${whole(total)} with via-point ` +
-        `compensation${before ? `, ${whole(before[3])} without` : ""}`);
-  }
+  const inserted = wholeToolText(report);
+  if (inserted) parts.push(inserted);
   if (isNumber(report.min_clearance))
     parts.push(`least clearance ${short(report.min_clearance)} ${lengthUnit(report)}`);
   return parts.length === 0 ? "No results are recorded." : `${parts.join("; ")}.`;

@@ -1,11 +1,12 @@
 // A saved project: how its models came about, what it is of, and how to have it again.
+import {errorUnit} from "../drawing/error_budget.js";
 import {errorOf} from "../drawing/ladder.js";
 import {isNumber, pValue, short, whole} from "../drawing/numbers.js";
 import {el, notRecorded, table} from "./elements.js";
-import {lengthUnit, list, numbers, textOf} from "./values.js";
+import {list, numbers, textOf} from "./values.js";
 
 export function historySection(report) {
-  const unit = lengthUnit(report);
+  const unit = errorUnit(report);
   const rows = list(report.history)
                    .map((entry) => [textOf(entry.name), textOf(entry.origin, ""), textOf(entry.state, ""),
                                     short(errorOf(entry.rms)), short(errorOf(entry.heldout_rms)),

@@ -2,14 +2,15 @@
 import {stateMark, UNREACHABLE, UNSCORED} from "../drawing/kinds.js";
 import {fixed, isNumber, plural, probability, short, whole} from "../drawing/numbers.js";
 import {sheetWords} from "../drawing/sheet_model.js";
+import {stepKinds, stepText} from "../drawing/steps.js";
 import {visitText} from "../drawing/visits.js";
-import {modesOf, predictedCase, scoredCase, stepKinds} from "./cases.js";
+import {chancesOf, modesOf, predictedCase, scoredCase} from "./cases.js";
 import {choice, el, figure, notRecorded} from "./elements.js";
 import {drawMarks, markIcon} from "./mark_drawing.js";
 import {drawSheet, stateGroups, stateText} from "./sheet_drawing.js";
 import {markRadius} from "./sheet_frame.js";
 import {hoverHoles} from "./tooltip.js";
-import {angleUnit, lengthUnit, list, numbers, object, textOf, tubeName} from "./values.js";
+import {angleUnit, lengthUnit, list, object, textOf, tubeName} from "./values.js";
 
 /// What a map can show: each mode that was scored against the true arm, and what the plan itself expects.
 function mapModes(report) {
@@ -18,7 +19,7 @@ function mapModes(report) {
                      .map((mode) => ({...mode, caseOf: (tube) => scoredCase(tube, mode.key, report.steps)}))
                      .filter((mode) => tubes.some((tube) => mode.caseOf(tube) !== null));
   const predicted =
-      {key: "predicted", name: "as predicted", brief: "predicted", caseOf: (tube) => predictedCase(tube, report.steps)};
+      {key: "predicted", name: "as predicted", brief: "predicted", caseOf: (tube) => predictedCase(tube, report)};
   return {
     before: scored.find((mode) => mode.key === "none") ?? null,
     after: [...scored.filter((mode) => mode.key !== "none").reverse(), predicted]
@@ -69,7 +70,7 @@ function markGroups(report, state) {
   const unreachable = list(report.unreachable).filter((tube) => isNumber(tube.x) && isNumber(tube.y));
   return [
     ...state.kinds
-        .map((mark, k) => ({mark, name: mark.name, holes: tubes.filter((tube) => state.mode.caseOf(tube) === k)}))
+        .map((kind, k) => ({...kind, holes: tubes.filter((tube) => state.mode.caseOf(tube) === k)}))
         .reverse(),
     {mark: UNREACHABLE, name: "cannot be visited", holes: unreachable},
     {mark: UNSCORED, name: "not scored", holes: tubes.filter((tube) => state.mode.caseOf(tube) === null)}
@@ -130,16 +131,16 @@ export function holeDescriber(report, sheet, mode) {
 function tubeLines(tube, mode, report, unit) {
   const score = object(tube[mode.key]);
   const index = mode.caseOf(tube);
-  const chances = numbers(tube.probability_by_steps, 4);
+  const chances = chancesOf(tube, report);
   return [
     `V${visitOf(report, tube).slice(1)}`,
     score ? `Error, ${mode.name}: ${short(score.error)} ${unit} (dx ${short(score.dx)}, dy ${short(score.dy)})` : null,
-    index === null ? null : `${score ? "Tool" : "Expected"}: ${stepKinds(report)[index].name}`,
+    index === null ? null : `${score ? "Tool" : "Expected"}: ${stepText(report.step_words, index)}`,
     score && isNumber(score.approach_deviation) ?
         `Deviation from the hole's axis during the approach: ${short(score.approach_deviation)} ${unit}` :
         null,
     `Predicted error: ${short(tube.predicted_error)} ${unit}; tilt ${short(tube.tilt)} ${angleUnit(report)}`,
-    chances ? `Probability of 0/1/2/3 steps: ${chances.map(probability).join(" / ")}` : null,
+    chances ? `Probability of ${[...chances.keys()].join("/")} steps: ${chances.map(probability).join(" / ")}` : null,
   ];
 }
 

@@ -1,52 +1,37 @@
-// How many steps of the tool enter, beside the published experiment.
-import {STEP_MARKS} from "../drawing/kinds.js";
+// How many steps of the tool enter.
 import {exact, isNumber, percent, plural, whole} from "../drawing/numbers.js";
 import {outlineOf} from "../drawing/shapes.js";
+import {stepKinds, stepMark} from "../drawing/steps.js";
 import {countsOf, modesOf} from "./cases.js";
 import {append, el, figure, label, notRecorded, svg, table} from "./elements.js";
 import {markIcon} from "./mark_drawing.js";
 import {lengthUnit, list, object} from "./values.js";
 
-/// Calkins 1994, table 5.7: ten test holes; tubes by number of steps inserted, 0 to 3.
-const THESIS_ROWS = [
-  {name: "Thesis: without", counts: [7, 2, 1, 0]},
-  {name: "Thesis: with", counts: [0, 4, 4, 2]},
-];
-
-function stepRows(report) {
-  const here = modesOf(report).map((mode) => ({name: `Here: ${mode.brief}`, counts: countsOf(report, mode.key)}));
-  return [THESIS_ROWS[0], here[0], THESIS_ROWS[1], ...here.slice(1)].filter((row) => row);
-}
-
 export function stepSection(report) {
-  const rows = stepRows(report);
-  const nothing = rows.every((row) => !row.counts || row.name.startsWith("Thesis"));
-  const bars =
-      figure("Fraction of tubes by steps inserted", (width) => drawStepBars(rows.filter((row) => row.counts), width));
+  const rows = modesOf(report).map((mode) => ({name: mode.brief, counts: countsOf(report, mode.key)}));
+  const scored = rows.filter((row) => row.counts);
+  if (scored.length === 0) return [notRecorded("Scores against a true arm")];
+  const bars = figure("Fraction of tubes by steps inserted", (width) => drawStepBars(scored, width));
   return [
-    el("p", {class: "lead"},
-       "How far the tool enters, by number of tubes. The thesis's rows are from table 5.7: ten test holes " +
-           "on the real arm, so one hole there is 10 %."),
-    nothing ? notRecorded("Scores against a true arm; only the thesis's rows are shown") : null,
+    el("p", {class: "lead"}, "How far the tool enters, by number of tubes, without compensation and with it."),
     el("div", {class: "pair"},
-       el("div", {class: "card"}, el("h3", {}, "Tubes by steps inserted, without and with compensation"),
-          stepTable(report, rows)),
+       el("div", {class: "card"}, el("h3", {}, "Tubes by steps inserted"), stepTable(report, rows)),
        el("div", {class: "card"}, el("h3", {}, "The same as shares"), bars.element)),
   ];
 }
 
 function stepTable(report, rows) {
-  const tolerances = list(report.steps).map((step) => step.tolerance).filter(isNumber);
+  const tolerances = list(report.steps).map((step) => step.tolerance).filter(isNumber), kinds = stepKinds(report);
   const heads = [
     "",
-    ...STEP_MARKS.map(
-        (mark, i) =>
+    ...kinds.map(
+        ({mark}, i) =>
             el("span", {}, markIcon(mark), ` ${plural(i, "step").replace(" ", "\u00a0")}`,
                el("small", {}, errorRange(tolerances, i)))),
     "of"
   ];
   const cells = rows.map(({name, counts}) => {
-    if (!counts) return [name, null, null, null, null, "not recorded"];
+    if (!counts) return [name, ...kinds.map(() => null), "not recorded"];
     const total = counts.reduce((sum, count) => sum + count, 0);
     return [
       name, ...counts.map((count) => `${whole(count)} (${percent(total > 0 ? count / total : null)})`), whole(total)
@@ -57,7 +42,7 @@ function stepTable(report, rows) {
 
 /// The centring errors of a case: above the first tolerance, or up to the step's own.
 function errorRange(tolerances, index) {
-  if (tolerances.length !== 3) return "";
+  if (index > tolerances.length || tolerances.length === 0) return "";
   return index === 0 ? `> ${exact(tolerances[0])}` : `\u2264 ${exact(tolerances[index - 1])}`;
 }
 
@@ -81,15 +66,15 @@ export function drawStepBars(rows, width) {
     let x = left;
     counts.forEach((count, index) => {
       const part = wide * count / total;
-      if (count > 0) append(drawing, [barPart(x, y, part, tall, index, whole(count))]);
+      if (count > 0) append(drawing, [barPart(x, y, part, tall, {steps: index, of: counts.length - 1, text: whole(count)})]);
       x += part;
     });
   });
   return drawing;
 }
 
-function barPart(x, y, width, height, steps, text) {
-  const mark = STEP_MARKS[steps];
+function barPart(x, y, width, height, {steps, of, text}) {
+  const mark = stepMark(steps, of);
   const middle = y + height / 2, start = x + Math.min(14, width / 2);
   const {fill, line} = outlineOf(mark.shape, start, middle, 5);
   return svg(

@@ -1,10 +1,10 @@
 // Every visited tube's figures, made only when asked for.
-import {STEP_MARKS} from "../drawing/kinds.js";
 import {fixed, plural, probability, short, whole} from "../drawing/numbers.js";
-import {scoredCase} from "./cases.js";
+import {stepCountOf, stepMark, stepText} from "../drawing/steps.js";
+import {chancesOf, modesOf, scoredCase} from "./cases.js";
 import {el, notRecorded, table} from "./elements.js";
 import {markIcon} from "./mark_drawing.js";
-import {angleUnit, lengthUnit, list, numbers, object, tubeName} from "./values.js";
+import {angleUnit, lengthUnit, list, object, tubeName} from "./values.js";
 
 export function tubeTableSection(report) {
   const tubes = list(report.tubes);
@@ -23,12 +23,13 @@ function tubeTable(report, tubes) {
   const rows = tubes.map(
       (tube, i) =>
           [whole(i + 1), tubeName(tube), fixed(tube.x, 3), fixed(tube.y, 3), short(tube.tilt),
-           short(tube.predicted_error), probability(numbers(tube.probability_by_steps, 4)?.[3]),
+           short(tube.predicted_error), probability(chancesOf(tube, report)?.at(-1)),
            ...modesOf(report).map((mode) => scoreCell(tube, mode.key, report))]);
   return table(
       [
         "visit", "tube", `x, ${unit}`, `y, ${unit}`, `tilt, ${angleUnit(report)}`, `predicted error, ${unit}`,
-        "probability of 3 steps", ...modesOf(report).map((mode) => `error, ${unit}, and steps: ${mode.brief}`)
+        `probability that ${stepText(report.step_words, stepCountOf(report))}`,
+        ...modesOf(report).map((mode) => `error, ${unit}, and steps: ${mode.brief}`)
       ],
       rows, {text: [1]});
 }
@@ -38,6 +39,6 @@ function scoreCell(tube, mode, report) {
   const index = scoredCase(tube, mode, report.steps);
   if (index === null) return null;
   return el(
-      "span", {class: "case"}, `${short(object(tube[mode]).error)}\u00a0\u00a0`, markIcon(STEP_MARKS[index]),
+      "span", {class: "case"}, `${short(object(tube[mode]).error)}\u00a0\u00a0`, markIcon(stepMark(index, stepCountOf(report))),
       ` ${index}`);
 }

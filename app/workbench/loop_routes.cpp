@@ -51,12 +51,14 @@ std::vector<NamedCell> stackOf(const Session& session) {
   return stack;
 }
 
-/// `top`: the fit of the last, where it is made already.
+/// `set_aside`: outliers that are known; `top`: the fit of the last model without them, where it is made already.
 nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& began, std::uint64_t seed,
-                          const WorkHooks& hooks, const calibration::Identification* top = nullptr) {
+                          const WorkHooks& hooks, std::vector<std::string> set_aside = {},
+                          const calibration::Identification* top = nullptr) {
   std::vector<LadderModel> models;
   for (const auto& [label, cell] : stack) {
-    models.push_back({label, {cell, began.readings->name, readingsInUse(*began.readings)}, nullptr});
+    models.push_back(
+        {label, {cell, began.readings->name, readingsInUse(*began.readings), began.readings->checks}, nullptr});
     requireDefinedFormulas(models.back().input.readings, cell, models.back().input.file);
   }
   models.back().fit = top;
@@ -64,6 +66,7 @@ nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& be
   asked.truth = began.truth;
   asked.holes = 300;
   asked.seed = seed;
+  asked.set_aside = std::move(set_aside);
   return climbLadder(models, asked, hooks).figures;
 }
 
@@ -76,9 +79,10 @@ Answer ladder(Workbench& workbench, const Request& request) {
                         });
 }
 
-void tellLadder(Workbench& workbench, const Session& began, std::uint64_t seed, const calibration::Identification& fit,
-                JobContext& context) {
-  const auto climbed = ladderOver(stackOf(began), began, seed, hooksOf(context), &fit);
+/// Puts the ladder of the models there, on the readings that the comparison of the last was made with.
+void putLadder(Workbench& workbench, const Session& began, std::uint64_t seed, const RefitOfReadings& refit,
+               JobContext& context) {
+  const auto climbed = ladderOver(stackOf(began), began, seed, hooksOf(context), refit.set_aside, &refit.fit);
   finishJob(workbench, began, JobInput::kModelAndReadings,
             [&](Session& session) { putResult(session, "ladder", currentModel(began).id, climbed); });
 }
@@ -273,10 +277,9 @@ Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, boo
                           const CellReadings input = inputOf(began);
                           if (!with_ladder) return compareModel(input, asked, hooksOf(context)).figures;
                           beginStage(context, "fit");
-                          const auto fit = fitForLadder(input.cell, input.readings, asked.seed, hooksOf(context));
-                          tellLadder(workbench, began, asked.seed, fit, context);
-                          const bool is_made = fit.status == calibration::IdentificationStatus::kDone;
-                          return compareModel(input, asked, hooksOf(context), is_made ? &fit : nullptr).figures;
+                          const auto refit = refitReadings(input, asked, hooksOf(context));
+                          putLadder(workbench, began, asked.seed, refit, context);
+                          return compareModel(input, asked, hooksOf(context), &refit).figures;
                         });
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "calibration/estimation/campaign_residual.hpp"
+#include "calibration/estimation/error_budget.hpp"
 #include "calibration/estimation/prior.hpp"
 #include "calibration/estimation/robust_loss.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -209,6 +210,7 @@ ErrorSize errorSize(const std::vector<Measurement>& readings, const ReadingWeigh
   const VectorXd lengths = errorLengths(readings, weights, error);
   ErrorSize size;
   size.readings = static_cast<int>(readings.size());
+  size.are_angles = measureAnglesAlone(readings);
   if (lengths.size() == 0) return size;
   size.rms = std::sqrt(lengths.squaredNorm() / static_cast<double>(lengths.size()));
   size.mean = lengths.mean();

@@ -44,6 +44,7 @@ void collect(ErrorSize& total, double& squares, double& lengths, const ErrorSize
   squares += part.rms * part.rms * part.readings;
   lengths += part.mean * part.readings;
   total.max = std::isnan(total.max) ? part.max : std::max(total.max, part.max);
+  total.are_angles = part.are_angles && (total.are_angles || total.readings == 0);
   total.readings += part.readings;
 }
 

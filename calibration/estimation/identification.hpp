@@ -58,7 +58,7 @@ struct IdentificationOptions {
   double drop_level = 0;        ///< above 0: numbers that the readings do not need at this level are given up
   bool intervals_by_profile = true;
   std::optional<ArmUncertainty> uncertainty;  ///< of the numbers that are held; none: what is determined is not asked
-  WorkHooks hooks;                 ///< the solver is stopped by these too
+  WorkHooks hooks;                            ///< the solver is stopped by these too
   IterationObserver observe = {};  ///< of the fits to all readings, from every start; refits of some are not reported
 };
 
@@ -92,12 +92,15 @@ struct StrongCorrelation {
   double value = 0;
 };
 
-/// Errors of a set of readings: root mean square and mean of their lengths [m].
+/// Errors of a set of readings: root mean square, mean and largest of their lengths [m]. The length of an error is that
+/// of all its rows together: of a measured place the distance to the predicted one, of an angle what it moves at
+/// kTurnLever.
 struct ErrorSize {
   double rms = std::numeric_limits<double>::quiet_NaN();
   double mean = std::numeric_limits<double>::quiet_NaN();
   double max = std::numeric_limits<double>::quiet_NaN();
   int readings = 0;
+  bool are_angles = false;  ///< the readings measure nothing but angles
 };
 
 struct Identification {

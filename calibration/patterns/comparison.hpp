@@ -50,6 +50,9 @@ struct ComparedReading {
   Eigen::Vector3d error_before = tip_before, error_after = tip_before;
   double sigmas_before = std::numeric_limits<double>::quiet_NaN();  ///< length of the whitened error
   double sigmas_after = std::numeric_limits<double>::quiet_NaN();
+  /// Of what a reading measures of the tool's turn, the length of the error [rad]; not numbers where it measures none.
+  double turn_before = std::numeric_limits<double>::quiet_NaN();
+  double turn_after = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct Comparison {

@@ -14,14 +14,14 @@ import {
   withIt,
 } from "../../drawing/explanations.js";
 import {extentOf, fit, fromPixel, heightFor, nearestPlace, toPixel} from "../../drawing/frames.js";
-import {stateMark, STEP_MARKS, verdictMark} from "../../drawing/kinds.js";
+import {stateMark, verdictMark} from "../../drawing/kinds.js";
 import {inPlane, PLANES} from "../../drawing/planes.js";
 import {rankingRows, triedText} from "../../drawing/ranking.js";
 import {hollowPath, outlineOf, type Shape} from "../../drawing/shapes.js";
 import {isInShare, shareText} from "../../drawing/shares.js";
 import {READING_SIGMAS, sigmasText} from "../../drawing/sigma_text.js";
 import {verdictItems} from "../../drawing/verdict_items.js";
-import {requiredText, stepsAtError, stepText, visitText} from "../../drawing/visits.js";
+import {requiredText, visitText} from "../../drawing/visits.js";
 
 const SHAPES: Shape[] = [
   "ring",
@@ -52,7 +52,6 @@ describe("shapes", () => {
     expect(hollowPath("disc", 5, 5, 2)).toBe(outlineOf("disc", 5, 5, 2).fill);
   });
   it("tell kinds apart without colour", () => {
-    expect(new Set(STEP_MARKS.map(({shape}) => shape)).size).toBe(4);
     expect(stateMark("no such state").shape).toBe("diamond");
     expect(verdictMark("constructor").shape).toBe("diamond");
   });
@@ -212,15 +211,9 @@ describe("verdicts", () => {
 });
 
 describe("a plan", () => {
-  it("says its visits, what it keeps clear, and how far the tool goes in", () => {
+  it("says its visits and what it keeps clear", () => {
     expect(visitText(6, 60)).toBe("visit 7 of 60");
     expect(requiredText(0.25, "in")).toBe("required 0.25 in");
-    expect([stepText(["none"], 0), stepText(["none"], 2), stepText(undefined, 1)]).toEqual([
-      "none",
-      "2 steps",
-      "1 step",
-    ]);
-    expect([0.001, 0.05, 0.2].map((error) => stepsAtError(error, [0.09, 0.06, 0.01]))).toEqual([3, 2, 0]);
   });
 });
 

@@ -1,6 +1,8 @@
 import {describe, expect, it} from "vitest";
 import {axisEnd, barOf, modelNames, comparedModels, timesFloor} from "../../drawing/ladder.js";
-import {acceptanceOf} from "../source/error/ladder";
+import {budgetText, errorUnit, setAsideText} from "../../drawing/error_budget.js";
+import type {DiagnoseDocument, LadderDocument} from "../source/server/documents";
+import {acceptanceOf, ladderOf, ladderOfDiagnosis} from "../source/error/ladder";
 import {jointsAt, sampleAt} from "../source/plan/sampling";
 
 const model = (fitted: number, heldout: number) => ({name: "", fitted, heldout, worst: 2 * heldout, centred: null});
@@ -38,6 +40,52 @@ describe("the ladder", () => {
     expect(timesFloor(0.5, null)).toBe("");
     expect(barOf(3, 2)).toEqual({share: 1, isCut: true});
     expect(barOf(1, 2)).toEqual({share: 0.5, isCut: false});
+  });
+});
+
+describe("the one error of a screen", () => {
+  const rms = (heldout: number) => ({as_it_stands: 1, fitted: heldout / 2, heldout, noise_floor: 0.03});
+  const climbed = {
+    model: 4,
+    set_aside: ["7", "12"],
+    error_unit: "in",
+    models: ["rigid", "as given"].map((name, k) => ({
+      name,
+      chi2_per_dof: 1,
+      fitted_numbers: 2,
+      rms: rms(0.9 - 0.3 * k),
+      worst: rms(2),
+    })),
+  } as Partial<LadderDocument> as LadderDocument;
+  const diagnosed = {
+    model: 4,
+    set_aside: ["12", "7"],
+    error_unit: "in",
+    rms: {before: 0.31, heldout_before: 0.61, heldout_after: 0.55, noise_floor: 0.034},
+    ladder: [
+      {name: "as it stands", rms: 0.7, heldout_rms: null},
+      {name: "refitted", rms: 0.31, heldout_rms: 0.61},
+      {name: "with hysteresis", rms: 0.3, heldout_rms: 0.55},
+    ],
+  } as Partial<DiagnoseDocument> as DiagnoseDocument;
+
+  it("is that of the verdict, in its bars too, where both are of the same readings", () => {
+    const shown = ladderOfDiagnosis(climbed, diagnosed);
+    expect(shown.models.map(({name, heldout}) => [name, heldout])).toEqual([
+      ["rigid", 0.9],
+      ["as given", 0.61],
+    ]);
+    expect([shown.floor, shown.models.at(-1)!.fitted]).toEqual([0.034, 0.31]);
+  });
+  it("is the diagnosis's alone where other readings are set aside, or another model was diagnosed", () => {
+    for (const other of [{...climbed, set_aside: []}, {...climbed, model: 3}, null])
+      expect(ladderOfDiagnosis(other, diagnosed).models.map(({heldout}) => heldout)).toEqual([null, 0.61]);
+  });
+  it("is in the unit of what was measured, with the readings that are not in it", () => {
+    expect(ladderOf({...climbed, error_unit: "degree"}).unit).toBe("deg");
+    expect(errorUnit({units: {length: "mm"}})).toBe("mm");
+    expect(setAsideText(diagnosed, 468)).toBe("2 of 468 readings set aside as outliers");
+    expect([setAsideText({}, 468), budgetText({}), budgetText({error_budget: {words: "so"}})]).toEqual(["", "", "so"]);
   });
 });
 

@@ -1,24 +1,22 @@
-// Under the hole, magnified: the hole's rim, the three steps of the calibration tool where the tool stands, and how far
-// off it is.
+// Under the hole, magnified: the hole's rim, the steps of the calibration tool where the tool stands, and how far off it
+// is.
 import {useEffect, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
 import {fixed, jointDecimals, lengthAndUnit} from "../../../drawing/numbers.js";
+import {stepKinds} from "../../../drawing/steps.js";
 import type {PoseDocument} from "../server/documents";
 import {sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
-import {stepKinds} from "../sheet/colourings";
 import {clearedContext} from "../drawing/canvas";
 import {MarkIcon} from "../drawing/marks";
 import {holeName} from "../sheet/sheet_model";
 import {poseRequest} from "./pose_link";
 
-/** The tool's steps as shares of the hole; three even ones where the cell does not say. */
+/** The tool's steps as shares of the hole; none where the cell does not say. */
 function stepShares(): number[] {
   const document = sheetDocument.peek().document;
   const diameters = document?.tool?.diameters;
-  return diameters && document.hole_diameter > 0
-    ? diameters.map((diameter) => diameter / document.hole_diameter)
-    : [0.7, 0.8, 0.9];
+  return diameters && document.hole_diameter > 0 ? diameters.map((diameter) => diameter / document.hole_diameter) : [];
 }
 
 export function ToolInset() {
@@ -29,8 +27,7 @@ export function ToolInset() {
   }, [centring, palette.value]);
   const hole = poseRequest.hole.value;
   const name = hole >= 0 && sheet.value ? holeName(sheet.value, hole) : "no hole picked";
-  const kinds = stepKinds(sheetDocument.value.document?.tool?.step_words);
-  const kind = kinds[centring?.steps ?? -1];
+  const kind = stepKinds(sheetDocument.value.document?.tool ?? {})[centring?.steps ?? -1];
   return (
     <section class="inset" aria-label="The tool under the hole">
       <header>

@@ -7,8 +7,9 @@ import {
   isEnough,
   sizesOf,
 } from "../../../drawing/explanations.js";
+import {errorUnit} from "../../../drawing/error_budget.js";
 import {isNumber, short} from "../../../drawing/numbers.js";
-import {MOST_RANKED, rankingRows, triedText} from "../../../drawing/ranking.js";
+import {IS_THERE, MOST_RANKED, rankingRows, triedText} from "../../../drawing/ranking.js";
 import type {DiagnoseDocument, EffectAt, Explanation, RankedEffect} from "../server/documents";
 import {currentModel, runningJob} from "../server/workbench";
 import {addEffects} from "./loop";
@@ -59,7 +60,7 @@ function RankingTable({rows}: {rows: Row[]}) {
       <thead>
         <tr>
           <th>effect</th>
-          <th>probability</th>
+          <th title={`${IS_THERE}; several may be`}>is there</th>
           <th class="number">chi² falls by</th>
           <th
             class="size"
@@ -97,7 +98,7 @@ function ExplanationCard({explanation, index, document, letter}: ExplanationCard
   return (
     <div class={`explanation ${isAdded ? "added" : isEnough(explanation) ? "" : "not-enough"}`}>
       {letter ? <b class="letter">{letter}</b> : null}
-      <ExplanationWords explanation={explanation} unit={document.units.length} />
+      <ExplanationWords explanation={explanation} unit={errorUnit(document)} />
       {isDrawn ? <DrawButton explanation={explanation} index={index} /> : null}
       {isAdded ? <span class="done">✓ added</span> : <AddButton explanation={explanation} />}
     </div>

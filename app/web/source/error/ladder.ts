@@ -1,6 +1,7 @@
 // The ladder of errors as figures: its models, and whether a model is accepted.
 import {modelNames, type ComparedModel as BareModel} from "../../../drawing/ladder.js";
-import type {CompareDocument, LadderDocument} from "../server/documents";
+import {errorUnit, idsSetAside} from "../../../drawing/error_budget.js";
+import type {CompareDocument, DiagnoseDocument, LadderDocument} from "../server/documents";
 
 export interface ComparedModel extends BareModel {
   /** The largest error: held out, else fitted. */
@@ -26,23 +27,41 @@ export function ladderOf(document: LadderDocument): Ladder {
       centred: model.steps ? {holes: model.steps.holes, all: model.steps.counts.at(-1) ?? 0} : null,
     })),
     floor: document.models.at(-1)?.rms.noise_floor ?? null,
-    unit: document.units.length,
+    unit: errorUnit(document),
   };
 }
 
-/** Of a comparison alone: the model as it stands, and refitted. */
-export function ladderOfComparison({ladder, rms, units}: CompareDocument): Ladder {
+/** Of a comparison or a diagnosis alone: the model as it stands, refitted, and with each explanation. */
+export function ladderOfOne(document: CompareDocument | DiagnoseDocument): Ladder {
   return {
-    models: (ladder ?? []).map((model) => ({
+    models: (document.ladder ?? []).map((model) => ({
       name: model.name,
       fitted: model.rms,
       heldout: model.heldout_rms,
       worst: null,
       centred: null,
     })),
-    floor: rms.noise_floor,
-    unit: units.length,
+    floor: document.rms.noise_floor,
+    unit: errorUnit(document),
   };
+}
+
+/** The rows of a diagnosis that are the diagnosed model, as it stands and refitted. */
+const DIAGNOSED_ROWS = 2;
+
+/**
+ * The models up to the diagnosed one, with the figures that its verdict is of. Where the diagnosis sets other readings
+ * aside than the ladder, its own rows alone are of its readings.
+ */
+export function ladderOfDiagnosis(climbed: LadderDocument | null, diagnosed: DiagnoseDocument): Ladder {
+  const own = ladderOfOne(diagnosed);
+  const isOfSame =
+    climbed?.model === diagnosed.model &&
+    [...idsSetAside(climbed)].sort().join() === [...idsSetAside(diagnosed)].sort().join();
+  if (!climbed || !isOfSame) return {...own, models: own.models.slice(0, DIAGNOSED_ROWS)};
+  const {models} = ladderOf(climbed);
+  const last = {...models.at(-1)!, fitted: diagnosed.rms.before, heldout: diagnosed.rms.heldout_before};
+  return {...own, models: [...models.slice(0, -1), last]};
 }
 
 export type Acceptance = "accepted" | "in part" | "rejected";

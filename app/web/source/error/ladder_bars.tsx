@@ -4,8 +4,16 @@ import {short} from "../../../drawing/numbers.js";
 import {cell, state} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
 import {axisEnd, barOf, floorText, LADDER_WORDS, timesFloor} from "../../../drawing/ladder.js";
-import {type Acceptance, acceptanceOf, ladderOf, ladderOfComparison, type Ladder, type ComparedModel} from "./ladder";
-import {compare, ladder} from "./loop";
+import {
+  type Acceptance,
+  acceptanceOf,
+  ladderOf,
+  ladderOfDiagnosis,
+  ladderOfOne,
+  type Ladder,
+  type ComparedModel,
+} from "./ladder";
+import {compare, currentDiagnosis, ladder} from "./loop";
 
 // ---- the tolerance: the user's, one for each cell, kept in this browser
 
@@ -26,10 +34,14 @@ function setTolerance(text: string): void {
 
 // ---- the bars
 
+/** Of the document that the verdict is of, so that its figures are those of the bars. */
 function shownLadder(): Ladder | null {
-  if (ladder.value.document) return ladderOf(ladder.value.document);
+  const climbed = ladder.value.document,
+    diagnosed = currentDiagnosis.value;
+  if (diagnosed && (diagnosed.ladder?.length ?? 0) > 0) return ladderOfDiagnosis(climbed, diagnosed);
+  if (climbed) return ladderOf(climbed);
   const document = compare.value.document;
-  return document ? ladderOfComparison(document) : null;
+  return document ? ladderOfOne(document) : null;
 }
 
 export function LadderBars() {

@@ -1,10 +1,13 @@
 // The verdict with its sentences and figures, and the next thing to do.
+import {budgetText, errorUnit, idsSetAside, setAsideText} from "../../../drawing/error_budget.js";
 import {isNumber, short, whole} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
 import {MarkIcon} from "../drawing/marks";
+import type {JudgedDocument} from "../server/documents";
 import type {ReadingsInfo} from "../server/state_documents";
-import {runningJob, state, units} from "../server/workbench";
+import {runningJob, state} from "../server/workbench";
 import {answer} from "./answer";
+import {selectedReadings} from "./linked";
 import {currentComparison, currentDiagnosis, ladder, WORK_ON_READINGS} from "./loop";
 import {NextStep} from "./next_step";
 
@@ -12,6 +15,7 @@ export function VerdictBand() {
   const now = answer.value;
   const job = runningJob(...WORK_ON_READINGS);
   const document = currentDiagnosis.value ?? currentComparison.value;
+  const judged = document ?? ladder.value.document;
   return (
     <section class="panel verdict" aria-live="polite">
       {now ? <MarkIcon mark={now.mark} size={34} /> : <span class="verdict-space" />}
@@ -26,10 +30,11 @@ export function VerdictBand() {
         ) : (
           <p>{job ? `${job.label || job.kind} …` : "Compare the readings with the model as it is now."}</p>
         )}
+        {judged ? <Budget document={judged} /> : null}
       </div>
       <dl class="verdict-figures">
         <dt>readings</dt>
-        <dd>{usedText(state.value?.measurements)}</dd>
+        <dd>{usedText(state.value?.measurements, judged)}</dd>
         <dt>chi² per degree of freedom</dt>
         <dd>
           <Misfit chi2={document?.chi2_per_dof ?? ladder.value.document?.models.at(-1)?.chi2_per_dof} />
@@ -37,7 +42,7 @@ export function VerdictBand() {
         <dt>noise floor</dt>
         <dd>
           {short(document?.rms.noise_floor ?? ladder.value.document?.models.at(-1)?.rms.noise_floor)}{" "}
-          {units.value.length}
+          {judged ? errorUnit(judged) : ""}
         </dd>
       </dl>
       <NextStep isBusy={job !== null} />
@@ -45,11 +50,32 @@ export function VerdictBand() {
   );
 }
 
-/** "52 of 120" where some are set aside or held out. */
-function usedText(measurements: ReadingsInfo | null | undefined): string {
+/** What the error is and divides into; the readings that are in none of these figures are shown at a click. */
+function Budget({document}: {document: JudgedDocument}) {
+  const ids = idsSetAside(document);
+  return (
+    <p class="muted budget">
+      {budgetText(document)}{" "}
+      {ids.length > 0 ? (
+        <button class="button small" title={ids.join(", ")} onClick={() => (selectedReadings.value = new Set(ids))}>
+          {setAsideText(document, readingsInUse())}: select
+        </button>
+      ) : null}
+    </p>
+  );
+}
+
+/** How many readings are not set aside by hand. */
+function readingsInUse(): number {
+  const measurements = state.value?.measurements;
+  return measurements ? measurements.readings - measurements.set_aside : 0;
+}
+
+/** "52 of 120" where some are set aside, by hand or as outliers, or held out. */
+function usedText(measurements: ReadingsInfo | null | undefined, judged: JudgedDocument | null): string {
   if (!measurements) return "";
   const {readings, set_aside, held_out} = measurements;
-  const used = readings - set_aside - held_out;
+  const used = readings - set_aside - held_out - (judged ? idsSetAside(judged).length : 0);
   return used === readings ? whole(readings) : `${whole(used)} of ${whole(readings)}`;
 }
 

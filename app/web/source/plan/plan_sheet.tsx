@@ -4,6 +4,7 @@ import {useCallback, useMemo} from "preact/hooks";
 import {MarkIcon} from "../drawing/marks";
 import {Segments, type Choice} from "../drawing/segments";
 import {whole} from "../../../drawing/numbers.js";
+import {stepKinds} from "../../../drawing/steps.js";
 import type {PlanDocument} from "../server/documents";
 import {picked, select, selection, toggleSelected} from "../shell/page_state";
 import {byState, bySteps, type Colouring} from "../sheet/colourings";
@@ -59,7 +60,7 @@ export function PlanSheet({model, document}: PlanSheetProps) {
                 : "lasso, ranges or clicks with Shift select; a plan proves the tour"}
             </span>
           )}
-          {document ? <StepCounts colouring={colouring} /> : null}
+          {document ? <StepCounts document={document} colouring={colouring} /> : null}
         </>
       }
       sheet={model}
@@ -104,11 +105,11 @@ function ModeChoice({document, shownMode}: {document: PlanDocument | null; shown
   );
 }
 
-/** How many holes the tool enters with no step, one, two, three. */
-function StepCounts({colouring}: {colouring: Colouring}) {
+/** How many holes the tool enters with no step, with one, ..., with all. */
+function StepCounts({document, colouring}: {document: PlanDocument; colouring: Colouring}) {
   return (
     <span class="counts">
-      {colouring.kinds.slice(0, 4).map((kind, i) => (
+      {stepKinds(document).map((kind, i) => (
         <span title={kind.name}>
           <MarkIcon mark={kind.mark} size={12} /> {whole(colouring.counts[i])}
         </span>

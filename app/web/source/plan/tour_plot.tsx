@@ -8,6 +8,7 @@ import {TYPEFACE} from "../drawing/canvas";
 import {palette, type Palette} from "../drawing/colours";
 import {exact, fixed, short} from "../../../drawing/numbers.js";
 import {rootTicks, roundTicks} from "../../../drawing/scales.js";
+import {stepKinds} from "../../../drawing/steps.js";
 import {requiredText} from "../../../drawing/visits.js";
 import {axis, Plot} from "../drawing/plot";
 import type {PathDocument, PlanDocument} from "../server/documents";
@@ -19,7 +20,7 @@ type What = "clearance" | "travel" | "centring";
 const WHATS: [What, string][] = [
   ["clearance", "Clearance"],
   ["travel", "Travel time"],
-  ["centring", "Chance of three steps"],
+  ["centring", "Chance of all steps"],
 ];
 const what = signal<What>("clearance");
 /** The time under the mouse. */
@@ -102,7 +103,7 @@ function pointsOf(
     .map((tube, i) => ({tube, at: times[i], before: i > 0 ? times[i - 1] : 0}))
     .filter((row) => Number.isFinite(row.at));
   if (which === "centring")
-    return [known.map((row) => row.at), known.map((row) => row.tube.probability_by_steps?.[3] ?? null)];
+    return [known.map((row) => row.at), known.map((row) => row.tube.probability_by_steps?.at(-1) ?? null)];
   return [known.map((row) => row.at), known.map((row) => row.at - (Number.isFinite(row.before) ? row.before : 0))];
 }
 
@@ -113,7 +114,7 @@ function makePlot(which: What, document: PlanDocument, along: PathDocument, samp
     legend: {show: false},
     cursor: {y: false, points: {show: false}, drag: {x: false, y: false}},
     scales: scalesOf(which),
-    axes: axesOf(which, colours),
+    axes: axesOf(which, document, colours),
     series: seriesOf(which, data.length > 2, colours),
     hooks: {
       draw: [(plot) => drawPlayhead(plot, which === "clearance" ? document.clearance_required : null)],
@@ -141,11 +142,11 @@ function scalesOf(which: What): uPlot.Scales {
   };
 }
 
-function axesOf(which: What, colours: Palette): uPlot.Axis[] {
+function axesOf(which: What, document: PlanDocument, colours: Palette): uPlot.Axis[] {
   const names: Record<What, string> = {
     clearance: `clearance, ${units.peek().length}`,
     travel: "to this tube, s",
-    centring: "chance",
+    centring: `chance: ${stepKinds(document).at(-1)!.name}`,
   };
   return [
     axis(colours, "time, s"),

@@ -6,7 +6,8 @@ import {clock, lengthFigure, probability, short} from "../../../drawing/numbers.
 import {tubeTitle} from "../../../drawing/sheet_model.js";
 import type {PlanDocument, PlannedTube} from "../server/documents";
 import {units} from "../server/workbench";
-import {stepKinds, type Kind} from "../sheet/colourings";
+import {stepKinds} from "../../../drawing/steps.js";
+import type {Kind} from "../sheet/colourings";
 import {arrivals, currentVisit, goToVisit, isPlaying} from "./playback";
 
 const titleOf = ({row, column}: {row: number; column: number}) => tubeTitle(row, column);
@@ -33,7 +34,7 @@ export function TubeTable({document}: {document: PlanDocument}) {
   const total = document.tubes.length + document.unreachable.length;
   const first = Math.max(0, Math.floor(top.value / ROW) - MORE),
     last = Math.min(total, first + Math.ceil(height.value / ROW) + 2 * MORE);
-  const kinds = stepKinds(document.step_words);
+  const kinds = stepKinds(document);
   const rows = [];
   for (let i = first; i < last; ++i) {
     const tube = document.tubes[i];
@@ -56,7 +57,9 @@ export function TubeTable({document}: {document: PlanDocument}) {
         <span class="number">#</span>
         <span>tube</span>
         <span>tool goes in</span>
-        <span class="number">chance of 3</span>
+        <span class="number" title={`probability: ${kinds.at(-1)!.name}`}>
+          chance of all
+        </span>
         <span class="number">true arm, {length}</span>
         <span class="number">tilt, {angle}</span>
         <span class="number">at</span>
@@ -93,7 +96,7 @@ function TubeRow({tube, index, kinds}: {tube: PlannedTube; index: number; kinds:
           "–"
         )}
       </span>
-      <span class="number">{probability(tube.probability_by_steps?.[3])}</span>
+      <span class="number">{probability(tube.probability_by_steps?.at(-1))}</span>
       <span class="number">{lengthFigure(score?.error, units.value.length, 4)}</span>
       <span class="number">{short(tube.tilt)}</span>
       <span class="number">{Number.isFinite(arrivals.value[index]) ? clock(arrivals.value[index]) : "–"}</span>

@@ -1,6 +1,16 @@
 // The loop: readings, their errors, what is missing, the numbers of the model.
+import type {ErrorBudget} from "../../../drawing/error_budget.js";
 import type {Units, Vector3} from "./common_documents";
 import type {EffectAt, EffectNumber} from "./state_documents";
+
+/** What every document about errors says of them: their unit, what they divide into, and what is in none of them. */
+export interface JudgedDocument {
+  /** Not in what an earlier program left in a project, like the others. */
+  error_unit?: string;
+  error_budget?: ErrorBudget | null;
+  set_aside?: string[];
+  units: Units;
+}
 
 export interface ErrorReading {
   id: string;
@@ -47,7 +57,7 @@ export interface PatternFound extends PatternTest {
   size: number;
 }
 
-export interface CompareDocument {
+export interface CompareDocument extends JudgedDocument {
   verdict: string;
   /** Not in what an earlier program left in a project. */
   verdict_words?: string;
@@ -107,7 +117,7 @@ export interface NextReading {
   separation_sigmas?: number;
 }
 
-export interface DiagnoseDocument {
+export interface DiagnoseDocument extends JudgedDocument {
   verdict: string;
   /** Not in what an earlier program left in a project. */
   verdict_words?: string;
@@ -138,7 +148,10 @@ export interface DiagnoseDocument {
     }[];
   };
   warnings: (string | {sentence: string})[];
-  set_aside: string[];
+  /** What the ranking's probabilities are of. */
+  probability_words?: string;
+  /** The errors of the model, and with each explanation. */
+  ladder?: {name: string; rms: number | null; heldout_rms: number | null}[];
   /** The least of each effect that would have been seen. */
   detectable?: {
     effect: string;
@@ -158,7 +171,7 @@ export interface DiagnoseDocument {
   revision: number;
 }
 
-export interface IdentifyDocument {
+export interface IdentifyDocument extends JudgedDocument {
   chi2_per_dof: number;
   p_value: number;
   rms: Record<string, number>;
@@ -176,14 +189,14 @@ export interface IdentifyDocument {
   revision: number;
 }
 
-export interface LadderDocument {
+export interface LadderDocument extends JudgedDocument {
   models: {
     name: string;
     chi2_per_dof: number;
     fitted_numbers: number;
     rms: {as_it_stands: number; fitted: number; heldout: number | null; noise_floor: number};
     worst: {as_it_stands: number; fitted: number; heldout: number | null};
-    steps?: {holes: number; counts: number[]; three: number} | null;
+    steps?: {holes: number; counts: number[]} | null;
   }[];
   units: Units;
   model: number;

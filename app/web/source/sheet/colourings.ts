@@ -1,9 +1,10 @@
 // What the sheet's holes can be coloured by. Each colouring sorts the holes into a few kinds with a colour and a shape.
 import type {ColourName} from "../drawing/colours";
 import type {Mark, Shape} from "../drawing/marks";
-import {NOT_PLANNED, STEP_MARKS, stateMark, UNREACHABLE} from "../../../drawing/kinds.js";
-import {isNumber, MISSING, short} from "../../../drawing/numbers.js";
-import {stepText, visitText} from "../../../drawing/visits.js";
+import {NOT_PLANNED, stateMark, UNREACHABLE} from "../../../drawing/kinds.js";
+import {isNumber, short} from "../../../drawing/numbers.js";
+import {stepKinds, stepText} from "../../../drawing/steps.js";
+import {visitText} from "../../../drawing/visits.js";
 import type {FieldDocument, PlanDocument, ReachDocument} from "../server/documents";
 import type {SheetModel} from "./sheet_model";
 
@@ -55,26 +56,18 @@ export function byReach(sheet: SheetModel, reach: ReachDocument): Colouring {
   );
 }
 
-/** How far the tool goes in, in the words of a document. */
-export function stepKinds(words: readonly string[] | undefined): Kind[] {
-  return STEP_MARKS.map((mark, steps) => ({name: stepText(words, steps), mark}));
-}
-
 /** How far the tool goes in at the planned tubes: as predicted, or by the true arm in one of the ways of compensation. */
 export function bySteps(sheet: SheetModel, plan: PlanDocument, mode: string): Colouring {
-  const kinds = [
-    ...stepKinds(plan.step_words),
-    {name: "out of reach", mark: UNREACHABLE},
-    {name: "not on the list", mark: NOT_PLANNED},
-  ];
-  const of = new Uint8Array(sheet.count).fill(5);
-  for (const tube of plan.unreachable) mark(of, sheet.find(tube.row, tube.column), 4);
+  const inserted = stepKinds(plan);
+  const kinds = [...inserted, {name: "out of reach", mark: UNREACHABLE}, {name: "not on the list", mark: NOT_PLANNED}];
+  const of = new Uint8Array(sheet.count).fill(inserted.length + 1);
+  for (const tube of plan.unreachable) mark(of, sheet.find(tube.row, tube.column), inserted.length);
   const tubes = new Map<number, number>();
   plan.tubes.forEach((tube, index) => {
     const hole = sheet.find(tube.row, tube.column);
     const score = mode === "predicted" ? tube : tube.scored?.[mode];
     tubes.set(hole, index);
-    if (score) mark(of, hole, Math.max(0, Math.min(3, score.steps)));
+    if (score) mark(of, hole, Math.max(0, Math.min(inserted.length - 1, score.steps)));
   });
   return finished("Steps of the tool", kinds, of, (hole) => tubeWords(plan, tubes.get(hole)));
 }
@@ -86,7 +79,7 @@ function mark(of: Uint8Array, hole: number, kind: number): void {
 function tubeWords(plan: PlanDocument, index: number | undefined): string[] {
   if (index === undefined) return [];
   const tube = plan.tubes[index];
-  return [visitText(index, plan.tubes.length), `predicted: ${stepKinds(plan.step_words)[tube.steps]?.name ?? MISSING}`];
+  return [visitText(index, plan.tubes.length), `predicted: ${stepText(plan.step_words, tube.steps)}`];
 }
 
 const BANDS: {shape: Shape; colour: ColourName}[] = [

@@ -2,11 +2,12 @@
 // be switched off and on.
 import {computed} from "@preact/signals";
 import {Icon} from "../drawing/icons";
+import {errorUnit} from "../../../drawing/error_budget.js";
 import {explanationTitle} from "../../../drawing/explanations.js";
 import {short} from "../../../drawing/numbers.js";
 import {addEffects, addFormula, ladder, removeCauses, startCompare} from "../error/loop";
 import type {EffectAt, EffectNumber, Model} from "../server/documents";
-import {currentModel, order, runningJobs, state, units} from "../server/workbench";
+import {currentModel, order, runningJobs, state} from "../server/workbench";
 import {Menu} from "./menu";
 
 /** The held-out error of each model, as far as the ladder of the current one has them: its last models are the stack. */
@@ -20,6 +21,8 @@ const heldOut = computed<Map<number, number | null>>(() => {
     now.models.slice(0, top + 1).map((model, k) => [model.id, document.models[first + k]?.rms.heldout ?? null]),
   );
 });
+
+const heldOutUnit = computed(() => (ladder.value.document ? errorUnit(ladder.value.document) : ""));
 
 interface Switch {
   key: string;
@@ -128,7 +131,7 @@ function StepButton({model, side, isBusy}: {model: Model; side: number; isBusy: 
       onClick={() => void goTo(model)}
     >
       <span>{model.label}</span>
-      <small>{heldOut.value.has(model.id) ? `${short(heldOut.value.get(model.id))} ${units.value.length}` : ""}</small>
+      <small>{heldOut.value.has(model.id) ? `${short(heldOut.value.get(model.id))} ${heldOutUnit.value}` : ""}</small>
     </button>
   );
 }

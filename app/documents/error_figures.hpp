@@ -1,0 +1,44 @@
+// Errors of readings as documents and texts write them: in the unit of what was measured, with what they divide into.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/files/units.hpp"
+#include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/estimation/error_budget.hpp"
+#include "calibration/patterns/comparison.hpp"
+
+namespace tubeplan::app {
+
+/// The unit of errors: that of angles where the readings measure nothing else, else that of lengths.
+struct ErrorUnit {
+  std::string name;
+  double factor = 1;  ///< m of an ErrorSize in one such unit
+};
+
+[[nodiscard]] ErrorUnit errorUnitOf(bool are_angles, const Units& units);
+
+/// Null where it is not finite.
+[[nodiscard]] nlohmann::json errorJson(double error, const ErrorUnit& unit);
+
+/// "0.0123 in" or "0.0123 deg", to so many digits; "none" where it is not finite.
+[[nodiscard]] std::string errorText(double error, const ErrorUnit& unit, int digits = 4);
+
+/// What the causes of a diagnosis, or a refit, take from the error.
+[[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Diagnosis& result);
+[[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Comparison& result);
+[[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Identification& result);
+
+/// {of: "held-out" | "fitted", unit, total, explained, remainder, noise, readings, set_aside: how many, words}; null
+/// where there is no error.
+[[nodiscard]] nlohmann::json errorBudgetJson(const calibration::ErrorBudget& budget, std::size_t set_aside,
+                                             const Units& units);
+
+/// "Held-out error 0.613 mm (root mean square over 436 readings; 32 set aside as outliers): ..."; empty where there is
+/// no error.
+[[nodiscard]] std::string errorBudgetText(const calibration::ErrorBudget& budget, std::size_t set_aside,
+                                          const Units& units);
+
+}  // namespace tubeplan::app

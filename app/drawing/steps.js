@@ -1,0 +1,67 @@
+// The steps of a document's tool: how many there are, what each number of inserted steps is called, and its mark. A tool
+// has as many steps as its cell says, and the document carries them.
+import {plural} from "./numbers.js";
+
+/** @typedef {import("./kinds.js").Mark} Mark */
+/** @typedef {{name: string, mark: Mark}} StepKind What a number of inserted steps is called, and how it is drawn. */
+/**
+ * What may tell the steps: their words, the tool itself, tubes counted by steps, or a tube's probabilities.
+ * @typedef {{step_words?: unknown, steps?: unknown, counts?: unknown, tubes?: unknown}} SteppedDocument
+ */
+
+/** @type {Mark} */
+const NO_STEP = {shape: "cross", colour: "case0"};
+/** @type {Mark} */
+const ALL_STEPS = {shape: "disc", colour: "case3"};
+/** From the first step to the last but one; they repeat beyond the eighth. @type {Mark[]} */
+const SOME_STEPS = [
+  {shape: "triangle", colour: "case1"},
+  {shape: "square", colour: "case2"},
+  {shape: "half", colour: "accent"},
+  {shape: "double-ring", colour: "violet"},
+  {shape: "target", colour: "case1"},
+  {shape: "bar", colour: "case2"},
+  {shape: "ring", colour: "accent"},
+];
+
+/** The mark of so many inserted steps of a tool that has `count`. @param {number} inserted @param {number} count */
+export function stepMark(inserted, count) {
+  if (inserted <= 0) return NO_STEP;
+  return inserted >= count ? ALL_STEPS : SOME_STEPS[(inserted - 1) % SOME_STEPS.length];
+}
+
+/** How many steps the tool of a document has; 0 where it does not say. @param {SteppedDocument} document */
+export function stepCountOf({step_words: words, steps, counts, tubes}) {
+  if (Array.isArray(words) && words.length > 0) return words.length - 1;
+  if (Array.isArray(steps) && steps.length > 0) return steps.length;
+  const byMode = counts !== null && typeof counts === "object" ? Object.values(counts) : [];
+  const chances = Array.isArray(tubes) ? tubes.map((tube) => tube?.probability_by_steps) : [];
+  return (byMode.concat(chances).find((row) => Array.isArray(row) && row.length > 0)?.length ?? 1) - 1;
+}
+
+/**
+ * What 0, 1, ..., all inserted steps are called, and their marks.
+ * @param {SteppedDocument} document @returns {StepKind[]}
+ */
+export function stepKinds(document) {
+  const count = stepCountOf(document);
+  return Array.from({length: count + 1}, (_, inserted) => ({
+    name: stepText(document.step_words, inserted),
+    mark: stepMark(inserted, count),
+  }));
+}
+
+/** How far the tool goes in, in a document's own words where it has some. @param {unknown} words @param {number} steps */
+export function stepText(words, steps) {
+  const own = Array.isArray(words) ? words[steps] : undefined;
+  return typeof own === "string" && own !== "" ? own : plural(steps, "step");
+}
+
+/**
+ * The number of steps of the tool that enter at a centring error, by the tolerances of all of them.
+ * @param {number} error @param {readonly number[]} tolerances
+ */
+export function stepsAtError(error, tolerances) {
+  const first = tolerances.findIndex((tolerance) => error > tolerance);
+  return first < 0 ? tolerances.length : first;
+}

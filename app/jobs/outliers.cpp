@@ -1,0 +1,25 @@
+#include "app/jobs/outliers.hpp"
+
+#include "app/studies/model/cell_fit.hpp"
+#include "calibration/estimation/set_aside.hpp"
+
+namespace tubeplan::app {
+
+std::vector<int> outliersOf(const CellReadings& input, const calibration::Identification& fit,
+                            const calibration::IdentificationOptions& options) {
+  if (input.checks.is_overruled || calibration::grossMistake(input.checks)) return {};
+  const auto start = startOf(input.cell, input.readings);
+  calibration::IdentificationOptions quiet = options;
+  quiet.hooks = calibration::withoutProgress(options.hooks);
+  const bool is_fitted = fit.status != calibration::IdentificationStatus::kNotRun;
+  return calibration::readingsToSetAside(
+      start, input.readings, is_fitted ? fit : calibration::judgedAsItStands(start, input.readings, quiet), quiet);
+}
+
+std::vector<std::string> idsAt(const std::vector<int>& places, const std::vector<calibration::Measurement>& readings) {
+  std::vector<std::string> ids;
+  for (const int k : places) ids.push_back(readings.at(static_cast<std::size_t>(k)).id);
+  return ids;
+}
+
+}  // namespace tubeplan::app
