@@ -13,6 +13,7 @@
 #include "app/documents/diagnosis_text.hpp"
 #include "app/documents/discrimination_json.hpp"
 #include "app/documents/effect_warnings_json.hpp"
+#include "app/documents/fill_in_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/jobs/comparison.hpp"
@@ -40,10 +41,11 @@ int run(const DiagnoseOptions& options) {
     writeReport(options.report, diagnosisPage(input, options.request.seed, outcome.figures,
                                               testedPatterns(input, options.request.seed, terminalWorkHooks())));
   writeJson(options.json, outcome.figures);
-  const std::string& sheet = outcome.run_sheet;
-  if (!options.run_sheet.empty() && !sheet.empty()) writeFileAtomically(options.run_sheet, sheet, "--run-sheet");
-  if (!printsText(options.json)) return kDone;
+  const auto& sheet = outcome.run_sheet;
   const Units& units = input.cell.units;
+  if (!options.run_sheet.empty() && !sheet.empty())
+    writeFileAtomically(options.run_sheet, runSheetCsv(sheet, input.cell.arm, units), "--run-sheet");
+  if (!printsText(options.json)) return kDone;
   fmt::print("{}", checksText(input.checks, units));
   if (calibration::grossMistake(input.checks)) {
     fmt::print("{}\n{}\n", nameOf(outcome.diagnosis.verdict), diagnosisSentence(outcome.diagnosis, units));
@@ -53,8 +55,8 @@ int run(const DiagnoseOptions& options) {
              discriminationText(outcome.next, outcome.candidates, input.cell.arm, units));
   if (!options.run_sheet.empty())
     fmt::print("{}", sheet.empty() ? "no run sheet: no reading is proposed\n"
-                                   : fmt::format("wrote {}: fill in what is measured and give it after the readings\n",
-                                                 options.run_sheet));
+                                   : fmt::format("wrote {}: {} and give it after the readings\n", options.run_sheet,
+                                                 fillInText(sheet, input.cell.arm, units)));
   fmt::print("{}", additionCommand(outcome.diagnosis, options.cell, units));
   for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warningText(warning, units));
   return kDone;

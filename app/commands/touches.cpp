@@ -10,9 +10,11 @@
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/documents/fill_in_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/touch_proposals.hpp"
 #include "app/files/atomic_file.hpp"
+#include "app/files/measurements_writer.hpp"
 
 namespace tubeplan::app {
 
@@ -30,6 +32,17 @@ calibration::Optimality optimalityOf(const std::string& name) {
 
 bool isProposed(const std::optional<TouchProposal>& proposal) { return !proposal || proposal->reason.empty(); }
 
+void writeSheet(const std::string& file, const TouchOutcome& outcome) {
+  writeFileAtomically(file, runSheetCsv(runSheetOf(outcome), outcome.cell.arm, outcome.cell.units), "--csv");
+}
+
+/// What to do with the sheet that was written.
+std::string sheetText(const TouchesOptions& options, const TouchOutcome& outcome) {
+  if (options.csv.empty() || !isProposed(outcome.base) || !isProposed(outcome.parameters)) return "";
+  return fmt::format("wrote {}: {}\n", options.csv,
+                     fillInText(runSheetOf(outcome), outcome.cell.arm, outcome.cell.units));
+}
+
 int run(const TouchesOptions& options) {
   TouchRequest request = options.request;
   request.optimality = optimalityOf(options.optimality);
@@ -37,14 +50,15 @@ int run(const TouchesOptions& options) {
   if (!options.csv.empty()) checkWritableFile(options.csv, "--csv");
   const TouchOutcome outcome = proposeTouches(request);
   const bool is_done = isProposed(outcome.base) && isProposed(outcome.parameters);
-  if (is_done && !options.csv.empty()) writeFileAtomically(options.csv, proposalsCsv(outcome), "--csv");
+  if (is_done && !options.csv.empty()) writeSheet(options.csv, outcome);
   nlohmann::json json = proposalsJson(outcome);
   json["seed"] = request.seed;
   json["optimality"] = options.optimality;
   addChecks(outcome.checks, outcome.cell.units, json);
   writeJson(options.json, json);
   if (printsText(options.json))
-    fmt::print("{}{}", checksText(outcome.checks, outcome.cell.units), proposalsText(outcome));
+    fmt::print("{}{}{}", checksText(outcome.checks, outcome.cell.units), proposalsText(outcome),
+               sheetText(options, outcome));
   return is_done ? kDone : kNegativeAnswer;
 }
 
@@ -80,7 +94,9 @@ Run configureTouches(CLI::App& cli) {
   cli.add_option("--candidates", request.candidates, "number of candidate holes or postures (60 holes, 600 postures)")
       ->check(CLI::Range(3, 100000));
   addSigma(cli, request.sigma, "instead of that of the readings, or of the tool");
-  cli.add_option("--csv", options->csv, "write the proposals as a measurement table, its coordinates to be filled in");
+  cli.add_option(
+      "--csv", options->csv,
+      "write the proposals as a run sheet (CSV): a measurement table in which what is measured is to be filled in");
   addSeed(cli, request.seed, "seed of the random postures and draws");
   addJson(cli, options->json);
   return [options] { return run(*options); };

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/documents/figures.hpp"
+#include "app/documents/fill_in_json.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/measurements_writer.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -16,20 +17,26 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::Measurement, calibration::ReadingCandidate, calibration::DiscriminatedPair,
-    calibration::DiscriminatingMeasurement, calibration::DiscriminatingMeasurements, calibration::DiscriminationStatus;
+using calibration::Measurement, calibration::ProposedMeasurement, calibration::ReadingCandidate,
+    calibration::DiscriminatedPair, calibration::DiscriminatingMeasurement, calibration::DiscriminatingMeasurements,
+    calibration::DiscriminationStatus;
 
 std::string explanationName(const DiscriminatingMeasurements& result, int index) {
   return calibration::nameOf(result.explanations[static_cast<std::size_t>(index)]);
 }
 
+/// Whether it is taken at a hole or mark of known place.
+bool isAtPoint(const ProposedMeasurement& reading) {
+  return calibration::kindOf(reading.kind).names_hole && reading.known_W;
+}
+
 /// Touches of one unknown point are named alike: N1; a hole or known point by its own name.
 nlohmann::json chosenReadingJson(const DiscriminatingMeasurements& result, const DiscriminatingMeasurement& chosen,
-                                 std::size_t number, const Measurement& reading, const deflection::Arm& arm,
+                                 std::size_t number, const ProposedMeasurement& reading, const deflection::Arm& arm,
                                  const Units& units) {
   const Eigen::VectorXd joints = reading.q.cwiseQuotient(jointFactors(arm, units));
   const auto names = deflection::jointNames(arm);
-  nlohmann::json json = {{"kind", calibration::kindOf(reading).name},
+  nlohmann::json json = {{"kind", calibration::kindOf(reading.kind).name},
                          {"posture", nlohmann::json::object()},
                          {"load", rounded(units.toFile(reading.load, dimension::kForce))},
                          {"splits", {explanationName(result, chosen.a), explanationName(result, chosen.b)}},
@@ -40,13 +47,15 @@ nlohmann::json chosenReadingJson(const DiscriminatingMeasurements& result, const
   if (!reading.approach_directions.empty()) json["senses"] = nlohmann::json::object();
   for (std::size_t j = 0; j < reading.approach_directions.size(); ++j)
     json["senses"][names[j]] = reading.approach_directions[j];
-  if (isTouch(reading)) json["point"] = reading.p_W ? reading.point : "N" + std::to_string(number + 1);
-  if (touchesKnownPoint(reading)) json["place"] = vectorJson(*reading.p_W, units, dimension::kLength);
+  if (touchesUnknownPoint(reading)) json["point"] = "N" + std::to_string(number + 1);
+  if (isAtPoint(reading)) json["point"] = reading.point;
+  if (isAtPoint(reading)) json["place"] = vectorJson(*reading.known_W, units, dimension::kLength);
+  json["fill_in"] = fillInJson(fillInOf(reading, arm, units));
   return json;
 }
 
-const std::vector<Measurement>& readingsOf(const std::vector<ReadingCandidate>& candidates,
-                                           const DiscriminatingMeasurement& chosen) {
+const std::vector<ProposedMeasurement>& readingsOf(const std::vector<ReadingCandidate>& candidates,
+                                                   const DiscriminatingMeasurement& chosen) {
   return candidates[static_cast<std::size_t>(chosen.candidate)].readings;
 }
 
@@ -72,7 +81,7 @@ std::string neverText(const DiscriminatingMeasurements& result) {
   return explanationName(result, first.truth) + " and " + explanationName(result, first.other) + more;
 }
 
-std::string jointsText(const Measurement& reading, const deflection::Arm& arm, const Units& units) {
+std::string jointsText(const ProposedMeasurement& reading, const deflection::Arm& arm, const Units& units) {
   const auto joints = jointFigures(arm, reading.q, units);
   std::string text;
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -132,12 +141,13 @@ void addNextReadings(const DiscriminatingMeasurements& result, const std::vector
   diagnosis["splitting"] = std::move(discrimination);
 }
 
-std::string runSheetCsv(const DiscriminatingMeasurements& result, const std::vector<ReadingCandidate>& candidates,
-                        const std::vector<Measurement>& taken, const deflection::Arm& arm, const Units& units) {
-  if (result.times == 0) return "";
+std::vector<ProposedMeasurement> runSheetOf(const DiscriminatingMeasurements& result,
+                                            const std::vector<ReadingCandidate>& candidates,
+                                            const std::vector<Measurement>& taken) {
+  std::vector<ProposedMeasurement> sheet;
+  if (result.times == 0) return sheet;
   std::set<std::string> used;
   for (const auto& reading : taken) used.insert(reading.id), used.insert(reading.point);
-  std::vector<Measurement> sheet;
   int number = 0;
   const auto fresh = [&] {
     std::string name = fmt::format("N{}", ++number);
@@ -148,15 +158,13 @@ std::string runSheetCsv(const DiscriminatingMeasurements& result, const std::vec
     const std::string point = fresh();
     const auto& readings = readingsOf(candidates, chosen);
     for (std::size_t k = 0; k < readings.size(); ++k) {
-      Measurement reading = readings[k];
+      ProposedMeasurement reading = readings[k];
       reading.id = k == 0 ? point : fresh();
-      const bool is_hole = touchesKnownPoint(reading);
-      if (!is_hole && !kindOf(reading).has_anchor) reading.p_W.reset();
-      if (!is_hole && isTouch(reading)) reading.point = point;
+      if (touchesUnknownPoint(reading)) reading.point = point;
       sheet.push_back(std::move(reading));
     }
   }
-  return measurementsCsv(sheet, arm, units);
+  return sheet;
 }
 
 std::string discriminationText(const DiscriminatingMeasurements& result,
@@ -171,7 +179,7 @@ std::string discriminationText(const DiscriminatingMeasurements& result,
   for (std::size_t k = 0; k < result.readings.size(); ++k)
     for (const auto& reading : readingsOf(candidates, result.readings[k]))
       text += fmt::format("  {:<10} {:8.4g}{}   {} from {}: {:.1f}\n",
-                          touchesKnownPoint(reading) ? reading.point : "N" + std::to_string(k + 1),
+                          isAtPoint(reading) ? reading.point : "N" + std::to_string(k + 1),
                           units.toFile(reading.load, dimension::kForce), jointsText(reading, arm, units),
                           explanationName(result, result.readings[k].a), explanationName(result, result.readings[k].b),
                           result.readings[k].separation);

@@ -19,12 +19,10 @@ void addNextReadings(const calibration::DiscriminatingMeasurements& result,
 /// One plain sentence; empty where there is nothing to split.
 [[nodiscard]] std::string discriminationAdvice(const calibration::DiscriminatingMeasurements& result);
 
-/// The proposed readings as a measurement table, each with an id that the readings taken do not have, coordinates left
-/// to be filled in. Empty where nothing is proposed.
-[[nodiscard]] std::string runSheetCsv(const calibration::DiscriminatingMeasurements& result,
-                                      const std::vector<calibration::ReadingCandidate>& candidates,
-                                      const std::vector<calibration::Measurement>& taken, const deflection::Arm& arm,
-                                      const Units& units);
+/// Returns the proposed readings, each with an id that the readings taken do not have; none where nothing is proposed.
+[[nodiscard]] std::vector<calibration::ProposedMeasurement> runSheetOf(
+    const calibration::DiscriminatingMeasurements& result, const std::vector<calibration::ReadingCandidate>& candidates,
+    const std::vector<calibration::Measurement>& taken);
 
 /// A few lines for people.
 [[nodiscard]] std::string discriminationText(const calibration::DiscriminatingMeasurements& result,

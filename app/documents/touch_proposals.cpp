@@ -8,36 +8,37 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figures.hpp"
+#include "app/documents/fill_in_json.hpp"
 #include "app/documents/identification_json.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
-using calibration::Measurement, calibration::NumberForecast, calibration::TipSigma;
+using calibration::NumberForecast, calibration::ProposedMeasurement, calibration::TipSigma;
 
-/// A proposed reading with the name it goes by.
+/// A proposed reading by its name, and the step of the design that chose it.
 struct NamedReading {
-  std::string id, point;
-  const Measurement* reading;
+  ProposedMeasurement reading;
   std::size_t step;
 };
 
 /// T1, T2, ... for the base, N1, N2, ... for the numbers; touches of one unknown point are N1a, N1b, ... of point N1.
-std::vector<NamedReading> nameReadings(const TouchProposal& proposal, char letter) {
+std::vector<NamedReading> nameReadings(const TouchOutcome& outcome, const TouchProposal& proposal, char letter) {
   std::vector<NamedReading> named;
   for (std::size_t s = 0; s < proposal.next.design.steps.size(); ++s) {
     const auto& readings = proposal.chosen(proposal.next.design.steps[s]).readings;
     const std::string name = letter + std::to_string(s + 1);
     for (std::size_t k = 0; k < readings.size(); ++k) {
-      const bool is_unknown_point = touchesUnknownPoint(readings[k]);
-      const std::string id = readings.size() == 1 ? name : name + static_cast<char>('a' + k);
-      named.push_back({id, is_unknown_point ? name : readings[k].point, &readings[k], s});
+      ProposedMeasurement reading = readings[k];
+      reading.id = readings.size() == 1 ? name : name + static_cast<char>('a' + k);
+      if (touchesUnknownPoint(reading)) reading.point = name;
+      reading.setup = outcome.setup;
+      named.push_back({std::move(reading), s});
     }
   }
   return named;
@@ -56,20 +57,21 @@ nlohmann::json proposedJointsJson(const TouchOutcome& outcome, const Eigen::Vect
 void appendReadings(const TouchOutcome& outcome, const TouchProposal& proposal, char letter, const char* goal,
                     nlohmann::json& list) {
   const Units& units = outcome.cell.units;
-  for (const auto& named : nameReadings(proposal, letter)) {
-    const auto& step = proposal.next.design.steps[named.step];
-    nlohmann::json json = {{"id", named.id},
+  for (const auto& [reading, chosen_in] : nameReadings(outcome, proposal, letter)) {
+    const auto& step = proposal.next.design.steps[chosen_in];
+    nlohmann::json json = {{"id", reading.id},
                            {"for", goal},
-                           {"kind", kindOf(*named.reading).name},
-                           {"joints", proposedJointsJson(outcome, named.reading->q)},
-                           {"load", units.toFile(named.reading->load, dimension::kForce)},
+                           {"kind", calibration::kindOf(reading.kind).name},
+                           {"joints", proposedJointsJson(outcome, reading.q)},
+                           {"load", units.toFile(reading.load, dimension::kForce)},
+                           {"fill_in", fillInJson(fillInOf(reading, outcome.cell.arm, units))},
                            {"adds",
                             {{"bits", finiteJson(step.bits)},
                              {"tip_sigma_then", tipJson(step.tip, units)},
                              {"helps", proposal.next.numbers[static_cast<std::size_t>(step.most_helped)].unknown.name},
                              {"its_sigma_times", finiteJson(step.helped_by)}}}};
-    if (!named.point.empty()) json["point"] = named.point;
-    if (named.reading->p_W) json["place"] = vectorJson(*named.reading->p_W, units, dimension::kLength);
+    if (!reading.point.empty()) json["point"] = reading.point;
+    if (reading.known_W) json["place"] = vectorJson(*reading.known_W, units, dimension::kLength);
     list.push_back(json);
   }
 }
@@ -127,12 +129,12 @@ std::string proposedText(const TouchOutcome& outcome, const TouchProposal& propo
   text += fmt::format("  {:<5} {:<8} {:<9} {:>8}{}{}\n", "", "", "point", std::string(units.force().name), joints,
                       names_numbers ? "   most informative about" : "");
   std::size_t last_step = proposal.next.design.steps.size();
-  for (const auto& named : nameReadings(proposal, letter)) {
-    text += fmt::format("  {:<5} {:<8} {:<9} {:8.4g}{}", named.id, kindOf(*named.reading).name, named.point,
-                        named.reading->load / units.factor(dimension::kForce),
-                        proposedJointsText(outcome, named.reading->q));
-    if (names_numbers && named.step != last_step) text += informativeText(proposal, named.step);
-    last_step = named.step;
+  for (const auto& [reading, step] : nameReadings(outcome, proposal, letter)) {
+    text +=
+        fmt::format("  {:<5} {:<8} {:<9} {:8.4g}{}", reading.id, calibration::kindOf(reading.kind).name, reading.point,
+                    reading.load / units.factor(dimension::kForce), proposedJointsText(outcome, reading.q));
+    if (names_numbers && step != last_step) text += informativeText(proposal, step);
+    last_step = step;
     text += "\n";
   }
   return text;
@@ -205,16 +207,9 @@ std::string parametersText(const TouchOutcome& outcome) {
   return text;
 }
 
-void appendRows(const TouchOutcome& outcome, const TouchProposal& proposal, char letter, std::string& text) {
-  const Units& units = outcome.cell.units;
-  const Eigen::VectorXd factors = jointFactors(outcome.cell.arm, units);
-  for (const auto& named : nameReadings(proposal, letter)) {
-    text += fmt::format("{},{},{},{}{}", named.id, kindOf(*named.reading).name, named.point,
-                        outcome.setup.empty() ? "" : outcome.setup + ",",
-                        formatNumber(units.toFile(named.reading->load, dimension::kForce)));
-    for (Eigen::Index k = 0; k < factors.size(); ++k) text += "," + formatNumber(named.reading->q[k] / factors[k]);
-    text += ",,,," + formatNumber(units.toFile(named.reading->sigma, dimension::kLength)) + "\n";
-  }
+void appendRows(const TouchOutcome& outcome, const TouchProposal& proposal, char letter,
+                std::vector<ProposedMeasurement>& sheet) {
+  for (auto& named : nameReadings(outcome, proposal, letter)) sheet.push_back(std::move(named.reading));
 }
 
 }  // namespace
@@ -249,15 +244,11 @@ std::string proposalsText(const TouchOutcome& outcome) {
   return text;
 }
 
-std::string proposalsCsv(const TouchOutcome& outcome) {
-  const Units& units = outcome.cell.units;
-  std::string text =
-      "id,kind,point," + std::string(outcome.setup.empty() ? "" : "setup,") + "load_" + std::string(units.force().name);
-  for (const auto& joint : outcome.cell.arm.joints()) text += "," + tubesheets::csvField(jointColumn(joint, units));
-  text += fmt::format(",x_{0},y_{0},z_{0},sigma_{0}\n", units.length().name);
-  if (outcome.base) appendRows(outcome, *outcome.base, 'T', text);
-  if (outcome.parameters) appendRows(outcome, *outcome.parameters, 'N', text);
-  return text;
+std::vector<ProposedMeasurement> runSheetOf(const TouchOutcome& outcome) {
+  std::vector<ProposedMeasurement> sheet;
+  if (outcome.base) appendRows(outcome, *outcome.base, 'T', sheet);
+  if (outcome.parameters) appendRows(outcome, *outcome.parameters, 'N', sheet);
+  return sheet;
 }
 
 }  // namespace tubeplan::app

@@ -1,8 +1,9 @@
-// Proposed readings as JSON, as text for people and as a table to be filled in.
+// Proposed readings as JSON, as text for people and as the rows of a run sheet.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "app/documents/touch_outcome.hpp"
 
@@ -12,7 +13,7 @@ namespace tubeplan::app {
 
 [[nodiscard]] std::string proposalsText(const TouchOutcome& outcome);
 
-/// A measurement table with the joints to go to and the coordinates left empty.
-[[nodiscard]] std::string proposalsCsv(const TouchOutcome& outcome);
+/// Returns all of them by their names: touches for the base, then readings for the parameters.
+[[nodiscard]] std::vector<calibration::ProposedMeasurement> runSheetOf(const TouchOutcome& outcome);
 
 }  // namespace tubeplan::app

@@ -108,6 +108,8 @@ NumberColumn takeJoint(Header& header, const deflection::Joint<double>& joint) {
 void takeJoints(Header& header, const deflection::Arm& arm, MeasurementColumns& columns) {
   for (const auto& joint : arm.joints()) columns.joints.push_back(takeJoint(header, joint));
   for (const auto* joint : deflection::sideJoints(arm)) columns.side_joints.push_back(takeJoint(header, *joint));
+  for (const auto& joint : arm.joints())  // known, so that a run sheet may keep them; they say nothing of a reading
+    (void)header.takeNumber(kNearPrefix + jointColumnName(joint), unitKindOf(joint));
   for (const auto& joint : arm.joints())
     if (const auto approach_direction = header.take(jointColumnName(joint) + "_dir"))
       columns.approach_directions.push_back(*approach_direction);

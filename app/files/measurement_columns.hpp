@@ -34,6 +34,9 @@ struct MeasurementColumns {
   std::map<std::string, NumberColumn> own;       ///< by name, of the kinds' own
 };
 
+/// Before the name of a joint: where it will stand, of a reading that is proposed and measures it.
+inline constexpr const char* kNearPrefix = "near_";
+
 /// What to do with a table that another program wrote.
 inline constexpr const char* kReadForeign = "let `tubeplan readings` make a measurement table of the file";
 

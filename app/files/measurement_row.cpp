@@ -247,17 +247,17 @@ Measurement readMeasurement(const RowReader& row, const MeasurementColumns& colu
 }
 
 std::shared_ptr<const Measurement> readReference(const RowReader& row, const MeasurementColumns& columns,
-                                                 const std::map<std::string, std::size_t>& index,
-                                                 const std::vector<Measurement>& readings, const Measurement& m) {
+                                                 const std::map<std::string, const Measurement*>& known,
+                                                 const Measurement& m) {
   const std::string id = row.textOr(columns.from);
   if (id.empty())
     row.failRow("a reading of kind relative without the one that it is taken from",
                 "another reading's id in the column 'from'");
-  const auto found = index.find(id);
-  if (found == index.end() || id == m.id)
+  const auto found = known.find(id);
+  if (found == known.end() || id == m.id)
     row.fail(*columns.from, id == m.id ? "the reading's own id" : "the unknown id " + inQuotes(id),
              "the id of another reading");
-  const Measurement& other = readings[found->second];
+  const Measurement& other = *found->second;
   if (other.setup != m.setup)
     row.fail(*columns.from, fmt::format("the reading {} of another set-up", inQuotes(id)), "one of the same set-up");
   auto reference = std::make_shared<Measurement>(other);

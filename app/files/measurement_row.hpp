@@ -45,10 +45,10 @@ class RowReader {
 [[nodiscard]] calibration::Measurement readMeasurement(const RowReader& row, const MeasurementColumns& columns,
                                                        const deflection::Arm& arm, const tubesheets::Sheet* sheet);
 
-/// The reading that a relative one is taken from, by its id: any other of the same set-up, whatever its kind. `index`
-/// has the place among the readings of every id.
+/// The reading that a relative one is taken from, by its id: any other of the same set-up, whatever its kind. `known`
+/// has the reading of every id.
 [[nodiscard]] std::shared_ptr<const calibration::Measurement> readReference(
-    const RowReader& row, const MeasurementColumns& columns, const std::map<std::string, std::size_t>& index,
-    const std::vector<calibration::Measurement>& readings, const calibration::Measurement& m);
+    const RowReader& row, const MeasurementColumns& columns,
+    const std::map<std::string, const calibration::Measurement*>& known, const calibration::Measurement& m);
 
 }  // namespace tubeplan::app

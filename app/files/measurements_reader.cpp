@@ -1,7 +1,9 @@
 #include "app/files/measurements_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 
 #include "app/files/input_error.hpp"
@@ -9,6 +11,7 @@
 #include "app/files/measurement_row.hpp"
 #include "app/files/text_file.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/value_columns.hpp"
 
 namespace tubeplan::app {
 
@@ -57,6 +60,61 @@ calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
   return units;
 }
 
+/// The columns of a table that hold what a reading of the kind measures; none where it has none of them.
+std::vector<std::size_t> placesOfValues(const calibration::MeasurementKindRow& kind,
+                                        const MeasurementColumns& columns) {
+  const auto values = calibration::valueColumnsOf(kind);
+  std::vector<std::size_t> places;
+  if (values.has_joints)
+    for (const auto& joint : columns.joints) places.push_back(joint.index);
+  if (calibration::measuresPlace(kind))
+    for (const auto& coordinate : columns.place)
+      if (coordinate) places.push_back(coordinate->index);
+  for (const auto& column : kind.columns)
+    if (const auto found = columns.own.find(column.name); found != columns.own.end())
+      places.push_back(found->second.index);
+  return places;
+}
+
+/// "x, y, z", "its distance", "its joints' readings"
+std::string valuesOf(const calibration::MeasurementKindRow& kind) {
+  const auto values = calibration::valueColumnsOf(kind);
+  std::vector<std::string> names;
+  for (const auto& column : values.numbers) names.emplace_back(column.name);
+  if (values.has_joints) return "its joints' readings";
+  if (kind.is_from_reading) return "its distance or x, y, z";
+  return fmt::format("{}{}", calibration::measuresPlace(kind) ? "" : "its ", fmt::join(names, ", "));
+}
+
+/// Refuses rows of a run sheet that nobody has filled in, all of them at once.
+void requireFilledIn(const tubesheets::CsvTable& table, const MeasurementColumns& columns, const std::string& file) {
+  constexpr std::size_t kMostNamed = 12;
+  std::vector<const tubesheets::CsvRow*> blank;
+  const calibration::MeasurementKindRow* kind = nullptr;  // of the first
+  for (const auto& row : table.rows) {
+    const auto* of_row = calibration::findMeasurementKind(row.fields[columns.kind]);
+    if (!of_row) continue;
+    const auto places = placesOfValues(*of_row, columns);
+    if (places.empty()) continue;
+    if (std::ranges::any_of(places, [&](std::size_t place) { return !row.fields[place].empty(); })) continue;
+    if (blank.empty()) kind = of_row;
+    blank.push_back(&row);
+  }
+  if (blank.empty()) return;
+  std::vector<std::string> named, wanted;
+  for (std::size_t k = 0; k < blank.size() && k < kMostNamed; ++k)
+    named.push_back(fmt::format("{} in line {}", blank[k]->fields[columns.id], blank[k]->line));
+  if (blank.size() > kMostNamed) named.push_back(fmt::format("{} more", blank.size() - kMostNamed));
+  for (const std::size_t place : placesOfValues(*kind, columns)) wanted.push_back(table.columns[place]);
+  const std::string what = fmt::format("{}", fmt::join(wanted, ", "));
+  throw InputError(fmt::format("{}:{}", file, blank.front()->line),
+                   blank.size() == 1
+                       ? fmt::format("a reading of kind {} without {}", kind->name, valuesOf(*kind))
+                       : fmt::format("{} readings that are not filled in: {}", blank.size(), fmt::join(named, ", ")),
+                   fmt::format("what was measured, {}{}", kind->is_partly_seen ? "one or more of " : "", what),
+                   fmt::format("fill in {}, or take {} out", what, blank.size() == 1 ? "the row" : "these rows"));
+}
+
 }  // namespace
 
 std::vector<Measurement> readMeasurements(const std::string& path, const deflection::Arm& arm,
@@ -94,12 +152,13 @@ std::vector<Measurement> parseMeasurements(const std::string& text, const std::s
 }
 
 MeasurementTable parseMeasurementTable(const std::string& text, const std::string& file, const deflection::Arm& arm,
-                                       const tubesheets::Sheet* sheet) {
+                                       const tubesheets::Sheet* sheet, const std::vector<Measurement>& before) {
   tubesheets::CsvTable table = tubesheets::parseCsv(text);
   if (table.problem && table.problem->advice.empty()) table.problem->advice = kReadForeign;
   if (table.problem) refuseText(file, *table.problem);
   const MeasurementColumns columns = findColumns(table, file, arm);
   if (table.rows.empty()) throw InputError(file, "a header without readings", "one line or more for each reading", "");
+  requireFilledIn(table, columns, file);
   MeasurementTable read;
   read.units = unitsOf(columns);
   for (const auto& joint : columns.joints)
@@ -114,9 +173,12 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
       reader.fail(columns.id, "the id " + inQuotes(out.back().id) + " again", "every id once",
                   fmt::format("line {} has the same", out[first->second].line));
   }
+  std::map<std::string, const Measurement*> known;
+  for (const auto* readings : {&before, static_cast<const std::vector<Measurement>*>(&out)})
+    for (const auto& reading : *readings) known[reading.id] = &reading;
   for (std::size_t k = 0; k < out.size(); ++k)
     if (kindOf(out[k]).is_from_reading)
-      out[k].reference = readReference(RowReader(table, table.rows[k], file), columns, index, out, out[k]);
+      out[k].reference = readReference(RowReader(table, table.rows[k], file), columns, known, out[k]);
   return read;
 }
 

@@ -16,8 +16,8 @@ namespace tubeplan::app {
 /// held-out); only id, kind and the joints must be there. A touch without coordinates whose point is a hole's name
 /// (R10C20) takes them from the sheet, where one is given. Throws InputError naming the line and column for: an
 /// unknown, double or missing column, an unknown unit, a number that is none or not finite, an unknown kind, a double
-/// id, coordinates that a kind needs or that are given in part, a point that is not on the sheet, a joint reading past
-/// its limits.
+/// id, rows of a run sheet that are not filled in, coordinates that a kind needs or that are given in part, a point
+/// that is not on the sheet, a joint reading past its limits.
 [[nodiscard]] std::vector<calibration::Measurement> readMeasurements(const std::string& path,
                                                                      const deflection::Arm& arm,
                                                                      const tubesheets::Sheet* sheet = nullptr);
@@ -33,10 +33,12 @@ struct MeasurementTable {
   calibration::ReadingUnits units;
 };
 
-/// The same with the columns' units, joint readings past their limits among them.
+/// The same with the columns' units, joint readings past their limits among them. Ways may also be taken from readings
+/// that were read before.
 [[nodiscard]] MeasurementTable parseMeasurementTable(const std::string& text, const std::string& file,
                                                      const deflection::Arm& arm,
-                                                     const tubesheets::Sheet* sheet = nullptr);
+                                                     const tubesheets::Sheet* sheet = nullptr,
+                                                     const std::vector<calibration::Measurement>& before = {});
 
 /// Throws InputError for the first joint reading past its limits, with the advice.
 void requireWithinLimits(const MeasurementTable& table, const deflection::Arm& arm, const std::string& file,

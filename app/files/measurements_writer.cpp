@@ -11,7 +11,9 @@
 #include <set>
 
 #include "app/files/joint_units.hpp"
+#include "app/files/measurement_columns.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/value_columns.hpp"
 #include "deflection/side_chains.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -19,7 +21,7 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::Measurement;
+using calibration::Measurement, calibration::MeasuredColumn, calibration::ProposedMeasurement;
 
 /// A column of the table: its name, and what a reading has there.
 struct Column {
@@ -37,14 +39,36 @@ bool anyHas(const std::vector<Measurement>& readings, Has has) {
 constexpr std::array<const char*, 3> kCorrelationColumns{"rho_xy", "rho_xz", "rho_yz"};
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
+std::string columnName(const MeasuredColumn& column, const Units& units) {
+  if (column.quantity == deflection::Quantity::kNone) return column.name;
+  return fmt::format("{}_{}", column.name, units.nameOf(dimensionOf(column.quantity)));
+}
+
+std::string temperatureColumn(const Units& units) { return "temperature_" + std::string(units.temperature().name); }
+std::string timeColumn(const Units& units) { return "time_" + std::string(units.time().name); }
+
+/// Whether its joints are what is measured.
+bool isMeasuredByJoints(const Measurement& reading) {
+  return calibration::valueColumnsOf(calibration::kindOf(reading)).has_joints;
+}
+
+/// What the readings are: made, or to be made.
+enum class TableOf { kReadings, kRunSheet };
+
 class Table {
  public:
-  Table(const std::vector<Measurement>& readings, const deflection::Arm& arm, const Units& units)
-      : readings_(readings), arm_(arm), units_(units), side_joints_(deflection::sideJoints(arm)) {}
+  Table(const std::vector<Measurement>& readings, const deflection::Arm& arm, const Units& units,
+        TableOf of = TableOf::kReadings)
+      : readings_(readings),
+        arm_(arm),
+        units_(units),
+        is_sheet_(of == TableOf::kRunSheet),
+        side_joints_(deflection::sideJoints(arm)) {}
 
   std::string text() {
     addNames();
     addJoints();
+    addNear();
     addCoordinates();
     if (anyHas(readings_, [](const auto& m) { return referenceOf(m) != nullptr; }))
       add("from", [](const auto& m) {
@@ -85,12 +109,26 @@ class Table {
         [this](const auto& m) { return formatNumber(units_.toFile(m.load, dimension::kForce)); });
     if (anyHas(readings_, [](const auto& m) { return m.wrench.has_value(); })) addWrench();
     for (Eigen::Index k = 0; k < arm_.jointCount(); ++k)
-      add(jointColumn(arm_.joint(k), units_),
-          [this, k](const auto& m) { return formatNumber(units_.toFile(m.q[k], jointDimension(arm_.joint(k)))); });
+      add(jointColumn(arm_.joint(k), units_), [this, k](const auto& m) { return isBlank(m) ? "" : jointField(m, k); });
     for (std::size_t k = 0; k < side_joints_.size(); ++k)
       add(jointColumn(*side_joints_[k], units_), [this, k](const auto& m) {
-        return formatNumber(units_.toFile(m.side_q[static_cast<Eigen::Index>(k)], jointDimension(*side_joints_[k])));
+        const auto at = static_cast<Eigen::Index>(k);
+        return at < m.side_q.size() ? formatNumber(units_.toFile(m.side_q[at], jointDimension(*side_joints_[k]))) : "";
       });
+  }
+
+  /// Of a run sheet, whether the joints are still to be read.
+  [[nodiscard]] bool isBlank(const Measurement& m) const { return is_sheet_ && isMeasuredByJoints(m); }
+
+  [[nodiscard]] std::string jointField(const Measurement& m, Eigen::Index k) const {
+    return formatNumber(units_.toFile(m.q[k], jointDimension(arm_.joint(k))));
+  }
+
+  void addNear() {
+    if (!anyHas(readings_, [this](const auto& m) { return isBlank(m); })) return;
+    for (Eigen::Index k = 0; k < arm_.jointCount(); ++k)
+      add(kNearPrefix + jointColumn(arm_.joint(k), units_),
+          [this, k](const auto& m) { return isBlank(m) ? jointField(m, k) : ""; });
   }
 
   void addWrench() {
@@ -144,12 +182,10 @@ class Table {
     std::set<std::string> added;
     for (const auto& kind : calibration::measurementKinds()) {
       if (!anyHas(readings_, [&](const auto& m) { return m.kind == kind.kind; })) continue;
-      for (const auto& [name, quantity] : kind.columns) {
-        if (!added.insert(name).second) continue;
-        const Dimension dimension = dimensionOf(quantity);
-        const bool is_plain = quantity == deflection::Quantity::kNone;
-        add(is_plain ? std::string(name) : fmt::format("{}_{}", name, units_.nameOf(dimension)),
-            [this, name = name, dimension](const auto& m) {
+      for (const MeasuredColumn& column : kind.columns) {
+        if (!added.insert(column.name).second) continue;
+        add(columnName(column, units_),
+            [this, name = column.name, dimension = dimensionOf(column.quantity)](const auto& m) {
               return numberOrNothing(units_.toFile(calibration::ownNumber(m, name), dimension));
             });
       }
@@ -165,11 +201,11 @@ class Table {
         ++k;
       }
     if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.temperature); }))
-      add("temperature_" + std::string(units_.temperature().name),
-          [this](const auto& m) { return numberOrNothing(units_.temperatureToFile(m.temperature)); });
+      add(temperatureColumn(units_),
+          [this](const auto& m) { return is_sheet_ ? "" : numberOrNothing(units_.temperatureToFile(m.temperature)); });
     if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.time); }))
-      add("time_" + std::string(units_.time().name),
-          [this](const auto& m) { return numberOrNothing(m.time / units_.time().factor); });
+      add(timeColumn(units_),
+          [this](const auto& m) { return is_sheet_ ? "" : numberOrNothing(m.time / units_.time().factor); });
     if (anyHas(readings_, [](const auto& m) { return m.is_held_out; }))
       add("split", [](const auto& m) { return std::string(m.is_held_out ? "held-out" : "fit"); });
   }
@@ -177,6 +213,7 @@ class Table {
   const std::vector<Measurement>& readings_;
   const deflection::Arm& arm_;
   const Units& units_;
+  bool is_sheet_;
   std::vector<const deflection::Joint<double>*> side_joints_;
   std::vector<Column> columns_;
 };
@@ -185,6 +222,25 @@ class Table {
 
 std::string measurementsCsv(const std::vector<Measurement>& readings, const deflection::Arm& arm, const Units& units) {
   return Table(readings, arm, units).text();
+}
+
+std::string runSheetCsv(const std::vector<ProposedMeasurement>& proposed, const deflection::Arm& arm,
+                        const Units& units) {
+  std::vector<Measurement> rows;
+  for (const auto& reading : proposed) rows.push_back(calibration::conditionsOf(reading));
+  return Table(rows, arm, units, TableOf::kRunSheet).text();
+}
+
+FillIn fillInOf(const ProposedMeasurement& proposed, const deflection::Arm& arm, const Units& units) {
+  const auto values = calibration::valueColumnsOf(proposed);
+  FillIn fill;
+  fill.least = values.least;
+  for (Eigen::Index k = 0; values.has_joints && k < arm.jointCount(); ++k, ++fill.least)
+    fill.columns.push_back(jointColumn(arm.joint(k), units));
+  for (const auto& column : values.numbers) fill.columns.push_back(columnName(column, units));
+  if (std::isfinite(proposed.temperature)) fill.optional.push_back(temperatureColumn(units));
+  if (std::isfinite(proposed.time)) fill.optional.push_back(timeColumn(units));
+  return fill;
 }
 
 }  // namespace tubeplan::app

@@ -160,9 +160,9 @@ std::string adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
 }
 
 MeasurementTable tableOf(const std::string& text, const std::string& file, const Cell& cell,
-                         const MeasurementOptions& options) {
+                         const MeasurementOptions& options, const std::vector<Measurement>& before = {}) {
   checkText(file, text);
-  MeasurementTable table = parseMeasurementTable(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr);
+  MeasurementTable table = parseMeasurementTable(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr, before);
   nameUnits(cell, table.units);
   stateSigma(table.readings, cell, file, options.sigma);
   return table;
@@ -173,7 +173,7 @@ MeasurementTable tableOfAll(const ReadingFiles& files, const Cell& cell, const M
   MeasurementTable all;
   std::set<std::string> ids;
   for (const auto& file : files) {
-    MeasurementTable table = tableOf(readTextFile(file), file, cell, options);
+    MeasurementTable table = tableOf(readTextFile(file), file, cell, options, all.readings);
     for (const auto& reading : table.readings)
       if (!ids.insert(reading.id).second)
         throw InputError(fmt::format("{}:{} (id)", file, reading.line), inQuotes(reading.id) + " again",
@@ -215,10 +215,12 @@ ReadingsWithChecks readAndCheck(const ReadingFiles& files, Cell& cell, const Mea
   return checkTable(tableOfAll(files, cell, options), nameOf(files), cell, options);
 }
 
-std::vector<Measurement> parseReadings(const std::string& text, const std::string& file, const Cell& cell,
-                                       double sigma) {
+std::vector<Measurement> parseReadings(const std::string& text, const std::string& file, const Cell& cell, double sigma,
+                                       const std::vector<Measurement>& before) {
   checkText(file, text);
-  return asFitsWant(parseMeasurements(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr), file, cell, sigma);
+  auto table = parseMeasurementTable(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr, before);
+  requireWithinLimits(table, cell.arm, file);
+  return asFitsWant(std::move(table.readings), file, cell, sigma);
 }
 
 InputError inputErrorOf(const calibration::ReadingProblem& problem, const std::vector<Measurement>& readings,

@@ -63,9 +63,10 @@ using ReadingFiles = std::vector<std::string>;
 [[nodiscard]] CellReadings readCellReadings(const std::string& cell, const ReadingFiles& measurements,
                                             const MeasurementOptions& options = {});
 
-/// Readings from text.
-[[nodiscard]] std::vector<calibration::Measurement> parseReadings(const std::string& text, const std::string& file,
-                                                                  const Cell& cell, double sigma = 0);
+/// Readings from text; ways may also be taken from readings that were read before.
+[[nodiscard]] std::vector<calibration::Measurement> parseReadings(
+    const std::string& text, const std::string& file, const Cell& cell, double sigma = 0,
+    const std::vector<calibration::Measurement>& before = {});
 
 /// Readings that do not determine enough, as bad input of their file: with the line where one reading is to blame.
 [[nodiscard]] InputError inputErrorOf(const calibration::ReadingProblem& problem,

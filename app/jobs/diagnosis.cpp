@@ -4,6 +4,7 @@
 #include "app/documents/discrimination_json.hpp"
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
+#include "app/files/measurements_writer.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/studies/measurements/discrimination_candidates.hpp"
 #include "app/studies/model/cell_fit.hpp"
@@ -76,8 +77,8 @@ DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest
   requireGoingOn(hooks);
   outcome.figures = diagnosisJson(outcome.diagnosis, readings, cell.units);
   addNextReadings(outcome.next, outcome.candidates, cell.arm, cell.units, outcome.figures);
-  outcome.run_sheet = runSheetCsv(outcome.next, outcome.candidates, readings, cell.arm, cell.units);
-  if (!outcome.run_sheet.empty()) outcome.figures["run_sheet"] = outcome.run_sheet;
+  outcome.run_sheet = runSheetOf(outcome.next, outcome.candidates, readings);
+  if (!outcome.run_sheet.empty()) outcome.figures["run_sheet"] = runSheetCsv(outcome.run_sheet, cell.arm, cell.units);
   outcome.figures["warnings"] = effectWarningsJson(outcome.warnings, cell.units);
   addChecks(input.checks, cell.units, outcome.figures);
   return outcome;

@@ -25,9 +25,9 @@ struct DiagnosisOutcome {
   calibration::Diagnosis diagnosis;
   std::vector<calibration::ReadingCandidate> candidates;  ///< of the readings to propose
   calibration::DiscriminatingMeasurements next;
-  std::vector<calibration::EffectWarning> warnings;  ///< of the effects that the cell has
-  std::string run_sheet;   ///< the proposed readings as a measurement table to be filled in; empty: none is proposed
-  nlohmann::json figures;  ///< as `tubeplan diagnose --json` writes them
+  std::vector<calibration::EffectWarning> warnings;         ///< of the effects that the cell has
+  std::vector<calibration::ProposedMeasurement> run_sheet;  ///< the proposed readings; empty: none is proposed
+  nlohmann::json figures;                                   ///< as `tubeplan diagnose --json` writes them
 };
 
 /// The diagnosis alone, without further readings and warnings; not run where the readings determine nothing.

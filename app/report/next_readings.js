@@ -18,19 +18,22 @@ export function nextReadingsSection(report) {
   ];
 }
 
-/// What is to be written down of each kind of reading; a touch is its joints alone.
-const TO_WRITE = {position: ["x", "y", "z"], distance: ["distance"], deflection: ["dx", "dy", "dz"]};
+/// What is to be written down of a reading, by the document.
+function toFill(reading) {
+  const fill = object(reading.fill_in) ?? {};
+  return [...textList(fill.columns), ...textList(fill.optional)];
+}
 
 /// Joints with an arrow for the sense in which each must arrive, and the separation as a bar of the largest.
 function nextReadingsTable(report, next) {
   const joints = Object.keys(object(next[0].posture) ?? {});
-  const blank = TO_WRITE[textOf(next[0].kind)] ?? joints.map((joint) => `${joint} read`);
+  const blank = [...new Set(next.flatMap(toFill))];
   const rows = separations(next).map(({reading: entry, ...separation}, i) => [
     `${i + 1}. ${textOf(entry.point, textOf(entry.kind))}`, short(entry.load),
     ...joints.map((joint) => `${short(entry.posture?.[joint])}${senseArrow(object(entry.senses)?.[joint])}`),
     textList(entry.splits).join(" from "),
     barCell(separation),
-    ...blank.map(() => el("span", {class: "to-fill"}))
+    ...blank.map((column) => toFill(entry).includes(column) ? el("span", {class: "to-fill"}) : null)
   ]);
   const text = [0, 2 + joints.length];
   return table(["reading", "load", ...joints, "splits", "by, in standard deviations", ...blank], rows, {text});

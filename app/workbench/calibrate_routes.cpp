@@ -1,6 +1,8 @@
 // Touched holes: which to touch, the list of those made, and the base that follows.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/documents/pose_json.hpp"
 #include "app/documents/touch_proposals.hpp"
 #include "app/files/input_error.hpp"
@@ -147,10 +149,13 @@ Answer calibrate(Workbench& workbench, const Request& request) {
     const Session began = workbench.session();
     const Cell& cell = currentModel(began).cell;
     beginStage(context, "calibration");
-    const CalibrationOutcome outcome = calibrateCell(cell, touchesToUse(began, cell), "touches.csv");
+    CalibrationOutcome outcome = calibrateCell(cell, touchesToUse(began, cell), "touches.csv");
     const auto& result = outcome.calibration;
     if (result.status != calibration::CalibrationStatus::kDone)
       throw InputError("touches", result.reason, "touches that place the base");
+    if (const auto simulated = std::ranges::count_if(began.touches, &TouchMade::is_simulated); simulated > 0)
+      outcome.figures["warnings"].push_back(fmt::format(
+          "{} of {} touches are simulated, not made: the base is a practice result", simulated, began.touches.size()));
     const Cell calibrated = rereadCell(cell, calibratedCellText(cell, outcome, cell.path));
     finishJob(workbench, began, JobInput::kModel, [&, &document = outcome.figures](Session& session) {
       const int id = pushModel(session, "base calibrated", "calibration", calibrated);

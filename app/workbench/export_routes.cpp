@@ -1,4 +1,7 @@
 // Everything that was made, as the commands write it: downloads, and the model into the opened folder.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "app/documents/diagnosis_pages.hpp"
@@ -59,10 +62,17 @@ std::string exportedReadings(const Session& s) {
   const CellReadings input = inputOf(s);  // refuses where there are none
   return measurementsCsv(s.readings->readings, input.cell.arm, input.cell.units);
 }
+/// With a comment above the header where some of them were not made.
 std::string touchesText(const Session& s) {
   std::vector<calibration::Measurement> touches;
-  for (const auto& made : s.touches) touches.push_back(made.touch);
-  return touchesCsv(touches, currentModel(s).cell);
+  std::vector<std::string> simulated;
+  for (const auto& made : s.touches) {
+    touches.push_back(made.touch);
+    if (made.is_simulated) simulated.push_back(made.touch.id);
+  }
+  const std::string note =
+      simulated.empty() ? "" : fmt::format("# simulated, not touched: {}\n", fmt::join(simulated, ", "));
+  return note + touchesCsv(touches, currentModel(s).cell);
 }
 /// A measurement table without readings.
 std::string exportedTemplate(const Session& s) {

@@ -104,7 +104,8 @@ void showLiveProblem(Workbench& workbench, const InputError& error, const std::s
 
 std::size_t takeArrived(Workbench& workbench, const std::string& text, const std::string& name, bool passes_known) {
   const Session session = workbench.session();
-  auto readings = parseReadings(text, name, currentModel(session).cell);
+  const auto before = session.readings ? session.readings->readings : std::vector<calibration::Measurement>();
+  auto readings = parseReadings(text, name, currentModel(session).cell, 0, before);
   return workbench.arrivals().take(std::move(readings), session.readings.get(), passes_known);
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "calibration/estimation/whitened_residual.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
@@ -17,31 +17,20 @@ namespace {
 
 constexpr double kIdentifiable = 0.5;  // of its typical size: a number whose sigma is less is identifiable
 
-/// Which candidates' shapes settle, as known.
-std::vector<int> settled(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates) {
-  const PlacedArm placed = placedAsEstimated(estimate);
-  std::vector<char> is_settled(candidates.size(), 1);
+/// What each candidate would be read as; nothing of one whose shape does not settle. Touches of unknown places are kept
+/// apart by the names of their places.
+std::vector<std::vector<Measurement>> expectedReadings(const PlacedArm& placed,
+                                                       const std::vector<ReadingCandidate>& candidates) {
+  std::vector<std::vector<Measurement>> expected(candidates.size());
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t k) {
-    for (const auto& reading : candidates[k].readings)
-      if (!predictReading(placed.arm, placed.base_poses.back().X_WB, reading).ok) is_settled[k] = 0;
-  });
-  std::vector<int> which;
-  for (std::size_t k = 0; k < candidates.size(); ++k)
-    if (is_settled[k]) which.push_back(static_cast<int>(k));
-  return which;
-}
-
-/// All readings of the candidates in one list; touches of unknown places kept apart by the names of their places.
-std::vector<Measurement> listReadings(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates,
-                                      const std::vector<int>& which) {
-  std::vector<Measurement> all;
-  for (const int k : which)
-    for (Measurement reading : candidates[static_cast<std::size_t>(k)].readings) {
-      reading.setup = estimate.start.base_poses.back().setup;
-      if (!reading.p_W) reading.point = "candidate " + std::to_string(k);
-      all.push_back(reading);
+    for (const auto& proposed : candidates[k].readings) {
+      auto reading = expectedReading(placed, proposed);
+      if (!reading) return expected[k].clear();
+      if (touchesUnknownPoint(proposed)) reading->point = "candidate " + std::to_string(k);
+      expected[k].push_back(std::move(*reading));
     }
-  return all;
+  });
+  return expected;
 }
 
 template <class Figure>
@@ -81,9 +70,15 @@ PosedDesign poseDesign(const Estimate& estimate, const std::vector<ReadingCandid
   PosedDesign posed;
   posed.problem.information = estimate.information;
   posed.problem.work = tipSensitivities(estimate, work.postures, work.load);
-  posed.candidates = settled(estimate, candidates);
-  const auto readings = listReadings(estimate, candidates, posed.candidates);
-  const auto weights = weighReadings(placedAsEstimated(estimate), readings, {}, estimate.model_error);
+  const PlacedArm placed = placedAsEstimated(estimate);
+  const auto expected = expectedReadings(placed, candidates);
+  std::vector<Measurement> readings;
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    if (expected[k].empty()) continue;
+    posed.candidates.push_back(static_cast<int>(k));
+    readings.insert(readings.end(), expected[k].begin(), expected[k].end());
+  }
+  const auto weights = weighReadings(placed, readings, {}, estimate.model_error);
   if (!weights) return posed;
   auto residual = whitenedResidual(estimate.start, estimate.unknowns, readings, *weights, estimate.x, true);
   for (Index k = 0; k < residual.jacobian.cols(); ++k)

@@ -7,13 +7,14 @@
 
 #include "calibration/design/optimal_design.hpp"
 #include "calibration/estimation/estimate.hpp"
+#include "calibration/measurements/proposed_measurement.hpp"
 
 namespace tubeplan::calibration {
 
 /// What can be proposed: one reading, or the touches of one unknown place under several loads, which determine nothing
 /// singly. Sigma is what the reading would have; the set-up is filled in.
 struct ReadingCandidate {
-  std::vector<Measurement> readings;
+  std::vector<ProposedMeasurement> readings;
 };
 
 /// Where the tip must be known.

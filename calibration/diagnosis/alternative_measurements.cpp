@@ -112,7 +112,7 @@ std::vector<std::vector<RivalPrediction>> predictFrames(const std::vector<RivalM
   const std::size_t rows = rivals.front().model.placed.arm.rows.size();
   std::vector<std::vector<RivalPrediction>> of_row(rows, std::vector<RivalPrediction>(candidates.size()));
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t c) {
-    const Measurement& reading = candidates[c].readings.front();
+    const Measurement reading = conditionsOf(candidates[c].readings.front());
     std::vector<FrameForecast> forecasts;
     for (const RivalModel& rival : rivals) {
       if (shouldStop(stop)) return;
@@ -182,9 +182,9 @@ std::vector<AlternativeMeasurements> findAlternativeMeasurements(const std::vect
     const double load =
         heaviest > 0 ? 2 * heaviest : kUnknownLoad * deflection::weightOf(rivals.front().model.placed.arm);
     attempt(heaviest > 0 ? "hang a load twice as heavy" : "hang a load on the tip", rivals,
-            changed(some, [&](Measurement& reading) { reading.load = load; }));
+            changed(some, [&](ProposedMeasurement& reading) { reading.load = load; }));
     const double reference = rivals.front().model.placed.arm.reference_temperature;
-    attempt("measure some 10 K warmer", rivals, changed(some, [&](Measurement& reading) {
+    attempt("measure some 10 K warmer", rivals, changed(some, [&](ProposedMeasurement& reading) {
               reading.temperature = (std::isfinite(reading.temperature) ? reading.temperature : reference) + kWarmer;
             }));
     attempt("set the base up once more, leaning by some 20 deg", placedAgain(rivals), some);

@@ -21,14 +21,15 @@ MatrixXd covarianceOf(const FittedBasis& basis, const ExplanationModel& model) {
   return posteriorCovariance(residual.ok ? residual.jacobian : MatrixXd(), model.unknowns);
 }
 
-/// A candidate's readings in the last set-up; touches of a place that nobody knows are kept apart by its name. A place
-/// to be measured is any: only differences of predictions matter.
+/// What a candidate would be read as in the last set-up, nothing where its shape does not converge; touches of a place
+/// that nobody knows are kept apart by its name. Whose arm it is matters little: only differences of predictions count.
 std::vector<Measurement> readingsOf(const ReadingCandidate& candidate, std::size_t index, const PlacedArm& placed) {
-  std::vector<Measurement> readings = candidate.readings;
-  for (auto& reading : readings) {
-    reading.setup = placed.base_poses.back().setup;
-    if (touchesUnknownPoint(reading)) reading.point = "candidate " + std::to_string(index);
-    if (!isTouch(reading) && !reading.p_W) reading.p_W = Eigen::Vector3d::Zero();
+  std::vector<Measurement> readings;
+  for (const auto& proposed : candidate.readings) {
+    auto reading = expectedReading(placed, proposed);
+    if (!reading) return {};
+    if (touchesUnknownPoint(proposed)) reading->point = "candidate " + std::to_string(index);
+    readings.push_back(std::move(*reading));
   }
   return readings;
 }
@@ -180,26 +181,27 @@ std::vector<double> probabilitiesOf(const std::vector<RivalModel>& rivals) {
 std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& rivals,
                                              const std::vector<ReadingCandidate>& candidates,
                                              const StopQuestion& stop) {
+  std::vector<std::vector<Measurement>> each(candidates.size());
   std::vector<Measurement> all;
-  std::vector<Index> rows;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    rows.push_back(0);
-    for (const auto& reading : readingsOf(candidates[k], k, rivals.front().model.placed)) {
-      rows.back() += rowsOf(reading);
-      all.push_back(reading);
-    }
+    goOn(stop);
+    each[k] = readingsOf(candidates[k], k, rivals.front().model.placed);
+    all.insert(all.end(), each[k].begin(), each[k].end());
   }
-  std::vector<RivalPrediction> each(candidates.size());
-  if (all.empty()) return each;
+  std::vector<RivalPrediction> predictions(candidates.size());
+  if (all.empty()) return predictions;
   const RivalPrediction together = predictByAll(rivals, all, stop);
   Index first = 0;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    each[k] = together.value.empty()
-                  ? predictByAll(rivals, readingsOf(candidates[k], k, rivals.front().model.placed), stop)
-                  : someRows(together, first, rows[k]);
-    first += rows[k];
+    if (each[k].empty()) continue;
+    Index rows = 0;
+    for (const auto& reading : each[k]) rows += rowsOf(reading);
+    // Ways from one reading all share its encoders' noise: each counts alone.
+    const bool is_alone = together.value.empty() || referenceOf(each[k].front());
+    predictions[k] = is_alone ? predictByAll(rivals, each[k], stop) : someRows(together, first, rows);
+    first += rows;
   }
-  return each;
+  return predictions;
 }
 
 std::vector<DiscriminationStep> chooseDiscriminating(const std::vector<RivalModel>& rivals,

@@ -26,18 +26,22 @@ constexpr std::array kHidden{"backlash@tool.z:0.03deg",       "stiffening@tool.z
                              "contact-force@tip:0.8",         "joint-coupling@theta4<-theta3:0.00015"};
 
 /// What the true arm would give at a candidate's postures.
-void fillIn(const calibration::CampaignTruth& truth, std::vector<Measurement>& readings, const std::string& name,
-            Random& random) {
+std::vector<Measurement> filledIn(const calibration::CampaignTruth& truth,
+                                  const std::vector<calibration::ProposedMeasurement>& proposed,
+                                  const std::string& name, Random& random) {
   boost::random::normal_distribution<double> normal;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    Measurement& reading = readings[k];
+  std::vector<Measurement> readings;
+  for (std::size_t k = 0; k < proposed.size(); ++k) {
+    Measurement reading = calibration::conditionsOf(proposed[k]);
     reading.id = fmt::format("{}.{}", name, k + 1);
     Eigen::Vector3d tip = calibration::predictReading(truth.arm, truth.bases.front().X_WB, reading).value;
     for (double& coordinate : tip) coordinate += reading.sigma * normal(random);
     reading.p_W = tip;
     for (Eigen::Index j = 0; j < reading.q.size(); ++j)
       reading.q[j] += truth.arm.joint(j).encoder_sigma * normal(random);
+    readings.push_back(std::move(reading));
   }
+  return readings;
 }
 
 bool isTrue(const calibration::Diagnosis& diagnosis, const std::string& hidden) {
@@ -84,8 +88,8 @@ class Session {
   }
 
  private:
-  void take(std::vector<Measurement> readings) {
-    fillIn(truth_, readings, fmt::format("N{}", ++taken_), random_);
+  void take(const std::vector<calibration::ProposedMeasurement>& proposed) {
+    const auto readings = filledIn(truth_, proposed, fmt::format("N{}", ++taken_), random_);
     input_.readings.insert(input_.readings.end(), readings.begin(), readings.end());
   }
 

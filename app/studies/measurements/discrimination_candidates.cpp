@@ -11,7 +11,6 @@
 #include "app/studies/measurements/measured_room.hpp"
 #include "app/studies/measurements/reading_candidates.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 #include "deflection/inverse/inverse_solver.hpp"
 #include "planner/collision/arm_clearance.hpp"
@@ -20,7 +19,8 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::Measurement, calibration::MeasurementKind, calibration::ReadingCandidate;
+using calibration::Measurement, calibration::MeasurementKind, calibration::ProposedMeasurement,
+    calibration::ReadingCandidate;
 using Eigen::VectorXd;
 
 constexpr double kReached = 1e-7;  // m, of a point that is touched
@@ -29,12 +29,15 @@ constexpr int kMostTouches = 4;    // of a point, where an arm has more ways to 
 /// What the readings so far have in common: how the next ones are made.
 struct Custom {
   MeasurementKind kind = MeasurementKind::kPosition;
-  bool has_known_points = false;
+  bool has_known_points = false;  ///< is taken at holes or marks
   std::vector<double> loads;
   double sigma = 0, turn_sigma = 0, temperature = 0, time = 0;
   std::set<std::optional<int>> rows;  ///< of the arm, whose frames were read; none of them: the tool
   bool has_approach_directions = false;
   std::optional<Eigen::Vector3d> anchor, direction;
+  VectorXd side_q;
+  std::shared_ptr<const Measurement> reference;
+  bool is_length_alone = false;
 };
 
 MeasurementKind usualKind(const std::vector<Measurement>& readings) {
@@ -69,10 +72,13 @@ Custom customOf(const std::vector<Measurement>& readings, int most_loads) {
     if (std::isfinite(reading.time)) times.push_back(reading.time);
     if (reading.p_W) custom.anchor = reading.p_W;
     if (reading.direction_W) custom.direction = reading.direction_W;
+    custom.side_q = reading.side_q;
+    custom.reference = reading.reference;
+    custom.is_length_alone = reading.reference && !reading.p_W;
     custom.has_approach_directions |= std::any_of(reading.approach_directions.begin(),
                                                   reading.approach_directions.end(), [](int s) { return s != 0; });
   }
-  custom.has_known_points = kindOf(custom.kind).is_touch && custom.anchor;
+  custom.has_known_points = kindOf(custom.kind).names_hole && custom.anchor;
   custom.loads = thinnedOut(loads, most_loads);
   custom.sigma = calibration::median(sigmas);
   custom.temperature = calibration::median(temperatures);
@@ -81,13 +87,13 @@ Custom customOf(const std::vector<Measurement>& readings, int most_loads) {
   return custom;
 }
 
-/// The points touched so far and, of a cell with a sheet, holes spread over it.
-std::vector<Measurement> pointsToTouch(const CellModel& cell, const std::vector<Measurement>& readings,
-                                       std::size_t most) {
+/// The points read at so far and, of a cell with a sheet, holes spread over it.
+std::vector<Measurement> pointsToReadAt(const CellModel& cell, const std::vector<Measurement>& readings,
+                                        MeasurementKind kind, std::size_t most) {
   std::vector<Measurement> points;
   std::set<std::string> seen;
   for (const auto& reading : readings)
-    if (touchesKnownPoint(reading) && seen.insert(reading.point).second) points.push_back(reading);
+    if (reading.kind == kind && reading.p_W && seen.insert(reading.point).second) points.push_back(reading);
   if (cell.sheet) {
     const auto& tubes = cell.sheet->tubes;
     const std::size_t step = std::max<std::size_t>(1, tubes.size() / most);
@@ -101,17 +107,28 @@ std::vector<Measurement> pointsToTouch(const CellModel& cell, const std::vector<
   return points;
 }
 
-/// The tip brought to a known point under a load, each way there is.
-void addTouches(const planner::Workcell& work, const planner::ArmClearance& clear, deflection::InverseSolver& solver,
-                const Measurement& point, std::vector<ReadingCandidate>& candidates) {
+/// How far the tip was from the point of a reading, in the base frame [m]: nothing where it is to be centred in it.
+Eigen::Vector3d standoffOf(const planner::Workcell& work, const Measurement& reading) {
+  if (kindOf(reading).is_centring) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d gravity_B = deflection::gravityInBase(work.arm, work.X_WB);
+  const auto shape = deflection::solveFlexibleKinematics(work.arm, {reading.q, reading.load, gravity_B});
+  return shape.X_BD.p - work.X_WB.inverse() * *reading.p_W;
+}
+
+/// The tool at a point under a load, so far from it, each way there is.
+void addAtPoint(const planner::Workcell& work, const planner::ArmClearance& clear, deflection::InverseSolver& solver,
+                const Measurement& point, const Eigen::Vector3d& standoff_B,
+                std::vector<ReadingCandidate>& candidates) {
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(work.arm, work.X_WB);
   const auto shape = deflection::solveFlexibleKinematics(work.arm, {point.q, work.load, gravity_B});
   if (shape.status != deflection::KinematicsStatus::kConverged) return;
-  const deflection::ToolGoal goal{work.X_WB.inverse() * *point.p_W, shape.X_BD.R * work.arm.tool_axis_L};
+  const deflection::ToolGoal goal{work.X_WB.inverse() * *point.p_W + standoff_B, shape.X_BD.R * work.arm.tool_axis_L};
   for (const auto& branch : solver.solve(goal).branches) {
     if (branch.status != deflection::BranchStatus::kConverged || branch.position_error > kReached) continue;
     if (!work.scene.bodies.empty() && !(clear.at(branch.q, planner::ContactRule::kApproach).margin >= 0)) continue;
-    Measurement reading = point;
+    ProposedMeasurement reading;
+    reading.point = point.point;
+    reading.known_W = point.p_W;
     reading.q = branch.q;
     reading.load = work.load;
     candidates.push_back({{reading}});
@@ -128,7 +145,8 @@ std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibr
   work.X_WB = fitted.base_poses.back().X_WB;
   std::vector<ReadingCandidate> candidates;
   if (custom.has_known_points) {
-    const auto points = pointsToTouch(cell, readings, static_cast<std::size_t>(options.postures));
+    const auto points = pointsToReadAt(cell, readings, custom.kind, static_cast<std::size_t>(options.postures));
+    const Eigen::Vector3d standoff_B = standoffOf(work, points.front());
     const std::size_t step = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(options.postures));
     deflection::InverseKinematicsOptions inverse;
     inverse.most_branches = kMostTouches;
@@ -136,7 +154,8 @@ std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibr
       work.load = load;
       const planner::ArmClearance clear(work);
       deflection::InverseSolver solver(work.arm, load, deflection::gravityInBase(work.arm, work.X_WB), inverse);
-      for (std::size_t k = 0; k < points.size(); k += step) addTouches(work, clear, solver, points[k], candidates);
+      for (std::size_t k = 0; k < points.size(); k += step)
+        addAtPoint(work, clear, solver, points[k], standoff_B, candidates);
     }
     return candidates;
   }
@@ -152,15 +171,22 @@ std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibr
   return positionReadings(postures, custom.loads, custom.sigma);
 }
 
-/// Of kinds that measure angles: as the fitted arm would be read there, on each row that was read so far in its turn.
-/// Which angles are there to be read depends on the posture.
-void readAngles(const calibration::PlacedArm& fitted, const Custom& custom, std::size_t number, Measurement& reading) {
+/// Conditions that the next readings have in common; angles are of each row that was read so far in its turn.
+void makeAsUsual(const Custom& custom, const std::string& setup, std::size_t number, ProposedMeasurement& reading) {
   const auto& kind = kindOf(custom.kind);
+  reading.kind = custom.kind;
+  reading.setup = setup;
+  reading.side_q = custom.side_q;
+  reading.sigma = custom.sigma;
+  reading.temperature = custom.temperature;
+  reading.time = custom.time;
+  if (kind.has_anchor) reading.known_W = custom.anchor;
+  if (kind.has_direction || kind.is_to_gravity) reading.direction_W = custom.direction;
+  if (kind.is_from_reading) reading.reference = custom.reference;
+  reading.is_length_alone = custom.is_length_alone;
   if (kind.turn_rows == 0) return;
   reading.turn_sigma = custom.turn_sigma;
   reading.row = *std::next(custom.rows.begin(), static_cast<std::ptrdiff_t>(number % custom.rows.size()));
-  const auto frame = calibration::frameAt(fitted.arm, fitted.base_poses.back().X_WB, reading);
-  if (frame) kind.record(*frame, 1, calibration::MeasuredValue::Zero(kind.rows), reading);
 }
 
 }  // namespace
@@ -175,17 +201,7 @@ std::vector<ReadingCandidate> discriminationCandidates(const CellModel& cell, co
   std::size_t number = 0;
   for (auto& candidate : candidates)
     for (auto& reading : candidate.readings) {
-      reading.sigma = custom.sigma;
-      reading.temperature = custom.temperature;
-      reading.time = custom.time;
-      reading.is_held_out = false;
-      reading.approach_directions.clear();
-      if (const auto& kind = kindOf(custom.kind); !kind.is_touch) {
-        reading.kind = custom.kind;
-        reading.p_W = kind.has_anchor ? custom.anchor : std::nullopt;
-        reading.direction_W = custom.direction;
-        readAngles(fitted, custom, number++, reading);
-      }
+      makeAsUsual(custom, fitted.base_poses.back().setup, number++, reading);
       for (Eigen::Index j = 0; custom.has_approach_directions && j < reading.q.size(); ++j)
         reading.approach_directions.push_back(random() >> 63 ? 1 : -1);
     }

@@ -17,7 +17,7 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::Measurement, calibration::MeasurementKind, calibration::ReadingCandidate;
+using calibration::MeasurementKind, calibration::ProposedMeasurement, calibration::ReadingCandidate;
 using Eigen::VectorXd;
 
 constexpr int kTriesPerPosture = 40;  // before a scene is taken to leave no more room
@@ -66,8 +66,8 @@ class ClearUnderLoads {
   std::deque<planner::ArmClearance> clearances_;
 };
 
-Measurement readingOf(MeasurementKind kind, const VectorXd& q, double load, double sigma) {
-  Measurement reading;
+ProposedMeasurement readingOf(MeasurementKind kind, const VectorXd& q, double load, double sigma) {
+  ProposedMeasurement reading;
   reading.kind = kind;
   reading.q = q;
   reading.load = load;
@@ -150,9 +150,9 @@ std::vector<ReadingCandidate> holeTouches(const planner::Workcell& cell, const s
   std::vector<ReadingCandidate> candidates;
   for (const auto& hole : holes) {
     const auto& tube = cell.sheet.tubes[static_cast<std::size_t>(hole.tube)];
-    Measurement touch = readingOf(MeasurementKind::kTouch, hole.q, cell.load, sigma);
+    ProposedMeasurement touch = readingOf(MeasurementKind::kTouch, hole.q, cell.load, sigma);
     touch.point = tubesheets::tubeName(tube.row, tube.column);
-    touch.p_W = planner::holeCentre(tube);
+    touch.known_W = planner::holeCentre(tube);
     candidates.push_back({{touch}});
   }
   return candidates;

@@ -142,7 +142,8 @@ class TouchSearch {
     if (!task_.is_first) return;
     // No better than those that are refused once they are touched.
     std::vector<calibration::Measurement> touches;
-    for (const auto& step : proposal.next.design.steps) touches.push_back(proposal.chosen(step).readings.front());
+    for (const auto& step : proposal.next.design.steps)
+      touches.push_back(calibration::conditionsOf(proposal.chosen(step).readings.front()));
     if (proposal.reason.empty()) proposal.reason = calibration::findTouchProblem(touches);
     compareWithNearest();
   }

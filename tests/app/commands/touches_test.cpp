@@ -14,6 +14,7 @@
 #include "calibration/design/touch_reserve.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/test_files.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 namespace {
@@ -95,16 +96,35 @@ TEST_F(LookAhead, touchesForTheBaseAreInReachWhereItStandsOtherwise) {
   std::vector<calibration::TouchPlan> plans;
   for (const auto& step : found.base.value().next.design.steps) {
     const auto& reading = found.base->chosen(step).readings.front();
-    plans.push_back({reading.point, reading.point, reading.p_W.value(), reading.q});
+    plans.push_back({reading.point, reading.point, reading.known_W.value(), reading.q});
   }
   ASSERT_EQ(plans.size(), 3U);
   EXPECT_EQ(calibration::keepTouchable(cell.arm, cell.X_WB, plans).size(), 3U);
   EXPECT_TRUE(std::ranges::any_of(found.notes, [](const auto& note) { return note.find("excluded") != note.npos; }));
 }
 
+/// A run sheet of touches where the joints stood as they were foreseen.
+std::string touchedAsForeseen(const std::string& sheet) {
+  const auto table = tubesheets::parseCsv(sheet);
+  std::string text = sheet.substr(0, sheet.find('\n') + 1);
+  for (const auto& row : table.rows) {
+    std::string line;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+      const auto near = table.find("near_" + table.columns[c]);
+      line += (c ? "," : "") + (near ? row.fields[*near] : row.fields[c]);
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
 TEST_F(LookAhead, touchesAddsToTheTouchesMadeAlready) {
   const json first = jsonOf("touches " + shipped("mockup.yaml") + " --tubes spread:12 --candidates 14 --csv next.csv");
-  // The reader fills a named hole's place in: the proposals, touched as foreseen, are readings.
+  const Outcome untouched = run("calibrate " + shipped("mockup.yaml") + " next.csv --out found.yaml");
+  EXPECT_EQ(untouched.exit_code, 2);
+  expectSays(untouched.err, "3 readings that are not filled in: T1 in line 2, T2 in line 3, T3 in line 4");
+  EXPECT_FALSE(std::filesystem::exists(folder / "found.yaml"));
+  (void)write("next.csv", touchedAsForeseen(contentOf(folder / "next.csv")));
   const json second =
       jsonOf("touches " + shipped("mockup.yaml") + " --tubes spread:12 --candidates 14 --readings next.csv");
   EXPECT_NEAR(second["base"]["tip_sigma"]["now"]["rms"].get<double>(),
@@ -135,7 +155,8 @@ TEST_F(LookAhead, touchesSharpensTheStiffnessesOfTheBench) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
   const Outcome unfilled = run("identify " + shipped("bench.yaml") + " next.csv");
   EXPECT_EQ(unfilled.exit_code, 2);
-  expectSays(unfilled.err, "without x, y, z");
+  expectSays(unfilled.err, "6 readings that are not filled in");
+  expectSays(unfilled.err, "fill in x_in, y_in, z_in");
 }
 
 TEST_F(LookAhead, touchesOfUnknownPointsCarryEveryLoad) {

@@ -311,7 +311,12 @@ TEST_F(WorkbenchRoutes, touchingHolesPlacesTheBase) {
   EXPECT_EQ(touches[2]["simulated"], true);
   EXPECT_NEAR(touches[2]["load"], 20, 1e-9);
   done("/api/calibrate");
-  EXPECT_EQ(get("/api/results/calibrate").body["residuals"].size(), 3u);
+  const json calibrated = get("/api/results/calibrate").body;
+  EXPECT_EQ(calibrated["residuals"].size(), 3u);
+  EXPECT_TRUE(std::ranges::any_of(calibrated["warnings"], [](const json& warning) {
+    return warning.get<std::string>().find("3 of 3 touches are simulated") != std::string::npos;
+  }));
+  EXPECT_TRUE(get("/api/export/touches.csv").text.starts_with("# simulated, not touched: T1, T3, T4\n"));
   EXPECT_EQ(get("/api/state").body["models"][1]["origin"], "calibration");
   EXPECT_EQ(post("/api/touch", {{"hole", 5000}}).status, 422);
 }

@@ -21,8 +21,8 @@ const FreeChoice kStiffnesses{
     {"tool.joint_stiffness.z", "latch-link.beam.Iz", "mezzanine-beam.beam.Iz", "mezzanine-platform.joint_stiffness.x"},
     false};
 
-Measurement positionAt(const VectorXd& q, double load) {
-  Measurement reading;
+ProposedMeasurement positionAt(const VectorXd& q, double load) {
+  ProposedMeasurement reading;
   reading.q = q;
   reading.load = load;
   reading.sigma = kSigma;
@@ -45,7 +45,8 @@ Work randomWork(int count, std::uint64_t seed) {
 }
 
 /// What is read of the arm at a planned reading: place and joints with their noise.
-Measurement read(Measurement reading, const deflection::Arm& arm, std::mt19937_64& random) {
+Measurement read(const ProposedMeasurement& planned, const deflection::Arm& arm, std::mt19937_64& random) {
+  Measurement reading = conditionsOf(planned);
   std::normal_distribution<double> normal(0, 1);
   Eigen::Vector3d place = predictReading(arm, Eigen::Isometry3d::Identity(), reading).value;
   for (double& x : place) x += kSigma * normal(random);
@@ -90,7 +91,7 @@ TEST(NextReadings, CovarianceIsThatOfGeneralisedLeastSquaresByDifferences) {
   for (int s = 0; s < options.design.count; ++s) {
     const int index =
         next.candidates[static_cast<std::size_t>(next.design.steps[static_cast<std::size_t>(s)].candidate)];
-    const auto& reading = candidates[static_cast<std::size_t>(index)].readings.front();
+    const Measurement reading = conditionsOf(candidates[static_cast<std::size_t>(index)].readings.front());
     for (int k = 0; k < n; ++k) {
       const auto& name = kStiffnesses.names[static_cast<std::size_t>(k)];
       J.block<3, 1>(3 * s, k) = (movedBy(reading, name, 1e-4) - movedBy(reading, name, -1e-4)) / 2e-4;
@@ -191,9 +192,9 @@ TEST(NextReadings, OneTouchOfAnUnknownPointTellsNothingButTwoLoadsDo) {
   std::mt19937_64 random(21);
   std::vector<ReadingCandidate> once, twice;
   for (int k = 0; k < 12; ++k) {
-    Measurement touch = positionAt(randomJoints(cobraArm(), random), 0);
+    ProposedMeasurement touch = positionAt(randomJoints(cobraArm(), random), 0);
     touch.kind = MeasurementKind::kTouch;
-    Measurement loaded = touch;
+    ProposedMeasurement loaded = touch;
     loaded.load = 30 * kPound;
     once.push_back({{touch}});
     twice.push_back({{touch, loaded}});

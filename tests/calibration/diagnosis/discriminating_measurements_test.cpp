@@ -99,11 +99,12 @@ Tally tallyOf(const HiddenOne& hidden, int seeds) {
     const std::string truth = std::string(hidden.effect) + "@" + hidden.at;
     Bench other = bench;
     for (const auto& chosen : next.readings)
-      for (const auto& reading : candidates[static_cast<std::size_t>(chosen.candidate)].readings) bench.take(reading);
+      for (const auto& reading : candidates[static_cast<std::size_t>(chosen.candidate)].readings)
+        bench.take(conditionsOf(reading));
     const auto random =
         drawChoices(static_cast<int>(candidates.size()), static_cast<int>(next.readings.size()), 1, seed);
     for (const int k : random.front())
-      for (const auto& reading : candidates[static_cast<std::size_t>(k)].readings) other.take(reading);
+      for (const auto& reading : candidates[static_cast<std::size_t>(k)].readings) other.take(conditionsOf(reading));
     tally.by_choice += isNamed(bench.diagnosed(), next.explanations, truth);
     tally.at_random += isNamed(other.diagnosed(), next.explanations, truth);
   }

@@ -41,7 +41,10 @@ export function TouchPanel({model}: {model: SheetModel}) {
           <div class="touch-row done" key={touch.id}>
             <b>{touch.id}</b>
             <span>{holeName(model, touch.hole)}</span>
-            <span class="joint-list">{jointsText(touch.joints)}</span>
+            <span class="joint-list">
+              {jointsText(touch.joints)}
+              {touch.simulated ? <small class="muted"> simulated</small> : null}
+            </span>
             <button class="tool" title="Take this touch away" onClick={() => takeAway(index)}>
               <Icon name="close" size={14} />
             </button>

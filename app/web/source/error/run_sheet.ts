@@ -1,5 +1,6 @@
-// A run sheet: the readings that a diagnosis proposes, as a measurement table whose coordinates are to be filled in. This
-// browser keeps it, one for each cell, with what is ticked off and typed in, also when a new diagnosis says something else.
+// A run sheet: the readings that a diagnosis proposes, as a measurement table in which what is measured is to be filled in.
+// This browser keeps it, one for each cell, with what is ticked off and typed in, also when a new diagnosis says something
+// else.
 import {computed, effect, signal} from "@preact/signals";
 import type {MeasurementsDocument} from "../server/documents";
 import {get, postText} from "../server/requests";
@@ -7,7 +8,7 @@ import {cell, report, state} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
 import {currentDiagnosis} from "./loop";
 import {readingErrors} from "./residuals";
-import {filledRows, lineOf, openColumns, tableOf, type RunSheet} from "./run_sheet_table";
+import {fillById, filledRows, lineOf, tableOf, type RunSheet} from "./run_sheet_table";
 
 // ---- what is kept
 
@@ -16,7 +17,8 @@ const sheets = signal(keptObject<RunSheet>(KEPT));
 
 export const runSheet = computed<RunSheet | null>(() => {
   const kept = sheets.value[cell.value?.file ?? ""];
-  return kept && typeof kept.text === "string" ? kept : null;
+  // An earlier program's does not say what is to be filled in, and may have predictions there.
+  return kept && typeof kept.text === "string" && Array.isArray(kept.fill) ? kept : null;
 });
 
 function put(sheet: RunSheet | null): void {
@@ -44,12 +46,15 @@ effect(() => {
   const isDone = sheet !== null && tableOf(sheet.text).rows.every((row) => takenIds.peek().has(row[0]));
   if (isBegun && !isDone) return;
   const readings = document.next_readings,
-    {rows} = tableOf(document.run_sheet);
+    {rows} = tableOf(document.run_sheet),
+    fill = readings.flatMap(({fill_in}) => (fill_in ? [fill_in] : []));
+  if (fill.length !== rows.length) return;
   put({
     text: document.run_sheet,
+    fill,
     ticked: [],
     typed: {},
-    separations: readings.length === rows.length ? readings.map((reading) => reading.separation_sigmas ?? null) : [],
+    separations: readings.map((reading) => reading.separation_sigmas ?? null),
   });
 });
 
@@ -90,10 +95,10 @@ export function isFilledSheet(text: string): boolean {
   return columns[0] === "id" && rows.length > 0 && rows.every((row) => own.has(row[0]));
 }
 
-/** Of a sheet that comes back: the rows that are filled in and not here yet. */
-export function freshRows(text: string, here: ReadonlySet<string>): string {
+/** Of a sheet that comes back: the rows that are not here yet and filled in, as far as they must be or at all. */
+export function freshRows(text: string, here: ReadonlySet<string>, asFarAs: "whole" | "begun"): string {
   const sheet = runSheet.peek();
-  const {columns, rows} = tableOf(sheet ? filledRows(text, openColumns(tableOf(sheet.text))) : text);
+  const {columns, rows} = tableOf(sheet ? filledRows(text, fillById(sheet), asFarAs) : text);
   const fresh = rows.filter((row) => !here.has(row[0]));
   return fresh.length === 0 ? "" : `${[columns, ...fresh].map(lineOf).join("\n")}\n`;
 }

@@ -10,7 +10,7 @@ export function RunSheetPanel() {
   if (!sheet) return null;
   const table = tableOf(sheet.text);
   const taken = table.rows.filter(([id]) => takenIds.value.has(id)).length;
-  const ready = freshRows(withTyped(sheet), takenIds.value);
+  const ready = freshRows(withTyped(sheet), takenIds.value, "whole");
   const isReady = ready !== "" && Object.keys(sheet.typed).length > 0;
   return (
     <section class="run-sheet">
@@ -42,7 +42,8 @@ export function RunSheetPanel() {
         <RunSheetRows sheet={sheet} table={table} />
       </div>
       <p class="muted no-print">
-        Fill in the coordinates here, or in the file and drop it on the page: what is filled in joins the readings.
+        Fill in what was measured here, or in the file and drop it on the page: rows that are filled in join the
+        readings, the others are left for later.
       </p>
     </section>
   );

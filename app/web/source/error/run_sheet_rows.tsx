@@ -6,12 +6,15 @@ import {cell} from "../server/workbench";
 import {view} from "../shell/page_state";
 import {change, takenIds} from "./run_sheet";
 import {openColumns, type RunSheet, type RunSheetTable} from "./run_sheet_table";
+import type {FillIn} from "../server/documents";
 
 interface JointColumn {
   name: string;
   unit: string;
-  /** Where its reading stands in a row, and the sense in which it arrives; -1 where no column has that. */
+  /** Where its reading stands in a row, where it will stand of a row that measures it, and the sense in which it arrives;
+   * -1 where no column has that. */
   k: number;
+  near: number;
   sense: number;
 }
 
@@ -28,7 +31,7 @@ function layoutOf(sheet: RunSheet, table: RunSheetTable): Layout {
   return {
     joints: columns.flatMap((column, k) => jointColumn(columns, column, k)),
     load: columns.findIndex((column) => column.startsWith("load")),
-    open: openColumns(table),
+    open: openColumns(sheet),
     hasSeparations: sheet.separations.length > 0,
   };
 }
@@ -36,7 +39,13 @@ function layoutOf(sheet: RunSheet, table: RunSheetTable): Layout {
 function jointColumn(columns: readonly string[], column: string, k: number): JointColumn[] {
   const joint = cell.value?.joints.find(({name}) => column === name || column.startsWith(`${name}_`));
   if (!joint || column === `${joint.name}_dir`) return [];
-  return [{name: joint.name, unit: joint.unit, k, sense: columns.indexOf(`${joint.name}_dir`)}];
+  const near = columns.indexOf(`near_${column}`);
+  return [{name: joint.name, unit: joint.unit, k, near, sense: columns.indexOf(`${joint.name}_dir`)}];
+}
+
+/** The joint's reading that is proposed. */
+function proposedJoint(row: readonly string[], {k, near}: JointColumn): number {
+  return Number(row[k] || row[near]);
 }
 
 export function RunSheetRows({sheet, table}: {sheet: RunSheet; table: RunSheetTable}) {
@@ -46,7 +55,14 @@ export function RunSheetRows({sheet, table}: {sheet: RunSheet; table: RunSheetTa
       <RunSheetHead layout={layout} />
       <tbody>
         {table.rows.map((row, r) => (
-          <RunSheetRow key={row[0]} sheet={sheet} row={row} layout={layout} separation={sheet.separations[r]} />
+          <RunSheetRow
+            key={row[0]}
+            sheet={sheet}
+            row={row}
+            fill={sheet.fill[r]}
+            layout={layout}
+            separation={sheet.separations[r]}
+          />
         ))}
       </tbody>
     </table>
@@ -80,14 +96,16 @@ function RunSheetHead({layout}: {layout: Layout}) {
 interface RunSheetRowProps {
   sheet: RunSheet;
   row: string[];
+  fill: FillIn;
   layout: Layout;
   separation: number | null | undefined;
 }
 
-function RunSheetRow({sheet, row, layout, separation}: RunSheetRowProps) {
+function RunSheetRow({sheet, row, fill, layout, separation}: RunSheetRowProps) {
   const {joints, load, open, hasSeparations} = layout;
   const [id] = row;
   const isHere = takenIds.value.has(id);
+  const own = [...fill.columns, ...fill.optional];
   return (
     <tr class={isHere ? "here" : ""}>
       <td>
@@ -100,16 +118,18 @@ function RunSheetRow({sheet, row, layout, separation}: RunSheetRowProps) {
         />
       </td>
       <td>{id}</td>
-      {joints.map(({k, unit, sense}) => (
-        <td class="number" title={row[k]}>
-          {fixed(Number(row[k]), jointDecimals(unit))}
-          {sense >= 0 ? senseArrow(Number(row[sense])) : ""}
+      {joints.map((joint) => (
+        <td class="number" title={row[joint.k] || row[joint.near]}>
+          {fixed(proposedJoint(row, joint), jointDecimals(joint.unit))}
+          {joint.sense >= 0 ? senseArrow(Number(row[joint.sense])) : ""}
         </td>
       ))}
       {load >= 0 ? <td class="number">{row[load]}</td> : null}
       {hasSeparations ? <td class="number">{short(separation)}</td> : null}
       {open.map((column) => (
-        <td class="number">{isHere ? "✓" : <Coordinate sheet={sheet} id={id} column={column} />}</td>
+        <td class="number">
+          {isHere ? "✓" : own.includes(column) ? <Field sheet={sheet} id={id} column={column} /> : null}
+        </td>
       ))}
       <td class="number no-print">
         <button class="button small" aria-label={`Show reading ${id} on the arm`} onClick={() => show(layout, row)}>
@@ -120,7 +140,7 @@ function RunSheetRow({sheet, row, layout, separation}: RunSheetRowProps) {
   );
 }
 
-function Coordinate({sheet, id, column}: {sheet: RunSheet; id: string; column: string}) {
+function Field({sheet, id, column}: {sheet: RunSheet; id: string; column: string}) {
   return (
     <input
       inputMode="decimal"
@@ -135,14 +155,14 @@ function tick(sheet: RunSheet, id: string, isTaken: boolean): void {
   change({ticked: isTaken ? [...sheet.ticked, id] : sheet.ticked.filter((other) => other !== id)});
 }
 
-/** A coordinate that is typed in ticks its reading off. */
+/** A number that is typed in ticks its reading off. */
 function type(sheet: RunSheet, id: string, column: string, value: string): void {
   const typed = {...sheet.typed, [id]: {...sheet.typed[id], [column]: value.replace(",", ".")}};
   change({typed, ticked: sheet.ticked.includes(id) ? sheet.ticked : [...sheet.ticked, id]});
 }
 
 function show({joints, load}: Layout, row: string[]): void {
-  const own = new Map(joints.map(({name, k}) => [name, Number(row[k])]));
+  const own = new Map(joints.map((joint) => [joint.name, proposedJoint(row, joint)]));
   poseRequest.joints.value = (cell.value?.joints ?? []).map(
     (joint, i) => own.get(joint.name) ?? poseRequest.joints.value[i],
   );

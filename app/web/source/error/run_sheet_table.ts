@@ -1,10 +1,13 @@
 // A run sheet as a table: what is to be filled in, and what has been.
+import type {FillIn} from "../server/documents";
 
 export interface RunSheet {
   text: string;
+  /** Of each row what is to be filled in, as the program says it. */
+  fill: FillIn[];
   /** Ids of readings that were taken, by the hand that ticks them off. */
   ticked: string[];
-  /** Typed in: for each id the fields that were empty, by column. */
+  /** Typed in: for each id the fields that are to be filled in, by column. */
   typed: Record<string, Record<string, string>>;
   /** How far each reading sets the explanations apart, in sigmas, where that is known. */
   separations: (number | null)[];
@@ -53,18 +56,29 @@ export function lineOf(fields: readonly string[]): string {
   return fields.map((field) => (/[",]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field)).join(",");
 }
 
-const COORDINATES = /^([xyz]|distance|tool_[xyz])_|^steps/;
-
-/** Columns that somebody must fill in: coordinates that no row has. */
-export function openColumns({columns, rows}: RunSheetTable): string[] {
-  return columns.filter((column, k) => COORDINATES.test(column) && rows.every((row) => (row[k] ?? "") === ""));
+/** What is to be filled in, by the ids of the rows. */
+export function fillById({text, fill}: RunSheet): Map<string, FillIn> {
+  return new Map(tableOf(text).rows.map(([id], r) => [id, fill[r]]));
 }
 
-/** The rows of a filled sheet whose open columns are all filled; "" where there is none. */
-export function filledRows(text: string, open: readonly string[]): string {
+/** Columns of the sheet that are to be filled in for one reading or more, in its order. */
+export function openColumns({text, fill}: RunSheet): string[] {
+  const open = new Set(fill.flatMap(({columns, optional}) => [...columns, ...optional]));
+  return tableOf(text).columns.filter((column) => open.has(column));
+}
+
+/** How many of the fields that make a row a reading are filled in. */
+function filledCount(columns: readonly string[], row: readonly string[], fill: FillIn): number {
+  return fill.columns.filter((column) => (row[columns.indexOf(column)] ?? "") !== "").length;
+}
+
+/** The rows of a sheet that are filled in as far as they must be, or of which anything is; "" where there is none. */
+export function filledRows(text: string, fill: ReadonlyMap<string, FillIn>, asFarAs: "whole" | "begun"): string {
   const {columns, rows} = tableOf(text);
-  const at = open.map((column) => columns.indexOf(column));
-  const filled = rows.filter((row) => at.every((k) => k >= 0 && (row[k] ?? "") !== ""));
+  const filled = rows.filter((row) => {
+    const own = fill.get(row[0]);
+    return own !== undefined && filledCount(columns, row, own) >= (asFarAs === "whole" ? own.least : 1);
+  });
   return filled.length === 0 ? "" : `${[columns, ...filled].map(lineOf).join("\n")}\n`;
 }
 

@@ -115,6 +115,17 @@ export interface NextReading {
   senses?: Record<string, number>;
   splits?: string[];
   separation_sigmas?: number;
+  /** Not in what an earlier program left in a project. */
+  fill_in?: FillIn;
+}
+
+/** Columns of a run sheet that somebody has to fill in for a reading. */
+export interface FillIn {
+  columns: string[];
+  /** So many of them make it a reading. */
+  least: number;
+  /** Conditions that the readings so far state. */
+  optional: string[];
 }
 
 export interface DiagnoseDocument extends JudgedDocument {
@@ -133,7 +144,7 @@ export interface DiagnoseDocument extends JudgedDocument {
   ranking: RankedEffect[];
   readings: DiagnosedReading[];
   next_readings: NextReading[];
-  /** They as a measurement table whose coordinates are to be filled in. */
+  /** They, row by row, as a measurement table in which what is measured is to be filled in. */
   run_sheet?: string;
   splitting?: {
     advice?: string;

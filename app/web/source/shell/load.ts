@@ -23,7 +23,8 @@ async function afterReadings(): Promise<void> {
 
 /** A run sheet that comes back: what is filled in and not here yet joins the readings. */
 async function joinSheet(name: string, text: string): Promise<void> {
-  const fresh = freshRows(text, await idsHere());
+  // Rows half filled are for the program to refuse, line by line.
+  const fresh = freshRows(text, await idsHere(), "begun");
   showErrors();
   if (fresh !== "") await joinReadings(fresh);
   else report(name, {message: "No row of this run sheet is filled in, or all of them are here already."});

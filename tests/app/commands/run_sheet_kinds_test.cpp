@@ -1,0 +1,201 @@
+// Run sheets of every kind of reading: what they ask for, refused as they were written, taken as soon as somebody has
+// filled them in.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/documents/discrimination_json.hpp"
+#include "app/files/measurements_writer.hpp"
+#include "app/files/simulation_input.hpp"
+#include "app/studies/measurements/discrimination_candidates.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "tests/app/program.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using calibration::Measurement, calibration::ProposedMeasurement, calibration::ReadingCandidate;
+using nlohmann::json;
+
+/// How readings of a kind come about: the cell, and a design's keys beside the kind.
+struct SheetCase {
+  std::string name, kind, cell, design;
+  bool is_length_alone = false;
+};
+
+std::vector<SheetCase> sheetCases() {
+  return {{"position", "position", "bench.yaml", ""},
+          {"touch", "touch", "holes.yaml", "loads: [0, 20]"},
+          {"touchOfUnknownPoint", "touch", "bench.yaml", "points: unknown, loads: [0, 30]"},
+          {"deflection", "deflection", "bench.yaml", "loads: [20]"},
+          {"distance", "distance", "bench.yaml", "anchor: [90, 60, 20]"},
+          {"axis", "axis", "bench.yaml", "anchor: [0, 0, 10], direction: [0, 0, 1]"},
+          {"orientation", "orientation", "bench.yaml", "turn_sigma: 0.01"},
+          {"pose", "pose", "bench.yaml", "turn_sigma: 0.01"},
+          {"offset", "offset", "holes.yaml", "sigma: 0.005"},
+          {"tilt", "tilt", "bench.yaml", "turn_sigma: 0.01, loads: [0, 30]"},
+          {"tiltOfARow", "tilt", "bench.yaml", "turn_sigma: 0.01, rows: [forearm]"},
+          {"steps", "steps", "holes.yaml", ""},
+          {"relative", "relative", "bench.yaml", ""},
+          {"relativeByLength", "relative", "bench.yaml", "", true}};
+}
+
+class EveryRunSheet : public ProgramTest, public ::testing::WithParamInterface<SheetCase> {
+ protected:
+  /// The cells, readings of the arm as it is, and a sheet of what could be read next.
+  void SetUp() override {
+    (void)write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
+    (void)write("bench.yaml", contentOf(shippedCells() / "bench.yaml"));
+    (void)write("holes.yaml", changed(contentOf(shippedCells() / "mockup.yaml"), "known: false}",
+                                      "known: true}\nidentify: [tool.tip]"));
+    (void)write("design.yaml",
+                "{kind: " + GetParam().kind + (GetParam().design.empty() ? "" : ", ") + GetParam().design + "}");
+    cell = readCell((folder / GetParam().cell).string());
+    makeReadings();
+    const calibration::PlacedArm truth{cell.arm, {{"", cell.X_WB, true}}};
+    candidates = discriminationCandidates(cell, truth, readings, {.postures = 8, .most_loads = 2});
+    ASSERT_FALSE(candidates.empty());
+    next.times = 1;
+    next.explanations.resize(2);
+    for (std::size_t k = 0; k < candidates.size() && k < 3; ++k)
+      next.readings.push_back({static_cast<int>(k), 0, 1, 3});
+    sheet = runSheetOf(next, candidates, readings);
+    for (const auto& proposed : sheet) {
+      auto reading = calibration::expectedReading(truth, proposed);
+      ASSERT_TRUE(reading);
+      if (kindOf(*reading).counts_steps) reading->own[0] = static_cast<double>(cell.tool->steps.size());
+      expected.push_back(*reading);
+    }
+    text = runSheetCsv(sheet, cell.arm, cell.units);
+    table = tubesheets::parseCsv(text);
+    ASSERT_EQ(table.rows.size(), sheet.size());
+  }
+
+  /// Every number of the first `rows` rows that the sheet asks for, but for the last `less` of each, as the arm gives
+  /// it.
+  [[nodiscard]] std::string filled(std::size_t rows, std::size_t less = 0) const {
+    const auto answers = tubesheets::parseCsv(measurementsCsv(expected, cell.arm, cell.units));
+    std::string out = text.substr(0, text.find('\n') + 1);
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      auto fields = table.rows[r].fields;
+      const auto columns = fillInOf(sheet[r], cell.arm, cell.units).columns;
+      for (std::size_t c = 0; r < rows && c + less < columns.size(); ++c)
+        fields[*table.find(columns[c])] = answers.rows[r].fields[*answers.find(columns[c])];
+      for (std::size_t c = 0; c < fields.size(); ++c) out += (c ? "," : "") + fields[c];
+      out += "\n";
+    }
+    return out;
+  }
+
+  [[nodiscard]] Outcome compared(const std::string& sheet_text) const {
+    (void)write("next.csv", sheet_text);
+    return run("compare " + GetParam().cell + " set.csv next.csv --json figures.json");
+  }
+
+  Cell cell;
+  std::vector<Measurement> readings, expected;
+  std::vector<ReadingCandidate> candidates;
+  calibration::DiscriminatingMeasurements next;
+  std::vector<ProposedMeasurement> sheet;
+  std::string text;
+  tubesheets::CsvTable table;
+
+ private:
+  void makeReadings() {
+    SimulationRequest request;
+    request.design = (folder / "design.yaml").string();
+    request.readings = 16;
+    const auto task = prepareSimulation(cell, request);
+    const auto campaign = simulateReadings(cell, task, 3, {});
+    ASSERT_EQ(campaign.status, calibration::CampaignStatus::kDone) << campaign.reason;
+    readings = campaign.readings;
+    for (auto& reading : readings) {
+      if (!GetParam().is_length_alone) break;
+      reading.own[0] = reading.p_W->norm();
+      reading.p_W.reset();
+    }
+    (void)write("set.csv", measurementsCsv(readings, cell.arm, cell.units));
+  }
+};
+
+TEST_P(EveryRunSheet, AsksForTheColumnsOfItsKindAndHasNothingInThem) {
+  const auto values = calibration::valueColumnsOf(*calibration::findMeasurementKind(GetParam().kind));
+  std::vector<std::string> prefixes;
+  for (const auto& column : values.numbers) prefixes.emplace_back(column.name);
+  for (const auto& joint : cell.arm.joints())
+    if (values.has_joints) prefixes.push_back(joint.name);
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const std::string& name = table.columns[c];
+    const std::string quantity = name.substr(0, name.rfind('_'));
+    if (!std::ranges::count(prefixes, quantity) && !std::ranges::count(prefixes, name)) continue;
+    for (const auto& row : table.rows) EXPECT_EQ(row.fields[c], "") << name;
+  }
+  for (const auto& proposed : sheet) {
+    const auto fill = fillInOf(proposed, cell.arm, cell.units);
+    EXPECT_GE(fill.least, 1);
+    EXPECT_LE(static_cast<std::size_t>(fill.least), fill.columns.size());
+    for (const auto& column : fill.columns) EXPECT_TRUE(table.find(column)) << column;
+    for (const auto& column : fill.optional) EXPECT_TRUE(table.find(column)) << column;
+  }
+}
+
+TEST_P(EveryRunSheet, GivenBackUntouchedIsRefused) {
+  const auto outcome = compared(text);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "figures.json"));
+  expectSays(outcome.err, "next.csv:2");
+  if (sheet.size() > 1)
+    for (const auto& proposed : sheet) expectSays(outcome.err, proposed.id);
+  for (const auto& column : fillInOf(sheet.front(), cell.arm, cell.units).columns) expectSays(outcome.err, column);
+}
+
+TEST_P(EveryRunSheet, FilledInInPartIsRefused) {
+  if (sheet.size() > 1) {
+    const auto some = compared(filled(1));
+    EXPECT_EQ(some.exit_code, 2);
+    expectSays(some.err, "next.csv:3");
+  }
+  if (fillInOf(sheet.front(), cell.arm, cell.units).least < 2) return;  // one number is a reading
+  const auto half = compared(filled(sheet.size(), 1));
+  EXPECT_EQ(half.exit_code, 2);
+  expectSays(half.err, "next.csv:2");
+}
+
+TEST_P(EveryRunSheet, FilledInJoinsTheReadings) {
+  const auto outcome = compared(filled(sheet.size()));
+  ASSERT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.err << text;
+  const json figures = json::parse(contentOf(folder / "figures.json"));
+  std::set<std::string> joined;
+  for (const auto& reading : figures["readings"]) joined.insert(reading["id"]);
+  for (const auto& proposed : sheet) EXPECT_TRUE(joined.contains(proposed.id)) << proposed.id;
+}
+
+TEST_P(EveryRunSheet, PageAndReportAskForTheSameColumns) {
+  json document = {{"sentence", ""}};
+  next.status = calibration::DiscriminationStatus::kDone;
+  addNextReadings(next, candidates, cell.arm, cell.units, document);
+  const auto& listed = document["next_readings"];
+  ASSERT_EQ(listed.size(), table.rows.size());
+  for (std::size_t r = 0; r < sheet.size(); ++r) {
+    const auto fill = fillInOf(sheet[r], cell.arm, cell.units);
+    EXPECT_EQ(listed[r]["fill_in"],
+              json({{"columns", fill.columns}, {"least", fill.least}, {"optional", fill.optional}}));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryRunSheet, ::testing::ValuesIn(sheetCases()),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(EveryRunSheetCase, IsOfAKindAndEveryKindHasOne) {
+  std::set<std::string> cases, kinds;
+  for (const auto& of : sheetCases()) cases.insert(of.kind);
+  for (const auto& kind : calibration::measurementKinds()) kinds.insert(kind.name);
+  EXPECT_EQ(cases, kinds);
+}
+
+}  // namespace
+}  // namespace tubeplan::app
