@@ -13,6 +13,19 @@ export const STEP_MARKS = [
   {shape: "disc", colour: "case3"},
 ];
 
+/** The same of a base that nobody placed: as it would be if it stood exactly where it should. @type {Mark[]} */
+export const NOMINAL_STEP_MARKS = [
+  {shape: "plus", colour: "accent"},
+  {shape: "hollow-triangle", colour: "accent"},
+  {shape: "hollow-square", colour: "accent"},
+  {shape: "crossed-ring", colour: "accent"},
+];
+
+/** Marks of steps, by the base that a document says they are of. @param {{placed?: unknown} | null | undefined} base */
+export function stepMarksOf(base) {
+  return base?.placed === false ? NOMINAL_STEP_MARKS : STEP_MARKS;
+}
+
 /** Tubes that cannot be visited, that were not scored, that nobody asked for. @type {Mark} */
 export const UNREACHABLE = {shape: "hatched", colour: "rose"};
 /** @type {Mark} */

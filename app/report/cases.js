@@ -1,12 +1,12 @@
 // How far the tool goes into each tube, without compensation and with it. Words come with the report.
-import {STEP_MARKS} from "../drawing/kinds.js";
+import {STEP_MARKS, stepMarksOf} from "../drawing/kinds.js";
 import {isNumber} from "../drawing/numbers.js";
 import {stepsAtError, stepText} from "../drawing/visits.js";
 import {list, numbers, object, textOf} from "./values.js";
 
 /// The marks of 0 to 3 steps with their words.
 export function stepKinds(report) {
-  return STEP_MARKS.map((mark, steps) => ({...mark, name: stepText(report.step_words, steps)}));
+  return stepMarksOf(object(report.base)).map((mark, steps) => ({...mark, name: stepText(report.step_words, steps)}));
 }
 
 /// The modes of compensation, in the order of the thesis's comparison: [{key, name, brief}].

@@ -1,5 +1,5 @@
 // Where the tips land about the centre of one hole, with the rings of the tool's steps.
-import {STEP_MARKS} from "../drawing/kinds.js";
+import {stepMarksOf} from "../drawing/kinds.js";
 import {exact, isNumber, plural, short} from "../drawing/numbers.js";
 import {modeName, scoredCase} from "./cases.js";
 import {errorsOf, largestError} from "./centring_errors.js";
@@ -60,7 +60,7 @@ function drawTarget({errors, tolerances, reach, mirror, report, key}, width) {
 function landingMark(tube, offset, {reach, scale, middle, report, key}) {
   const error = Math.hypot(...offset), within = Math.min(1, reach / (error || 1));
   const index = scoredCase(tube, key, report.steps);
-  const mark = index === null ? UNSCORED : STEP_MARKS[index];
+  const mark = index === null ? UNSCORED : stepMarksOf(object(report.base))[index];
   const place = middle.map((value, k) => value + scale * within * offset[k]);
   return svgMark(
       mark, ...place, 4.2, {}, svg("title", {}, `${tubeName(tube)}: ${short(error)} ${lengthUnit(report)}`));

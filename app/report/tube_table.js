@@ -1,5 +1,5 @@
 // Every visited tube's figures, made only when asked for.
-import {STEP_MARKS} from "../drawing/kinds.js";
+import {stepMarksOf} from "../drawing/kinds.js";
 import {fixed, plural, probability, short, whole} from "../drawing/numbers.js";
 import {scoredCase} from "./cases.js";
 import {el, notRecorded, table} from "./elements.js";
@@ -38,6 +38,6 @@ function scoreCell(tube, mode, report) {
   const index = scoredCase(tube, mode, report.steps);
   if (index === null) return null;
   return el(
-      "span", {class: "case"}, `${short(object(tube[mode]).error)}\u00a0\u00a0`, markIcon(STEP_MARKS[index]),
+      "span", {class: "case"}, `${short(object(tube[mode]).error)}\u00a0\u00a0`, markIcon(stepMarksOf(object(report.base))[index]),
       ` ${index}`);
 }

@@ -14,7 +14,7 @@ import {
   withIt,
 } from "../../drawing/explanations.js";
 import {extentOf, fit, fromPixel, heightFor, nearestPlace, toPixel} from "../../drawing/frames.js";
-import {stateMark, STEP_MARKS, verdictMark} from "../../drawing/kinds.js";
+import {NOMINAL_STEP_MARKS, stateMark, STEP_MARKS, stepMarksOf, verdictMark} from "../../drawing/kinds.js";
 import {inPlane, PLANES} from "../../drawing/planes.js";
 import {rankingRows, triedText} from "../../drawing/ranking.js";
 import {hollowPath, outlineOf, type Shape} from "../../drawing/shapes.js";
@@ -36,6 +36,10 @@ const SHAPES: Shape[] = [
   "cross",
   "bar",
   "hatched",
+  "plus",
+  "hollow-triangle",
+  "hollow-square",
+  "crossed-ring",
 ];
 
 describe("shapes", () => {
@@ -53,6 +57,12 @@ describe("shapes", () => {
   });
   it("tell kinds apart without colour", () => {
     expect(new Set(STEP_MARKS.map(({shape}) => shape)).size).toBe(4);
+    // Steps of a base that nobody placed: neither shape nor colour of one is that of another base.
+    const marks = [...STEP_MARKS, ...NOMINAL_STEP_MARKS];
+    expect(new Set(marks.map(({shape}) => shape)).size).toBe(8);
+    for (const {colour} of NOMINAL_STEP_MARKS) expect(STEP_MARKS.map((mark) => mark.colour)).not.toContain(colour);
+    expect(stepMarksOf({placed: false})).toBe(NOMINAL_STEP_MARKS);
+    for (const base of [{placed: true}, {}, null, undefined]) expect(stepMarksOf(base)).toBe(STEP_MARKS);
     expect(stateMark("no such state").shape).toBe("diamond");
     expect(verdictMark("constructor").shape).toBe("diamond");
   });

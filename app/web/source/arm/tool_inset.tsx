@@ -4,7 +4,7 @@ import {useEffect, useRef} from "preact/hooks";
 import {palette, type Palette} from "../drawing/colours";
 import {fixed, jointDecimals, lengthAndUnit} from "../../../drawing/numbers.js";
 import type {PoseDocument} from "../server/documents";
-import {sheetDocument, units} from "../server/workbench";
+import {currentModel, sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
 import {stepKinds} from "../sheet/colourings";
 import {clearedContext} from "../drawing/canvas";
@@ -29,7 +29,8 @@ export function ToolInset() {
   }, [centring, palette.value]);
   const hole = poseRequest.hole.value;
   const name = hole >= 0 && sheet.value ? holeName(sheet.value, hole) : "no hole picked";
-  const kinds = stepKinds(sheetDocument.value.document?.tool?.step_words);
+  const base = currentModel.value?.base;
+  const kinds = stepKinds(sheetDocument.value.document?.tool?.step_words, base);
   const kind = kinds[centring?.steps ?? -1];
   return (
     <section class="inset" aria-label="The tool under the hole">
@@ -50,6 +51,7 @@ export function ToolInset() {
         {kind ? (
           <>
             <MarkIcon mark={kind.mark} /> {kind.name}
+            {base ? <span class={base.placed ? "muted" : "bad"}> {base.words}</span> : null}
           </>
         ) : (
           "pick a hole on the sheet"

@@ -3,8 +3,10 @@ import {useEffect, useMemo} from "preact/hooks";
 import {Vector3} from "three";
 import {ArmPicture} from "../arm/arm_picture";
 import {duration, percent, short, whole} from "../../../drawing/numbers.js";
+import {MARKED} from "../../../drawing/sigma_text.js";
 import type {PlanDocument} from "../server/documents";
 import {units} from "../server/workbench";
+import {view} from "../shell/page_state";
 import {ExportMenu} from "../shell/export_menu";
 import {OtherModel} from "../shell/other_model";
 import {ProblemWords} from "../shell/states";
@@ -82,10 +84,25 @@ function tourPoints(model: SheetModel, holes: number[]): Vector3[] | null {
     .map((hole) => new Vector3(model.world[3 * hole], model.world[3 * hole + 1], -1));
 }
 
+/** What the plan is proved for; a base that nobody placed is to be calibrated first. */
+function Standing({base}: {base: PlanDocument["base"]}) {
+  if (!base?.words) return null;
+  if (base.placed) return <span>proved {base.words}</span>;
+  return (
+    <span class="bad">
+      {MARKED}proved {base.words}{" "}
+      <button class="button" onClick={() => (view.value = "calibrate")}>
+        Calibrate
+      </button>
+    </span>
+  );
+}
+
 function Outcome({document}: {document: PlanDocument}) {
   const unit = units.value.length;
   return (
-    <p class="outcome">
+    <p class="outcome" title={document.sentence}>
+      <Standing base={document.base} />
       <span>
         <b>{whole(document.tubes.length)}</b> planned
       </span>

@@ -33,7 +33,7 @@ export function TubeTable({document}: {document: PlanDocument}) {
   const total = document.tubes.length + document.unreachable.length;
   const first = Math.max(0, Math.floor(top.value / ROW) - MORE),
     last = Math.min(total, first + Math.ceil(height.value / ROW) + 2 * MORE);
-  const kinds = stepKinds(document.step_words);
+  const kinds = stepKinds(document.step_words, document.base);
   const rows = [];
   for (let i = first; i < last; ++i) {
     const tube = document.tubes[i];

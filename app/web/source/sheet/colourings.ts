@@ -1,7 +1,7 @@
 // What the sheet's holes can be coloured by. Each colouring sorts the holes into a few kinds with a colour and a shape.
 import type {ColourName} from "../drawing/colours";
 import type {Mark, Shape} from "../drawing/marks";
-import {NOT_PLANNED, STEP_MARKS, stateMark, UNREACHABLE} from "../../../drawing/kinds.js";
+import {NOT_PLANNED, stateMark, stepMarksOf, UNREACHABLE} from "../../../drawing/kinds.js";
 import {isNumber, MISSING, short} from "../../../drawing/numbers.js";
 import {stepText, visitText} from "../../../drawing/visits.js";
 import type {FieldDocument, PlanDocument, ReachDocument} from "../server/documents";
@@ -55,15 +55,15 @@ export function byReach(sheet: SheetModel, reach: ReachDocument): Colouring {
   );
 }
 
-/** How far the tool goes in, in the words of a document. */
-export function stepKinds(words: readonly string[] | undefined): Kind[] {
-  return STEP_MARKS.map((mark, steps) => ({name: stepText(words, steps), mark}));
+/** How far the tool goes in, in the words of a document, with the marks of the base that it is of. */
+export function stepKinds(words: readonly string[] | undefined, base?: {placed?: boolean}): Kind[] {
+  return stepMarksOf(base).map((mark, steps) => ({name: stepText(words, steps), mark}));
 }
 
 /** How far the tool goes in at the planned tubes: as predicted, or by the true arm in one of the ways of compensation. */
 export function bySteps(sheet: SheetModel, plan: PlanDocument, mode: string): Colouring {
   const kinds = [
-    ...stepKinds(plan.step_words),
+    ...stepKinds(plan.step_words, plan.base),
     {name: "out of reach", mark: UNREACHABLE},
     {name: "not on the list", mark: NOT_PLANNED},
   ];
