@@ -62,6 +62,7 @@ function Plan({model}: {model: SheetModel}) {
           <OtherModel name="plan" />
           <ExportMenu exports={EXPORTS} isHere={document !== null} at="end" />
         </header>
+        <Standing base={document?.base} />
         <div class="panel-body flush">
           {plan.value.problem ? (
             <ProblemWords problem={plan.value.problem} />
@@ -85,16 +86,17 @@ function tourPoints(model: SheetModel, holes: number[]): Vector3[] | null {
 }
 
 /** What the plan is proved for; a base that nobody placed is to be calibrated first. */
-function Standing({base}: {base: PlanDocument["base"]}) {
+function Standing({base}: {base?: PlanDocument["base"]}) {
   if (!base?.words) return null;
-  if (base.placed) return <span>proved {base.words}</span>;
   return (
-    <span class="bad">
-      {MARKED}proved {base.words}{" "}
-      <button class="button" onClick={() => (view.value = "calibrate")}>
-        Calibrate
-      </button>
-    </span>
+    <p class={`standing ${base.placed ? "" : "bad"}`}>
+      {base.placed ? "" : MARKED}Proved {base.words}
+      {base.placed ? null : (
+        <button class="button" onClick={() => (view.value = "calibrate")}>
+          Calibrate
+        </button>
+      )}
+    </p>
   );
 }
 
@@ -102,7 +104,6 @@ function Outcome({document}: {document: PlanDocument}) {
   const unit = units.value.length;
   return (
     <p class="outcome" title={document.sentence}>
-      <Standing base={document.base} />
       <span>
         <b>{whole(document.tubes.length)}</b> planned
       </span>
