@@ -51,7 +51,7 @@ struct ScoredTube {
 struct Scored {
   BothCalibrations calibration;
   std::vector<ScoredTube> tubes;
-  std::string warning;  ///< of too few segments; empty without
+  std::vector<std::string> warnings;  ///< of too few segments, and of the base
 };
 
 Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes,
@@ -72,7 +72,9 @@ Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth
   std::vector<Eigen::VectorXd> postures;
   for (const auto& tube : result.tubes)
     if (tube.reason.empty()) postures.push_back(tube.q);
-  result.warning = segmentsWarning(cell, models.flexible, postures);
+  for (auto& warning :
+       {segmentsWarning(cell, models.flexible, postures), warningOf(standingOf(cell, &result.calibration.flexible))})
+    if (!warning.empty()) result.warnings.push_back(warning);
   return result;
 }
 
@@ -111,10 +113,12 @@ nlohmann::json scoredJson(const Scored& scored, const planner::Workcell& cell, c
     tubes.push_back(entry);
   }
   const auto counts = countByMode(modeScores(scored), static_cast<int>(cell.tool.steps.size()));
+  const auto& base = scored.calibration.flexible;
   return {{"units", unitsJson(units)},
-          {"calibration", calibrationJson(scored.calibration.flexible, nominal)},
+          {"base", placedBaseJson(base.X_WB, standingOf(nominal, &base), units)},
+          {"calibration", calibrationJson(base, nominal)},
           {"tubes", tubes},
-          {"warnings", scored.warning.empty() ? nlohmann::json::array() : nlohmann::json::array({scored.warning})},
+          {"warnings", scored.warnings},
           {"counts", {{kModeKeys[0], counts[0]}, {kModeKeys[1], counts[1]}, {kModeKeys[2], counts[2]}}}};
 }
 
@@ -123,9 +127,10 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Cell
   fmt::print("scored with the base that {} simulated touches of the true arm give\n",
              scored.calibration.flexible.residuals.size());
   fmt::print("{}", calibrationText(scored.calibration.flexible, nominal));
-  if (!scored.warning.empty()) fmt::print("warning: {}\n", scored.warning);
+  for (const auto& warning : scored.warnings) fmt::print("warning: {}\n", warning);
   const auto scores = modeScores(scored);
-  fmt::print("{} tubes scored, {} unreachable\n", scores.size(), scored.tubes.size() - scores.size());
+  fmt::print("{} tubes scored {}, {} unreachable\n", scores.size(),
+             wordsOf(standingOf(nominal, &scored.calibration.flexible)), scored.tubes.size() - scores.size());
   const auto counts = countByMode(scores, static_cast<int>(cell.tool.steps.size()));
   fmt::print("{:<14}", "compensation");
   for (std::size_t steps = 0; steps <= cell.tool.steps.size(); ++steps)

@@ -14,6 +14,7 @@
 #include "app/commands/option_groups.hpp"
 #include "app/commands/plan_identity.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/pose_json.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/plan_reader.hpp"
 #include "app/files/units.hpp"
@@ -52,9 +53,10 @@ planner::Workcell checkedWorkcell(const Cell& cell, const Cell& planned, const P
   return work;
 }
 
-nlohmann::json checkJson(const planner::PlanCheck& check, const Units& units,
+nlohmann::json checkJson(const planner::PlanCheck& check, const Cell& planned, const Units& units,
                          const std::vector<std::string>& warnings) {
   return {{"proved", check.status == planner::PlanCheckStatus::kProved},
+          {"base", placedBaseJson(planned.X_WB, standingOf(planned), units)},
           {"findings", check.findings},
           {"tubes", check.tubes},
           {"path_rows", check.rows},
@@ -74,11 +76,12 @@ nlohmann::json checkJson(const planner::PlanCheck& check, const Units& units,
           {"units", unitsJson(units)}};
 }
 
-void print(const planner::PlanCheck& check, const Cell& cell, const std::vector<std::string>& warnings) {
-  const Units& units = cell.units;
+void print(const planner::PlanCheck& check, const Cell& planned, const Units& units,
+           const std::vector<std::string>& warnings) {
   for (const auto& warning : warnings) fmt::print("warning: {}\n", warning);
   const double length = units.factor(dimension::kLength);
-  fmt::print("{} tubes, {} path rows: {}\n", check.tubes, check.rows, check.findings.empty() ? "proved" : "REFUTED");
+  fmt::print("{} tubes, {} path rows: {} {}\n", check.tubes, check.rows, check.findings.empty() ? "proved" : "REFUTED",
+             wordsOf(standingOf(planned)));
   fmt::print("largest centring error {:.1e} {}, largest deviation from a hole's axis during an approach {}\n",
              check.worst_centring / length, units.length().name, lengthText(check.worst_approach, units));
   if (!check.statics_not_covered.empty())
@@ -157,10 +160,11 @@ int run(const VerifyOptions& options) {
   check.findings.insert(check.findings.begin(), strangers.begin(), strangers.end());
   if (!check.findings.empty()) check.status = planner::PlanCheckStatus::kRefuted;
   std::vector<std::string> warnings = cell.warnings;
+  if (auto nominal = warningOf(standingOf(planned)); !nominal.empty()) warnings.push_back(std::move(nominal));
   if (auto moved = baseDifference(cell, planned); !moved.empty()) warnings.push_back(std::move(moved));
   if (auto states = statesText(work.sheet, files.plan); !states.empty()) warnings.push_back(std::move(states));
-  writeJson(options.json, checkJson(check, cell.units, warnings));
-  if (printsText(options.json)) print(check, cell, warnings);
+  writeJson(options.json, checkJson(check, planned, cell.units, warnings));
+  if (printsText(options.json)) print(check, planned, cell.units, warnings);
   return check.findings.empty() ? kDone : kNegativeAnswer;
 }
 

@@ -82,7 +82,7 @@ nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) 
                          {"units", unitsJson(units)}};
   if (result.residuals.empty()) return json;
   if (result.status == CalibrationStatus::kDone) {
-    json["base"] = poseJson(result.X_WB, units);
+    json["base"] = placedBaseJson(result.X_WB, standingOf(cell, &result), units);
     json["covariance"] = covarianceJson(result.covariance, units);
     const Eigen::VectorXd sigma = result.covariance.diagonal().cwiseSqrt();
     json["sigma"] = {{"position", vectorJson(sigma.head(3), units, dimension::kLength)},
@@ -120,7 +120,8 @@ std::string calibrationText(const BaseCalibration& result, const Cell& cell, boo
   const Units& units = cell.units;
   if (result.status != CalibrationStatus::kDone)
     return "calibration " + std::string(statusName(result.status)) + ": " + result.reason + "\n" +
-           residualsText(result, units) + baseVerdictText(judgeBase(result, cell), result, units, in_full);
+           residualsText(result, units) + baseVerdictText(judgeBase(result, cell), result, units, in_full) +
+           "the base stays where it was: what is planned holds " + wordsOf(standingOf(cell)) + "\n";
   const auto length = [&](double metres) { return metres / units.factor(dimension::kLength); };
   const auto angle = [&](double radians) { return radians / units.factor(dimension::kAngle); };
   const std::string unit(units.length().name), turn(units.angle().name);

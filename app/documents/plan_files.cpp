@@ -7,6 +7,7 @@
 
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/plan_answer.hpp"
 #include "app/documents/plan_text.hpp"
 #include "app/documents/pose_json.hpp"
 #include "app/documents/step_chances_json.hpp"
@@ -172,6 +173,7 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
   for (std::size_t k = 0; k < plan.visits.size(); ++k) tubes.push_back(tubeJson(outcome, k));
   json result = {{"version", kVersion},
                  {"seed", request.seed},
+                 {"sentence", planAnswer(outcome)},
                  {"cell", outcome.cell.name},
                  {"compensation", planner::nameOf(outcome.compensation)},
                  {"load", outcome.cell.units.toFile(outcome.model.load, dimension::kForce)},
@@ -191,7 +193,7 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
                  {"clearance_required", lengthOf(outcome.model.scene.clearance, outcome.cell.units)},
                  {"tightest", tightestText(outcome)},
                  {"warnings", outcome.cell.warnings},
-                 {"base", poseJson(outcome.model.X_WB, outcome.cell.units)},
+                 {"base", placedBaseJson(outcome.model.X_WB, outcome.standing(), outcome.cell.units)},
                  {"counts", countsJson(outcome)},
                  {"modes", modeWordsJson()},
                  {"step_words", tubesheets::stepWords(outcome.model.tool)},

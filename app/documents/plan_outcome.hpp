@@ -9,6 +9,7 @@
 #include "app/files/cell_reader.hpp"
 #include "app/files/plan_conditions.hpp"
 #include "app/studies/measurements/simulated_calibration.hpp"
+#include "app/studies/positioning/base_standing.hpp"
 #include "app/studies/positioning/step_chances.hpp"
 #include "app/studies/positioning/step_score.hpp"
 #include "planner/visit_plan.hpp"
@@ -48,6 +49,12 @@ struct PlanOutcome {
   std::vector<double> play;                  ///< m, of the tool in the tube, per visit; empty without insertion
   StepChances chances;                       ///< of steps, per visit
   std::vector<ModeScores> scores;            ///< per visit; empty without truth
+
+  /// What placed the base, where this plan did; null: it stands as the cell has it.
+  [[nodiscard]] const calibration::BaseCalibration* placedBy() const {
+    return calibration ? &calibration->flexible : nullptr;
+  }
+  [[nodiscard]] BaseStanding standing() const { return standingOf(cell, placedBy()); }
 };
 
 }  // namespace tubeplan::app

@@ -229,10 +229,11 @@ json summaryData(const PlanOutcome& outcome) {
   rows.push_back({"compensation", planner::nameOf(outcome.compensation)});
   rows.push_back({"error without compensation", errorText(outcome, 0)});
   rows.push_back({"error with compensation", errorText(outcome, 2)});
-  rows.push_back({"base", outcome.calibration
-                              ? fmt::format("from {} touched holes, rms {}", outcome.touches.size(),
-                                            lengthText(outcome.calibration->flexible.rms, outcome.cell.units))
-                              : std::string("as given in the cell")});
+  rows.push_back({"base", fmt::format("{}{}", nameOf(outcome.standing().placing),
+                                      outcome.calibration ? fmt::format(", {} touches, rms {}", outcome.touches.size(),
+                                                                        lengthText(outcome.calibration->flexible.rms,
+                                                                                   outcome.cell.units))
+                                                          : "")});
   for (const auto& warning : outcome.cell.warnings) rows.push_back({"warning", warning});
   if (outcome.calibration)
     for (const auto& warning : judgeBase(outcome.calibration->flexible, outcome.cell).warnings)
@@ -257,8 +258,10 @@ json reportJson(const PlanRequest& request, const PlanOutcome& outcome) {
   const json plan = planJson(request, outcome);
   const json calibration = calibrationData(outcome);
   json report = {{"title", outcome.cell.name + ": plan of tube visits"},
+                 {"sentence", plan["sentence"]},
                  {"cell", outcome.cell.name},
                  {"seed", request.seed},
+                 {"base", plan["base"]},
                  {"units", unitsJson(units)},
                  {"sheet", sheetPageJson(outcome.model.sheet, outcome.cell)},
                  {"bowl_radius", bowlRadius(outcome)},

@@ -7,6 +7,7 @@
 
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/plan_answer.hpp"
 #include "app/documents/step_chances_json.hpp"
 #include "app/files/units.hpp"
 
@@ -24,7 +25,7 @@ namespace {
 std::string stepsHeading(const PlanOutcome& outcome) {
   std::string text = fmt::format("{:<58}", "tubes by number of inserted steps of the calibration tool");
   for (std::size_t k = 0; k <= outcome.model.tool.steps.size(); ++k) text += fmt::format(" {:7}", k);
-  return text + "\n";
+  return text + "\n  " + wordsOf(outcome.standing()) + "\n";
 }
 
 std::string expectedText(const PlanOutcome& outcome) {
@@ -38,8 +39,6 @@ std::string plannedModelText(const PlanOutcome& outcome) {
   std::string text;
   if (outcome.calibration) text += calibrationText(outcome.calibration->flexible, outcome.cell, false);
   for (const auto& warning : outcome.cell.warnings) text += "warning: " + warning + "\n";
-  if (!outcome.calibration && !outcome.cell.base_known)
-    text += "the base pose is the cell's; it was not calibrated by touching (--touches)\n";
   return text;
 }
 
@@ -79,12 +78,12 @@ std::string plannedWayText(const PlanOutcome& outcome) {
     text += fmt::format("{} travels with the tip on a straight line, within {} of it\n", plan.lines,
                         lengthText(plan.line_deviation, units));
   if (std::isfinite(minClearance(outcome)))
-    text += fmt::format("clearance at least {} ({} asked for{}), tightest {}\n",
+    text += fmt::format("clearance at least {} ({} asked for{}), tightest {}; proved {}\n",
                         lengthText(minClearance(outcome), units), lengthText(outcome.model.scene.clearance, units),
                         outcome.padding > 0 ? fmt::format(", beyond the uncertainty of the base: {} at a tip",
                                                           lengthText(outcome.padding, units))
                                             : "",
-                        tightestText(outcome));
+                        tightestText(outcome), wordsOf(outcome.standing()));
   if (!outcome.play.empty())
     text += fmt::format("{} past the face; the tool's play in a tube at least {}\n",
                         lengthText(outcome.model.insertion, units), lengthText(std::ranges::min(outcome.play), units));
@@ -111,7 +110,8 @@ std::string trueStepsText(const PlanOutcome& outcome) {
 }  // namespace
 
 std::string planText(const PlanOutcome& outcome) {
-  std::string text = plannedModelText(outcome) + plannedTubesText(outcome) + plannedWayText(outcome);
+  std::string text =
+      planAnswer(outcome) + "\n" + plannedModelText(outcome) + plannedTubesText(outcome) + plannedWayText(outcome);
   text += stepChancesText(outcome.chances, outcome.cell.units);
   if (outcome.scores.empty() && outcome.chances.by_posture.empty()) return text;
   text += stepsHeading(outcome) + expectedText(outcome);

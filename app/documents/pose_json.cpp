@@ -68,4 +68,17 @@ nlohmann::json poseJson(const Eigen::Isometry3d& X, const Units& units) {
           {"rpy", vectorJson(rpy, units, dimension::kAngle)}};
 }
 
+nlohmann::json standingJson(const BaseStanding& standing) {
+  return {{"status", nameOf(standing.placing)},
+          {"words", wordsOf(standing)},
+          {"placed", isPlaced(standing)},
+          {"touches", standing.touches}};
+}
+
+nlohmann::json placedBaseJson(const Eigen::Isometry3d& X_WB, const BaseStanding& standing, const Units& units) {
+  nlohmann::json base = poseJson(X_WB, units);
+  base.update(standingJson(standing));
+  return base;
+}
+
 }  // namespace tubeplan::app

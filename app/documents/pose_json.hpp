@@ -5,6 +5,7 @@
 
 #include "app/files/cell_reader.hpp"
 #include "app/files/units.hpp"
+#include "app/studies/positioning/base_standing.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::app {
@@ -35,6 +36,13 @@ struct PoseFigures {
 
 /// {"position": [3], "rpy": [3]} in file units.
 [[nodiscard]] nlohmann::json poseJson(const Eigen::Isometry3d& X, const Units& units);
+
+/// {status, words, placed, touches}: how a base was placed, in the words that continue "proved" and "steps".
+[[nodiscard]] nlohmann::json standingJson(const BaseStanding& standing);
+
+/// A base's pose with how it was placed.
+[[nodiscard]] nlohmann::json placedBaseJson(const Eigen::Isometry3d& X_WB, const BaseStanding& standing,
+                                            const Units& units);
 
 /// Joint readings in file units to the last bit: rounded ones would move the tip by more than a plan promises.
 [[nodiscard]] nlohmann::json jointValuesJson(const Eigen::VectorXd& q, const Cell& cell);

@@ -3,7 +3,8 @@
 
 /**
  * @typedef {"ring" | "double-ring" | "target" | "dot" | "disc" | "half" | "square" | "diamond" | "triangle" | "cross" |
- *    "bar" | "hatched" | "none"} Shape
+ *    "bar" | "hatched" | "plus" | "hollow-triangle" | "hollow-square" | "hollow-diamond" | "split-square" | "split-diamond" |
+ *    "crossed-square" | "crossed-diamond" | "crossed-ring" | "none"} Shape
  */
 
 /** What of a shape is filled and what is a line, about (x, y) with radius r; `width` is the line's, as a share of r.
@@ -30,6 +31,10 @@ const cross = (x, y, r) => {
   return `M${x - s} ${y - s}L${x + s} ${y + s}M${x - s} ${y + s}L${x + s} ${y - s}`;
 };
 /** @type {PathOf} */
+const plus = (x, y, r) => `M${x - 0.95 * r} ${y}h${1.9 * r}M${x} ${y - 0.95 * r}v${1.9 * r}`;
+/** @type {PathOf} */
+const upright = (x, y, r) => `M${x} ${y - 0.8 * r}v${1.6 * r}`;
+/** @type {PathOf} */
 const hatches = (x, y, r) => {
   const middle = 0.707 * r,
     near = 0.258 * r,
@@ -54,6 +59,15 @@ const SHAPES = {
   "double-ring": {line: (x, y, r) => circlePath(x, y, 0.88 * r) + circlePath(x, y, 0.44 * r), width: 0.22},
   bar: {line: (x, y, r) => circlePath(x, y, 0.86 * r) + `M${x - 0.86 * r} ${y}h${1.72 * r}`, width: 0.26},
   cross: {line: cross, width: 0.42},
+  plus: {line: plus, width: 0.3},
+  "hollow-diamond": {line: (x, y, r) => diamond(x, y, 0.9 * r), width: 0.26},
+  "split-square": {line: (x, y, r) => square(x, y, 0.95 * r) + upright(x, y, r), width: 0.22},
+  "split-diamond": {line: (x, y, r) => diamond(x, y, 0.95 * r) + upright(x, y, r), width: 0.22},
+  "crossed-square": {line: (x, y, r) => square(x, y, 0.95 * r) + plus(x, y, 0.85 * r), width: 0.2},
+  "crossed-diamond": {line: (x, y, r) => diamond(x, y, 0.95 * r) + plus(x, y, r), width: 0.2},
+  "hollow-triangle": {line: (x, y, r) => triangle(x, y, 0.9 * r), width: 0.26},
+  "hollow-square": {line: (x, y, r) => square(x, y, 0.95 * r), width: 0.26},
+  "crossed-ring": {line: (x, y, r) => circlePath(x, y, 0.88 * r) + plus(x, y, 0.9 * r), width: 0.2},
   hatched: {line: (x, y, r) => circlePath(x, y, 0.92 * r) + hatches(x, y, 0.92 * r), width: 0.18},
 };
 

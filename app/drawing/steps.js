@@ -6,7 +6,8 @@ import {plural} from "./numbers.js";
 /** @typedef {{name: string, mark: Mark}} StepKind What a number of inserted steps is called, and how it is drawn. */
 /**
  * What may tell the steps: their words, the tool itself, tubes counted by steps, or a tube's probabilities.
- * @typedef {{step_words?: unknown, steps?: unknown, counts?: unknown, tubes?: unknown}} SteppedDocument
+ * @typedef {{step_words?: unknown, steps?: unknown, counts?: unknown, tubes?: unknown,
+ *    base?: unknown}} SteppedDocument
  */
 
 /** @type {Mark} */
@@ -17,17 +18,38 @@ const ALL_STEPS = {shape: "disc", colour: "case3"};
 const SOME_STEPS = [
   {shape: "triangle", colour: "case1"},
   {shape: "square", colour: "case2"},
-  {shape: "half", colour: "accent"},
+  {shape: "half", colour: "ink"},
   {shape: "double-ring", colour: "violet"},
   {shape: "target", colour: "case1"},
   {shape: "bar", colour: "case2"},
-  {shape: "ring", colour: "accent"},
+  {shape: "ring", colour: "ink"},
 ];
 
-/** The mark of so many inserted steps of a tool that has `count`. @param {number} inserted @param {number} count */
-export function stepMark(inserted, count) {
-  if (inserted <= 0) return NO_STEP;
-  return inserted >= count ? ALL_STEPS : SOME_STEPS[(inserted - 1) % SOME_STEPS.length];
+/** The same of a base that nobody placed: as it would be if it stood exactly where it should. @type {Mark} */
+const NOMINAL_NO_STEP = {shape: "plus", colour: "accent"};
+/** @type {Mark} */
+const NOMINAL_ALL_STEPS = {shape: "crossed-ring", colour: "accent"};
+/** @type {Mark[]} */
+const NOMINAL_SOME_STEPS = [
+  {shape: "hollow-triangle", colour: "accent"},
+  {shape: "hollow-square", colour: "accent"},
+  {shape: "hollow-diamond", colour: "accent"},
+  {shape: "split-square", colour: "accent"},
+  {shape: "split-diamond", colour: "accent"},
+  {shape: "crossed-square", colour: "accent"},
+  {shape: "crossed-diamond", colour: "accent"},
+];
+
+/**
+ * The mark of so many inserted steps of a tool that has `count`, by the base that a document says they are of.
+ * @param {number} inserted @param {number} count @param {{placed?: unknown} | null} [base]
+ */
+export function stepMark(inserted, count, base) {
+  const isNominal = base?.placed === false;
+  if (inserted <= 0) return isNominal ? NOMINAL_NO_STEP : NO_STEP;
+  if (inserted >= count) return isNominal ? NOMINAL_ALL_STEPS : ALL_STEPS;
+  const some = isNominal ? NOMINAL_SOME_STEPS : SOME_STEPS;
+  return some[(inserted - 1) % some.length];
 }
 
 /** How many steps the tool of a document has; 0 where it does not say. @param {SteppedDocument} document */
@@ -45,9 +67,10 @@ export function stepCountOf({step_words: words, steps, counts, tubes}) {
  */
 export function stepKinds(document) {
   const count = stepCountOf(document);
+  const base = /** @type {{placed?: unknown} | null | undefined} */ (document.base);
   return Array.from({length: count + 1}, (_, inserted) => ({
     name: stepText(document.step_words, inserted),
-    mark: stepMark(inserted, count),
+    mark: stepMark(inserted, count, base),
   }));
 }
 

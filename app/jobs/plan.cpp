@@ -170,14 +170,15 @@ void plan(const PlanRequest& request, const std::vector<int>& tubes, planner::Pl
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) return;
   if (!outcome.conditions.zones.empty()) outcome.zones = planner::zonesOf(cache.visiting_order, outcome.conditions);
   countChanges(order_before, outcome);
+  if (auto warning = warningOf(outcome.standing()); !warning.empty())
+    outcome.cell.warnings.push_back(std::move(warning));
   if (request.padding > 0) outcome.padding = paddingAtHoles(outcome.model, outcome.plan, request.padding);
   if (auto warning = segmentsWarning(outcome.cell, outcome.model, visitPostures(outcome.plan)); !warning.empty())
     outcome.cell.warnings.push_back(std::move(warning));
   outcome.predicted = predictVisits(outcome.model, outcome.plan);
   if (outcome.model.insertion > 0) outcome.play = playInTubes(outcome.model, outcome.plan);
-  const calibration::BaseCalibration* placed_by = outcome.calibration ? &outcome.calibration->flexible : nullptr;
   outcome.chances =
-      stepChances({outcome.cell, outcome.model, placed_by, visitPostures(outcome.plan), outcome.predicted});
+      stepChances({outcome.cell, outcome.model, outcome.placedBy(), visitPostures(outcome.plan), outcome.predicted});
   if (outcome.truth)
     outcome.scores = scoreVisitModes(scoringModels(outcome.nominal, outcome.calibration, *outcome.truth), outcome.plan);
 }

@@ -16,6 +16,7 @@
 
 #include "app/documents/plan_files.hpp"
 #include "app/documents/plan_outcome.hpp"
+#include "app/documents/pose_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_places.hpp"
 #include "app/files/cell_writer.hpp"
@@ -80,6 +81,7 @@ class PythonCell {
 
   [[nodiscard]] std::string name() const { return cell_.name; }
   [[nodiscard]] Eigen::Matrix4d base() const { return cell_.X_WB.matrix(); }
+  [[nodiscard]] py::object baseStanding() const { return toPython(standingJson(standingOf(cell_))); }
 
   [[nodiscard]] std::vector<std::string> joints() const { return deflection::jointNames(cell_.arm); }
 
@@ -208,6 +210,8 @@ PYBIND11_MODULE(tubeplan, module) {
       .def_property_readonly("joints", &PythonCell::joints, "Names of the joints, in the order of every q.")
       .def_property_readonly("limits", &PythonCell::limits, "Lowest and highest reading of each joint [rad, m].")
       .def_property_readonly("base", &PythonCell::base, "Pose of the base in the world, 4 x 4 [m].")
+      .def_property_readonly("base_standing", &PythonCell::baseStanding,
+                             "How that base was placed: status, words, whether it is placed, number of touches.")
       .def("poses", &PythonCell::poses, py::arg("q"), py::arg("load") = 0.0,
            "Deflected tips of N postures q (N x joints) [rad, m] under a hung load [N]: places (N x 3) [m] and tool "
            "frames (N x 3 x 3) in the world, and whether each shape converged.")

@@ -61,7 +61,7 @@ function drawTarget({errors, tolerances, reach, mirror, report, key}, width) {
 function landingMark(tube, offset, {reach, scale, middle, report, key}) {
   const error = Math.hypot(...offset), within = Math.min(1, reach / (error || 1));
   const index = scoredCase(tube, key, report.steps);
-  const mark = index === null ? UNSCORED : stepMark(index, stepCountOf(report));
+  const mark = index === null ? UNSCORED : stepMark(index, stepCountOf(report), object(report.base));
   const place = middle.map((value, k) => value + scale * within * offset[k]);
   return svgMark(
       mark, ...place, 4.2, {}, svg("title", {}, `${tubeName(tube)}: ${short(error)} ${lengthUnit(report)}`));

@@ -53,6 +53,16 @@ function summaryRows(report) {
       .map(([name, value]) => [textOf(name), typeof value === "number" ? short(value) : textOf(value)]);
 }
 
+/// For which base the plan is proved and steps are given.
+function standingLine(report) {
+  const base = object(report.base);
+  if (textOf(base?.words, "") === "") return null;
+  return base.placed === false ?
+      el("p", {class: "standing bad"}, MARKED, el("b", {}, `Proved ${textOf(base.words)}`),
+         ". Steps, where they are shown, have marks of their own: hollow and blue.") :
+      el("p", {class: "standing"}, el("b", {}, `Proved ${textOf(base.words)}`), ".");
+}
+
 /// What is longer is no figure for the summary's grid, but a sentence of its own.
 const LONGEST_FACT = 60;
 
@@ -63,7 +73,8 @@ function showHead(report) {
   const warnings = rows.filter(([name]) => name === "warning"), others = rows.filter(([name]) => name !== "warning");
   const isBrief = ([, value]) => value.length <= LONGEST_FACT;
   append(document.getElementById("head"), [
-    el("h1", {}, title), el("p", {class: "sentence"}, headSentence(report)),
+    el("h1", {}, title), el("p", {class: "sentence"}, textOf(report.sentence, headSentence(report))),
+    standingLine(report), report.sentence ? el("p", {class: "lead"}, headSentence(report)) : null,
     rows.length === 0 ?
         notRecorded("The summary") :
         el("dl", {class: "summary"},

@@ -39,6 +39,6 @@ function scoreCell(tube, mode, report) {
   const index = scoredCase(tube, mode, report.steps);
   if (index === null) return null;
   return el(
-      "span", {class: "case"}, `${short(object(tube[mode]).error)}\u00a0\u00a0`, markIcon(stepMark(index, stepCountOf(report))),
+      "span", {class: "case"}, `${short(object(tube[mode]).error)}\u00a0\u00a0`, markIcon(stepMark(index, stepCountOf(report), object(report.base))),
       ` ${index}`);
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "app/documents/pose_json.hpp"
 #include "app/documents/touch_proposals.hpp"
@@ -143,6 +144,7 @@ std::vector<calibration::Measurement> touchesToUse(const Session& session, const
   return touchesOf(parseReadings(touchesCsv(made, cell), "touches.csv", cell), cell, "touches.csv");
 }
 
+/// Touches that place no base leave the model as it is, and a document that says what is wrong with them.
 Answer calibrate(Workbench& workbench, const Request& request) {
   (void)objectOf(request);
   return beginJob(workbench, "calibrate", "where the base stands", [&workbench](JobContext& context) {
@@ -150,15 +152,15 @@ Answer calibrate(Workbench& workbench, const Request& request) {
     const Cell& cell = currentModel(began).cell;
     beginStage(context, "calibration");
     CalibrationOutcome outcome = calibrateCell(cell, touchesToUse(began, cell), "touches.csv");
-    const auto& result = outcome.calibration;
-    if (result.status != calibration::CalibrationStatus::kDone)
-      throw InputError("touches", result.reason, "touches that place the base");
     if (const auto simulated = std::ranges::count_if(began.touches, &TouchMade::is_simulated); simulated > 0)
       outcome.figures["warnings"].push_back(fmt::format(
           "{} of {} touches are simulated, not made: the base is a practice result", simulated, began.touches.size()));
-    const Cell calibrated = rereadCell(cell, calibratedCellText(cell, outcome, cell.path));
+    std::optional<Cell> calibrated;
+    if (outcome.calibration.status == calibration::CalibrationStatus::kDone)
+      calibrated = rereadCell(cell, calibratedCellText(cell, outcome, cell.path));
     finishJob(workbench, began, JobInput::kModel, [&, &document = outcome.figures](Session& session) {
-      const int id = pushModel(session, "base calibrated", "calibration", calibrated);
+      const int id =
+          calibrated ? pushModel(session, "base calibrated", "calibration", *calibrated) : currentModel(session).id;
       putResult(session, "calibrate", id, document);
     });
     return "calibrate";

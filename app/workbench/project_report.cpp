@@ -11,6 +11,7 @@
 #include "app/files/measurements_writer.hpp"
 #include "app/files/sha256.hpp"
 #include "app/files/units_json.hpp"
+#include "app/studies/positioning/base_standing.hpp"
 #include "app/version.hpp"
 #include "app/workbench/model_files.hpp"
 #include "app/workbench/project.hpp"
@@ -110,6 +111,8 @@ json factsJson(const Session& session, const ProjectReportRequest& request) {
                             fact("Project saved", projectSummary(request.project).value("saved", "")),
                             fact("Program", fmt::format("tubeplan {} ({})", kVersion, sourceCommit())),
                             fact("Current model", currentModel(session).label)});
+  if (const Cell& cell = currentModel(session).cell; cell.sheet)
+    facts.push_back(fact("What is planned holds", wordsOf(standingOf(cell))));
   if (session.readings)
     facts.push_back(fact("Readings in use", fmt::format("{}", readingsInUse(*session.readings).size())));
   return facts;

@@ -9,6 +9,7 @@
 #include "app/documents/effect_words_json.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/measurement_checks_json.hpp"
+#include "app/documents/pose_json.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
@@ -94,6 +95,7 @@ json modelsJson(const Session& session) {
     models.push_back({{"id", model->id},
                       {"label", model->label},
                       {"origin", model->origin},
+                      {"base", standingJson(standingOf(model->cell))},
                       {"effects", effects},
                       {"free", model->cell.identify}});
   }

@@ -95,6 +95,23 @@ class Plans(unittest.TestCase):
         plan = tubeplan.Cell(os.path.join(SOURCE, 'app/cells/mockup.yaml')).plan('spread:5')
         self.assertEqual(len(plan['tubes']), 5)
 
+    def test_a_plan_says_for_which_base_it_is(self):
+        cells = os.path.join(SOURCE, 'app/cells')
+        mockup, true = (os.path.join(cells, name) for name in ('mockup.yaml', 'mockup-true.yaml'))
+        with tempfile.TemporaryDirectory() as folder:
+            out = os.path.join(folder, 'plan')
+            subprocess.run([PROGRAM, 'plan', mockup, '--touches', 'auto', '--truth', true, '--tubes', 'spread:2', '--out', out],
+                           check=True, capture_output=True)
+            cells = {mockup: 'nominal', true: 'stated', os.path.join(out, 'cell.yaml'): 'misfit'}
+            for path, status in cells.items():
+                with self.subTest(status):
+                    cell = tubeplan.Cell(path)
+                    plan = cell.plan('spread:2')
+                    self.assertEqual(cell.base_standing['status'], status)
+                    self.assertEqual({key: plan['base'][key] for key in cell.base_standing}, cell.base_standing)
+                    self.assertIn(cell.base_standing['words'], plan['sentence'])
+                    self.assertEqual(any('hold only if' in word for word in plan['warnings']), status != 'stated')
+
 
 class Document(unittest.TestCase):
     """What docs/python.md shows runs, block after block."""

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studies/positioning/base_standing.hpp"
+
 namespace tubeplan::app {
 
 namespace {
@@ -66,7 +68,7 @@ calibration::JointUncertainty uncertaintyOf(const CellModel& cell, const planner
 StepChances stepChances(const StepQuestion& question) {
   const CellModel& cell = question.cell;
   StepChances chances;
-  if (!question.placed_by && !cell.base_known && !cell.base_covariance) {
+  if (!isPlaced(standingOf(cell, question.placed_by))) {
     chances.reason = "the base has not been calibrated: touch holes and calibrate (--touches)";
     return chances;
   }

@@ -36,6 +36,10 @@ const SHAPES: Shape[] = [
   "cross",
   "bar",
   "hatched",
+  "plus",
+  "hollow-triangle",
+  "hollow-square",
+  "crossed-ring",
 ];
 
 describe("shapes", () => {

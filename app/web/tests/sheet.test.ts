@@ -1,10 +1,10 @@
 import {describe, expect, it} from "vitest";
-import type {SheetDocument} from "../source/server/documents";
+import type {PlanDocument, SheetDocument} from "../source/server/documents";
 import {fromPixel, toPixel} from "../../drawing/frames.js";
 import {makeSheetModel, sheetWords, spacedTicks} from "../../drawing/sheet_model.js";
 import {isInside} from "../source/drawing/lasso";
 import {fit, panned, zoomed} from "../source/sheet/sheet_camera";
-import {bandEdges, byState} from "../source/sheet/colourings";
+import {bandEdges, byState, bySteps} from "../source/sheet/colourings";
 import {holeName, neighbour} from "../source/sheet/sheet_model";
 
 /** One leg of five rows and eleven columns, seen from below: u = -x. */
@@ -53,6 +53,21 @@ describe("a sheet", () => {
     expect(sheet.isOneLeg).toBe(true);
     expect(sheet.rowTicks.map((tick) => tick.place)).toEqual([2, 3, 4, 5, 6]);
     expect(sheet.columnTicks.find((tick) => tick.value === 1)?.place).toBe(5);
+  });
+  it("marks steps by the base that a plan is of", () => {
+    const step_words = ["none", "one", "two", "three"];
+    const marks = (base: PlanDocument["base"]) =>
+      bySteps(sheet, {tubes: [], unreachable: [], step_words, base} as unknown as PlanDocument, "predicted")
+        .kinds.slice(0, 4)
+        .map((kind) => kind.mark.shape);
+    expect(marks({placed: false, words: "for the nominal base; not calibrated"})).toEqual([
+      "plus",
+      "hollow-triangle",
+      "hollow-square",
+      "crossed-ring",
+    ]);
+    for (const base of [{placed: true}, {}, undefined])
+      expect(marks(base)).toEqual(["cross", "triangle", "square", "disc"]);
   });
   it("finds every hole from near its centre, and none from far", () => {
     for (let i = 0; i < sheet.count; ++i) expect(sheet.nearest(sheet.u[i] + 0.3, sheet.v[i] - 0.3, 0.5)).toBe(i);

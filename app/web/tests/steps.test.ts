@@ -62,6 +62,14 @@ describe.each(TOOLS)("a tool of %i steps", (n) => {
     expect(new Set(kinds.map(({mark}) => mark.shape)).size).toBe(n + 1);
     expect([kinds[0].mark.shape, kinds[n].mark.shape]).toEqual(["cross", "disc"]);
   });
+  it("has other marks, of colours of their own, for a base that nobody placed", () => {
+    const placed = stepKinds(plan).map(({mark}) => mark);
+    const nominal = stepKinds({...plan, base: {placed: false}} as PlanDocument).map(({mark}) => mark);
+    expect(new Set([...placed, ...nominal].map(({shape}) => shape)).size).toBe(2 * (n + 1));
+    for (const {colour} of nominal) expect(placed.map((mark) => mark.colour)).not.toContain(colour);
+    for (const base of [{placed: true}, {}, null, undefined])
+      expect(stepKinds({...plan, base} as PlanDocument).map(({mark}) => mark)).toEqual(placed);
+  });
   it("is known by words, steps, counts or probabilities alike", () => {
     const {step_words, counts, tubes} = plan;
     for (const known of [{step_words}, {steps: reported(plan).steps}, {counts}, {tubes}])

@@ -1,6 +1,7 @@
 // What the workbench answers, asked over a real socket: every address once as it is meant, and its refusals.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <map>
 #include <set>
@@ -318,7 +319,32 @@ TEST_F(WorkbenchRoutes, touchingHolesPlacesTheBase) {
   }));
   EXPECT_TRUE(get("/api/export/touches.csv").text.starts_with("# simulated, not touched: T1, T3, T4\n"));
   EXPECT_EQ(get("/api/state").body["models"][1]["origin"], "calibration");
+  EXPECT_EQ(get("/api/state").body["models"][1]["base"]["touches"], 3);
   EXPECT_EQ(post("/api/touch", {{"hole", 5000}}).status, 422);
+}
+
+TEST_F(WorkbenchRoutes, touchesThatPlaceNoBaseAreShownAndLeaveTheModel) {
+  serve("mockup.yaml", "mockup.yaml");
+  for (const int hole : {0, 11, 50, 90})
+    ASSERT_EQ(post("/api/touch", {{"hole", hole}, {"simulate", true}}).status, 200);
+  const json last = get("/api/touches").body["touches"][3];
+  std::vector<double> joints = last["joints"];
+  joints[0] += 3;  // degrees
+  EXPECT_EQ(replyOf(client->Delete("/api/touch/3")).status, 200);
+  EXPECT_EQ(post("/api/touch", {{"hole", 90}, {"joints", joints}}).status, 200);
+  done("/api/calibrate");
+  const json found = get("/api/results/calibrate").body, state = get("/api/state").body;
+  EXPECT_EQ(found["status"], "refused");
+  EXPECT_FALSE(found.contains("base"));
+  EXPECT_EQ(found["residuals"].size(), 4u);
+  EXPECT_EQ(found["odd_touch"], found["residuals"][3]["id"]);
+  const json& suspects = found["suspect_readings"];
+  EXPECT_TRUE(std::any_of(suspects.begin(), suspects.end(), [&](const json& suspect) {
+    return suspect["touch"] == found["odd_touch"] && suspect["joint"] == "theta1" &&
+           std::abs(suspect["off"].get<double>() - 3) < 0.2;
+  })) << suspects;
+  EXPECT_EQ(state["models"].size(), 1u);
+  EXPECT_EQ(state["models"][0]["base"]["status"], "nominal");
 }
 
 TEST_F(WorkbenchRoutes, proposalsReachAndFields) {

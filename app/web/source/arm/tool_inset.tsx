@@ -5,7 +5,7 @@ import {palette, type Palette} from "../drawing/colours";
 import {fixed, jointDecimals, lengthAndUnit} from "../../../drawing/numbers.js";
 import {stepKinds} from "../../../drawing/steps.js";
 import type {PoseDocument} from "../server/documents";
-import {sheetDocument, units} from "../server/workbench";
+import {currentModel, sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
 import {clearedContext} from "../drawing/canvas";
 import {MarkIcon} from "../drawing/marks";
@@ -27,7 +27,7 @@ export function ToolInset() {
   }, [centring, palette.value]);
   const hole = poseRequest.hole.value;
   const name = hole >= 0 && sheet.value ? holeName(sheet.value, hole) : "no hole picked";
-  const kind = stepKinds(sheetDocument.value.document?.tool ?? {})[centring?.steps ?? -1];
+  const kind = stepKinds({...sheetDocument.value.document?.tool, base: currentModel.value?.base})[centring?.steps ?? -1];
   return (
     <section class="inset" aria-label="The tool under the hole">
       <header>
@@ -47,6 +47,7 @@ export function ToolInset() {
         {kind ? (
           <>
             <MarkIcon mark={kind.mark} /> {kind.name}
+            {base ? <span class={base.placed ? "muted" : "bad"}> {base.words}</span> : null}
           </>
         ) : (
           "pick a hole on the sheet"

@@ -1,11 +1,12 @@
 // Where the base stands: its place with sigmas, what is left at each touch, distances, correlations.
 import {fixed, isNumber, lengthFigure, short} from "../../../drawing/numbers.js";
 import {MARKED, TOUCH_SIGMAS, valueAndSigma} from "../../../drawing/sigma_text.js";
-import type {CalibrateDocument} from "../server/documents";
+import type {CalibrateDocument, TouchResidual} from "../server/documents";
 import {units} from "../server/workbench";
 import {OtherModel} from "../shell/other_model";
 import {ProblemWords} from "../shell/states";
 import {Covariance} from "./covariance";
+import {suspicionOf} from "./suspicion";
 import {outcome} from "./touches";
 
 export function BasePanel() {
@@ -37,35 +38,65 @@ function NoBase() {
 }
 
 function FoundBase({document}: {document: CalibrateDocument}) {
-  const {length} = units.value;
-  const isShort = isFallingShort(document);
+  const {warnings = [], to_do = [], nominal, covariance} = document;
   return (
     <section class="panel grow">
       <header>
         <h2>Base</h2>
         <div class="end">
           <OtherModel name="calibrate" />
-          <span class={isShort ? "bad" : "muted"}>
-            {isShort ? MARKED : ""}rms {short(document.rms)} {length}
-          </span>
+          <FitFigure document={document} />
         </div>
       </header>
       <div class="panel-body">
-        {document.warnings.map((warning) => (
+        {document.reason ? (
+          <p class="warning">
+            {document.status === "done" ? "" : "The base stays where it was: "}
+            {document.reason}
+          </p>
+        ) : null}
+        {warnings.map((warning) => (
           <p class="warning">{warning}</p>
         ))}
-        {document.to_do.length > 0 ? <ToDo steps={document.to_do} /> : null}
+        {to_do.length > 0 ? <ToDo steps={to_do} /> : null}
         <BasePose document={document} />
-        <FromNominal nominal={document.nominal} />
-        <h3>Residual at each touch, {length}</h3>
-        <TouchResiduals residuals={document.residuals} />
-        <h3>Distances by arm and sheet, {length}</h3>
-        <Distances distances={document.distances} />
-        <h3>Correlations of the base's numbers</h3>
-        <Covariance matrix={document.covariance} />
-        {document.reason ? <p class="muted">{document.reason}</p> : null}
+        {nominal ? <FromNominal nominal={nominal} /> : null}
+        <TouchFigures document={document} />
+        {covariance ? (
+          <>
+            <h3>Correlations of the base's numbers</h3>
+            <Covariance matrix={covariance} />
+          </>
+        ) : null}
       </div>
     </section>
+  );
+}
+
+/** How the touches fit, or that they place no base. */
+function FitFigure({document}: {document: CalibrateDocument}) {
+  const isBad = document.status !== "done" || isFallingShort(document);
+  return (
+    <span class={isBad ? "bad" : "muted"}>
+      {isBad ? MARKED : ""}
+      {document.status === "done" ? "" : "not calibrated "}
+      {isNumber(document.rms) ? `rms ${short(document.rms)} ${units.value.length}` : ""}
+    </span>
+  );
+}
+
+/** What is left at each touch and between them; nothing where no base was fitted. */
+function TouchFigures({document}: {document: CalibrateDocument}) {
+  const {length} = units.value;
+  const {residuals = [], distances = []} = document;
+  if (residuals.length === 0) return null;
+  return (
+    <>
+      <h3>Residual at each touch, {length}</h3>
+      <TouchResiduals residuals={residuals} document={document} />
+      <h3>Distances by arm and sheet, {length}</h3>
+      <Distances distances={distances} />
+    </>
   );
 }
 
@@ -90,6 +121,8 @@ function ToDo({steps}: {steps: string[]}) {
 
 function BasePose({document}: {document: CalibrateDocument}) {
   const {length, angle} = units.value;
+  const {base, sigma} = document;
+  if (!base || !sigma) return null;
   return (
     <table>
       <thead>
@@ -101,8 +134,8 @@ function BasePose({document}: {document: CalibrateDocument}) {
         </tr>
       </thead>
       <tbody>
-        <FigureRows name={`position, ${length}`} values={document.base.position} sigmas={document.sigma.position} />
-        <FigureRows name={`turn, ${angle}`} values={document.base.rpy} sigmas={document.sigma.rotation} />
+        <FigureRows name={`position, ${length}`} values={base.position} sigmas={sigma.position} />
+        <FigureRows name={`turn, ${angle}`} values={base.rpy} sigmas={sigma.rotation} />
         {isFallingShort(document) ? (
           <tr>
             <td colSpan={4} class="bad">
@@ -115,7 +148,7 @@ function BasePose({document}: {document: CalibrateDocument}) {
   );
 }
 
-function FromNominal({nominal}: {nominal: CalibrateDocument["nominal"]}) {
+function FromNominal({nominal}: {nominal: NonNullable<CalibrateDocument["nominal"]>}) {
   const {length, angle} = units.value;
   return (
     <p class="muted">
@@ -128,25 +161,43 @@ function FromNominal({nominal}: {nominal: CalibrateDocument["nominal"]}) {
   );
 }
 
-function TouchResiduals({residuals}: {residuals: CalibrateDocument["residuals"]}) {
+function TouchResiduals({residuals, document}: {residuals: TouchResidual[]; document: CalibrateDocument}) {
   return (
     <table>
       <tbody>
         {residuals.map((touch) => (
-          <tr>
-            <td>{touch.id}</td>
-            <td>{touch.hole}</td>
-            {touch.residual.map((value, k) => (
-              <Left value={value} sigma={touch.sigma[k]} />
-            ))}
-          </tr>
+          <>
+            <tr>
+              <td>{touch.id}</td>
+              <td>{touch.hole}</td>
+              {touch.residual.map((value, k) => (
+                <Left value={value} sigma={touch.sigma[k]} />
+              ))}
+            </tr>
+            <Suspected document={document} touch={touch.id} />
+          </>
         ))}
       </tbody>
     </table>
   );
 }
 
-function Distances({distances}: {distances: CalibrateDocument["distances"]}) {
+/** What is suspected of a touch, below its residual. */
+function Suspected({document, touch}: {document: CalibrateDocument; touch: string}) {
+  const suspicion = suspicionOf(document, touch);
+  if (!suspicion) return null;
+  return (
+    <tr>
+      <td />
+      <td colSpan={4} class={suspicion.isOdd ? "bad" : ""}>
+        {suspicion.isOdd ? MARKED : ""}
+        {suspicion.words}
+      </td>
+    </tr>
+  );
+}
+
+function Distances({distances}: {distances: NonNullable<CalibrateDocument["distances"]>}) {
   const {length} = units.value;
   return (
     <table>

@@ -1,7 +1,8 @@
 // The list of touches: made, proposed, and the hole that is picked; joints are entered or simulated.
 import {Icon} from "../drawing/icons";
 import {fixed, jointDecimals} from "../../../drawing/numbers.js";
-import {remove} from "../server/requests";
+import type {CalibrateDocument} from "../server/documents";
+import {get, remove} from "../server/requests";
 import {cell, order, report, runJob, runningJob} from "../server/workbench";
 import {picked} from "../shell/page_state";
 import {holeName, type SheetModel} from "../sheet/sheet_model";
@@ -71,7 +72,9 @@ export function TouchPanel({model}: {model: SheetModel}) {
 
 /** The base once found, the error that its doubt leaves is worked out anew. */
 async function calibrate(): Promise<void> {
-  if (await runJob("Calibrate", "/api/calibrate")) await runJob("Predicted error", "/api/field", {of: "centring"});
+  if (!(await runJob("Calibrate", "/api/calibrate"))) return;
+  const {status} = await get<CalibrateDocument>("/api/results/calibrate");
+  if (status === "done") await runJob("Predicted error", "/api/field", {of: "centring"});
 }
 
 function takeAway(index: number): void {

@@ -10,7 +10,8 @@ import {toPixel} from "../../../drawing/frames.js";
 import type {PaintOver} from "../sheet/sheet_drawing";
 import {holeName, type SheetModel} from "../sheet/sheet_model";
 import {SheetPanel} from "../sheet/with_sheet";
-import {field, holeOf, proposals, touches} from "./touches";
+import {suspicionOf} from "./suspicion";
+import {field, holeOf, outcome, proposals, touches} from "./touches";
 
 const isHeat = signal(true);
 
@@ -21,6 +22,7 @@ export function TouchSheet({model}: {model: SheetModel}) {
     () => (isField ? byField(model, found!, "Predicted error") : byState(model)),
     [model, isField, found],
   );
+  const calibrated = outcome.value.document;
   const suggested = useMemo(
     () => (proposals.value.document?.next_readings ?? []).map((reading) => holeOf(model, reading.point)),
     [model, proposals.value.document],
@@ -41,9 +43,17 @@ export function TouchSheet({model}: {model: SheetModel}) {
       suggested.forEach((hole, i) => {
         if (!done.includes(hole)) ring(hole, colours.accent, `best ${i + 1}: ${holeName(model, hole)}`, [5, 4]);
       });
-      for (const {id, hole} of touches.peek()) ring(hole, colours.good, `${id}: ${holeName(model, hole)}`, []);
+      for (const {id, hole} of touches.peek()) {
+        const suspicion = suspicionOf(calibrated, id);
+        const name = `${id}: ${holeName(model, hole)}`;
+        if (!suspicion) ring(hole, colours.good, name, []);
+        else {
+          ring(hole, suspicion.isOdd ? colours.bad : colours.case1, `${name} ${suspicion.words}`, [2, 3]);
+          crossOver(context, toPixel(camera, size, model.u[hole], model.v[hole]));
+        }
+      }
     },
-    [model, suggested, touches.value],
+    [model, suggested, touches.value, calibrated],
   );
   return (
     <SheetPanel
@@ -69,6 +79,17 @@ export function TouchSheet({model}: {model: SheetModel}) {
       onPick={(hole) => (picked.value = hole)}
     />
   );
+}
+
+/** A cross over a ring, in its colour: a touch that is suspected, told apart without colour too. */
+function crossOver(context: CanvasRenderingContext2D, [x, y]: readonly [number, number]): void {
+  const reach = 15;
+  context.beginPath();
+  context.moveTo(x - reach, y - reach);
+  context.lineTo(x + reach, y + reach);
+  context.moveTo(x - reach, y + reach);
+  context.lineTo(x + reach, y - reach);
+  context.stroke();
 }
 
 function TouchHead() {

@@ -56,7 +56,7 @@ export function PlanSheet({model, document}: PlanSheetProps) {
           ) : (
             <span class="muted">
               {document
-                ? "steps of the tool as predicted"
+                ? `steps of the tool as predicted ${document.base?.words ?? ""}`
                 : "lasso, ranges or clicks with Shift select; a plan proves the tour"}
             </span>
           )}

@@ -3,8 +3,10 @@ import {useEffect, useMemo} from "preact/hooks";
 import {Vector3} from "three";
 import {ArmPicture} from "../arm/arm_picture";
 import {duration, percent, short, whole} from "../../../drawing/numbers.js";
+import {MARKED} from "../../../drawing/sigma_text.js";
 import type {PlanDocument} from "../server/documents";
 import {units} from "../server/workbench";
+import {view} from "../shell/page_state";
 import {ExportMenu} from "../shell/export_menu";
 import {OtherModel} from "../shell/other_model";
 import {ProblemWords} from "../shell/states";
@@ -60,6 +62,7 @@ function Plan({model}: {model: SheetModel}) {
           <OtherModel name="plan" />
           <ExportMenu exports={EXPORTS} isHere={document !== null} at="end" />
         </header>
+        <Standing base={document?.base} />
         <div class="panel-body flush">
           {plan.value.problem ? (
             <ProblemWords problem={plan.value.problem} />
@@ -82,10 +85,25 @@ function tourPoints(model: SheetModel, holes: number[]): Vector3[] | null {
     .map((hole) => new Vector3(model.world[3 * hole], model.world[3 * hole + 1], -1));
 }
 
+/** What the plan is proved for; a base that nobody placed is to be calibrated first. */
+function Standing({base}: {base?: PlanDocument["base"]}) {
+  if (!base?.words) return null;
+  return (
+    <p class={`standing ${base.placed ? "" : "bad"}`}>
+      {base.placed ? "" : MARKED}Proved {base.words}
+      {base.placed ? null : (
+        <button class="button" onClick={() => (view.value = "calibrate")}>
+          Calibrate
+        </button>
+      )}
+    </p>
+  );
+}
+
 function Outcome({document}: {document: PlanDocument}) {
   const unit = units.value.length;
   return (
-    <p class="outcome">
+    <p class="outcome" title={document.sentence}>
       <span>
         <b>{whole(document.tubes.length)}</b> planned
       </span>

@@ -84,7 +84,12 @@ function ClearanceFigure({along}: {along: PathDocument}) {
   return (
     <p class="tour-figure">
       {fixed(at, 1)} s: <b>{here === undefined ? "…" : here === null ? "–" : short(here)}</b> {units.value.length}
-      {typeof proved === "number" ? <span class="muted"> (motion proved {short(proved)})</span> : null}
+      {typeof proved === "number" ? (
+        <span class="muted">
+          {" "}
+          (motion proved {short(proved)} {plan.value.document?.base?.words})
+        </span>
+      ) : null}
     </p>
   );
 }

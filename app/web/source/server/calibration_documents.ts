@@ -11,22 +11,44 @@ export interface TouchList {
   touches: {id: string; hole: number; name?: string; joints: number[]; simulated?: boolean}[];
 }
 
-export interface CalibrateDocument {
-  status: string;
-  reason: string;
-  base: {position: Vector3; rpy: Vector3};
-  sigma: {position: Vector3; rotation: Vector3};
-  covariance: number[][];
-  chi2: number;
+/** One joint reading of one touch which, were it off by so much, would explain that the touches do not fit. */
+export interface SuspectReading {
+  touch: string;
+  joint: string;
+  off: number;
+  unit: string;
   p_value: number;
-  degrees_of_freedom: number;
-  rms: number;
-  residuals: {id: string; hole: string; residual: Vector3; sigma: Vector3; size: number}[];
-  distances: {from: string; to: string; by_arm: number; on_sheet: number; difference: number; sigma: number}[];
-  suspects: unknown[];
-  verdict: "adequate" | "falls-short";
-  warnings: string[];
-  to_do: string[];
-  nominal: {distance: number; angle: number; pitches: [number, number] | null; implausible: boolean};
+}
+
+export interface TouchResidual {
+  id: string;
+  hole: string;
+  residual: Vector3;
+  sigma: Vector3;
+  size: number;
+}
+
+/** Of touches that were refused base, sigma, covariance and nominal are not there; of too few, or of some along a line,
+ *  the residuals neither. */
+export interface CalibrateDocument {
+  status: "done" | "refused" | "not-converged";
+  reason: string;
+  base?: {position: Vector3; rpy: Vector3};
+  sigma?: {position: Vector3; rotation: Vector3};
+  covariance?: number[][];
+  chi2?: number;
+  p_value?: number;
+  degrees_of_freedom?: number;
+  rms?: number;
+  residuals?: TouchResidual[];
+  distances?: {from: string; to: string; by_arm: number; on_sheet: number; difference: number; sigma: number}[];
+  suspects: string[];
+  /** The one touch without which the others fit; as suspect_readings, not in what an earlier program left. */
+  odd_touch?: string | null;
+  suspect_readings?: SuspectReading[];
+  verdict?: "adequate" | "falls-short";
+  warnings?: string[];
+  to_do?: string[];
+  nominal?: {distance: number; angle: number; pitches: [number, number] | null; implausible: boolean};
   units: Units;
 }

@@ -11,6 +11,14 @@ export interface Units {
   time?: string;
 }
 
+/** How a base was placed; `words` continue "proved" and "steps". */
+export interface BaseStanding {
+  status: string;
+  words: string;
+  placed: boolean;
+  touches: number;
+}
+
 /** What is wrong with an input, as the program says it. */
 export interface Problem {
   where?: string;

@@ -1,5 +1,5 @@
 // A plan, its path and what it keeps clear.
-import type {Units, Vector3} from "./common_documents";
+import type {BaseStanding, Units, Vector3} from "./common_documents";
 
 export interface PlannedTube {
   name: string;
@@ -35,6 +35,10 @@ export interface PlanDocument {
   modes?: {name: string; words: string; brief: string}[];
   /** What 0, 1, ... steps of the tool that enter are called. */
   step_words?: string[];
+  /** What the plan is of; without the standing in what an earlier program left in a project. */
+  base?: Partial<BaseStanding>;
+  warnings?: string[];
+  sentence?: string;
   units: Units;
 }
 

@@ -1,5 +1,5 @@
 // The state that all browsers share.
-import type {Problem, Units, Vector3} from "./common_documents";
+import type {BaseStanding, Problem, Units, Vector3} from "./common_documents";
 
 export interface JointInfo {
   name: string;
@@ -54,6 +54,7 @@ export interface Model {
   id: number;
   label: string;
   origin: string;
+  base?: BaseStanding;
   effects: EffectAt[];
   free: string[];
 }

@@ -48,6 +48,25 @@ TEST(YamlEdit, isNotMisledByCommentsInBrackets) {
   EXPECT_EQ(withYamlValue(text, "a.c", "6"), changed(text, "c: 5", "c: 6"));
 }
 
+TEST(YamlEdit, takesAKeyAwayAndNothingElse) {
+  const char* const lines = "a: 1  # one\nb:\n  c: |\n    x\n\n    y\n  d: 2\ne: [1,\n  2]\n";
+  EXPECT_EQ(withoutYamlValue(lines, "a"), "b:\n  c: |\n    x\n\n    y\n  d: 2\ne: [1,\n  2]\n");
+  EXPECT_EQ(withoutYamlValue(lines, "b"), "a: 1  # one\ne: [1,\n  2]\n");
+  EXPECT_EQ(withoutYamlValue(lines, "b.c"), "a: 1  # one\nb:\n  d: 2\ne: [1,\n  2]\n");
+  EXPECT_EQ(withoutYamlValue(lines, "e"), "a: 1  # one\nb:\n  c: |\n    x\n\n    y\n  d: 2\n");
+  const char* const braces = "{a: 1, b: {c: 2, d: [3, 4]}, e: \"x, y\"}\n";
+  EXPECT_EQ(withoutYamlValue(braces, "a"), "{b: {c: 2, d: [3, 4]}, e: \"x, y\"}\n");
+  EXPECT_EQ(withoutYamlValue(braces, "b"), "{a: 1, e: \"x, y\"}\n");
+  EXPECT_EQ(withoutYamlValue(braces, "b.d"), "{a: 1, b: {c: 2}, e: \"x, y\"}\n");
+  EXPECT_EQ(withoutYamlValue(braces, "e"), "{a: 1, b: {c: 2, d: [3, 4]}}\n");
+  EXPECT_EQ(withoutYamlValue("b: {c: 1}\n", "b.c"), "b: {}\n");
+}
+
+TEST(YamlEdit, takesAwayWhatItHasAdded) {
+  for (const char* text : {"a: 1\n", "a: 1  # one\nb: [2]\n", "{a: 1}\n", "b: {c: 1}  # x\nz: 3\n"})
+    EXPECT_EQ(withoutYamlValue(withYamlValue(text, "new", "{x: [1, 2]}"), "new"), text);
+}
+
 void expectEveryValueCanBeChanged(const YamlNode& node, const std::string& text) {
   for (const YamlNode& item : node.items) {
     const YamlNode root = parseYaml(withYamlValue(text, item.path, "changed"), "edited");

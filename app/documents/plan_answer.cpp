@@ -1,0 +1,53 @@
+#include "app/documents/plan_answer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tubeplan::app {
+
+namespace {
+
+std::vector<int> roundedCounts(const std::vector<double>& counts) {
+  std::vector<int> whole;
+  for (const double count : counts) whole.push_back(static_cast<int>(std::lround(count)));
+  return whole;
+}
+
+/// Against the true arm, by the compensation of the plan; empty where there is none.
+std::vector<int> trueCounts(const PlanOutcome& outcome) {
+  if (outcome.scores.empty()) return {};
+  const auto mode = std::ranges::find(kCompensations, outcome.compensation) - kCompensations.begin();
+  return countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()))[static_cast<std::size_t>(mode)];
+}
+
+/// "2 steps in 41 tubes, 3 steps in 18 tubes".
+std::string tubesByStepsText(const std::vector<int>& counts) {
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    if (counts[k] > 0)
+      parts.push_back(fmt::format("{} step{} in {} tube{}", k == 0 ? "no" : fmt::format("{}", k), k == 1 ? "" : "s",
+                                  counts[k], counts[k] == 1 ? "" : "s"));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string plannedStepsText(const PlanOutcome& outcome) {
+  std::string text = "how far the tool goes in is not known";
+  if (!outcome.chances.by_posture.empty())
+    text = "expected of the tool: " + tubesByStepsText(roundedCounts(expectedCounts(outcome.chances)));
+  if (const auto counts = trueCounts(outcome); !counts.empty())
+    text += "; by the true arm: " + tubesByStepsText(counts);
+  return text;
+}
+
+}  // namespace
+
+std::string planAnswer(const PlanOutcome& outcome) {
+  const std::size_t visited = outcome.plan.visits.size(), asked = visited + outcome.plan.unreachable.size();
+  return fmt::format("{} of {} tubes are visited; {}; the path is proved free {}.", visited, asked,
+                     plannedStepsText(outcome), wordsOf(outcome.standing()));
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,67 @@
+#include "app/studies/positioning/base_standing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace tubeplan::app {
+
+namespace {
+
+struct PlacingRow {
+  BasePlacing placing;
+  const char *name, *words;  ///< {}: the touches
+  const char* warning;       ///< empty: none
+  bool is_placed;
+};
+
+constexpr PlacingRow kPlacings[] = {
+    {BasePlacing::kNominal, "nominal", "for the nominal base; not calibrated",
+     "the base is the cell's nominal one and was not calibrated: clearance, proofs and steps hold only if the arm "
+     "stands "
+     "exactly there; touch three holes and calibrate (--touches)",
+     false},
+    {BasePlacing::kStated, "stated", "for the base that the cell states as known", "", true},
+    {BasePlacing::kIdentified, "identified", "for the base found by a fit of readings", "", true},
+    {BasePlacing::kCalibrated, "calibrated", "for the base calibrated from {}", "", true},
+    {BasePlacing::kMisfit, "misfit", "for the base calibrated from {} that do not fit",
+     "the base was calibrated from {} that do not fit: clearance, proofs and steps hold only if it stands there; "
+     "`tubeplan calibrate` says what may be wrong",
+     true}};
+
+const PlacingRow& rowOf(BasePlacing placing) {
+  return *std::ranges::find(kPlacings, placing, [](const PlacingRow& row) { return row.placing; });
+}
+
+std::string withTouches(const char* text, std::size_t touches) {
+  return fmt::format(fmt::runtime(text), fmt::format("{} touch{}", touches, touches == 1 ? "" : "es"));
+}
+
+}  // namespace
+
+BaseStanding standingOf(const CellModel& cell, const calibration::BaseCalibration* placed_by) {
+  if (placed_by)
+    return {calibration::isFitRefused(*placed_by) ? BasePlacing::kMisfit : BasePlacing::kCalibrated,
+            placed_by->residuals.size()};
+  if (cell.placed_by) {
+    const bool fits = !cell.model_error || cell.model_error->from != kByTouches;
+    return {fits ? BasePlacing::kCalibrated : BasePlacing::kMisfit, cell.placed_by->touches.size()};
+  }
+  if (cell.base_known) return {BasePlacing::kStated};
+  return {cell.base_covariance ? BasePlacing::kIdentified : BasePlacing::kNominal};
+}
+
+std::string nameOf(BasePlacing placing) { return rowOf(placing).name; }
+
+bool isPlaced(const BaseStanding& standing) { return rowOf(standing.placing).is_placed; }
+
+std::string wordsOf(const BaseStanding& standing) {
+  return withTouches(rowOf(standing.placing).words, standing.touches);
+}
+
+std::string warningOf(const BaseStanding& standing) {
+  return withTouches(rowOf(standing.placing).warning, standing.touches);
+}
+
+}  // namespace tubeplan::app

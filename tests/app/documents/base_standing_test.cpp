@@ -1,0 +1,130 @@
+// Every proof and every count of steps says for which base: command by command, for bases of every placing.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "tests/app/program.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+using nlohmann::json;
+
+/// A base, and how every command has to name it.
+struct PlacedAs {
+  const char *name, *touches, *status, *words;
+  bool is_warned_of;
+};
+
+constexpr const char* kNominalWords = "for the nominal base; not calibrated";
+
+class BaseStandings : public ProgramTest {
+ protected:
+  BaseStandings() {
+    for (const char* name : {"mockup.yaml", "mockup-true.yaml", "cobra-arm.yaml", "cobra-arm-true.yaml"})
+      write(name, contentOf(shippedCells() / name));
+    EXPECT_EQ(run("simulate mockup.yaml --design bowl --readings 4 --loads 0 --seed 3 --out fits").exit_code, 0);
+    write("wrong.csv", withOneHoleMoved(contentOf(folder / "fits/measurements.csv")));
+  }
+
+  /// Without coordinates, and the last touch with another hole's name: no base explains that.
+  static std::string withOneHoleMoved(const std::string& touches) {
+    std::istringstream lines(touches);
+    std::string header, text, line;
+    std::getline(lines, header);
+    const auto named = [](const std::string& row) { return row.find(",R"); };
+    std::string last;
+    for (; std::getline(lines, line); last = line) text += last.empty() ? "" : last + "\n";
+    const auto row_end = last.find('C', named(last));
+    return header + "\n" + text + last.substr(0, named(last)) + ",R3" + last.substr(row_end) + "\n";
+  }
+
+  [[nodiscard]] json jsonOf(const std::string& arguments) const {
+    return json::parse(run(arguments + " --json -").out, nullptr, false);
+  }
+
+  [[nodiscard]] json documentIn(const std::string& file) const {
+    return json::parse(contentOf(folder / file), nullptr, false);
+  }
+
+  static void expectOf(const PlacedAs& base, const json& document) {
+    EXPECT_EQ(document["base"]["status"], base.status);
+    EXPECT_EQ(document["base"]["words"], base.words);
+    EXPECT_EQ(document["base"]["placed"], std::string(base.status) != "nominal");
+    EXPECT_EQ(document["base"]["position"].size(), 3u) << "the pose stays where it was";
+    EXPECT_EQ(document["warnings"].dump().find("hold only if") != std::string::npos, base.is_warned_of)
+        << document["warnings"];
+  }
+};
+
+TEST_F(BaseStandings, AreNamedByEveryCommandAndFile) {
+  const PlacedAs bases[] = {
+      {"nominal", "", "nominal", kNominalWords, true},
+      {"calibrated", " --touches fits/measurements.csv", "calibrated", "for the base calibrated from 4 touches", false},
+      {"misfit", " --touches auto --truth mockup-true.yaml", "misfit",
+       "for the base calibrated from 3 touches that do not fit", true}};
+  for (const auto& base : bases) {
+    SCOPED_TRACE(base.name);
+    const std::string out = base.name;
+    const Outcome plan = run("plan mockup.yaml --tubes spread:3 --out " + out + base.touches);
+    ASSERT_EQ(plan.exit_code, 0) << plan.err;
+    expectSays(plan.out, std::string("proved ") + base.words);
+    expectSays(plan.out.substr(0, plan.out.find('\n')), base.words);
+    expectOf(base, documentIn(out + "/plan.json"));
+    expectSays(documentIn(out + "/plan.json")["sentence"], base.words);
+    expectSays(contentOf(folder / out / "report.html"), base.words);
+    const Outcome verified = run("verify mockup.yaml " + out);
+    EXPECT_EQ(verified.exit_code, 0) << verified.out;
+    expectSays(verified.out, std::string("proved ") + base.words);
+    expectOf(base, jsonOf("verify mockup.yaml " + out));
+  }
+}
+
+TEST_F(BaseStandings, AreNamedByScores) {
+  const PlacedAs bases[] = {
+      {"mockup.yaml", "", "calibrated", "for the base calibrated from 3 touches", false},
+      {"mockup-true.yaml", "", "misfit", "for the base calibrated from 3 touches that do not fit", true}};
+  for (const auto& base : bases) {
+    SCOPED_TRACE(base.name);
+    const std::string question = std::string("score mockup.yaml --tubes spread:3 --truth ") + base.name;
+    expectSays(run(question).out, base.words);
+    expectOf(base, jsonOf(question));
+  }
+}
+
+TEST_F(BaseStandings, ARefusedCalibrationLeavesTheNominalBaseAndSaysSo) {
+  for (const char* question : {"calibrate mockup.yaml wrong.csv --out placed.yaml",
+                               "plan mockup.yaml --tubes spread:3 --touches wrong.csv --out refused"}) {
+    SCOPED_TRACE(question);
+    const Outcome outcome = run(question);
+    EXPECT_EQ(outcome.exit_code, 1);
+    expectSays(outcome.out + outcome.err, std::string("what is planned holds ") + kNominalWords);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "placed.yaml"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "refused/plan.json"));
+}
+
+TEST_F(BaseStandings, OfACellThatAPlanWroteArePlannedAlike) {
+  for (const char* touches : {"fits/measurements.csv", "auto --truth mockup-true.yaml"}) {
+    SCOPED_TRACE(touches);
+    const std::string tubes = " --tubes spread:5 --out ";
+    ASSERT_EQ(run(std::string("plan mockup.yaml --touches ") + touches + tubes + "touched").exit_code, 0);
+    ASSERT_EQ(run("plan touched/cell.yaml" + tubes + "again").exit_code, 0);
+    const json touched = documentIn("touched/plan.json"), again = documentIn("again/plan.json");
+    EXPECT_EQ(touched["base"]["words"], again["base"]["words"]);
+    EXPECT_EQ(touched["probabilities"]["model_error"].is_null(), again["probabilities"]["model_error"].is_null());
+    ASSERT_EQ(touched["tubes"].size(), again["tubes"].size());
+    for (const auto& tube : touched["tubes"]) {
+      const auto same = std::find_if(again["tubes"].begin(), again["tubes"].end(), [&](const json& other) {
+        return other["row"] == tube["row"] && other["column"] == tube["column"];
+      });
+      ASSERT_NE(same, again["tubes"].end()) << tube["name"];
+      for (std::size_t k = 0; k < tube["probability_by_steps"].size(); ++k)
+        EXPECT_NEAR(tube["probability_by_steps"][k], (*same)["probability_by_steps"][k], 1e-3) << tube["name"];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tubeplan::app
