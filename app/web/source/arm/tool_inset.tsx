@@ -27,7 +27,8 @@ export function ToolInset() {
   }, [centring, palette.value]);
   const hole = poseRequest.hole.value;
   const name = hole >= 0 && sheet.value ? holeName(sheet.value, hole) : "no hole picked";
-  const kind = stepKinds({...sheetDocument.value.document?.tool, base: currentModel.value?.base})[centring?.steps ?? -1];
+  const base = currentModel.value?.base;
+  const kind = stepKinds({...sheetDocument.value.document?.tool, base})[centring?.steps ?? -1];
   return (
     <section class="inset" aria-label="The tool under the hole">
       <header>
