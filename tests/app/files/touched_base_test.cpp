@@ -75,7 +75,6 @@ TEST_F(TouchedBases, AreReadAsTheyAreWritten) {
       moved += number.value != filed;
     }
     EXPECT_GE(moved, 1);
-    EXPECT_EQ(withTouched(written, again, again.placed_by->touches, again.arm), written) << "written twice";
   }
 }
 
