@@ -32,9 +32,9 @@ constexpr Command kCommands[] = {
      configureLadder},
     {"plan", "plans a collision-free, timed path to a list of tubes",
      "tubeplan plan app/cells/mockup.yaml --tubes spread:60 --touches auto --truth app/cells/mockup-true.yaml --seed 1 "
-     "--out out/demo",
+     "--out out/plan",
      configurePlan},
-    {"verify", "verifies a plan by code independent of the planner", "tubeplan verify app/cells/mockup.yaml out/demo",
+    {"verify", "verifies a plan by code independent of the planner", "tubeplan verify app/cells/mockup.yaml out/plan",
      configureVerify},
     {"score", "centring error and inserted steps of the true arm, with and without compensation",
      "tubeplan score app/cells/mockup.yaml --truth app/cells/mockup-true.yaml --tubes spread:60\n"
