@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 
+#include "app/documents/comparison_json.hpp"
+#include "app/files/cell_reader.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "tests/app/program.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::app {
 namespace {
@@ -16,26 +20,14 @@ namespace {
 using calibration::MeasurementKindRow;
 using nlohmann::json;
 
+constexpr double kHalfDegree = std::numbers::pi / 360;
+
 class ErrorFigures : public ProgramTest {
  protected:
   [[nodiscard]] json answer(const std::string& words) const {
     const Outcome outcome = run(words + " --json -");
     EXPECT_LT(outcome.exit_code, 2) << words << "\n" << outcome.err;
     return json::parse(outcome.out, nullptr, false);
-  }
-
-  /// Readings of that kind in the folder `set`; returns the cell that they are of.
-  [[nodiscard]] std::string measure(const MeasurementKindRow& kind) const {
-    std::string design = std::string("kind: ") + kind.name + "\nloads: [10, 30]\n";
-    if (kind.turn_rows > 0) design += "turn_sigma: 0.01\n";
-    if (kind.has_anchor) design += "anchor: [10, 60, 20]\n";
-    if (kind.has_direction && !kind.is_to_gravity) design += "direction: [0, 0, 1]\n";
-    if (!kind.names_hole) design += "postures: 16\n";
-    (void)write("design.yaml", design);
-    const std::string cell = shipped(kind.names_hole || kind.is_touch ? "mockup.yaml" : "bench.yaml");
-    const Outcome made = run("simulate " + cell + " --design design.yaml --readings 32 --seed 3 --out set");
-    EXPECT_EQ(made.exit_code, 0) << kind.name << "\n" << design << made.err;
-    return cell;
   }
 
   /// Puts x of these rows of `set` half an inch off.
@@ -74,24 +66,39 @@ class ErrorFigures : public ProgramTest {
   }
 };
 
+/// Readings of one kind by an arm that is known, exact but for one that measures an angle half a degree off.
+std::vector<calibration::Measurement> readingsOf(const MeasurementKindRow& kind) {
+  calibration::ReadingMaker maker(calibration::cobra(), 5);
+  if (kind.is_touch)
+    maker.addTouches(8, {0, 30 * kPound}, true);
+  else
+    maker.add(kind.kind, 16);
+  if (kind.turn_rows == 0) return maker.readings;
+  auto& own = maker.readings[3].own;
+  *std::find_if(own.begin(), own.end(), [](double angle) { return std::isfinite(angle); }) += kHalfDegree;
+  return maker.readings;
+}
+
 TEST_F(ErrorFigures, areInTheUnitOfWhatWasMeasured) {
+  const Units units = readCell((shippedCells() / "bench.yaml").string()).units;
   for (const MeasurementKindRow& kind : calibration::measurementKinds()) {
     SCOPED_TRACE(kind.name);
-    const std::string cell = measure(kind);
-    const json figures = answer("compare " + cell + " set/measurements.csv");
+    const auto readings = readingsOf(kind);
+    const auto result = calibration::compare(calibration::cobra(), readings, {});
+    ASSERT_EQ(result.status, calibration::ComparisonStatus::kDone) << result.reason;
+    const json figures = comparisonJson(result, readings, 0, units);
     const bool is_angle = kind.turn_rows == kind.rows;
-    const std::string unit = figures["units"][is_angle ? "angle" : "length"];
+    const std::string unit(is_angle ? units.angle().name : units.length().name);
     EXPECT_EQ(figures["error_unit"], unit);
     expectAddsUp(figures, kind.name);
     for (const json& worst : figures["worst"]) EXPECT_EQ(worst["unit"], unit);
-    const std::string text = run("compare " + cell + " set/measurements.csv").out;
-    expectSays(text, " " + unit + " as it stands");
+    for (const json& reading : figures["readings"]) EXPECT_EQ(reading["size_unit"], unit);
+    expectSays(comparisonText(result, readings, 0, units), " " + unit + " as it stands");
     if (!is_angle) continue;
-    // A stated noise of 0.01 deg in each angle, and what the encoders add.
-    const double floor = figures["rms"]["noise_floor"];
-    EXPECT_GT(floor, 0.01);
-    EXPECT_LT(floor, 0.05);
-    for (const json& worst : figures["worst"]) EXPECT_GT(worst["size"], 0) << worst;
+    EXPECT_EQ(figures["worst"][0]["id"], readings[3].id);
+    EXPECT_NEAR(figures["worst"][0]["size"].get<double>(), 0.5, 0.01);
+    EXPECT_NEAR(figures["as_it_stands"]["worst"].get<double>(), 0.5, 0.01);
+    EXPECT_NEAR(figures["rms"]["before"].get<double>(), 0.5 / std::sqrt(16), 0.01);
   }
 }
 
@@ -119,18 +126,20 @@ TEST_F(ErrorFigures, areTheSameInEveryDocument) {
   EXPECT_EQ(climbed["set_aside"], compared["set_aside"]);
   EXPECT_EQ(fitted["set_aside"], compared["set_aside"]);
   const double error = compared["rms"]["heldout_after"];
-  EXPECT_NEAR(climbed["models"][0]["rms"]["heldout"], error, 1e-9);
-  EXPECT_NEAR(diagnosed["rms"]["heldout_before"], error, 0.02 * error);
-  EXPECT_NEAR(fitted["rms"]["heldout_after"], error, 0.02 * error);
-  EXPECT_NEAR(diagnosed["rms"]["noise_floor"], compared["rms"]["noise_floor"], 1e-3 * error);
+  EXPECT_NEAR(climbed["models"][0]["rms"]["heldout"].get<double>(), error, 1e-9);
+  EXPECT_NEAR(fitted["rms"]["heldout_after"].get<double>(), error, 1e-3 * error);
+  EXPECT_NEAR(diagnosed["rms"]["heldout_before"].get<double>(), error, 0.05 * error)
+      << "its folds are fitted by itself";
+  EXPECT_NEAR(diagnosed["rms"]["noise_floor"].get<double>(), compared["rms"]["noise_floor"].get<double>(),
+              1e-3 * error);
   EXPECT_EQ(diagnosed["error_budget"]["total"], diagnosed["rms"]["heldout_before"]);
 }
 
 TEST_F(ErrorFigures, aReportOfModelsBeginsWithItsAnswer) {
   const std::string cell = shipped("bench.yaml");
   ASSERT_EQ(run("simulate " + cell + " --design bench --readings 40 --seed 7 --out set").exit_code, 0);
-  for (const std::string words : {"ladder set/measurements.csv " + cell + " --rigid",
-                                  "improve " + cell + " set/measurements.csv --out better.yaml"}) {
+  for (const std::string& words : {"ladder set/measurements.csv " + cell + " --rigid",
+                                   "improve " + cell + " set/measurements.csv --out better.yaml"}) {
     const json figures = answer(words + " --report page.html");
     const std::string sentence = figures["sentence"];
     EXPECT_TRUE(sentence.ends_with(".")) << sentence;

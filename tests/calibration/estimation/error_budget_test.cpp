@@ -9,7 +9,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-ErrorSize sizeOf(double rms) {
+ErrorSize sizeWith(double rms) {
   ErrorSize size;
   size.rms = rms;
   size.readings = 12;
@@ -18,13 +18,13 @@ ErrorSize sizeOf(double rms) {
 
 double signedSquare(double value) { return std::copysign(value * value, value); }
 
-struct Case {
+struct BudgetCase {
   const char* name;
   double before, after, floor;
   double explained, remainder, noise;
 };
 
-constexpr Case kCases[] = {
+constexpr BudgetCase kBudgetCases[] = {
     {"explained down to the noise", 5, 3, 3, 4, 0, 3},
     {"explained in part", 13, 5, 3, 12, 4, 3},
     {"nothing explained", 5, 5, 3, 0, 4, 3},
@@ -34,9 +34,9 @@ constexpr Case kCases[] = {
 };
 
 TEST(ErrorBudget, addsUpInSquares) {
-  for (const Case& one : kCases) {
+  for (const BudgetCase& one : kBudgetCases) {
     SCOPED_TRACE(one.name);
-    const ErrorBudget budget = errorBudget({sizeOf(one.before), sizeOf(one.after)}, {}, one.floor);
+    const ErrorBudget budget = errorBudget({sizeWith(one.before), sizeWith(one.after)}, {}, one.floor);
     EXPECT_TRUE(budget.is_held_out);
     EXPECT_EQ(budget.readings, 12);
     EXPECT_EQ(budget.total, one.before);
@@ -49,7 +49,7 @@ TEST(ErrorBudget, addsUpInSquares) {
 }
 
 TEST(ErrorBudget, isOfTheFittedErrorsWhereNoneIsHeldOut) {
-  const ErrorBudget budget = errorBudget({{}, sizeOf(2)}, {sizeOf(5), sizeOf(4)}, 1);
+  const ErrorBudget budget = errorBudget({{}, sizeWith(2)}, {sizeWith(5), sizeWith(4)}, 1);
   EXPECT_FALSE(budget.is_held_out);
   EXPECT_EQ(budget.total, 5);
   EXPECT_TRUE(std::isnan(errorBudget({}, {}, 1).total));
