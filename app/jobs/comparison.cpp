@@ -38,9 +38,11 @@ std::vector<int> outliersOf(const CellReadings& input, const calibration::Compar
   const auto start = startOf(input.cell, input.readings);
   calibration::IdentificationOptions fit = options.refit;
   fit.hooks = withoutProgress(options.hooks);
+  fit.folds = 0;
+  fit.may_hold_all = true;
   const bool is_fitted = all.refit.status != calibration::IdentificationStatus::kNotRun;
   return calibration::readingsToSetAside(
-      start, input.readings, is_fitted ? all.refit : calibration::judgedAsItStands(start, input.readings, fit), fit);
+      start, input.readings, is_fitted ? all.refit : calibration::identify(start, input.readings, fit), fit);
 }
 
 /// Where readings have a mistake in them no model is adequate for them, however well it fits.
