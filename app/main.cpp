@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <vector>
@@ -53,6 +54,9 @@ int main(int argc, char** argv) {
     return tubeplan::app::kStoppedExitCode;
   } catch (const tubeplan::app::InputError& error) {
     std::fprintf(stderr, "tubeplan: %s\n", error.what());
+    return tubeplan::app::kBadInput;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::fprintf(stderr, "tubeplan: %s\n", tubeplan::app::inputErrorOf(error).what());
     return tubeplan::app::kBadInput;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "tubeplan: not enough memory\n");

@@ -66,7 +66,7 @@ int run(const IdentifyOptions& options) {
     for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warning);
     for (const auto& warning : outcome.of_effects) fmt::print("  warning: {}\n", warningText(warning, cell.units));
   }
-  return outcome.fit.status == IdentificationStatus::kDone ? kDone : kNegativeAnswer;
+  return outcome.fit.status == IdentificationStatus::kDone && !outcome.is_base_refused ? kDone : kNegativeAnswer;
 }
 
 }  // namespace

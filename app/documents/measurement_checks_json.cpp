@@ -58,7 +58,9 @@ std::vector<std::string> warningsWithChecks(const MeasurementChecks& checks, std
                                             const Units& units) {
   std::vector<std::string> all;
   for (const auto& check : checks.checks)
-    if (check.name != "base-from-nominal" && check.name != "few-readings") all.push_back(checkText(check, units));
+    if (check.severity == CheckSeverity::kMistake ||
+        (check.name != "base-from-nominal" && check.name != "few-readings"))
+      all.push_back(checkText(check, units));
   all.insert(all.end(), warnings.begin(), warnings.end());
   return all;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "app/files/input_error.hpp"
@@ -19,17 +20,34 @@ std::vector<std::string> namesOfMistakes() {
   return names;
 }
 
-void take(const std::string& assumption, MeasurementTable& table, Cell& cell) {
+/// Those of one text, between commas, as checks of the readings offer several that go together.
+std::vector<std::string> parted(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    parts.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  return parts;
+}
+
+const calibration::MistakeKind* mistakeOf(const std::string& assumption) {
+  return calibration::findMistakeKind(assumption.substr(0, assumption.find('=')));
+}
+
+/// `is_sigma_settled`: an assumption of its own says what the noise is.
+void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable& table, Cell& cell) {
   const std::size_t equals = assumption.find('=');
   const std::string name = assumption.substr(0, equals);
-  const auto* kind = calibration::findMistakeKind(name);
+  const auto* kind = mistakeOf(assumption);
   if (!kind || equals == std::string::npos)
     throw InputError("--assume", inQuotes(assumption), "NAME=VALUE with a NAME of " + alternatives(namesOfMistakes()),
                      kind ? fmt::format("write {}={}", name, kind->value) : suggestion(name, namesOfMistakes()));
   const calibration::CheckedReadings checked{startOf(cell, table.readings), table.readings, freeNumbersOf(cell),
                                              table.units, cell.sheet ? &*cell.sheet : nullptr};
-  const auto mend = kind->mend(checked, assumption.substr(equals + 1));
+  auto mend = kind->mend(checked, assumption.substr(equals + 1));
   if (!mend) throw InputError("--assume " + name, inQuotes(assumption.substr(equals + 1)), kind->expected);
+  if (is_sigma_settled && !kind->settles_sigma) mend->change_sigma = nullptr;
   mend->apply(table.readings);
   if (table.readings.empty())
     throw InputError("--assume", inQuotes(assumption), "one that keeps some readings", "leave fewer out");
@@ -40,7 +58,7 @@ void take(const std::string& assumption, MeasurementTable& table, Cell& cell) {
 /// kind the value belongs to the subject, since there may be several of it.
 std::string subjectOf(const std::string& assumption) {
   const std::size_t equals = assumption.find('=');
-  const auto* kind = calibration::findMistakeKind(assumption.substr(0, equals));
+  const auto* kind = mistakeOf(assumption);
   if (!kind || !std::string_view(kind->value).ends_with("UNIT")) return assumption;
   const std::size_t colon = assumption.find(':', equals);
   return assumption.substr(0, colon == std::string::npos ? equals : colon);
@@ -49,10 +67,11 @@ std::string subjectOf(const std::string& assumption) {
 /// Of several about one subject the last.
 std::vector<std::string> inForce(const std::vector<std::string>& assume) {
   std::vector<std::string> kept;
-  for (const auto& assumption : assume) {
-    std::erase_if(kept, [&](const auto& earlier) { return subjectOf(earlier) == subjectOf(assumption); });
-    kept.push_back(assumption);
-  }
+  for (const auto& text : assume)
+    for (const auto& assumption : parted(text)) {
+      std::erase_if(kept, [&](const auto& earlier) { return subjectOf(earlier) == subjectOf(assumption); });
+      kept.push_back(assumption);
+    }
   return kept;
 }
 
@@ -67,11 +86,16 @@ std::string assumptionsText() {
 
 bool takeAssumptions(const std::vector<std::string>& assume, MeasurementTable& table, Cell& cell) {
   bool is_overruled = false;
-  for (const auto& assumption : inForce(assume))
+  const auto in_force = inForce(assume);
+  const bool is_sigma_settled = std::ranges::any_of(in_force, [](const auto& assumption) {
+    const auto* kind = mistakeOf(assumption);
+    return kind && kind->settles_sigma;
+  });
+  for (const auto& assumption : in_force)
     if (assumption == kAsIs)
       is_overruled = true;
     else
-      take(assumption, table, cell);
+      take(assumption, is_sigma_settled, table, cell);
   return is_overruled;
 }
 

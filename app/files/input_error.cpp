@@ -33,6 +33,11 @@ InputError::InputError(std::string where, std::string found, std::string expecte
       expected_(part(std::move(expected))),
       advice_(part(std::move(advice))) {}
 
+InputError inputErrorOf(const std::filesystem::filesystem_error& error) {
+  return {error.path1().string(), error.code().message(), "a path that can be used",
+          "check its name, its folder and its permissions"};
+}
+
 std::string inQuotes(std::string_view text) { return "'" + nameInLine(text) + "'"; }
 
 std::string nameInLine(std::string_view name) { return printable(name, kLongestQuote); }

@@ -2,6 +2,7 @@
 // main.
 #pragma once
 
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,6 +24,9 @@ class InputError : public std::runtime_error {
  private:
   std::string where_, found_, expected_, advice_;
 };
+
+/// What the file system would not do, and with which file.
+[[nodiscard]] InputError inputErrorOf(const std::filesystem::filesystem_error& error);
 
 /// Text of the user's in quotes, fit for one line of a message: unprintable bytes as \xNN, cut after 60 characters.
 [[nodiscard]] std::string inQuotes(std::string_view text);

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "app/files/input_error.hpp"
+#include "app/files/utf8.hpp"
 
 namespace tubeplan::app {
 
@@ -19,7 +20,31 @@ std::string boundsText(double least, double most) {
   return std::isfinite(most) ? fmt::format(", at most {}", most) : "";
 }
 
+/// "plan.json:3:17" of the byte that the library could not go on from.
+std::string placeIn(std::string_view text, const std::string& where, std::size_t byte) {
+  const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t start = before.rfind('\n');
+  return fmt::format("{}:{}:{}", where, line, before.size() - (start == std::string_view::npos ? 0 : start + 1) + 1);
+}
+
 }  // namespace
+
+json parseJson(std::string_view text, const std::string& where, const std::string& expected,
+               const std::string& advice) {
+  const json::parser_callback_t bounded = [&](int depth, json::parse_event_t, json&) {
+    if (depth > kDeepestJson)
+      throw NotJson(where, fmt::format("values nested in more than {} others", kDeepestJson), expected, advice);
+    return true;
+  };
+  try {
+    return json::parse(text, bounded);
+  } catch (const json::parse_error& error) {
+    throw NotJson(placeIn(text, where, error.byte), "text that is no JSON", expected, advice);
+  } catch (const json::exception&) {
+    throw NotJson(where, "text that is no JSON of any use", expected, advice);
+  }
+}
 
 void JsonValue::refuse(const std::string& expected) const {
   throw InputError(place(), inQuotes(value_.dump(-1, ' ', false, json::error_handler_t::replace)), expected, advice_);
@@ -43,7 +68,9 @@ std::vector<JsonValue> JsonValue::items() const {
 
 std::string JsonValue::text() const {
   if (!value_.is_string()) refuse("a text");
-  return value_.get<std::string>();
+  auto text = value_.get<std::string>();
+  if (!isText(text)) refuse("a text without control characters");
+  return text;
 }
 
 bool JsonValue::boolean() const {

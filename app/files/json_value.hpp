@@ -5,9 +5,25 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "app/files/input_error.hpp"
+
 namespace tubeplan::app {
+
+/// What a JSON text of the program's own may nest.
+inline constexpr int kDeepestJson = 16;
+
+class NotJson : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// Throws NotJson for text that is none, at its line and column, and for what nests deeper than kDeepestJson;
+/// `expected` and `advice` are for its message.
+[[nodiscard]] nlohmann::json parseJson(std::string_view text, const std::string& where, const std::string& expected,
+                                       const std::string& advice = "");
 
 /// Refers to a document that outlives it. Each reading throws InputError for a value of another kind or out of its
 /// bounds, naming the place.

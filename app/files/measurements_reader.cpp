@@ -45,6 +45,8 @@ calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
   take(columns.load, units.loads);
   units.sigma = units.coordinates;
   take(columns.sigma, units.sigma);
+  take(columns.sigma, units.sigma_column);
+  take(columns.sigmas[0], units.axis_sigma_columns);
   for (const auto& joint : columns.joints) {
     units.joints.push_back({std::string(joint.unit->name), joint.unit->factor});
     if (joint.unit->kind == UnitKind::kAngle) units.angles = units.joints.back();

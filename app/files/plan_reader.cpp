@@ -25,14 +25,6 @@ using tubesheets::CsvRow;
 constexpr int kMost = std::numeric_limits<int>::max();
 constexpr const char* kAdvice = "plan again";
 
-json parseJson(const std::string& path) {
-  try {
-    return json::parse(readTextFile(path));
-  } catch (const json::exception& error) {
-    throw InputError(path, error.what(), "JSON written by tubeplan plan", kAdvice);
-  }
-}
-
 Eigen::VectorXd jointsOf(const JsonValue& readings, const Cell& cell) {
   return readings.numbers(cell.arm.jointCount()).cwiseProduct(jointFactors(cell.arm, cell.units));
 }
@@ -153,7 +145,7 @@ class PathReader {
 
 PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
   const std::string path = (folder / "plan.json").string();
-  const json text = parseJson(path);
+  const json text = parseJson(readTextFile(path), path, "JSON written by tubeplan plan", kAdvice);
   const JsonValue document(text, path, kAdvice);
   if (document.at("units").json() != unitsJson(cell.units))
     throw InputError(path + " units", text["units"].dump(), unitsJson(cell.units).dump(),

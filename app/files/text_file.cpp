@@ -7,7 +7,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <string_view>
 
 #include "app/files/input_error.hpp"
@@ -19,20 +18,6 @@ namespace tubeplan::app {
 namespace {
 
 constexpr std::size_t kLargestFile = 64u << 20;
-
-bool isOfText(std::string_view sequence) {
-  return sequence == "\n" || sequence == "\r" || sequence == "\t" || !isControl(sequence);
-}
-
-// Where the first byte is that no text file has.
-std::optional<std::size_t> findNonText(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = sequenceLength(text, at);
-    if (length == 0 || !isOfText(text.substr(at, length))) return at;
-    at += length;
-  }
-  return std::nullopt;
-}
 
 std::string readAtMost(std::ifstream& stream, std::size_t limit) {
   std::string text, block(1u << 16, '\0');
@@ -64,9 +49,9 @@ void checkText(const std::string& path, std::string_view text) {
     throw InputError(path, "an empty file", "a text with content", "check that the file was written");
   if (const auto at = findNonText(text)) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*at), '\n');
-    throw InputError(fmt::format("{}:{}", path, line),
-                     fmt::format("the byte 0x{:02X}", static_cast<unsigned char>(text[*at])), "plain text in UTF-8",
-                     "save the file as text");
+    throw InputError(
+        fmt::format("{}:{}", path, line), fmt::format("the byte 0x{:02X}", static_cast<unsigned char>(text[*at])),
+        text[*at] == '\r' ? "lines that end with LF or CR LF" : "plain text in UTF-8", "save the file as text");
   }
 }
 

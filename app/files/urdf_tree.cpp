@@ -15,6 +15,7 @@
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "tubesheets/csv_table.hpp"
+#include "app/files/utf8.hpp"
 
 namespace tubeplan::app {
 
@@ -70,16 +71,21 @@ std::string linkNamedBy(XMLElement& joint, const char* element) {
   return attributeOf(joint.FirstChildElement(element), "link");
 }
 
-/// XML lets the numbers of an attribute stand on several lines, urdfdom does not.
-void joinLines(XMLElement& element) {
+/// XML lets the numbers of an attribute stand on several lines, urdfdom does not; and lets characters be written by
+/// their numbers that no name has.
+void settleAttributes(XMLElement& element, const std::string& file) {
   for (auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
     std::string value = attribute->Value();
     const auto isBreak = [](char c) { return c == '\n' || c == '\r' || c == '\t'; };
+    if (!isText(value))
+      throw InputError(fmt::format("{}:{}", file, element.GetLineNum()), "a control character in " + inQuotes(value),
+                       "plain text");
     if (std::none_of(value.begin(), value.end(), isBreak)) continue;
     std::replace_if(value.begin(), value.end(), isBreak, ' ');
     element.SetAttribute(attribute->Name(), value.c_str());
   }
-  for (auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) joinLines(*child);
+  for (auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+    settleAttributes(*child, file);
 }
 
 /// Of one link, as it is written.
@@ -98,7 +104,7 @@ class Preparation {
     if (!robot_)
       throw InputError(file_, "no robot", "a URDF robot", "a file with another root, as SDF, is to be converted first");
     refuseXacro(*robot_);
-    joinLines(*robot_);
+    settleAttributes(*robot_, file_);
     forget(*robot_, {"material", "gazebo", "transmission"});
     checkTree();
     for (XMLElement* link : childrenOf(*robot_, "link")) prepareLink(*link);

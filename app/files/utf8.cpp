@@ -61,6 +61,20 @@ bool isControl(std::string_view sequence) {
   return point < 0x20 || (point >= 0x7F && point < 0xA0);
 }
 
+std::optional<std::size_t> findNonText(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = sequenceLength(text, at);
+    if (length == 0) return at;
+    const std::string_view sequence = text.substr(at, length);
+    const bool ends_line = sequence == "\n" || text.substr(at).starts_with("\r\n") || text.substr(at) == "\r";
+    if (isControl(sequence) && !ends_line && sequence != "\t") return at;
+    at += length;
+  }
+  return std::nullopt;
+}
+
+bool isText(std::string_view text) { return !findNonText(text); }
+
 std::string printable(std::string_view text, std::size_t longest) {
   std::string out;
   for (std::size_t at = 0; at < text.size();) {

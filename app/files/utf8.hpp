@@ -1,6 +1,7 @@
 // Text as UTF-8: what is well formed, and what may be shown.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,12 @@ namespace tubeplan::app {
 
 /// Whether it is a control character, C0 (line ends and tabulators too), DEL or C1.
 [[nodiscard]] bool isControl(std::string_view sequence);
+
+/// Whether all of it is UTF-8 without control characters but line ends (LF, CR LF) and tabulators.
+[[nodiscard]] bool isText(std::string_view text);
+
+/// Where the first byte is that no text has; nothing where all is text.
+[[nodiscard]] std::optional<std::size_t> findNonText(std::string_view text);
 
 /// One line that shows what is in the text: control characters, line ends among them, marks that turn the direction of
 /// writing and bytes that are no UTF-8 are written out. What comes after `longest` bytes is left out.

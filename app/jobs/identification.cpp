@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "app/documents/effect_warnings_json.hpp"
@@ -14,6 +15,7 @@
 #include "app/files/suggestion.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "calibration/estimation/set_aside.hpp"
+#include "calibration/patterns/comparison.hpp"
 
 namespace tubeplan::app {
 
@@ -132,6 +134,23 @@ void fitWithoutOutliers(const CellReadings& input, const IdentificationRequest& 
   requireAccepted(outcome.fit, request, input);
 }
 
+/// Says where the fit leaves more than noise explains, by the rule of `compare`. Robust losses leave outliers in.
+void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& outcome) {
+  const auto& fit = outcome.fit;
+  if (fit.status != IdentificationStatus::kDone || lossOf(request.robust) != calibration::RobustLoss::kNone) return;
+  const auto lack = calibration::lackOfFitOf(fit, outcome.readings);
+  if (lack.adequacy != calibration::Adequacy::kInadequate) return;
+  const bool is_base_alone = std::ranges::none_of(
+      fit.numbers, [](const auto& number) { return number.unknown.owner == calibration::Unknown::Owner::kArm; });
+  outcome.is_base_refused = is_base_alone;
+  outcome.warnings.push_back(
+      fmt::format("the fit leaves more than noise explains: chi-square {:.3g} for each of {} degrees of freedom; {}",
+                  lack.chi2 / std::max(1, lack.degrees_of_freedom), lack.degrees_of_freedom,
+                  is_base_alone ? "the base alone was found: free what the drawing leaves open (a list `identify`, or "
+                                  "--free), and see `tubeplan compare`"
+                                : "`tubeplan compare` says what the error follows"));
+}
+
 }  // namespace
 
 IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
@@ -143,6 +162,7 @@ IdentificationOutcome identifyModel(const CellReadings& input, const Identificat
   const auto& readings = outcome.readings;
   beginStep(hooks, "uncertainties");
   outcome.warnings = fitWarnings(outcome.fit, readings);
+  judgeByNoise(request, outcome);
   outcome.figures = identificationJson(outcome.fit, readings, outcome.set_aside.size(), cell.units);
   outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);
   outcome.figures["set_aside"] = outcome.set_aside;

@@ -34,7 +34,8 @@ struct IdentificationOutcome {
   calibration::Identification fit;
   std::vector<calibration::Measurement> readings;  ///< that the fit was given: all but those set aside
   std::vector<std::string> set_aside;              ///< ids of outliers
-  std::vector<std::string> warnings;  ///< of the readings
+  std::vector<std::string> warnings;               ///< of the readings
+  bool is_base_refused = false;  ///< nothing but the base was found, and the readings do not fit by it
   std::vector<calibration::FormulaOverlap> overlaps;
   PredictedCentring centring;
   std::vector<calibration::EffectWarning> of_effects;

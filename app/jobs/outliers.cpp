@@ -11,9 +11,11 @@ std::vector<int> outliersOf(const CellReadings& input, const calibration::Identi
   const auto start = startOf(input.cell, input.readings);
   calibration::IdentificationOptions quiet = options;
   quiet.hooks = calibration::withoutProgress(options.hooks);
+  quiet.folds = 0;
+  quiet.may_hold_all = true;
   const bool is_fitted = fit.status != calibration::IdentificationStatus::kNotRun;
   return calibration::readingsToSetAside(
-      start, input.readings, is_fitted ? fit : calibration::judgedAsItStands(start, input.readings, quiet), quiet);
+      start, input.readings, is_fitted ? fit : calibration::identify(start, input.readings, quiet), quiet);
 }
 
 std::vector<std::string> idsAt(const std::vector<int>& places, const std::vector<calibration::Measurement>& readings) {

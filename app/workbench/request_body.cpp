@@ -36,12 +36,10 @@ std::vector<JsonValue> itemsIn(const json& list, const std::string& key) {
 
 json objectOf(const Request& request) {
   if (request.body.empty()) return json::object();
-  const json::parser_callback_t bounded = [](int depth, json::parse_event_t, json&) {
-    if (depth > kDeepestJson) throw json::other_error::create(501, "nested too deeply", nullptr);
-    return true;
-  };
-  json object = json::parse(request.body, bounded);
-  if (!object.is_object()) throw json::type_error::create(302, "the body must be an object", &object);
+  constexpr const char* kBody = "request body";
+  constexpr const char* kExpected = "the JSON that this address takes";
+  json object = parseJson(request.body, kBody, kExpected);
+  if (!object.is_object()) throw NotJson(kBody, "no object", kExpected);
   return object;
 }
 

@@ -10,10 +10,8 @@
 
 namespace tubeplan::app {
 
-inline constexpr int kDeepestJson = 16;
-
-/// The object in the body; an empty body is an empty object. Throws nlohmann::json::exception for text that is no JSON,
-/// no object or nested deeper than kDeepestJson.
+/// The object in the body; an empty body is an empty object. Throws NotJson for text that is none, no object or
+/// nested deeper than kDeepestJson.
 [[nodiscard]] nlohmann::json objectOf(const Request& request);
 
 /// Each gives `otherwise` where the key is missing or null, and throws InputError naming the key for a value of another

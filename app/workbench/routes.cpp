@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 
 #include "app/files/input_error.hpp"
+#include "app/files/json_value.hpp"
 
 namespace tubeplan::app {
 
@@ -55,10 +57,14 @@ Answer answer(Workbench& workbench, const Request& request) {
                                      "the other of GET and POST"));
     return refusal(404,
                    InputError(pathOf(request), "no address of the workbench", "one that docs/workbench_api.md lists"));
+  } catch (const NotJson& error) {
+    return refusal(400, error);
   } catch (const InputError& error) {
     return refusal(422, error);
-  } catch (const nlohmann::json::exception& error) {
-    return refusal(400, InputError("request body", error.what(), "the JSON that this address takes"));
+  } catch (const nlohmann::json::exception&) {
+    return refusal(400, InputError("request body", "values of another kind", "the JSON that this address takes"));
+  } catch (const std::filesystem::filesystem_error& error) {
+    return refusal(422, inputErrorOf(error));
   } catch (const std::exception& error) {
     fmt::print(stderr, "tubeplan: {} {}: internal error: {}\n", request.method, pathOf(request), error.what());
     return refusal(500,

@@ -33,6 +33,7 @@ IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
   IdentificationOptions baseline = options.baseline;
   baseline.folds = 0;
   baseline.intervals_by_profile = false;
+  baseline.may_hold_all = true;
   baseline.hooks = withoutProgress(options.hooks);
   if (baseline.solver.method == LeastSquaresMethod::kHybrid && !baseline.solver.tolerance)
     baseline.solver.tolerance = kBaselineTolerance;

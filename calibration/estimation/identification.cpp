@@ -64,6 +64,10 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
     return;
   }
   if (model.options.folds < 2) return;
+  if (model.unknowns.empty()) {  // the same error for every fold
+    result.heldout = result.heldout_before = result.after_base;
+    return;
+  }
   const auto folds = foldsOf(model.fitted, model.options.folds, model.options.seed);
   FitOptions options = fitOptions(model.options);
   options.model_error = result.model_error;
@@ -83,6 +87,7 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
 
 /// Singular values of the readings' Jacobian, each column by its number's typical size.
 VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns) {
+  if (unknowns.empty()) return {};
   for (std::size_t k = 0; k < unknowns.size(); ++k) jacobian.col(static_cast<Index>(k)) *= unknowns[k].typical;
   const MatrixXd square = jacobian.transpose() * jacobian;
   return square.selfadjointView<Eigen::Lower>().eigenvalues().cwiseMax(0).cwiseSqrt().reverse();
@@ -258,7 +263,8 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
   auto unknowns = chooseUnknowns(model.start, options.free);
   result.problems = unknowns.problems;
   model.unknowns = std::move(unknowns.list);
-  if (result.problems.empty() && model.unknowns.empty()) result.reason = "no free parameter: name one to identify";
+  if (result.problems.empty() && model.unknowns.empty() && !options.may_hold_all)
+    result.reason = "no free parameter: name one to identify";
   if (!result.problems.empty()) result.reason = result.problems.front().found;
   if (result.reason.empty()) noteReadingProblem(fitted, model.unknowns, result);
   if (!result.reason.empty()) {

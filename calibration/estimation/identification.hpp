@@ -57,6 +57,7 @@ struct IdentificationOptions {
   double outlier_level = 0.01;  ///< chance of naming any reading an outlier where there is none
   double drop_level = 0;        ///< above 0: numbers that the readings do not need at this level are given up
   bool intervals_by_profile = true;
+  bool may_hold_all = false;                  ///< nothing free is no reason to refuse: the model is judged as it stands
   std::optional<ArmUncertainty> uncertainty;  ///< of the numbers that are held; none: what is determined is not asked
   WorkHooks hooks;                            ///< the solver is stopped by these too
   IterationObserver observe = {};  ///< of the fits to all readings, from every start; refits of some are not reported

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "calibration/estimation/fit.hpp"
-#include "calibration/estimation/outliers.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
@@ -112,28 +111,6 @@ std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& r
   return found;
 }
 
-Identification judgedAsItStands(const PlacedArm& start, const std::vector<Measurement>& readings,
-                                const IdentificationOptions& options) {
-  Identification result;
-  std::vector<Measurement> fitted;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (!readings[k].is_held_out) result.used.push_back(static_cast<int>(k)), fitted.push_back(readings[k]);
-  result.start = result.fitted = start;
-  if (fitted.empty()) {
-    result.status = IdentificationStatus::kRefused;
-    return result;
-  }
-  const Fit fit = fitUnknowns(start, {}, fitted, Eigen::VectorXd(0), {options.solver, options.loss});
-  result.status = fit.solution.status == LeastSquaresStatus::kConverged ? IdentificationStatus::kDone
-                                                                        : IdentificationStatus::kNotConverged;
-  if (result.status != IdentificationStatus::kDone) return result;
-  result.p_value = fit.p_value;
-  result.model_error = fit.weights.model_error;
-  result.outliers = findOutliers(fitted, fit, options.outlier_level);
-  for (auto& outlier : result.outliers) outlier.reading = result.used[static_cast<std::size_t>(outlier.reading)];
-  return result;
-}
-
 std::vector<int> readingsToSetAside(const PlacedArm& start, const std::vector<Measurement>& readings,
                                     const Identification& baseline, const IdentificationOptions& options) {
   const BaselineFit fit = [&](const std::vector<Measurement>& some, RobustLoss loss) {
@@ -143,10 +120,8 @@ std::vector<int> readingsToSetAside(const PlacedArm& start, const std::vector<Me
     cheap.uncertainty.reset();
     cheap.observe = {};
     cheap.loss = loss;
-    const bool has_base = options.free.base && std::any_of(start.base_poses.begin(), start.base_poses.end(),
-                                                           [](const BasePose& base) { return !base.is_known; });
-    return has_base || !options.free.names.empty() ? identify(start, some, cheap)
-                                                   : judgedAsItStands(start, some, cheap);
+    cheap.may_hold_all = true;
+    return identify(start, some, cheap);
   };
   const auto without = withoutOutliers(readings, baseline, options.outlier_level, fit);
   return without ? without->set_aside : std::vector<int>();

@@ -37,8 +37,4 @@ using BaselineFit = std::function<Identification(const std::vector<Measurement>&
 [[nodiscard]] std::vector<int> readingsToSetAside(const PlacedArm& start, const std::vector<Measurement>& readings,
                                                   const Identification& baseline, const IdentificationOptions& options);
 
-/// Returns a model as it stands as if it had been fitted with nothing free: its outliers and its chi-square.
-[[nodiscard]] Identification judgedAsItStands(const PlacedArm& start, const std::vector<Measurement>& readings,
-                                              const IdentificationOptions& options);
-
 }  // namespace tubeplan::calibration

@@ -27,6 +27,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
     for (auto& reading : readings)
       if (coordinates_unit::areWritten(*checked, reading)) (*reading.p_W)[static_cast<Eigen::Index>(at)] *= factor;
   };
+  mend.change_sigma = sigmaAlong(checked, *factor, static_cast<Eigen::Index>(at));
   return mend;
 }
 

@@ -30,6 +30,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
         if (columns[k].quantity == deflection::Quantity::kLength) reading.own[static_cast<Eigen::Index>(k)] *= factor;
     }
   };
+  mend.change_sigma = sigmaAlong(checked, *factor);
   return mend;
 }
 

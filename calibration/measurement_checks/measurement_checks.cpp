@@ -8,6 +8,7 @@
 #include "calibration/measurement_checks/mistake_search.hpp"
 #include "calibration/measurement_checks/mistake_trials.hpp"
 #include "calibration/measurement_checks/plain_checks.hpp"
+#include "calibration/measurement_checks/rounded_joints.hpp"
 #include "calibration/measurement_checks/stale_joints.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/statistics.hpp"
@@ -68,6 +69,16 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
   checks.push_back(std::move(check));
 }
 
+/// Whether the base found is nowhere near that of a cell with a sheet, however it was mounted there. A cell without one
+/// has a nominal place for no more than a start.
+bool isElsewhere(const MistakeTrials& trials) {
+  constexpr double kTurned = 0.8;  // rad: a base that is turned so far, and moved besides, faces another way
+  const Trial& as_is = trials.asIs();
+  return trials.checked().sheet && trials.hasPlaces() &&
+         (as_is.base_shift > trials.reach() ||
+          (as_is.base_turn > kTurned && as_is.base_shift > kFarShift * trials.reach()));
+}
+
 /// How far the base is from its nominal place, where that is far, or where a row or column miscounted would do it.
 void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& checks) {
   const CheckedReadings& checked = trials.checked();
@@ -97,6 +108,10 @@ void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& check
         check.assume = "holes=" + value;
         break;
       }
+  if (check.assume.empty() && isElsewhere(trials)) {
+    check.severity = CheckSeverity::kMistake;
+    check.sentence += ", farther than any mounting: are these readings of another cell? If not, correct its base";
+  }
   checks.push_back(std::move(check));
 }
 
@@ -115,6 +130,7 @@ MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckO
   if (as_is.ok && !grossMistake(result)) {
     checkBase(trials, result.checks);
     if (auto stale = staleJoints(checked, as_is.placed)) result.checks.push_back(std::move(*stale));
+    if (auto rounded = roundedJoints(trials)) result.checks.push_back(std::move(*rounded));
     if (auto far = placesOutOfReach(checked, as_is.placed)) result.checks.push_back(std::move(*far));
     for (auto& hole : mistakenHoles(checked, as_is.placed)) result.checks.push_back(std::move(hole));
   }

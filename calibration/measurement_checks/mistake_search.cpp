@@ -43,15 +43,16 @@ class MistakeSearch {
     if (suspects.empty()) return std::nullopt;
     std::stable_sort(suspects.begin(), suspects.end(),
                      [&](const Suspect& a, const Suspect& b) { return trials_.gain(a.open) > trials_.gain(b.open); });
-    const Suspect& best = suspects.front();
+    Suspect& best = suspects.front();
     MeasurementCheck check;
     check.name = best.mend.mistake;
+    check.assume = best.mend.mistake + "=" + best.mend.value;
+    settleSigma(best, check);
     const bool is_of_error = explainsError(best);
     check.severity = is_of_error && isDetermined(best.mend) ? CheckSeverity::kMistake : CheckSeverity::kRemark;
-    check.sentence = best.mend.sentence +
+    check.sentence = best.mend.sentence + (best.mend.change_sigma ? "; the unit of sigma with it" : "") +
                      (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(trials_) + ")");
     stateErrors(best, check);
-    check.assume = best.mend.mistake + "=" + best.mend.value;
     for (std::size_t k = 1; k < suspects.size(); ++k)
       if (trials_.gain(suspects[k].open) > trials_.gain(best.open) - kAsGood &&
           suspects[k].drawn.error < kAsGoodError * best.drawn.error)
@@ -68,18 +69,30 @@ class MistakeSearch {
   /// Whether there is an error that a mistake could explain, or a base that one could have moved.
   [[nodiscard]] bool asksForMistakes() const {
     if (!trials_.asIs().ok) return true;
-    double noise = 0, rows = 0;
-    for (const auto& reading : trials_.checked().readings) {
-      if (!trials_.pool().counted.contains(reading.id)) continue;
-      noise += rowsOf(reading) * reading.sigma * reading.sigma;
-      rows += rowsOf(reading);
-    }
-    noise = std::sqrt(noise / static_cast<double>(trials_.pool().counted.size()));
+    double rows = 0;
+    for (const auto& reading : trials_.checked().readings)
+      if (trials_.pool().counted.contains(reading.id)) rows += rowsOf(reading);
+    const double noise = trials_.noise({});
     const bool is_lack_of_fit = trials_.asIs().lack_of_fit - kNoisePerRow * rows > kOdds;
     if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // of a part of the readings
     const bool is_bent =
         trials_.asIs().held_error > kDrastic * trials_.asIs().open_error;  // only a drawing bent to them fits
     return trials_.isBaseFar() || (trials_.asIs().held_error > kLeastFall * noise && (is_lack_of_fit || is_bent));
+  }
+
+  /// Noise whose column says the same wrong unit is mended with the rest, unless the readings agree better with it as
+  /// it stands: somebody may have written it apart.
+  void settleSigma(Suspect& best, MeasurementCheck& check) const {
+    if (!best.mend.change_sigma) return;
+    Mend apart = best.mend;
+    apart.change_sigma = nullptr;
+    const Trial trial = trials_.tried(apart, TrialDepth::kOpen);
+    const auto offBy = [](const Trial& of) { return std::abs(std::log(of.chi2_per_freedom)); };
+    if (!trial.ok || !(offBy(trial) < offBy(best.open))) return;
+    const auto kind = std::ranges::find_if(mistakeKinds(), [](const auto& other) { return other.settles_sigma; });
+    check.assume += fmt::format(",{}={}", kind->name, trials_.checked().units.sigma.name);
+    best.mend = std::move(apart);
+    best.open = trial;
   }
 
   bool isWithinLimits(const Mend& mend) const {
@@ -206,18 +219,27 @@ class MistakeSearch {
   }
 
   /// The errors that fall most: by the drawing, with the tip as drawn, or with all that is open; of a part of the
-  /// readings those of all, as the part may be what others leave out.
+  /// readings those of all, as the part may be what others leave out. A fit with as many numbers as the readings hold
+  /// says nothing of an error, and no fit says that it is below the noise.
   void stateErrors(const Suspect& best, MeasurementCheck& check) const {
-    const std::pair<double, double> errors[] = {
-        {trials_.asIs().error, best.drawn.error},
-        {trials_.asIs().held_error, best.drawn.held_error},
-        {trials_.asIs().open_error, best.open.error},
-        {best.mend.is_of_part ? trials_.asIs().whole_error : 0, best.open.whole_error}};
-    const auto& [as_is, mended] =
-        *std::max_element(std::begin(errors), std::end(errors),
-                          [](const auto& a, const auto& b) { return a.first * b.second < b.first * a.second; });
-    check.error_as_is = trials_.asIs().ok ? as_is : kNoFigure;
-    check.error_if_mended = mended;
+    struct Fall {
+      TrialDepth depth;
+      double as_is, mended;
+    };
+    const Trial& as_is = trials_.asIs();
+    std::vector<Fall> falls = {{TrialDepth::kDrawn, as_is.error, best.drawn.error},
+                               {TrialDepth::kHeld, as_is.held_error, best.drawn.held_error},
+                               {TrialDepth::kOpen, as_is.open_error, best.open.error}};
+    if (best.mend.is_of_part) falls.push_back({TrialDepth::kOpen, as_is.whole_error, best.open.whole_error});
+    std::erase_if(falls, [&](const Fall& fall) { return trials_.freedom(best.mend, fall.depth) <= 0; });
+    if (falls.empty()) return;
+    for (Fall& fall : falls) {
+      fall.as_is = std::max(fall.as_is, trials_.noise({}));
+      fall.mended = std::max(fall.mended, trials_.noise(best.mend));
+    }
+    const Fall& most = *std::ranges::max_element(falls, {}, [](const Fall& fall) { return fall.as_is / fall.mended; });
+    if (as_is.ok) check.error_as_is = most.as_is;
+    check.error_if_mended = most.mended;
   }
 
   const MistakeTrials& trials_;

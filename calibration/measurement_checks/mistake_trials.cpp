@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/reading_problems.hpp"
 #include "calibration/random_stream.hpp"
 
 namespace tubeplan::calibration {
@@ -138,11 +139,15 @@ MistakeTrials::MistakeTrials(const CheckedReadings& checked, const CheckOptions&
   as_is_.base_turn = nearer.base_turn;
 }
 
+const FreeChoice& MistakeTrials::freeAt(TrialDepth depth) const {
+  return depth == TrialDepth::kOpen ? open_ : depth == TrialDepth::kDrawn ? drawn_ : held_;
+}
+
 /// The drawing with the base free where it is not known, with the tip besides, or with all that is open.
 RobustFit MistakeTrials::fit(PlacedArm start, const std::vector<Measurement>& readings, TrialDepth depth,
                              const std::string& zero) const {
   RobustFitOptions options;
-  options.free = depth == TrialDepth::kOpen ? open_ : depth == TrialDepth::kDrawn ? drawn_ : held_;
+  options.free = freeAt(depth);
   options.most_steps = depth == TrialDepth::kOpen ? 8 : 5;
   options.judges_noise = depth == TrialDepth::kOpen;
   options.stop = options_.stop;
@@ -216,6 +221,20 @@ Trial MistakeTrials::triedApart(TrialDepth depth) const {
 
 RobustFit MistakeTrials::fitZero(const Mend& mend, PlacedArm start, const std::string& zero) const {
   return fit(std::move(start), mended(mend, TrialDepth::kDrawn), TrialDepth::kHeld, zero);
+}
+
+int MistakeTrials::freedom(const Mend& mend, TrialDepth depth) const {
+  PlacedArm start = startOf(mend);
+  const auto found = chooseUnknowns(start, freeAt(depth)).list.size();
+  const auto readings = mended(mend.parts_setups ? Mend{} : mend, depth);
+  return numbersMeasured(readings) - static_cast<int>(found) - (mend.zero_of >= 0 ? 1 : 0);
+}
+
+double MistakeTrials::noise(const Mend& mend) const {
+  double squares = 0;
+  const auto readings = mended(mend, TrialDepth::kOpen);
+  for (const auto& reading : readings) squares += rowsOf(reading) * reading.sigma * reading.sigma;
+  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, readings.size())));
 }
 
 double MistakeTrials::shrinkage(const Trial& trial) const {

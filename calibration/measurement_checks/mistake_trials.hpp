@@ -54,6 +54,11 @@ class MistakeTrials {
   /// The cell's, its base as far known as the mistake leaves it.
   [[nodiscard]] PlacedArm startOf(const Mend& mend) const;
 
+  /// How many numbers the readings hold beyond those that a fit of that depth finds; none where it may fit anything.
+  [[nodiscard]] int freedom(const Mend& mend, TrialDepth depth) const;
+  /// Length of the errors that noise alone leaves, as the readings state it [m].
+  [[nodiscard]] double noise(const Mend& mend) const;
+
   /// How much smaller a mistake makes what is touched: above 1 where it draws the tips together.
   [[nodiscard]] double shrinkage(const Trial& trial) const;
   /// By how much less a mistake leaves than the readings as they are; where those cannot be fitted, by a lot.
@@ -71,6 +76,7 @@ class MistakeTrials {
  private:
   [[nodiscard]] RobustFit fit(PlacedArm start, const std::vector<Measurement>& readings, TrialDepth depth,
                               const std::string& zero = "") const;
+  [[nodiscard]] const FreeChoice& freeAt(TrialDepth depth) const;
   [[nodiscard]] std::vector<Measurement> mended(const Mend& mend, TrialDepth depth) const;
   [[nodiscard]] Trial judged(const RobustFit& fit, const std::vector<Measurement>& readings) const;
   [[nodiscard]] Trial triedApart(TrialDepth depth) const;

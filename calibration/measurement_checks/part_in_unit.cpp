@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <set>
@@ -154,12 +155,16 @@ std::optional<Mend> mendOf(const MistakeKind& whole, const CheckedReadings& chec
   mend.is_of_part = true;
   std::set<std::string> ids;
   for (std::size_t k = run->first; k <= run->last; ++k) ids.insert(checked.readings[k].id);
-  mend.change = [change = all->change, ids = std::move(ids)](std::vector<Measurement>& readings) {
-    auto changed = readings;
-    change(changed);
-    for (std::size_t k = 0; k < readings.size(); ++k)
-      if (ids.contains(readings[k].id)) readings[k] = std::move(changed[k]);
+  const auto ofPart = [&ids](std::function<void(std::vector<Measurement>&)> change) {
+    return [change = std::move(change), ids](std::vector<Measurement>& readings) {
+      auto changed = readings;
+      change(changed);
+      for (std::size_t k = 0; k < readings.size(); ++k)
+        if (ids.contains(readings[k].id)) readings[k] = std::move(changed[k]);
+    };
   };
+  mend.change = ofPart(all->change);
+  if (all->change_sigma) mend.change_sigma = ofPart(all->change_sigma);
   return mend;
 }
 

@@ -22,6 +22,6 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-inline MistakeKind kind() { return {"sigma", "UNIT", "a unit of length, mil or um", values, mend}; }
+inline MistakeKind kind() { return {"sigma", "UNIT", "a unit of length, mil or um", values, mend, true}; }
 
 }  // namespace tubeplan::calibration::mistakes::sigma_unit

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "calibration/measurement_checks/mistake.hpp"
 
@@ -20,6 +22,26 @@ inline std::optional<double> factorOf(const std::vector<NamedUnit>& units, const
   for (const auto& unit : units)
     if (unit.name == name) return unit.factor / own.factor;
   return std::nullopt;
+}
+
+/// The mend of noise whose columns say the unit that the coordinates' columns say, by the same factor: of all, or of
+/// one axis, of which a common sigma says nothing. Empty where no such column does.
+inline std::function<void(std::vector<Measurement>&)> sigmaAlong(const CheckedReadings& checked, double factor,
+                                                                 std::optional<Eigen::Index> axis = {}) {
+  const auto& units = checked.units;
+  const bool is_common = !axis && units.sigma_column.name == units.coordinates.name;
+  const bool is_by_axis = units.axis_sigma_columns.name == units.coordinates.name;
+  if (!is_common && !is_by_axis) return {};
+  return [=](std::vector<Measurement>& readings) {
+    for (auto& reading : readings) {
+      if (is_common) reading.sigma *= factor;
+      if (!is_by_axis || !reading.sigma_W) continue;
+      if (axis)
+        (*reading.sigma_W)[*axis] *= factor;
+      else
+        *reading.sigma_W *= factor;
+    }
+  };
 }
 
 }  // namespace tubeplan::calibration::mistakes

@@ -140,14 +140,18 @@ bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, con
   return true;
 }
 
-/// The fitted model with its Jacobian by what was fitted.
-Evaluation evaluateFitted(const Comparison& result, const std::vector<Measurement>& fitted) {
-  Evaluation after = evaluate(result.fitted, fitted);
-  if (!after.ok || result.refit.status == IdentificationStatus::kNotRun) return after;
-  FittedBasis basis = basisOf(result.refit, fitted);
+/// The fitted model with its Jacobian by what was fitted; the model alone where nothing was.
+Evaluation evaluateFitted(const PlacedArm& placed, const Identification& fit, const std::vector<Measurement>& fitted) {
+  Evaluation after = evaluate(placed, fitted);
+  if (!after.ok || fit.status == IdentificationStatus::kNotRun) return after;
+  FittedBasis basis = basisOf(fit, fitted);
   after.ok = basis.residual.ok;
   after.residual = std::move(basis.residual);
   return after;
+}
+
+int numbersFitted(const Evaluation& after, const Identification& fit) {
+  return fit.status == IdentificationStatus::kNotRun ? 0 : after.weights.degrees_of_freedom - fit.degrees_of_freedom;
 }
 
 void giveVerdict(Comparison& result, double level) {
@@ -186,16 +190,14 @@ Comparison compareUnlessStopped(const PlacedArm& start, const std::vector<Measur
     result.joints_before = equivalentJoints(start, fitted, before.residual.error);
   }
   if (!refit(start, readings, options, result)) return result;
-  const Evaluation after = evaluateFitted(result, fitted);
+  const Evaluation after = evaluateFitted(result.fitted, result.refit, fitted);
   if (!after.ok) {
     result.status = ComparisonStatus::kRefused;
     result.reason = "the deflected shape does not converge: the arm is too compliant for its load";
     return result;
   }
   if (result.status == ComparisonStatus::kNotRun) result.status = ComparisonStatus::kDone;
-  const bool is_refitted = result.refit.status != IdentificationStatus::kNotRun;
-  const int numbers = is_refitted ? after.weights.degrees_of_freedom - result.refit.degrees_of_freedom : 0;
-  result.after_refit = lackOfFitOf(after, numbers, options.level);
+  result.after_refit = lackOfFitOf(after, numbersFitted(after, result.refit), options.level);
   result.joints_after = equivalentJoints(result.fitted, fitted, after.residual.error);
   describeReadings(before, after, result.used, result);
   describeHeldOut(start, readings, result);
@@ -233,6 +235,14 @@ const char* wordsOf(Adequacy adequacy) {
       return "Inconclusive: more readings are needed";
   }
   return "";
+}
+
+ModelLackOfFit lackOfFitOf(const Identification& fit, const std::vector<Measurement>& readings, double level) {
+  std::vector<Measurement> fitted;
+  for (const int k : fit.used) fitted.push_back(readings[static_cast<std::size_t>(k)]);
+  if (fitted.empty() || fit.fitted.arm.rows.empty()) return {};
+  const Evaluation after = evaluateFitted(fit.fitted, fit, fitted);
+  return after.ok ? lackOfFitOf(after, numbersFitted(after, fit), level) : ModelLackOfFit{};
 }
 
 Comparison compare(const PlacedArm& start, const std::vector<Measurement>& readings, const ComparisonOptions& options) {

@@ -72,6 +72,11 @@ struct Comparison {
   bool noise_disagrees = false;                  ///< repeats say that the stated noise is wrong: they judge
 };
 
+/// Returns how a fit leaves the readings that it was made of, judged as compare() judges them; not run where the model
+/// cannot be evaluated there.
+[[nodiscard]] ModelLackOfFit lackOfFitOf(const Identification& fit, const std::vector<Measurement>& readings,
+                                         double level = kPatternLevel);
+
 [[nodiscard]] Comparison compare(const PlacedArm& start, const std::vector<Measurement>& readings,
                                  const ComparisonOptions& options);
 

@@ -30,7 +30,8 @@ CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesys
   if (file.payload.ends_with('\n')) file.payload.pop_back();
   try {
     const json head = json::parse(text.substr(0, end));
-    if (head.at("format") != format.name) refuseDamaged(format, path, "the format " + head.at("format").dump());
+    if (head.at("format") != format.name)
+      refuseDamaged(format, path, "the format " + inQuotes(head.at("format").dump()));
     file.question = head.at("question").get<PlanKey>();
     file.checksum = head.at("checksum");
     // Version 0.1 wrote none.
@@ -48,8 +49,8 @@ void readPayload(const CheckpointFormat& format, const std::filesystem::path& pa
                  const std::function<void(const json&)>& read) {
   try {
     read(json::parse(file.payload));
-  } catch (const json::exception& error) {
-    refuseDamaged(format, path, error.what());
+  } catch (const json::exception&) {
+    refuseDamaged(format, path, "content of another kind than is written to it");
   }
 }
 
@@ -63,10 +64,10 @@ std::string checkpointText(const CheckpointFormat& format, const PlanKey& questi
 
 void putAside(const std::filesystem::path& path, const std::vector<std::string>& differences) {
   std::filesystem::path aside;
+  std::error_code error;
   int number = 0;
   do aside = path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), ++number, path.extension().string());
-  while (std::filesystem::exists(aside));
-  std::error_code error;
+  while (std::filesystem::exists(aside, error));
   std::filesystem::rename(path, aside, error);
   if (error)
     throw InputError("--out", fmt::format("{}, which cannot be renamed: {}", path.string(), error.message()),

@@ -9,6 +9,10 @@ namespace tubeplan::app {
 
 namespace {
 
+constexpr double kDay = 86400;  // s
+
+bool hasDate(std::string_view text) { return text.find_first_of("-/") != std::string_view::npos; }
+
 /// Digits up to this mark, which is taken off with them.
 std::optional<int> takeNumber(std::string_view& text, std::string_view marks) {
   const std::size_t end = text.find_first_of(marks);
@@ -32,7 +36,7 @@ std::optional<double> takeDays(std::string_view& text) {
 
 std::optional<double> clockSeconds(std::string_view text) {
   double days = 0;
-  if (text.find_first_of("-/") != std::string_view::npos) {
+  if (hasDate(text)) {
     const auto found = takeDays(text);
     if (!found) return std::nullopt;
     days = *found;
@@ -41,7 +45,24 @@ std::optional<double> clockSeconds(std::string_view text) {
   const auto seconds = tubesheets::parseNumber(text);
   if (!hours || !minutes || !seconds || *hours > 23 || *minutes > 59 || !(*seconds >= 0 && *seconds < 61))
     return std::nullopt;
-  return 86400 * days + 3600 * *hours + 60 * *minutes + *seconds;
+  return kDay * days + 3600 * *hours + 60 * *minutes + *seconds;
+}
+
+ClockTimes clockTimes(const std::vector<std::string>& rows) {
+  ClockTimes times;
+  double days = 0, last = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const auto seconds = clockSeconds(rows[k]);
+    times.seconds.push_back(seconds);
+    if (!seconds || hasDate(rows[k])) continue;
+    if (*seconds <= last - kDay / 2) {
+      days += kDay;
+      times.midnights.push_back(k);
+    }
+    last = *seconds;
+    *times.seconds.back() += days;
+  }
+  return times;
 }
 
 }  // namespace tubeplan::app

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "app/files/foreign/clock_time.hpp"
-#include "app/files/foreign/foreign_heading.hpp"
+#include "app/files/foreign/column_names.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "tubesheets/csv_table.hpp"
@@ -18,114 +18,11 @@ namespace {
 
 std::string exampleOf(UnitKind kind) { return kind == UnitKind::kLength ? "mm" : unitNames(kind).front(); }
 
-/// Whether a joint may be called by its number; those beside the chain to the tip are not counted.
-bool isNumbered(const ColumnTarget& target) { return target.is_joint && target.aliases.size() > 1; }
-
-/// Of a heading that is this target's and no other's.
-std::string settledName(const ColumnTarget& target) { return "=" + target.quantity; }
-
-/// A heading that states a unit of another kind is of something else: "x (deg)" is no place.
-bool fits(const ColumnTarget& target, const ForeignHeading& heading) {
-  if (heading.unit && target.unit != heading.unit->kind) return false;
-  return heading.name == settledName(target) ||
-         std::find(target.aliases.begin(), target.aliases.end(), heading.name) != target.aliases.end();
-}
-
-/// What the columns of a table without headings are by how many there are: a name where the first is not of numbers (or
-/// an id where it is one number too many), then the joints, the place, or both.
-std::vector<ForeignHeading> headingsByShape(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
-  std::vector<std::string> joints, found;
-  for (const auto& target : targets)
-    if (target.is_joint) joints.push_back(target.aliases.front());
-  const auto& first = table.rows.front().fields;
-  const bool has_name = !tubesheets::parseNumber(first.front());
-  const bool has_id = !has_name && first.size() == joints.size() + 4;
-  const std::size_t numbers = first.size() - (has_name || has_id ? 1 : 0);
-  const bool has_both = numbers == joints.size() + 3;
-  const bool has_either = (numbers == joints.size()) != (numbers == 3);
-  std::vector<ForeignHeading> headings(first.size());
-  if (!has_both && !has_either) return headings;
-  if (has_name || has_id) found.emplace_back(has_name ? "point" : "id");
-  if (has_both || numbers == joints.size()) found.insert(found.end(), joints.begin(), joints.end());
-  if (has_both || numbers == 3) found.insert(found.end(), {"x", "y", "z"});
-  for (std::size_t c = 0; c < found.size(); ++c) headings[c].name = found[c];
-  return headings;
-}
-
-std::vector<ForeignHeading> headingsOf(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
-  if (!table.has_heading) return headingsByShape(table, targets);
-  std::vector<ForeignHeading> headings;
-  for (const auto& column : table.columns) headings.push_back(parseHeading(column));
-  return headings;
-}
-
-/// Joints counted from zero are counted from one here: q0 to q5 of six, where there is no q6.
-void countFromOne(std::vector<std::vector<ForeignHeading>>& tables, std::size_t joints) {
-  const auto find = [&](const std::string& name) -> ForeignHeading* {
-    for (auto& headings : tables)
-      for (auto& heading : headings)
-        if (heading.name == name) return &heading;
-    return nullptr;
-  };
-  for (const char* word : kJointWords) {
-    std::vector<ForeignHeading*> counted;
-    for (std::size_t k = 0; k < joints; ++k) counted.push_back(find(fmt::format("{}{}", word, k)));
-    const bool are_all = std::all_of(counted.begin(), counted.end(), [](const auto* heading) { return heading; });
-    if (!are_all || find(fmt::format("{}{}", word, joints))) continue;
-    for (std::size_t k = 0; k < joints; ++k) counted[k]->name = fmt::format("{}{}", word, k + 1);
-  }
-}
-
-/// A joint's own name goes before its number among the joints: `slide, A1, A2` are no numbers. The numbers of those
-/// that are left count them alone where there are as many: `slide, J1, J2`.
-void settleJoints(std::vector<std::vector<ForeignHeading>>& tables, const std::vector<ColumnTarget>& targets) {
-  const auto called = [&](const std::string& name) {
-    std::vector<ForeignHeading*> found;
-    for (auto& headings : tables)
-      for (auto& heading : headings)
-        if (heading.name == name) found.push_back(&heading);
-    return found;
-  };
-  std::vector<const ColumnTarget*> rest;
-  bool is_any_named = false;
-  for (const auto& target : targets) {
-    if (!target.is_joint) continue;
-    const auto found = called(target.aliases.front());
-    if (found.size() == 1 && fits(target, *found.front())) {
-      found.front()->name = settledName(target);
-      is_any_named = true;
-    } else if (isNumbered(target)) {
-      rest.push_back(&target);
-    }
-  }
-  for (const char* word : kJointWords) {
-    const auto numbered = [&](std::size_t number) { return called(fmt::format("{}{}", word, number)); };
-    bool are_all = is_any_named && !rest.empty() && numbered(rest.size() + 1).empty();
-    for (std::size_t number = 1; number <= rest.size(); ++number) are_all = are_all && numbered(number).size() == 1;
-    if (!are_all) continue;
-    std::vector<ForeignHeading*> columns;
-    for (std::size_t number = 1; number <= rest.size(); ++number) columns.push_back(numbered(number).front());
-    for (std::size_t k = 0; k < rest.size(); ++k) columns[k]->name = settledName(*rest[k]);
-    return;
-  }
-}
-
-/// Of every table.
-std::vector<std::vector<ForeignHeading>> allHeadings(const std::vector<ForeignTable>& tables,
-                                                     const std::vector<ColumnTarget>& targets) {
-  std::vector<std::vector<ForeignHeading>> headings;
-  for (const auto& table : tables) headings.push_back(headingsOf(table, targets));
-  const auto joints = std::count_if(targets.begin(), targets.end(), isNumbered);
-  countFromOne(headings, static_cast<std::size_t>(joints));
-  settleJoints(headings, targets);
-  return headings;
-}
-
 class ColumnTaker {
  public:
   ColumnTaker(const std::vector<ForeignTable>& tables, const std::vector<ColumnTarget>& targets,
               const ColumnChoice& choice)
-      : tables_(tables), targets_(targets), choice_(choice), headings_(allHeadings(tables, targets)) {
+      : tables_(tables), targets_(targets), choice_(choice), headings_(columnNames(tables, targets)) {
     for (const auto& table : tables) free_.emplace_back(table.columns.size(), true);
   }
 
@@ -265,7 +162,7 @@ class ColumnTaker {
 }  // namespace
 
 std::optional<std::size_t> findNames(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
-  const auto headings = headingsOf(table, targets);
+  const auto headings = columnNames(table, targets);
   for (const char* quantity : {"point", "id"})
     for (const auto& target : targets) {
       if (target.quantity != quantity) continue;
@@ -277,7 +174,7 @@ std::optional<std::size_t> findNames(const ForeignTable& table, const std::vecto
 
 std::vector<std::optional<ColumnGuess>> guessColumns(const std::vector<ForeignTable>& tables,
                                                      const std::vector<ColumnTarget>& targets) {
-  const auto headings = allHeadings(tables, targets);
+  const auto headings = columnNames(tables, targets);
   std::vector<std::optional<ColumnGuess>> guesses(targets.size());
   std::set<std::pair<std::size_t, std::size_t>> used;
   for (std::size_t k = 0; k < targets.size(); ++k)

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 
 #include "app/files/foreign/clock_time.hpp"
+#include "app/files/foreign/joined_rows.hpp"
 #include "app/files/input_error.hpp"
 #include "tubesheets/csv_table.hpp"
+#include "tubesheets/tube.hpp"
 
 namespace tubeplan::app {
 
@@ -24,15 +27,6 @@ bool isBlank(const std::string& field) {
          field == "N/A";
 }
 
-/// Without the groups before it: "A::Group::P1" is "P1".
-std::string pointName(const std::string& field) {
-  const std::size_t colons = field.rfind("::");
-  return std::string(tubesheets::trimBlanks(colons == std::string::npos ? field : field.substr(colons + 2)));
-}
-
-/// Row k of the readings is row rows[t][k] of table t.
-using RowsTogether = std::vector<std::vector<std::size_t>>;
-
 class ForeignReader {
  public:
   ForeignReader(const ForeignRequest& request, const deflection::Arm& arm)
@@ -41,16 +35,19 @@ class ForeignReader {
         taken_(takeColumns(request.tables, targets_, request.choice)) {}
 
   ForeignReadings read() {
+    refuseUnused();
     joinTables();
     nameColumns();
+    kind_ = kindOf();
     findIds();
+    readClocks();
     std::vector<std::string> names = {"id"};
     if (!isTaken("kind")) names.emplace_back("kind");
     for (const auto& column : taken_)
       if (column.name != "id") names.push_back(csvField(column.name));
     out_.text = fmt::format("{}\n", fmt::join(names, ","));
     std::size_t lost = 0;
-    for (std::size_t k = 0; k < rows_[lead_].size(); ++k) {
+    for (std::size_t k = 0; k < joined_.rows[joined_.lead].size(); ++k) {
       if (isLost(k))
         ++lost;
       else
@@ -77,90 +74,26 @@ class ForeignReader {
     return findNames(table(t), targets_);
   }
 
+  /// A file of which nothing is known was given for something.
+  void refuseUnused() const {
+    for (std::size_t t = 0; t < request_.tables.size(); ++t)
+      if (!isUsed(t))
+        throw InputError(table(t).file, "no column that is recognised", "joints, coordinates or points",
+                         "say which columns they are (--column x_mm=COLUMN), or leave the file out");
+  }
+
   /// The table with the joints leads; the others follow it.
   void joinTables() {
-    const std::size_t tables = request_.tables.size();
-    rows_.resize(tables);
     const auto joint =
         std::find_if(taken_.begin(), taken_.end(), [&](const auto& c) { return targets_[c.target].is_joint; });
-    lead_ = joint->table;
-    std::vector<std::vector<std::optional<std::size_t>>> partners(tables);
-    for (std::size_t t = 0; t < tables; ++t)
-      if (t != lead_ && isUsed(t)) partners[t] = partnersOf(t);
-    for (std::size_t k = 0; k < table(lead_).rows.size(); ++k) {
-      const bool is_whole = std::all_of(partners.begin(), partners.end(),
-                                        [&](const auto& partner) { return partner.empty() || partner[k]; });
-      if (!is_whole) continue;
-      for (std::size_t t = 0; t < tables; ++t) rows_[t].push_back(partners[t].empty() ? k : *partners[t][k]);
-    }
-    if (rows_[lead_].empty())
-      throw InputError(table(lead_).file, "no row that another table has a point for", "rows with the same names", "");
-    if (const std::size_t lost = table(lead_).rows.size() - rows_[lead_].size(); lost > 0)
-      out_.left_out.push_back(
-          fmt::format("{} rows of {} whose names another table does not have", lost, table(lead_).file));
+    std::vector<std::optional<std::size_t>> names;
+    for (std::size_t t = 0; t < request_.tables.size(); ++t) names.push_back(keyOf(t));
+    joined_ = joinRows(request_.tables, joint->table, names);
+    out_.left_out = joined_.left_out;
   }
 
   [[nodiscard]] bool isUsed(std::size_t t) const {
     return std::any_of(taken_.begin(), taken_.end(), [&](const auto& column) { return column.table == t; });
-  }
-
-  [[nodiscard]] std::vector<std::optional<std::size_t>> partnersOf(std::size_t t) {
-    const auto ours = keyOf(lead_), theirs = keyOf(t);
-    if (ours && theirs) {
-      auto partners = partnersByName(t, *ours, *theirs);
-      if (std::any_of(partners.begin(), partners.end(), [](const auto& partner) { return partner.has_value(); }))
-        return partners;
-      refuseOtherNames(t, *ours, *theirs);
-    }
-    return partnersByOrder(t);
-  }
-
-  /// Running numbers may count anything; names of points are names of points.
-  void refuseOtherNames(std::size_t t, std::size_t ours, std::size_t theirs) const {
-    const auto areNames = [](const ForeignTable& table, std::size_t column) {
-      return std::none_of(table.rows.begin(), table.rows.end(),
-                          [&](const auto& row) { return parseNumber(row.fields[column]).has_value(); });
-    };
-    if (areNames(table(lead_), ours) && areNames(table(t), theirs))
-      throw InputError(table(t).file, fmt::format("names of which {} has none", table(lead_).file),
-                       "the same names in both", "give the points the same names, or remove them to match by order");
-  }
-
-  std::vector<std::optional<std::size_t>> partnersByName(std::size_t t, std::size_t ours, std::size_t theirs) {
-    std::map<std::string, std::size_t> index;
-    for (std::size_t k = 0; k < table(t).rows.size(); ++k) {
-      const auto& row = table(t).rows[k];
-      if (!index.emplace(pointName(row.fields[theirs]), k).second)
-        throw InputError(fmt::format("{}:{}", table(t).file, row.line),
-                         fmt::format("the name {} twice", inQuotes(row.fields[theirs])), "every name once",
-                         "give the points different names, or remove the names to match rows by their order");
-    }
-    std::vector<std::optional<std::size_t>> partners;
-    std::set<std::size_t> used;
-    for (const auto& row : table(lead_).rows) {
-      const auto found = index.find(pointName(row.fields[ours]));
-      partners.push_back(found == index.end() ? std::nullopt : std::optional(found->second));
-      if (partners.back()) used.insert(*partners.back());
-    }
-    if (!used.empty()) {
-      how_ = "by name";
-      if (used.size() < index.size())
-        out_.left_out.push_back(fmt::format("{} rows of {} whose names {} does not have", index.size() - used.size(),
-                                            table(t).file, table(lead_).file));
-    }
-    return partners;
-  }
-
-  std::vector<std::optional<std::size_t>> partnersByOrder(std::size_t t) {
-    const std::size_t ours = table(lead_).rows.size(), theirs = table(t).rows.size();
-    if (ours != theirs)
-      throw InputError(table(t).file,
-                       fmt::format("{} rows, and none with a name that {} has", theirs, table(lead_).file),
-                       fmt::format("{} rows, as {} has, or the same names in both", ours, table(lead_).file), "");
-    how_ = "row by row";
-    std::vector<std::optional<std::size_t>> partners;
-    for (std::size_t k = 0; k < ours; ++k) partners.emplace_back(k);
-    return partners;
   }
 
   void nameColumns() {
@@ -170,18 +103,29 @@ class ForeignReader {
       out_.taken.push_back(fmt::format("{}: {} of {}", column.name,
                                        inQuotes(table(column.table).columns[column.column]), table(column.table).file));
     }
-    if (!how_.empty()) out_.taken.push_back(fmt::format("the tables' rows are matched {}", how_));
+    if (!joined_.how.empty()) out_.taken.push_back(fmt::format("the tables' rows are matched {}", joined_.how));
     for (std::size_t t = 0; t < request_.tables.size(); ++t) {
-      if (const auto key = keyOf(t); key && how_ == "by name") used[t].insert(*key);
+      if (const auto key = keyOf(t); key && joined_.how == "by name") used[t].insert(*key);
       std::vector<std::string> left;
-      for (std::size_t c = 0; c < table(t).columns.size(); ++c)
-        if (!used[t].contains(c)) left.push_back(inQuotes(table(t).columns[c]));
+      for (std::size_t c = 0; c < table(t).columns.size(); ++c) {
+        if (used[t].contains(c)) continue;
+        left.push_back(inQuotes(table(t).columns[c]));
+        if (areNumbers(t, c)) unknown_numbers_.push_back(fmt::format("{} of {}", left.back(), table(t).file));
+      }
       if (!left.empty()) out_.left_out.push_back(fmt::format("of {}: {}", table(t).file, fmt::join(left, ", ")));
     }
   }
 
+  [[nodiscard]] bool areNumbers(std::size_t t, std::size_t column) const {
+    const auto& rows = table(t).rows;
+    const auto isNumber = [&](const ForeignRow& row) { return parseNumber(row.fields[column]).has_value(); };
+    return std::ranges::any_of(rows, isNumber) && std::ranges::all_of(rows, [&](const ForeignRow& row) {
+             return isBlank(row.fields[column]) || isNumber(row);
+           });
+  }
+
   [[nodiscard]] std::string fieldOf(const TakenColumn& column, std::size_t k) const {
-    return table(column.table).rows[rows_[column.table][k]].fields[column.column];
+    return table(column.table).rows[joined_.rows[column.table][k]].fields[column.column];
   }
 
   /// Ids must differ: where they do not, they are points' names that were measured again.
@@ -189,7 +133,7 @@ class ForeignReader {
     const TakenColumn* column = find("id");
     if (!column) column = find("point");
     std::set<std::string> seen;
-    for (std::size_t k = 0; k < rows_[lead_].size(); ++k) {
+    for (std::size_t k = 0; k < joined_.rows[joined_.lead].size(); ++k) {
       ids_.push_back(column ? pointName(fieldOf(*column, k)) : "");
       if (ids_.back().empty() || !seen.insert(ids_.back()).second) column = nullptr;
     }
@@ -198,15 +142,31 @@ class ForeignReader {
   }
 
   [[nodiscard]] std::string kindOf() const {
-    if (!request_.kind.empty()) return request_.kind;
+    if (!request_.kind.empty() || isTaken("kind")) return request_.kind;
     if (isTaken("x") || isTaken("y") || isTaken("z")) return "position";
-    if (isTaken("point")) return "touch";
-    throw InputError("the columns", "no coordinates and no points", "x, y and z, or the points that were touched",
-                     "say which columns they are (--column x_mm=COLUMN), or of what kind the readings are (--kind)");
+    if (!isTaken("point"))
+      throw InputError("the columns", "no coordinates and no points", "x, y and z, or the points that were touched",
+                       "say which columns they are (--column x_mm=COLUMN), or of what kind the readings are (--kind)");
+    if (!unknown_numbers_.empty() && !areHoles())
+      throw InputError(
+          "the columns",
+          fmt::format("no coordinates, and numbers that are not recognised: {}", fmt::join(unknown_numbers_, ", ")),
+          "x, y and z, or touches of points alone",
+          "say which columns they are (--column x_mm=COLUMN), with polar coordinates made x, y and z "
+          "before; or say that the readings are touches (--kind touch)");
+    return "touch";
+  }
+
+  /// Whether the points are named as holes are, whose places the sheet gives.
+  [[nodiscard]] bool areHoles() const {
+    const TakenColumn& point = *find("point");
+    for (std::size_t k = 0; k < joined_.rows[joined_.lead].size(); ++k)
+      if (!tubesheets::parseTubeName(pointName(fieldOf(point, k)))) return false;
+    return true;
   }
 
   [[nodiscard]] bool isLost(std::size_t k) const {
-    if (isTaken("kind") || !request_.kind.empty() || kindOf() != "position") return false;
+    if (!request_.kind.empty() || kind_ != "position") return false;
     return std::ranges::all_of(std::array{"x", "y", "z"}, [&](const char* axis) {
       const TakenColumn* column = find(axis);
       return !column || isBlank(fieldOf(*column, k));
@@ -217,14 +177,15 @@ class ForeignReader {
     std::string text;
     for (std::size_t t = 0; t < request_.tables.size(); ++t)
       if (isUsed(t))
-        text += fmt::format("{}{}:{}", text.empty() ? "" : " and ", table(t).file, table(t).rows[rows_[t][k]].line);
+        text +=
+            fmt::format("{}{}:{}", text.empty() ? "" : " and ", table(t).file, table(t).rows[joined_.rows[t][k]].line);
     return text;
   }
 
   void addRow(std::size_t k) {
     out_.origins.push_back(originOf(k));
     std::vector<std::string> fields = {csvField(ids_[k])};
-    if (!isTaken("kind")) fields.push_back(kindOf());
+    if (!isTaken("kind")) fields.push_back(kind_);
     for (const auto& column : taken_) {
       const auto& target = targets_[column.target];
       if (target.quantity == "id") continue;
@@ -240,26 +201,42 @@ class ForeignReader {
     if (isBlank(field)) return "";
     const std::string number = field.starts_with('+') ? field.substr(1) : field;
     if (parseNumber(number)) return number;
-    if (targets_[column.target].unit == UnitKind::kTime)
-      if (const auto seconds = clockSeconds(field)) return formatNumber(*seconds - firstTime(column));
+    if (const auto clock = clocks_.find(column.target); clock != clocks_.end())
+      if (const auto seconds = clock->second[joined_.rows[column.table][k]]) return formatNumber(*seconds);
     throw InputError(fmt::format("{}:{} (column {})", table(column.table).file,
-                                 table(column.table).rows[rows_[column.table][k]].line,
+                                 table(column.table).rows[joined_.rows[column.table][k]].line,
                                  inQuotes(table(column.table).columns[column.column])),
                      inQuotes(field), "a finite number", "");
   }
 
-  /// Of a clock, in seconds; times count from the first reading's.
-  [[nodiscard]] double firstTime(const TakenColumn& column) const {
-    return clockSeconds(fieldOf(column, 0)).value_or(0);
+  /// Clocks' times count from the first reading's that states one.
+  void readClocks() {
+    for (const auto& column : taken_) {
+      if (targets_[column.target].unit != UnitKind::kTime) continue;
+      std::vector<std::string> fields;
+      for (const auto& row : table(column.table).rows) fields.push_back(row.fields[column.column]);
+      ClockTimes times = clockTimes(fields);
+      for (const std::size_t k : times.midnights)
+        out_.taken.push_back(fmt::format("{}: the clock passes midnight before {}:{}, a day is added from there on",
+                                         column.name, table(column.table).file, table(column.table).rows[k].line));
+      const auto& rows = joined_.rows[column.table];
+      const auto first = std::ranges::find_if(rows, [&](std::size_t k) { return times.seconds[k].has_value(); });
+      if (first == rows.end()) continue;
+      const double start = *times.seconds[*first];
+      for (auto& seconds : times.seconds)
+        if (seconds) *seconds -= start;
+      clocks_.emplace(column.target, std::move(times.seconds));
+    }
   }
 
   const ForeignRequest& request_;
   std::vector<ColumnTarget> targets_;
   std::vector<TakenColumn> taken_;
-  RowsTogether rows_;
-  std::size_t lead_ = 0;
-  std::string how_;  ///< "by name", "row by row"; empty of one table
+  JoinedRows joined_;
   std::vector<std::string> ids_;
+  std::vector<std::string> unknown_numbers_;                          ///< columns of numbers that are left out
+  std::string kind_;                                                  ///< of readings whose table names none
+  std::map<std::size_t, std::vector<std::optional<double>>> clocks_;  ///< s, by target, of every row of the table
   ForeignReadings out_;
 };
 

@@ -11,6 +11,7 @@
 
 #include "app/files/input_error.hpp"
 #include "app/files/text_file.hpp"
+#include "app/files/utf8.hpp"
 #include "app/files/yaml/yaml_scan.hpp"
 
 namespace tubeplan::app {
@@ -46,6 +47,8 @@ class TreeBuilder : public YAML::EventHandler {
     refuseAnchor(mark, anchor);
     refuseTag(mark, tag);
     if (tag == "!") refuseOpenQuote(mark);
+    if (!isText(value))
+      makeNode(mark, YamlNode::Kind::kNull).fail("a control character in " + inQuotes(value), "plain text", "");
     if (expectsKey()) {
       startEntry(mark, value);
       return;
@@ -182,7 +185,7 @@ YamlNode parseYaml(const std::string& text, const std::string& file) {
     TreeBuilder second(text, file);
     if (parser.HandleNextDocument(second))
       throw InputError(file, "a second document (---)", "one document", "split the file");
-  } catch (const YAML::ParserException& error) {
+  } catch (const YAML::Exception& error) {
     throw InputError(fmt::format("{}:{}:{}", file, error.mark.line + 1, error.mark.column + 1),
                      "text that is not YAML (" + error.msg + ")", "keys and values in YAML",
                      "check brackets, colons and indentation up to this place");

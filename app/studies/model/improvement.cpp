@@ -135,6 +135,7 @@ class Improver {
     options.free = freeNumbersOf(cell);
     options.seed = request_.seed;
     options.intervals_by_profile = false;
+    options.may_hold_all = true;
     options.uncertainty = cell.uncertainty;
     options.hooks = hooks;
     const auto used = calibration::withoutReadings(readings_, set_aside_);

@@ -23,6 +23,56 @@ class EffectCommands : public ProgramTest {
   }
 };
 
+/// A cell that states its base and frees nothing is asked what it lacks like any other.
+TEST_F(EffectCommands, AModelWithNothingFreeIsDiagnosed) {
+  const std::string cell = contentOf(shippedCells() / "bench.yaml");
+  write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
+  write("held.yaml", cell.substr(0, cell.find("identify:")));
+  for (const char* hidden : {"", "joint-scale@theta3:0.01", "backlash@tool.z:0.2deg"}) {
+    ASSERT_EQ(run("simulate held.yaml --design bench --readings 60 --seed 5 --out set" +
+                  (*hidden ? std::string(" --hide ") + hidden : ""))
+                  .exit_code,
+              0);
+    const auto outcome = run("diagnose held.yaml set/measurements.csv --json -");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json found = json::parse(outcome.out);
+    EXPECT_EQ(found["verdict"], *hidden ? "explained" : "adequate") << outcome.out;
+    if (*hidden) {
+      EXPECT_TRUE(std::string(hidden).starts_with(found["alternatives"][0][0]["effect"].get<std::string>() + "@"));
+    }
+    EXPECT_EQ(run("compare held.yaml set/measurements.csv").exit_code, *hidden ? 1 : 0);
+  }
+}
+
+/// Readings from a bench, given to a cell with a sheet whose base stands elsewhere and faces another way.
+TEST_F(EffectCommands, ReadingsOfAnotherCellGetNoVerdict) {
+  simulate("");
+  const auto outcome = run("diagnose " + shipped("mockup.yaml") + " set/measurements.csv --json -");
+  const json found = json::parse(outcome.out);
+  EXPECT_EQ(found["verdict"], "inconclusive");
+  EXPECT_EQ(found["checks"][0]["severity"], "mistake");
+  expectSays(found["checks"][0]["sentence"], "another cell");
+  expectSays(found["checks"][0]["sentence"], "61");
+  EXPECT_EQ(run("compare " + shipped("mockup.yaml") + " set/measurements.csv").exit_code, 1);
+}
+
+/// A base alone that leaves more than noise explains is no answer; with what is open freed it is one.
+TEST_F(EffectCommands, ABaseThatLeavesTheReadingsOffIsSaid) {
+  ASSERT_EQ(
+      run("simulate " + shipped("mockup-true.yaml") + " --design bowl --readings 40 --loads 0,30 --out set").exit_code,
+      0);
+  const std::string asked = "identify " + shipped("mockup.yaml") + " set/measurements.csv --folds 0";
+  const auto alone = run(asked);
+  EXPECT_EQ(alone.exit_code, 1) << alone.out << alone.err;
+  expectSays(alone.out, "warning: the fit leaves more than noise explains");
+  const auto freed =
+      run(asked +
+          " --free tool.joint_stiffness.z,forearm.joint_stiffness.z,latch-link.beam.Iz,"
+          "mezzanine-beam.beam.Iz,mezzanine-beam.joint_stiffness.z,mezzanine-platform.joint_stiffness.x");
+  EXPECT_EQ(freed.exit_code, 0) << freed.err;
+  EXPECT_EQ(freed.out.find("more than noise"), std::string::npos) << freed.out;
+}
+
 TEST_F(EffectCommands, EveryEffectOfTheCatalogueIsListedWithItsPlaces) {
   const auto all = run("effects " + bench());
   ASSERT_EQ(all.exit_code, 0) << all.err;

@@ -79,7 +79,8 @@ TEST_F(OtherArms, WhereNothingIsFreeTheCellIsNamed) {
   ASSERT_NE(list, std::string::npos);
   const auto end = cell.find("\n", list + 1);
   (void)write("bench.yaml", cell.substr(0, list) + cell.substr(end));
-  const Outcome refused = run("diagnose bench.yaml made/measurements.csv");
+  EXPECT_NE(run("diagnose bench.yaml made/measurements.csv").exit_code, 2);
+  const Outcome refused = run("identify bench.yaml made/measurements.csv");
   EXPECT_EQ(refused.exit_code, 2) << refused.out;
   expectSays(refused.err, "bench.yaml: found no free parameter");
 }

@@ -23,6 +23,17 @@ TEST(Utf8, KnowsWellFormedSequences) {
     EXPECT_EQ(sequenceLength(bad, 0), 0U) << bad;
 }
 
+TEST(Utf8, TextHoldsNoControlCharactersButLineEndsAndTabs) {
+  for (const std::string good : {"", "a\tb\nc\r\nd", "\xC3\xA9\n", "ends with\r"}) EXPECT_TRUE(isText(good)) << good;
+  struct Found {
+    std::string text;
+    std::size_t at;
+  };
+  for (const Found& bad : {Found{"ab\x1b[31m", 2}, Found{"a\rb", 1}, Found{std::string("a\0b", 3), 1}, Found{"\x7f", 0},
+                           Found{"a\xC2\x9b", 1}, Found{"\xff", 0}, Found{"ab\xC3", 2}})
+    EXPECT_EQ(findNonText(bad.text), bad.at) << printable(bad.text, 99);
+}
+
 TEST(Utf8, ShowsWhatCannotBeSeen) {
   EXPECT_EQ(printable("tube R10C20 \xC3\xA9", 100), "tube R10C20 \xC3\xA9");
   EXPECT_EQ(printable("a\nb\x01", 100), "a\\x0Ab\\x01");

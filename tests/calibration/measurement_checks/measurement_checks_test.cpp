@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "app/files/assumptions.hpp"
 #include "calibration/measurement_checks/copies.hpp"
 #include "calibration/measurement_checks/shifted_rows.hpp"
+#include "calibration/patterns/comparison.hpp"
 #include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
 
 namespace tubeplan::calibration {
@@ -36,7 +38,73 @@ TEST_P(MeasurementChecks, NameTheMistake) {
   EXPECT_GE(named, kSets - 1) << found;
 }
 
+/// Chi-square for each degree of freedom of a right model, of readings that are taken as a check offers. Of a zero that
+/// was found with the drawing's stiffnesses a rest is left, which belongs to the model.
+double chi2Mended(SeededSet& set, const std::string& assume) {
+  (void)app::takeAssumptions({assume}, set.table, set.cell);
+  ComparisonOptions options;
+  options.refit.free = app::freeNumbersOf(set.cell);
+  options.refit.folds = 0;
+  if (assume.starts_with("joint-zero="))
+    for (const int row : deflection::activeRows(set.cell.arm))
+      options.refit.free.names.push_back(set.cell.arm.rows[static_cast<std::size_t>(row)].name + ".joint.offset");
+  const auto comparison = compare(app::startOf(set.cell, set.table.readings), set.table.readings, options);
+  return comparison.after_refit.chi2 / comparison.after_refit.degrees_of_freedom;
+}
+
+// The noise of what is mended is mended with it: a mend that left it in the wrong unit would be off by hundreds.
+TEST_P(MeasurementChecks, AreMendedByWhatTheyOffer) {
+  constexpr int kSets = 2;
+  const auto& kind = seededMistakes().at(GetParam());
+  SeededRandom random(23);
+  int mended = 0;
+  for (std::uint64_t number = 0; number < 120 && mended < kSets; ++number) {
+    auto set = cleanSet(number);
+    const auto mend = set ? kind.make(*set, random) : std::nullopt;
+    if (mend == "sigma=*") GTEST_SKIP() << "no unit is that small";
+    if (!mend || mend == "joint-zero=theta4") continue;
+    const auto checks = checksOf(*set).checks;
+    const auto named = std::ranges::find_if(checks, [&](const MeasurementCheck& check) {
+      return judgeNaming(kind, *mend, {{check}, {}}) == Naming::kRight;
+    });
+    if (named == checks.end()) continue;
+    const std::string assume = named->assume;
+    ++mended;
+    const double chi2 = chi2Mended(*set, assume);
+    EXPECT_GT(chi2, 0.5) << assume << " in " << set->name;
+    EXPECT_LT(chi2, 2) << assume << " in " << set->name;
+  }
+  EXPECT_GT(mended, 0) << kind.label;
+}
+
 INSTANTIATE_TEST_SUITE_P(OfEveryKind, MeasurementChecks, ::testing::Range<std::size_t>(0, seededMistakes().size()));
+
+// Few readings are fitted exactly by all that is open, and no fit knows of an error below the noise.
+TEST(MeasurementChecksOf, ErrorsAreQuotedNoLowerThanTheNoise) {
+  int quoted = 0;
+  for (const auto& kind : seededMistakes())
+    for (const std::uint64_t number : {0u, 4u})
+      for (const std::size_t count : {3u, 5u, 12u}) {
+        SeededRandom random(number + count);
+        auto set = cleanSet(number);
+        ASSERT_TRUE(set);
+        set->table.readings.resize(std::min(count, set->table.readings.size()));
+        if (!kind.make(*set, random)) continue;
+        double noise = std::numeric_limits<double>::infinity();
+        for (const auto& m : set->table.readings) noise = std::min(noise, m.sigma);
+        for (const auto& check : checksOf(*set).checks) {
+          if (check.name == "hole" || !findMistakeKind(check.name)) continue;  // a hole's error is that of one reading
+          for (const double error : {check.error_as_is, check.error_if_mended}) {
+            if (!std::isfinite(error)) continue;
+            ++quoted;
+            // Of what was written in another unit, the noise too, the smallest unit is a thousandth of the largest.
+            EXPECT_GE(error, noise * (check.assume.starts_with("coord") ? 1e-3 : 0.999))
+                << kind.label << ": " << check.sentence;
+          }
+        }
+      }
+  EXPECT_GT(quoted, 20);
+}
 
 TEST(MeasurementChecksOf, CleanReadingsSuspectNothing) {
   for (std::uint64_t number = 0; number < 10; ++number) {
@@ -80,6 +148,24 @@ TEST(MeasurementChecksOf, BeamsThatBendTooFarForTheirSegmentsAreNamed) {
   for (auto& row : set->cell.arm.rows)
     if (row.beam) row.beam->segments = 32;
   EXPECT_FALSE(has());
+}
+
+/// Joints as a display shows them, of postures that had more digits.
+TEST(MeasurementChecksOf, RoundedJointsAreRemarkedOn) {
+  for (const double degrees : {0., 0.1, 0.5}) {
+    auto set = cleanSet(0);
+    ASSERT_TRUE(set);
+    for (auto& m : set->table.readings)
+      for (double& q : m.q) {
+        if (degrees == 0) continue;
+        const double step = degrees * std::numbers::pi / 180;
+        q = std::round(q / step) * step;
+      }
+    const auto checks = checksOf(*set);
+    const bool is_said = std::ranges::any_of(
+        checks.checks, [](const MeasurementCheck& check) { return check.name == "rounded-joints"; });
+    EXPECT_EQ(is_said, degrees > 0) << degrees;
+  }
 }
 
 TEST(MeasurementChecksOf, MissingColumnsSayWhatTheyWouldShow) {

@@ -92,6 +92,25 @@ inline Made coordinateInMillimetres(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) (*m.p_W)[axis] *= s.table.units.coordinates.factor / 1e-3;
   return std::string("coordinate-unit=") + "xyz"[axis] + ":mm";
 }
+/// Noise in the unit that the coordinates really are in, of the readings from that one on.
+inline Made withSigma(SeededSet& set, const std::string& unit, std::size_t first, Made mend) {
+  const double factor = set.table.units.coordinates.factor / app::findUnit(app::UnitKind::kLength, unit)->factor;
+  for (std::size_t k = first; mend && k < set.table.readings.size(); ++k) set.table.readings[k].sigma *= factor;
+  return mend;
+}
+inline Made millimetresWithSigma(SeededSet& s, SeededRandom&) { return withSigma(s, "mm", 0, writtenIn(s, "mm")); }
+inline Made feetWithSigma(SeededSet& s, SeededRandom&) { return withSigma(s, "ft", 0, writtenIn(s, "ft")); }
+inline Made coordinateInMillimetresWithSigma(SeededSet& s, SeededRandom& random) {
+  const Made mend = coordinateInMillimetres(s, random);
+  if (!mend) return mend;
+  s.table.units.axis_sigma_columns = s.table.units.coordinates;
+  s.table.units.sigma_column = {"", 1};
+  for (auto& m : s.table.readings) {
+    m.sigma_W = Eigen::Vector3d::Constant(m.sigma);
+    (*m.sigma_W)[mend->at(mend->find('=') + 1) - 'x'] *= s.table.units.coordinates.factor / 1e-3;
+  }
+  return mend;
+}
 /// From one of the readings on, as a file appended to another.
 inline std::pair<std::size_t, std::string> drawnEnd(const SeededSet& set, SeededRandom& random) {
   const auto& readings = set.table.readings;
@@ -105,6 +124,11 @@ inline Made lastInMillimetres(SeededSet& s, SeededRandom& random) {
   for (std::size_t k = first; k < s.table.readings.size(); ++k)
     *s.table.readings[k].p_W *= s.table.units.coordinates.factor / 1e-3;
   return "coordinates-of=" + name + ":mm";
+}
+inline Made lastInMillimetresWithSigma(SeededSet& s, SeededRandom& random) {
+  SeededRandom again = random;
+  const Made mend = lastInMillimetres(s, random);
+  return mend ? withSigma(s, "mm", drawnEnd(s, again).first, mend) : mend;
 }
 inline Made lastInRadians(SeededSet& s, SeededRandom& random) {
   if (!arePlaces(s)) return std::nullopt;
@@ -270,6 +294,10 @@ inline const std::vector<SeededMistake>& seededMistakes() {
       {"coordinates", "coordinates in cm", seeded::centimetres},
       {"coordinates", "coordinates in m", seeded::metres},
       {"coordinates", "coordinates in ft", seeded::feet},
+      {"coordinates", "coordinates and sigma in mm", seeded::millimetresWithSigma},
+      {"coordinates", "coordinates and sigma in ft", seeded::feetWithSigma},
+      {"coordinate-unit", "one coordinate and its sigma in mm", seeded::coordinateInMillimetresWithSigma},
+      {"coordinates-of", "the last coordinates and sigmas in mm", seeded::lastInMillimetresWithSigma},
       {"loads", "loads in N", seeded::newtons},
       {"loads", "loads in kg", seeded::kilograms},
       {"angles", "radians under deg", seeded::radians},
@@ -309,7 +337,7 @@ inline Naming judgeNaming(const SeededMistake& mistake, const std::string& mend,
     if (mistake.name == std::string("sigma")) return assume.starts_with("sigma=");
     if (mistake.name == std::string("joint-zero")) return assume.starts_with(mend + ":");
     if (mistake.name == std::string("setup")) return assume.starts_with("setup=");
-    return assume == mend;
+    return assume == mend || assume.starts_with(mend + ",sigma=");
   };
   bool is_wrong = false;
   for (const auto& check : checks.checks) {

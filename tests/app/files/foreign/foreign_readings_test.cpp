@@ -1,5 +1,8 @@
 #include "app/files/foreign/foreign_readings.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/files/cell_reader.hpp"
 #include "app/files/foreign/foreign_heading.hpp"
 #include "app/files/measurements_reader.hpp"
@@ -203,6 +206,78 @@ TEST_F(ForeignReadingsTest, withoutCoordinatesReadingsAreTouches) {
             "2,touch,R1C1,11,45,-35,12\n");
 }
 
+const char* const kLog = "Name,A1,A2,A3,A4\nP1,10,45,-35,12\nP2,20,45,-35,12\n";
+
+// Points as trackers and surveyors export them, with no, one or several names in front and axes of other names.
+TEST_F(ForeignReadingsTest, takesPlacesHoweverTheyAreExported) {
+  for (const char* points : {
+           "P1 1 2 3\nP2 4 5 6\n",
+           "// Working frame: A::World\n// X Y Z\nA Robot P1 1 2 3\nA Robot P2 4 5 6\n",
+           "A,Robot,P1,1,2,3\nA,Robot,P2,4,5,6\n",
+           "A;Robot;Arm;P1;1,0;2,0;3,0\nA;Robot;Arm;P2;4,0;5,0;6,0\n",
+           "P1,Robot,1,2,3\nP2,Robot,4,5,6\n",
+           "A\tP1\t1\t2\t3\nA\tP2\t4\t5\t6\n",
+           "Point,East,North,Elev\nP1,1,2,3\nP2,4,5,6\n",
+           "Point,Northing [mm],Easting [mm],Height [mm]\nP1,2,1,3\nP2,5,4,6\n",
+           "Point;E;N;H\nP1;1;2;3\nP2;4;5;6\n",
+       }) {
+    const auto readings = read({{"points", points}, {"log", kLog}}, {}, {"mm", "deg"});
+    const auto table = parseMeasurementTable(readings.text, "r", cell.arm).readings;
+    ASSERT_EQ(table.size(), 2u) << points;
+    for (int k = 0; k < 2; ++k) {
+      const auto& reading = table[static_cast<std::size_t>(k)];
+      EXPECT_EQ(reading.kind, calibration::MeasurementKind::kPosition) << points;
+      ASSERT_TRUE(reading.p_W) << points;
+      const Eigen::Vector3d place = Eigen::Vector3d(1, 2, 3).array() + 3 * k;
+      EXPECT_LT((*reading.p_W - place / 1000).norm(), 1e-12) << points;
+      EXPECT_EQ(reading.point, k == 0 ? "P1" : "P2") << points;
+    }
+  }
+}
+
+// Points that are called by numbers, beside an arm that has not as many joints as such rows have numbers.
+TEST_F(ForeignReadingsTest, takesRunningNumbersForNames) {
+  const Cell puma = readCell((shippedCells() / "puma.yaml").string());
+  const std::string log = "Name,J1,J2,J3,J4,J5,J6\n7,1,2,3,4,5,6\n8,2,3,4,5,6,7\n";
+  for (const char* points : {"7 1 2 3\n8 4 5 6\n", "A Robot 8 4 5 6\nA Robot 7 1 2 3\n"}) {
+    ForeignRequest request{{parseForeignTable(points, "points"), parseForeignTable(log, "log")}, {{}, {}}, ""};
+    for (const char* unit : {"mm", "deg"}) request.choice.units.emplace(findUnitWord(unit)->kind, findUnitWord(unit));
+    const auto readings = readForeign(request, puma.arm);
+    EXPECT_NE(readings.text.find("position"), std::string::npos) << points;
+    EXPECT_NE(readings.text.find("1,2,3,4,5,6,1,2,3\n"), std::string::npos) << readings.text;
+  }
+}
+
+// Numbers that nobody recognises are no reason to take readings for touches of points that nobody knows.
+TEST_F(ForeignReadingsTest, NumbersThatNobodyKnowsMakeNoTouches) {
+  for (const char* points : {
+           "Point;HZ [gon];V [gon];D [mm]\nP1;170,87;95,14;1315,2\nP2;118,76;124,58;1272,4\n",
+           "Point,Easting,Northing,Depth\nP1,1,2,3\nP2,4,5,6\n",
+           "Point,u,v,w\nP1,1,2,3\nP2,4,5,6\n",
+           "A,Robot,1,1,2,3\nA,Robot,2,4,5,6\n",  // a running number and a place, or four joints
+           "P1 1 2 3 0.01 0.02\nP2 4 5 6 0.01 0.02\n",
+           "P1 1 2\nP2 4 5\n",
+       }) {
+    const std::vector<Text> texts = {{"points", points}, {"log", kLog}};
+    const std::string message = refusal(texts, {}, {"mm", "deg"});
+    EXPECT_NE(message.find("recognised"), std::string::npos) << points << message;
+    EXPECT_NE(message.find("--column"), std::string::npos) << message;
+  }
+  const std::vector<Text> named = {{"points", "Point,u,v,w\nP1,1,2,3\nP2,4,5,6\n"}, {"log", kLog}};
+  EXPECT_EQ(read(named, {"x_mm=u", "y_mm=v", "z_mm=w"}, {"deg"}).origins.size(), 2u);
+  ForeignRequest touches{
+      {parseForeignTable(named[0].text, "points"), parseForeignTable(kLog, "log")}, {{}, {}}, "touch"};
+  touches.choice.units.emplace(UnitKind::kAngle, findUnitWord("deg"));
+  EXPECT_EQ(readForeign(touches, cell.arm).origins.size(), 2u);
+  // Holes are known places, whatever else stands beside them.
+  EXPECT_EQ(read({{"log", "Hole,J1,J2,J3,J4,Probe\nR1C1,10,45,-35,12,3\n"}}, {}, {"deg"}).origins.size(), 1u);
+}
+
+TEST_F(ForeignReadingsTest, AFileOfWhichNothingIsKnownIsRefused) {
+  const std::string log = "Name,A1,A2,A3,A4,X,Y,Z\nP1,10,45,-35,12,1,2,3\n";
+  EXPECT_NE(refusal({{"log", log}, {"other", "a,b\n1,2\n"}}, {}, {"mm", "deg"}).find("other"), std::string::npos);
+}
+
 TEST_F(ForeignReadingsTest, JointsMayBeCountedFromZero) {
   const auto readings =
       read({{"log.csv", "q3,q2,q1,q0,x,y,z\n12,-35,45,10,1,2,3\n12,-35,45,20,4,5,6\n"}}, {}, {"mm", "deg"});
@@ -232,6 +307,37 @@ TEST_F(ForeignReadingsTest, ClockTimesAreSecondsFromTheFirst) {
   EXPECT_EQ(unknown.text.find("time"), std::string::npos) << unknown.text;
   EXPECT_NE(unknown.left_out.at(0).find("Timestamp"), std::string::npos);
   EXPECT_NE(messageOf([&] { (void)with("10:00:00", "noon"); }).find("noon"), std::string::npos);
+}
+
+// A clock without a date that goes back by half a day or more: a day is added, and it is said where.
+TEST_F(ForeignReadingsTest, ClocksPassMidnight) {
+  struct Shift {
+    std::vector<std::string> clock;
+    std::vector<double> seconds;
+    std::size_t midnights;
+  };
+  for (const Shift& shift :
+       {Shift{{"23:50:00", "23:59:59", "00:00:01", "00:14:00"}, {0, 599, 601, 1440}, 1},
+        Shift{{"18:00:00", "06:00:00", "18:00:00", "05:00:00"}, {0, 43200, 86400, 126000}, 2},
+        Shift{{"10:00:00", "09:30:00", "11:00:00"}, {0, -1800, 3600}, 0},  // not in order
+        Shift{{"00:10:00", "23:50:00"}, {0, 85200}, 0}, Shift{{"", "23:50:00", "", "00:10:00"}, {NAN, 0, NAN, 1200}, 1},
+        Shift{{"2026-11-02 00:00:05", "2026-11-01 00:00:00"}, {0, -86405}, 0}}) {
+    std::string log = "J1,J2,J3,J4,x,y,z,Time\n";
+    if (shift.clock[0].empty()) log = "J1,J2,J3,J4,x,y,z,time_s\n";
+    for (const auto& clock : shift.clock) log += "10,45,-35,12,1,2,3," + clock + "\n";
+    const auto readings = read({{"log.csv", log}}, {}, {"mm", "deg"});
+    const auto table = parseMeasurementTable(readings.text, "r", cell.arm).readings;
+    ASSERT_EQ(table.size(), shift.seconds.size());
+    for (std::size_t k = 0; k < table.size(); ++k) {
+      if (std::isnan(shift.seconds[k]))
+        EXPECT_TRUE(std::isnan(table[k].time)) << log;
+      else
+        EXPECT_EQ(table[k].time, shift.seconds[k]) << log;
+    }
+    const auto said = std::count_if(readings.taken.begin(), readings.taken.end(),
+                                    [](const std::string& line) { return line.find("midnight") != std::string::npos; });
+    EXPECT_EQ(static_cast<std::size_t>(said), shift.midnights) << log;
+  }
 }
 
 TEST_F(ForeignReadingsTest, LostPointsAreLeftOut) {

@@ -1,0 +1,172 @@
+#include "app/files/foreign/column_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+/// Whether a joint may be called by its number; those beside the chain to the tip are not counted.
+bool isNumbered(const ColumnTarget& target) { return target.is_joint && target.aliases.size() > 1; }
+
+/// Of a heading that is this target's and no other's.
+std::string settledName(const ColumnTarget& target) { return "=" + target.quantity; }
+
+/// How many columns at the front are of text: the collection, the group and the name of a tracker's point.
+std::size_t textsInFront(const ForeignTable& table) {
+  const auto& first = table.rows.front().fields;
+  const auto isNumber = [](const std::string& field) { return tubesheets::parseNumber(field).has_value(); };
+  return static_cast<std::size_t>(std::find_if(first.begin(), first.end(), isNumber) - first.begin());
+}
+
+bool areDifferent(const ForeignTable& table, std::size_t column) {
+  std::set<std::string> seen;
+  return std::ranges::all_of(table.rows, [&](const auto& row) { return seen.insert(row.fields[column]).second; });
+}
+
+/// Whether a column may be of running numbers.
+bool areCounts(const ForeignTable& table, std::size_t column) {
+  return areDifferent(table, column) && std::ranges::all_of(table.rows, [&](const auto& row) {
+           return tubesheets::parseInteger(row.fields[column]).has_value();
+         });
+}
+
+/// Of the texts at the front the last that differs from row to row, else the last; nothing where there are none.
+std::optional<std::size_t> pointAmong(const ForeignTable& table, std::size_t texts) {
+  for (std::size_t c = texts; c-- > 0;)
+    if (areDifferent(table, c)) return c;
+  return texts > 0 ? std::optional(texts - 1) : std::nullopt;
+}
+
+/// What the columns of a table without headings are by how many there are: texts in front, the last of which names the
+/// point; before a place a running number, or the point's where no text differs; then the joints, the place, or both.
+std::vector<ForeignHeading> headingsByShape(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
+  std::vector<std::string> joints;
+  for (const auto& target : targets)
+    if (target.is_joint) joints.push_back(target.aliases.front());
+  const std::size_t texts = textsInFront(table), columns = table.columns.size();
+  std::vector<ForeignHeading> headings(columns);
+  const auto isWhole = [&](std::size_t numbers) {
+    return numbers == joints.size() + 3 || (numbers == joints.size()) != (numbers == 3);
+  };
+  const auto point = pointAmong(table, texts);
+  const bool is_named = point && areDifferent(table, *point);
+  const std::size_t counted = columns - texts - 1;  // numbers behind the first
+  const bool may_be_counted = !is_named && isWhole(counted) && counted != joints.size() && areCounts(table, texts);
+  const bool is_counted = !isWhole(columns - texts);
+  if (is_counted ? !may_be_counted : texts > 1 && may_be_counted) return headings;  // unknown, or one of two
+  if (is_counted)
+    headings[texts].name = texts == 0 ? "id" : "point";
+  else if (point)
+    headings[*point].name = "point";
+  std::size_t at = texts + (is_counted ? 1 : 0);
+  const std::size_t numbers = columns - at;
+  if (numbers != 3)
+    for (const auto& joint : joints) headings[at++].name = joint;
+  if (numbers != joints.size())
+    for (const char* axis : {"x", "y", "z"}) headings[at++].name = axis;
+  return headings;
+}
+
+/// Surveyors' axes, where all three stand in one table and none is called x, y or z.
+void takeSurveyAxes(std::vector<std::vector<ForeignHeading>>& tables) {
+  static const std::array<std::set<std::string>, 3> kNames{
+      {{"east", "easting", "e"}, {"north", "northing", "n"}, {"elev", "elevation", "up", "height", "h"}}};
+  static const std::array<std::string, 3> kAxes{"x", "y", "z"};
+  for (const auto& headings : tables)
+    for (const auto& heading : headings)
+      if (std::ranges::find(kAxes, heading.name) != kAxes.end()) return;
+  for (auto& headings : tables) {
+    std::array<std::vector<ForeignHeading*>, 3> found;
+    for (auto& heading : headings)
+      for (std::size_t a = 0; a < 3; ++a)
+        if (kNames[a].contains(heading.name)) found[a].push_back(&heading);
+    if (std::ranges::any_of(found, [](const auto& columns) { return columns.size() != 1; })) continue;
+    for (std::size_t a = 0; a < 3; ++a) found[a].front()->name = kAxes[a];
+  }
+}
+
+/// Joints counted from zero are counted from one here: q0 to q5 of six, where there is no q6.
+void countFromOne(std::vector<std::vector<ForeignHeading>>& tables, std::size_t joints) {
+  const auto find = [&](const std::string& name) -> ForeignHeading* {
+    for (auto& headings : tables)
+      for (auto& heading : headings)
+        if (heading.name == name) return &heading;
+    return nullptr;
+  };
+  for (const char* word : kJointWords) {
+    std::vector<ForeignHeading*> counted;
+    for (std::size_t k = 0; k < joints; ++k) counted.push_back(find(fmt::format("{}{}", word, k)));
+    const bool are_all = std::all_of(counted.begin(), counted.end(), [](const auto* heading) { return heading; });
+    if (!are_all || find(fmt::format("{}{}", word, joints))) continue;
+    for (std::size_t k = 0; k < joints; ++k) counted[k]->name = fmt::format("{}{}", word, k + 1);
+  }
+}
+
+/// A joint's own name goes before its number among the joints: `slide, A1, A2` are no numbers. The numbers of those
+/// that are left count them alone where there are as many: `slide, J1, J2`.
+void settleJoints(std::vector<std::vector<ForeignHeading>>& tables, const std::vector<ColumnTarget>& targets) {
+  const auto called = [&](const std::string& name) {
+    std::vector<ForeignHeading*> found;
+    for (auto& headings : tables)
+      for (auto& heading : headings)
+        if (heading.name == name) found.push_back(&heading);
+    return found;
+  };
+  std::vector<const ColumnTarget*> rest;
+  bool is_any_named = false;
+  for (const auto& target : targets) {
+    if (!target.is_joint) continue;
+    const auto found = called(target.aliases.front());
+    if (found.size() == 1 && fits(target, *found.front())) {
+      found.front()->name = settledName(target);
+      is_any_named = true;
+    } else if (isNumbered(target)) {
+      rest.push_back(&target);
+    }
+  }
+  for (const char* word : kJointWords) {
+    const auto numbered = [&](std::size_t number) { return called(fmt::format("{}{}", word, number)); };
+    bool are_all = is_any_named && !rest.empty() && numbered(rest.size() + 1).empty();
+    for (std::size_t number = 1; number <= rest.size(); ++number) are_all = are_all && numbered(number).size() == 1;
+    if (!are_all) continue;
+    std::vector<ForeignHeading*> columns;
+    for (std::size_t number = 1; number <= rest.size(); ++number) columns.push_back(numbered(number).front());
+    for (std::size_t k = 0; k < rest.size(); ++k) columns[k]->name = settledName(*rest[k]);
+    return;
+  }
+}
+
+}  // namespace
+
+bool fits(const ColumnTarget& target, const ForeignHeading& heading) {
+  if (heading.unit && target.unit != heading.unit->kind) return false;
+  return heading.name == settledName(target) ||
+         std::find(target.aliases.begin(), target.aliases.end(), heading.name) != target.aliases.end();
+}
+
+std::vector<ForeignHeading> columnNames(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
+  if (!table.has_heading) return headingsByShape(table, targets);
+  std::vector<ForeignHeading> headings;
+  for (const auto& column : table.columns) headings.push_back(parseHeading(column));
+  return headings;
+}
+
+std::vector<std::vector<ForeignHeading>> columnNames(const std::vector<ForeignTable>& tables,
+                                                     const std::vector<ColumnTarget>& targets) {
+  std::vector<std::vector<ForeignHeading>> headings;
+  for (const auto& table : tables) headings.push_back(columnNames(table, targets));
+  const auto joints = std::count_if(targets.begin(), targets.end(), isNumbered);
+  countFromOne(headings, static_cast<std::size_t>(joints));
+  settleJoints(headings, targets);
+  takeSurveyAxes(headings);
+  return headings;
+}
+
+}  // namespace tubeplan::app

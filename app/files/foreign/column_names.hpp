@@ -1,0 +1,22 @@
+// What the columns of foreign tables are called: by their headings, or by their shape where there are none.
+#pragma once
+
+#include <vector>
+
+#include "app/files/foreign/foreign_columns.hpp"
+#include "app/files/foreign/foreign_heading.hpp"
+
+namespace tubeplan::app {
+
+/// A heading that states a unit of another kind is of something else: "x (deg)" is no place.
+[[nodiscard]] bool fits(const ColumnTarget& target, const ForeignHeading& heading);
+
+/// Of one table; empty for columns of which nothing is known.
+[[nodiscard]] std::vector<ForeignHeading> columnNames(const ForeignTable& table,
+                                                      const std::vector<ColumnTarget>& targets);
+
+/// Of every table, with the joints told apart and surveyors' axes called x, y and z.
+[[nodiscard]] std::vector<std::vector<ForeignHeading>> columnNames(const std::vector<ForeignTable>& tables,
+                                                                   const std::vector<ColumnTarget>& targets);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,14 @@
+// Joint readings that were rounded, as by hand from a pendant's display.
+#pragma once
+
+#include <optional>
+
+#include "calibration/measurement_checks/mistake_trials.hpp"
+
+namespace tubeplan::calibration {
+
+/// Returns a remark where all turning joints read whole multiples of a round angle, which moves the tip by more than
+/// the readings' noise and by about as much as they are off; nothing elsewhere: postures may be round and exact.
+[[nodiscard]] std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials);
+
+}  // namespace tubeplan::calibration
