@@ -56,9 +56,9 @@ ShownArm readAnyArm(const std::string& path, const std::string& tip) {
   return {std::move(source.arm), source.units};
 }
 
-void tellLeftOut(const std::vector<std::string>& left_out) {
+void tell(const char* kind, const std::vector<std::string>& sentences) {
   constexpr std::size_t kLongest = 500;  // of names out of a file
-  for (const auto& what : left_out) fmt::print(stderr, "left out: {}\n", printable(what, kLongest));
+  for (const auto& what : sentences) fmt::print(stderr, "{}: {}\n", kind, printable(what, kLongest));
 }
 
 std::string cellText(const UrdfArm& read, const std::string& arm_file) {
@@ -85,7 +85,8 @@ int import(const ArmOptions& options) {
   std::vector<TextFile> files = {{options.out, text}};
   if (!options.cell.empty()) files.push_back({options.cell, cellText(read, beside.string())});
   writeFilesTogether(files, "--out");
-  tellLeftOut(read.left_out);
+  tell("left out", read.left_out);
+  tell("remark", read.remarks);
   fmt::print("{}  the tool is the link {}\n", armText(read.arm, urdfUnits()), nameInLine(read.tip));
   return kDone;
 }
@@ -93,7 +94,7 @@ int import(const ArmOptions& options) {
 int exportUrdf(const ArmOptions& options) {
   const UrdfText urdf = urdfOf(readAnyArm(options.file, options.tip).arm);
   writeFileAtomically(options.out, urdf.text, "--out");
-  tellLeftOut(urdf.left_out);
+  tell("left out", urdf.left_out);
   return kDone;
 }
 

@@ -301,7 +301,9 @@ class ChainReader {
 
 UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::string& tip) {
   const UrdfTree tree = readUrdfTree(text, file);
-  UrdfArm read = ChainReader(*tree.model, findTip(*tree.model, tip, file), file).read();
+  const auto end = findTip(*tree.model, tip, file);
+  UrdfArm read = ChainReader(*tree.model, end, file).read();
+  read.remarks = remarksOnTurns(chainTo(*tree.model, end, file), tree.turns);
   read.left_out.insert(read.left_out.begin(), tree.left_out.begin(), tree.left_out.end());
   const auto problems = deflection::findProblems(read.arm);
   if (!problems.empty())

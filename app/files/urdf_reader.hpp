@@ -19,6 +19,7 @@ struct UrdfArm {
   std::string tip;      ///< the link at the end of the chain
   std::vector<UrdfShape> shapes;
   std::vector<std::string> left_out;  ///< what the file says and an arm does not take, a sentence each
+  std::vector<std::string> remarks;   ///< on what is taken as it is written and may be meant otherwise
 };
 
 /// The chain from the root of a robot to its link `tip`; empty: to the only leaf that the longest chain ends at. Every

@@ -7,6 +7,7 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,8 +15,8 @@
 
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
-#include "tubesheets/csv_table.hpp"
 #include "app/files/utf8.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
@@ -76,10 +77,10 @@ std::string linkNamedBy(XMLElement& joint, const char* element) {
 void settleAttributes(XMLElement& element, const std::string& file) {
   for (auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
     std::string value = attribute->Value();
-    const auto isBreak = [](char c) { return c == '\n' || c == '\r' || c == '\t'; };
     if (!isText(value))
       throw InputError(fmt::format("{}:{}", file, element.GetLineNum()), "a control character in " + inQuotes(value),
                        "plain text");
+    const auto isBreak = [](char c) { return c == '\n' || c == '\r' || c == '\t'; };
     if (std::none_of(value.begin(), value.end(), isBreak)) continue;
     std::replace_if(value.begin(), value.end(), isBreak, ' ');
     element.SetAttribute(attribute->Name(), value.c_str());
@@ -118,6 +119,7 @@ class Preparation {
   }
   [[nodiscard]] const std::map<std::string, LinkContent>& links() const { return links_; }
   [[nodiscard]] std::vector<std::string>& leftOut() { return left_out_; }
+  [[nodiscard]] WrittenTurns& turns() { return turns_; }
 
  private:
   [[nodiscard]] std::string at(const char* what, const std::string& name) const {
@@ -192,10 +194,25 @@ class Preparation {
       if (!tubesheets::parseNumber(attributeOf(inertia, moment))) inertia->SetAttribute(moment, "0");
   }
 
-  void prepareJoint(XMLElement& joint) const {
+  /// Where it is three numbers; anything else is for urdfdom to refuse.
+  void noteTurn(const std::string& joint, std::string_view rpy) {
+    std::array<double, 3> angles{};
+    for (double& angle : angles) {
+      rpy = tubesheets::trimBlanks(rpy);
+      const std::size_t end = std::min(rpy.find(' '), rpy.size());
+      const auto number = tubesheets::parseNumber(rpy.substr(0, end));
+      if (!number) return;
+      angle = *number;
+      rpy.remove_prefix(end);
+    }
+    turns_[joint] = angles;
+  }
+
+  void prepareJoint(XMLElement& joint) {
     forget(joint, {"safety_controller", "calibration", "dynamics"});
     const std::string name = attributeOf(&joint, "name"), type = attributeOf(&joint, "type");
     prepareOrigin(joint.FirstChildElement("origin"), at("joint", name));
+    noteTurn(name, attributeOf(joint.FirstChildElement("origin"), "rpy"));
     XMLElement* limit = joint.FirstChildElement("limit");
     if (!limit && (type == "revolute" || type == "prismatic"))
       throw InputError(at("joint", name), "no <limit>", "the limits of a " + type + " joint",
@@ -210,6 +227,7 @@ class Preparation {
   XMLElement* robot_ = nullptr;
   std::map<std::string, LinkContent> links_;
   std::vector<std::string> left_out_;
+  WrittenTurns turns_;
 };
 
 /// The parser leaves a link at the first thing that it cannot read.
@@ -233,7 +251,7 @@ UrdfTree readUrdfTree(const std::string& text, const std::string& file) {
   Preparation prepared(text, file);
   const std::string readable = prepared.text();
   ParserMessages messages(readable);
-  UrdfTree tree{urdf::parseURDF(readable), std::move(prepared.leftOut())};
+  UrdfTree tree{urdf::parseURDF(readable), std::move(prepared.turns()), std::move(prepared.leftOut())};
   if (!tree.model || !tree.model->getRoot())
     throw InputError(file, messages.first.empty() ? "no robot" : inQuotes(messages.first), "a URDF robot");
   refuseLost(*tree.model, prepared, file, messages.first);

@@ -6,10 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "app/files/urdf_remarks.hpp"
+
 namespace tubeplan::app {
 
 struct UrdfTree {
   urdf::ModelInterfaceSharedPtr model;  ///< one root, every link behind it once
+  WrittenTurns turns;                   ///< of the joints' origins, where they are written
   std::vector<std::string> left_out;    ///< what the file says and the tree has not, a sentence each
 };
 

@@ -240,6 +240,32 @@ TEST(Urdf, NothingOfALinkIsLostUnsaid) {
     EXPECT_NE(refusalOf(flangeUrdf(wrong)), "") << wrong;
 }
 
+// What stands for a right angle with few digits, or for degrees; the arm is as the file has it.
+TEST(Urdf, AnglesThatLookWrongAreRemarkedOn) {
+  struct Turn {
+    std::string rpy, said;  // nothing said: no remark
+  };
+  for (const Turn& turn :
+       {Turn{"0 0 3.141", "180 deg rounded"}, Turn{"1.57 0 0", "90 deg rounded"}, Turn{"0 -1.571 0", "-90 deg rounded"},
+        Turn{"0 0 -6.28", "-360 deg rounded"}, Turn{"90 0 0", "degrees"}, Turn{"0 0 -180", "degrees"},
+        Turn{"0 0 3.14159265", ""}, Turn{"1.5707963 0 0", ""}, Turn{"0.785 0.01 -0.3", ""}, Turn{"0 0 0", ""},
+        Turn{"0 1.5 0", ""}, Turn{"1.5711 0 0.0003", ""}, Turn{"0 3.1402571 0", ""}}) {
+    const std::string text =
+        "<robot name='r'><link name='base'/><link name='a'/><link name='b'/><link name='tool'/>"
+        "<joint name='j1' type='continuous'><parent link='base'/><child link='a'/><axis xyz='0 0 1'/></joint>"
+        "<joint name='j2' type='continuous'><parent link='a'/><child link='b'/><origin xyz='0.7 0 0' rpy='" +
+        turn.rpy +
+        "'/><axis xyz='0 0 1'/></joint>"
+        "<joint name='t' type='fixed'><parent link='b'/><child link='tool'/><origin xyz='0.6 0.1 "
+        "0.3'/></joint></robot>";
+    const UrdfArm read = parseUrdf(text, "r.urdf");
+    ASSERT_EQ(read.remarks.size(), turn.said.empty() ? 0u : 1u) << turn.rpy;
+    if (turn.said.empty()) continue;
+    expectSays(read.remarks.front(), turn.said);
+    expectSays(read.remarks.front(), "j2");
+  }
+}
+
 TEST(Urdf, ClosedChainsAreRefused) {
   const std::string second = "<joint name=\"k\" type=\"fixed\"><parent link=\"base\"/><child link=\"flange\"/></joint>";
   expectSays(refusalOf(flangeUrdf("", second)), "'flange' behind the joint");
