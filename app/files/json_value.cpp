@@ -69,7 +69,7 @@ std::vector<JsonValue> JsonValue::items() const {
 std::string JsonValue::text() const {
   if (!value_.is_string()) refuse("a text");
   auto text = value_.get<std::string>();
-  if (!isText(text)) refuse("a text without control characters");
+  if (!isPlainText(text)) refuse("a text without control characters");
   return text;
 }
 

@@ -77,7 +77,7 @@ std::string linkNamedBy(XMLElement& joint, const char* element) {
 void settleAttributes(XMLElement& element, const std::string& file) {
   for (auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
     std::string value = attribute->Value();
-    if (!isText(value))
+    if (!isPlainText(value))
       throw InputError(fmt::format("{}:{}", file, element.GetLineNum()), "a control character in " + inQuotes(value),
                        "plain text");
     const auto isBreak = [](char c) { return c == '\n' || c == '\r' || c == '\t'; };

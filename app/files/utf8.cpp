@@ -73,7 +73,7 @@ std::optional<std::size_t> findNonText(std::string_view text) {
   return std::nullopt;
 }
 
-bool isText(std::string_view text) { return !findNonText(text); }
+bool isPlainText(std::string_view text) { return !findNonText(text); }
 
 std::string printable(std::string_view text, std::size_t longest) {
   std::string out;

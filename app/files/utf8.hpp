@@ -14,7 +14,7 @@ namespace tubeplan::app {
 [[nodiscard]] bool isControl(std::string_view sequence);
 
 /// Whether all of it is UTF-8 without control characters but line ends (LF, CR LF) and tabulators.
-[[nodiscard]] bool isText(std::string_view text);
+[[nodiscard]] bool isPlainText(std::string_view text);
 
 /// Where the first byte is that no text has; nothing where all is text.
 [[nodiscard]] std::optional<std::size_t> findNonText(std::string_view text);

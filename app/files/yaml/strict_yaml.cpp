@@ -47,7 +47,7 @@ class TreeBuilder : public YAML::EventHandler {
     refuseAnchor(mark, anchor);
     refuseTag(mark, tag);
     if (tag == "!") refuseOpenQuote(mark);
-    if (!isText(value))
+    if (!isPlainText(value))
       makeNode(mark, YamlNode::Kind::kNull).fail("a control character in " + inQuotes(value), "plain text", "");
     if (expectsKey()) {
       startEntry(mark, value);

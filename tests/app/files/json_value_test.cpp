@@ -6,7 +6,7 @@
 namespace tubeplan::app {
 namespace {
 
-std::string refusalOf(const std::string& text) {
+std::string refusalOfJson(const std::string& text) {
   return messageOf([&] { (void)parseJson(text, "plan.json", "JSON written by tubeplan plan", "plan again"); });
 }
 
@@ -19,7 +19,7 @@ TEST(JsonText, WhatIsNoneIsRefusedWithItsPlaceInWordsOfOurOwn) {
         Damage{"{\"a\": 1}}", "plan.json:1:9"}, Damage{"[1, 2,\n\n 3 4]", "plan.json:3:4"},
         Damage{"{\"a\": \"\x1b\"}", "plan.json:1:"}, Damage{"{\"a\": \"\xff\"}", "plan.json:1:"},
         Damage{"{\"a\": 1e999}", "plan.json"}, Damage{std::string(100000, '['), "plan.json"}}) {
-    const std::string message = refusalOf(damage.text);
+    const std::string message = refusalOfJson(damage.text);
     EXPECT_TRUE(message.starts_with(damage.place)) << message;
     expectSays(message, "expected JSON written by tubeplan plan; plan again");
     for (const char* theirs : {"exception", "parse_error", "literal", "syntax", "\n"})

@@ -24,7 +24,8 @@ TEST(Utf8, KnowsWellFormedSequences) {
 }
 
 TEST(Utf8, TextHoldsNoControlCharactersButLineEndsAndTabs) {
-  for (const std::string good : {"", "a\tb\nc\r\nd", "\xC3\xA9\n", "ends with\r"}) EXPECT_TRUE(isText(good)) << good;
+  for (const std::string good : {"", "a\tb\nc\r\nd", "\xC3\xA9\n", "ends with\r"})
+    EXPECT_TRUE(isPlainText(good)) << good;
   struct Found {
     std::string text;
     std::size_t at;
