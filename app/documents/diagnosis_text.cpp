@@ -34,25 +34,17 @@ std::string withSigmaText(double value, double sigma) {
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
 }
 
-/// "half width 0.0586 ± 0.0010 deg"; of one of several sizes "x 0.03 in or another".
+/// "half width 0.0586 ± 0.0010 deg"; of a size that the readings leave open "x -0.040 to 0.042 in".
 std::string numberText(const FoundNumber& number, const Units& units) {
   const Dimension unit = dimensionOf(number.quantity);
   const std::string unit_name = units.nameOf(unit) == "1" ? "" : " " + units.nameOf(unit);
-  const double value = number.value / units.factor(unit), sigma = number.sigma / units.factor(unit);
+  const double factor = units.factor(unit), value = number.value / factor, sigma = number.sigma / factor;
   std::string name = number.name;
   std::replace(name.begin(), name.end(), '_', ' ');
-  const bool is_one_of_several = std::isfinite(number.lower);
-  return fmt::format(
-      "{} {}{}{}", name,
-      std::isnan(sigma) || is_one_of_several ? fmt::format("{:.3g}", value) : withSigmaText(value, sigma), unit_name,
-      is_one_of_several ? " or another" : "");
-}
-
-/// "x -0.040 to 0.042 in".
-std::string rangeText(const FoundNumber& number, const Units& units) {
-  const Dimension unit = dimensionOf(number.quantity);
-  return fmt::format("{} {:.3g} to {:.3g} {}", number.name, number.lower / units.factor(unit),
-                     number.upper / units.factor(unit), units.nameOf(unit));
+  if (std::isfinite(number.lower))
+    return fmt::format("{} {:.3g} to {:.3g}{}", name, number.lower / factor, number.upper / factor, unit_name);
+  return fmt::format("{} {}{}", name, std::isnan(sigma) ? fmt::format("{:.3g}", value) : withSigmaText(value, sigma),
+                     unit_name);
 }
 
 std::string effectAtPlace(const std::string& effect, const std::string& at) {
@@ -134,24 +126,29 @@ std::string missingSentence(const Diagnosis& result, const Units& units) {
   return fmt::format("Missing: {}{}.", shortText(found, units), orText(found));
 }
 
-/// "base-slip at base has 3 sizes that explain the readings as well: x -0.04 to 0.04 in, ...": empty where each has one.
-std::string modesSentence(const Explanation& explanation, const Units& units) {
-  std::string text;
+/// "base-slip at base has 3 sizes that explain the readings equally; ...": empty where each has one.
+std::string modesSentence(const Explanation& explanation) {
+  std::vector<std::string> sentences;
   for (const auto& effect : explanation.effects) {
     if (effect.modes.empty()) continue;
-    std::vector<std::string> ranges, kinds;
-    for (const auto& number : effect.numbers)
-      if (std::isfinite(number.lower)) ranges.push_back(rangeText(number, units));
+    std::vector<std::string> kinds;
     for (const auto kind : effect.decided_by) kinds.emplace_back(calibration::kindOf(kind).name);
-    text += fmt::format("{}{} has {} sizes that explain the readings equally: {}; {}.", text.empty() ? "" : " ",
-                        effectAtPlace(effect.effect, effect.at), effect.modes.size(), fmt::join(ranges, ", "),
-                        kinds.empty() ? "no kind of reading made here decides"
-                                      : fmt::format("one reading of kind {} decides", fmt::join(kinds, " or ")));
+    sentences.push_back(fmt::format("{} has {} sizes that explain the readings equally; {}.",
+                                    effectAtPlace(effect.effect, effect.at), effect.modes.size(),
+                                    kinds.empty()
+                                        ? "no kind of reading made here decides"
+                                        : fmt::format("one reading of kind {} decides", fmt::join(kinds, " or "))));
   }
-  return text;
+  return fmt::format("{}", fmt::join(sentences, " "));
 }
 
+/// Of readings that leave a range open, a fit may leave less than the noise: no more is known than that.
 std::string fallSentence(const Diagnosis& result, const Units& units) {
+  constexpr double kNothing = 0.5;  // of the noise floor
+  if (result.heldout_after.rms < kNothing * result.noise_floor)
+    return fmt::format("With it the held-out error falls from {} to less than the noise floor of {}.",
+                       errorText(result.heldout_before.rms, result, units),
+                       errorText(result.noise_floor, result, units));
   return fmt::format("With it the held-out error falls from {} to {}; the noise floor is {}.",
                      errorText(result.heldout_before.rms, result, units),
                      errorText(result.heldout_after.rms, result, units), errorText(result.noise_floor, result, units));
@@ -197,14 +194,13 @@ std::vector<std::string> sentencesOf(const Diagnosis& result, const Units& units
     case Verdict::kAdequate:
       return {nothingSentence(result, units), repeatsSentence(result.repeats)};
     case Verdict::kExplained:
-      return {missingSentence(result, units), modesSentence(result.alternatives.front(), units),
-              fallSentence(result, units), repeatsSentence(result.repeats)};
+      return {missingSentence(result, units), modesSentence(result.alternatives.front()), fallSentence(result, units),
+              repeatsSentence(result.repeats)};
     case Verdict::kPartlyExplained:
-      return {missingSentence(result, units), modesSentence(result.alternatives.front(), units),
-              fallSentence(result, units), remainderSentence(result, units)};
+      return {missingSentence(result, units), modesSentence(result.alternatives.front()), fallSentence(result, units),
+              remainderSentence(result, units)};
     case Verdict::kAmbiguous:
-      return {ambiguousSentence(result), modesSentence(result.alternatives.front(), units),
-              fallSentence(result, units)};
+      return {ambiguousSentence(result), modesSentence(result.alternatives.front()), fallSentence(result, units)};
     case Verdict::kUnexplained:
       if (result.isScatterAlone()) return {scatterSentence(result, units)};
       return {"Something is missing, and no known effect is certain to be part of it.",

@@ -109,7 +109,6 @@ void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model,
   }
   result.verdict = Verdict::kAdequate;
   result.nothing_probability += result.scatter_probability;
-  result.unknown_probability -= result.scatter_probability;
   result.scatter_probability = 0;
 }
 

@@ -8,9 +8,12 @@
 
 namespace tubeplan::calibration {
 
-using Eigen::Index, Eigen::VectorXd;
+using Eigen::Index;
 
 namespace {
+
+constexpr double kWider = 1.2;  // times four standard deviations, from which a range is told
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// The model of an explanation with all numbers of one of its effects free, those last.
 ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& explanation, int effect) {
@@ -23,24 +26,22 @@ ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& expl
   return model;
 }
 
-/// What a difference of each size must exceed: by the found numbers of its quantity, the best known one.
-double sigmaOf(const FoundEffect& found, std::size_t number) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& other : found.numbers)
-    if (other.quantity == found.numbers[number].quantity && std::isfinite(other.sigma))
-      least = std::min(least, other.sigma);
-  return least;
-}
-
-/// Takes a size's range over all modes, with two standard deviations.
-void takeRange(const FoundEffect& found, std::size_t v, double sigma, FoundNumber& number) {
-  const auto [least, most] =
-      std::ranges::minmax_element(found.modes, {}, [&](const std::vector<double>& values) { return values[v]; });
-  number.value = found.fitted.values[v];
-  number.lower = (*least)[v] - 2 * sigma;
-  number.upper = (*most)[v] + 2 * sigma;
-  number.sigma = (number.upper - number.lower) / 4;
-  number.is_beyond_usual = false;
+/// Takes one size from the modes: of the first its value; over all of them its range, where there are several or where
+/// it is wider than its standard deviation says.
+void takeSize(const std::vector<SizeMode>& modes, Index k, FoundNumber& number) {
+  double lower = std::numeric_limits<double>::infinity(), upper = -lower;
+  for (const SizeMode& mode : modes) {
+    if (mode.sigma[k] > 0 && std::abs(mode.values[k]) <= 2 * mode.sigma[k]) continue;  // beside another size, and none
+    lower = std::min(lower, mode.lower[k]);
+    upper = std::max(upper, mode.upper[k]);
+  }
+  number.value = modes.front().values[k];
+  const double sigma = std::max(modes.front().sigma[k], std::max(0., upper - lower) / 4);
+  number.sigma = sigma > 0 ? sigma : kNone;
+  number.is_beyond_usual = number.is_beyond_usual && modes.size() == 1;
+  if (!(upper > lower) || (modes.size() == 1 && upper - lower <= kWider * 4 * modes.front().sigma[k])) return;
+  number.lower = lower;
+  number.upper = upper;
 }
 
 void findSizeSet(const FittedBasis& basis, int effect, Explanation& explanation, FoundEffect& found) {
@@ -52,17 +53,19 @@ void findSizeSet(const FittedBasis& basis, int effect, Explanation& explanation,
       question.sizes.push_back(k);
       numbers.push_back(static_cast<std::size_t>(model.unknowns[k].path.value));
     }
-  question.sigma.resize(static_cast<Index>(numbers.size()));
-  for (std::size_t k = 0; k < numbers.size(); ++k) question.sigma[static_cast<Index>(k)] = sigmaOf(found, numbers[k]);
-  auto modes = findSizeModes(question);
-  if (modes.states.size() < 2) return;
-  for (const PlacedArm& state : modes.states)
-    found.modes.push_back(state.arm.effects[static_cast<std::size_t>(effect)].values);
-  found.fitted.values = found.modes.front();
-  found.decided_by = modes.decided_by;
+  question.sigma = Eigen::VectorXd::Zero(static_cast<Index>(numbers.size()));
   for (std::size_t k = 0; k < numbers.size(); ++k)
-    takeRange(found, numbers[k], question.sigma[static_cast<Index>(k)], found.numbers[numbers[k]]);
-  explanation.fitted = std::move(modes.states.front());
+    if (const double sigma = found.numbers[numbers[k]].sigma; std::isfinite(sigma))
+      question.sigma[static_cast<Index>(k)] = sigma;
+  const auto [modes, decided_by] = findSizeModes(question);
+  if (modes.empty()) return;
+  if (modes.size() > 1)
+    for (const SizeMode& mode : modes)
+      found.modes.push_back(mode.state.arm.effects[static_cast<std::size_t>(effect)].values);
+  explanation.fitted = modes.front().state;
+  found.fitted.values = explanation.fitted.arm.effects[static_cast<std::size_t>(effect)].values;
+  found.decided_by = decided_by;
+  for (std::size_t k = 0; k < numbers.size(); ++k) takeSize(modes, static_cast<Index>(k), found.numbers[numbers[k]]);
 }
 
 }  // namespace

@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "calibration/estimation/fit.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
 
-using Eigen::Index, Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
@@ -18,122 +19,221 @@ constexpr double kPromising = 0.5;  // of the best fall of chi-square, from whic
 constexpr double kApart = 3;        // standard deviations, by which other sizes differ
 constexpr double kDecides = 4;      // standard deviations of a reading, by which it tells two modes apart
 constexpr int kIterations = 20;
+constexpr double kExact = 1e-6;                      // m, of a tip by encoders that state no noise
+constexpr double kStretch = 0.05, kMostStretch = 3;  // of sizes in proportion, as they are tried; and the largest
 constexpr double kAmplitudes[] = {0.0125, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8};  // of the typical size
 
-struct Mode {
-  VectorXd x;
-  double cost = 0;
+/// One or two sizes that are not what they are where the effect does nothing, with the sign of each.
+struct Direction {
+  std::vector<std::size_t> sizes;  ///< places among the unknowns
+  VectorXd signs;
 };
 
-/// The sizes of one effect, beside everything else that was fitted.
+/// The sizes of one effect, alone and in twos, beside everything else that was fitted.
 class SizeSearch {
  public:
   explicit SizeSearch(const SizeModesQuestion& question) : asked_(question) {
-    const std::size_t step = (asked_.readings.size() + kMostReadings - 1) / kMostReadings;
-    for (std::size_t k = 0; k < asked_.readings.size(); k += std::max<std::size_t>(1, step))
-      readings_.push_back(asked_.readings[k]);
+    const std::size_t step = std::max<std::size_t>(1, (asked_.readings.size() + kMostReadings - 1) / kMostReadings);
+    for (std::size_t k = 0; k < asked_.readings.size(); k += step) readings_.push_back(asked_.readings[k]);
     if (auto weights = weighReadings(asked_.placed, readings_, {}, asked_.model_error, asked_.stop))
       weights_ = *std::move(weights);
+    VectorXd neutral = zerosOf(asked_.unknowns);
+    for (std::size_t k = 0; k < asked_.unknowns.size(); ++k)
+      if (isSize(k))
+        neutral[static_cast<Index>(k)] = asked_.unknowns[k].prior_mean;
+      else
+        others_.push_back(asked_.unknowns[k]);
+    bare_ = applied(asked_.placed, asked_.unknowns, neutral);
   }
 
-  /// Returns the modes, the most probable first; the one found is among them.
-  [[nodiscard]] std::vector<Mode> find() const {
-    std::vector<Mode> modes;
-    if (weights_.rows == 0) return modes;
-    const VectorXd origin = zerosOf(asked_.unknowns);
-    keep(minimized(origin), modes);
-    if (modes.empty()) return modes;
-    const double none = costAt(withSizes(neutral()));
-    for (const VectorXd& direction : directions()) {
+  /// Returns the modes, the most probable first.
+  [[nodiscard]] std::vector<SizeMode> find() const {
+    if (weights_.rows == 0) return {};
+    std::vector<SizeMode> modes{asFound()};
+    if (!std::isfinite(modes.front().cost)) return {};
+    const double none = costOf(bare_, others_, zerosOf(others_));
+    for (const Direction& direction : directions()) {
       goOn(asked_.stop);
-      const VectorXd start = bestAlong(direction);
-      const double best = modes.front().cost;
-      if (costAt(start) <= best + (1 - kPromising) * (none - best)) keep(minimized(start), modes);
+      const auto unknowns = unknownsOf(direction);
+      const VectorXd start = bestAlong(direction, unknowns);
+      const double best = std::ranges::min(modes, {}, &SizeMode::cost).cost;
+      if (costOf(bare_, unknowns, start) <= best + (1 - kPromising) * std::max(0., none - best))
+        keep(minimized(unknowns, start, direction), modes);
     }
-    std::stable_sort(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) { return a.cost < b.cost; });
-    std::erase_if(modes, [&](const Mode& mode) { return mode.cost > modes.front().cost + kAsGood; });
+    std::ranges::stable_sort(modes, {}, &SizeMode::cost);
+    std::erase_if(modes, [&](const SizeMode& mode) { return mode.cost > modes.front().cost + kAsGood; });
+    for (SizeMode& mode : modes) findRange(mode);
     return modes;
   }
 
  private:
-  [[nodiscard]] Index sizes() const { return static_cast<Index>(asked_.sizes.size()); }
-  [[nodiscard]] const Unknown& size(Index k) const {
-    return asked_.unknowns[asked_.sizes[static_cast<std::size_t>(k)]];
-  }
+  [[nodiscard]] bool isSize(std::size_t k) const { return std::ranges::find(asked_.sizes, k) != asked_.sizes.end(); }
 
-  /// Variables of the sizes where the effect does nothing.
-  [[nodiscard]] VectorXd neutral() const {
-    VectorXd values(sizes());
-    for (Index k = 0; k < values.size(); ++k) values[k] = size(k).prior_mean;
-    return values;
-  }
-  [[nodiscard]] VectorXd withSizes(const VectorXd& values) const {
-    VectorXd x = zerosOf(asked_.unknowns);
-    for (Index k = 0; k < sizes(); ++k) x[static_cast<Index>(asked_.sizes[static_cast<std::size_t>(k)])] = values[k];
-    return x;
-  }
-  [[nodiscard]] VectorXd sizesOf(const VectorXd& x) const {
-    VectorXd values(sizes());
-    for (Index k = 0; k < sizes(); ++k) values[k] = x[static_cast<Index>(asked_.sizes[static_cast<std::size_t>(k)])];
-    return values;
+  /// The unknowns with these sizes after all others, 0 where the effect does nothing.
+  [[nodiscard]] std::vector<Unknown> unknownsOf(const Direction& direction) const {
+    std::vector<Unknown> unknowns = others_;
+    for (const std::size_t k : direction.sizes)
+      unknowns.push_back(rebased(asked_.unknowns[k], valueAt(asked_.unknowns[k], asked_.unknowns[k].prior_mean)));
+    return unknowns;
   }
 
   /// Each size alone, either way, and each two of one quantity in between.
-  [[nodiscard]] std::vector<VectorXd> directions() const {
-    std::vector<VectorXd> directions;
-    for (Index i = 0; i < sizes(); ++i)
+  [[nodiscard]] std::vector<Direction> directions() const {
+    std::vector<Direction> directions;
+    for (auto i = asked_.sizes.begin(); i != asked_.sizes.end(); ++i)
       for (const double sign : {1., -1.}) {
-        directions.push_back(sign * VectorXd::Unit(sizes(), i));
-        for (Index j = i + 1; j < sizes(); ++j)
+        directions.push_back({{*i}, VectorXd::Constant(1, sign)});
+        for (auto j = i + 1; j != asked_.sizes.end(); ++j)
           for (const double other : {1., -1.})
-            if (size(i).quantity == size(j).quantity)
-              directions.push_back(
-                  (sign * VectorXd::Unit(sizes(), i) + other * VectorXd::Unit(sizes(), j)).normalized());
+            if (asked_.unknowns[*i].quantity == asked_.unknowns[*j].quantity)
+              directions.push_back({{*i, *j}, Eigen::Vector2d(sign, other) / std::sqrt(2.)});
       }
     return directions;
   }
 
-  [[nodiscard]] LeastSquaresProblem problemAt(const VectorXd& x) const {
-    return fitProblem(asked_.placed, asked_.unknowns, readings_, weights_, x, asked_.stop);
+  [[nodiscard]] LeastSquaresProblem problemAt(const PlacedArm& from, const std::vector<Unknown>& unknowns,
+                                              const VectorXd& x) const {
+    return fitProblem(from, unknowns, readings_, weights_, x, asked_.stop);
   }
-  [[nodiscard]] double costAt(const VectorXd& x) const {
+  [[nodiscard]] double costOf(const PlacedArm& from, const std::vector<Unknown>& unknowns, const VectorXd& x) const {
     VectorXd r;
-    return problemAt(x).evaluate(x, r, nullptr) ? r.squaredNorm() : std::numeric_limits<double>::infinity();
+    return problemAt(from, unknowns, x).evaluate(x, r, nullptr) ? r.squaredNorm()
+                                                                : std::numeric_limits<double>::infinity();
   }
 
   /// The best of some amplitudes in a direction, all else as it was found.
-  [[nodiscard]] VectorXd bestAlong(const VectorXd& direction) const {
-    VectorXd best = withSizes(neutral());
+  [[nodiscard]] VectorXd bestAlong(const Direction& direction, const std::vector<Unknown>& unknowns) const {
+    VectorXd best = zerosOf(unknowns);
     double least = std::numeric_limits<double>::infinity();
+    const auto count = static_cast<Index>(direction.sizes.size()), first = best.size() - count;
     for (const double amplitude : kAmplitudes) {
-      VectorXd values = neutral();
-      for (Index k = 0; k < values.size(); ++k)
-        values[k] = std::clamp(values[k] + amplitude * size(k).typical * direction[k], size(k).lower, size(k).upper);
-      const VectorXd x = withSizes(values);
-      if (const double cost = costAt(x); cost < least) least = cost, best = x;
+      VectorXd x = zerosOf(unknowns);
+      for (Index k = 0; k < count; ++k) {
+        const Unknown& size = unknowns[static_cast<std::size_t>(first + k)];
+        x[first + k] = std::clamp(amplitude * size.typical * direction.signs[k], size.lower, size.upper);
+      }
+      if (const double cost = costOf(bare_, unknowns, x); cost < least) least = cost, best = x;
     }
     return best;
   }
 
-  [[nodiscard]] Mode minimized(const VectorXd& start) const {
-    const LeastSquaresOptions solver{1e-6, kIterations, LeastSquaresMethod::kLevenbergMarquardt, asked_.stop};
-    const auto solution = minimizeOrUnwind(problemAt(start), solver);
-    if (solution.status == LeastSquaresStatus::kFailed) return {start, std::numeric_limits<double>::infinity()};
-    return {solution.x, solution.chi2};
+  /// Standard deviations of all sizes, 0 of those that are not among the last unknowns.
+  [[nodiscard]] VectorXd sigmaAt(const LeastSquaresProblem& problem, const VectorXd& x,
+                                 const std::vector<std::size_t>& sizes) const {
+    VectorXd sigma = VectorXd::Zero(static_cast<Index>(asked_.sizes.size())), r;
+    MatrixXd jacobian;
+    if (!problem.evaluate(x, r, &jacobian)) return sigma;
+    const MatrixXd information = jacobian.transpose() * jacobian;
+    const MatrixXd covariance = information.ldlt().solve(MatrixXd::Identity(x.size(), x.size()));
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+      const auto place = std::ranges::find(asked_.sizes, sizes[k]) - asked_.sizes.begin();
+      const Index row = x.size() - static_cast<Index>(sizes.size()) + static_cast<Index>(k);
+      sigma[place] = std::sqrt(std::max(0., covariance(row, row)));
+    }
+    return sigma;
   }
 
-  /// Adds a mode unless one like it is there, whose place it takes where it is better.
-  void keep(const Mode& mode, std::vector<Mode>& modes) const {
+  [[nodiscard]] VectorXd valuesIn(PlacedArm state) const {
+    VectorXd values(static_cast<Index>(asked_.sizes.size()));
+    for (Index k = 0; k < values.size(); ++k)
+      values[k] = deflection::locate(state.arm, asked_.unknowns[asked_.sizes[static_cast<std::size_t>(k)]].path);
+    return values;
+  }
+
+  [[nodiscard]] SizeMode asFound() const {
+    const VectorXd origin = zerosOf(asked_.unknowns);
+    SizeMode mode;
+    mode.state = asked_.placed;
+    mode.values = valuesIn(asked_.placed);
+    mode.sigma = asked_.sigma;
+    mode.cost = costOf(asked_.placed, asked_.unknowns, origin);
+    mode.is_as_found = true;
+    return mode;
+  }
+
+  [[nodiscard]] SizeMode minimized(const std::vector<Unknown>& unknowns, const VectorXd& start,
+                                   const Direction& direction) const {
+    const LeastSquaresOptions solver{1e-6, kIterations, LeastSquaresMethod::kLevenbergMarquardt, asked_.stop};
+    const auto problem = problemAt(bare_, unknowns, start);
+    const auto solution = minimizeOrUnwind(problem, solver);
+    SizeMode mode;
+    if (solution.status == LeastSquaresStatus::kFailed) return mode;
+    mode.state = applied(bare_, unknowns, solution.x);
+    mode.values = valuesIn(mode.state);
+    mode.sigma = sigmaAt(problem, solution.x, direction.sizes);
+    mode.cost = solution.chi2;
+    return mode;
+  }
+
+  /// The sizes of a mode in proportion: all 1 as it is, all 0 where the effect does nothing.
+  [[nodiscard]] PlacedArm stretched(const SizeMode& mode, double by) const {
+    PlacedArm state = mode.state;
+    for (std::size_t k = 0; k < asked_.sizes.size(); ++k) {
+      const Unknown& size = asked_.unknowns[asked_.sizes[k]];
+      const double none = valueAt(size, size.prior_mean);
+      deflection::locate(state.arm, size.path) = none + by * (mode.values[static_cast<Index>(k)] - none);
+    }
+    return state;
+  }
+
+  /// Chi-square of what the readings say: of a count of steps the distance beyond its tolerances, by the encoders'
+  /// noise.
+  [[nodiscard]] double disagreementOf(const PlacedArm& state) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      const Measurement& reading = readings_[k];
+      const auto& X_WB = state.base_poses[static_cast<std::size_t>(basePoseOf(state, reading))].X_WB;
+      PredictionRequest request;
+      request.by_joints = true;
+      const Prediction predicted = predictReading(state.arm, X_WB, reading, request);
+      if (!predicted.ok) return std::numeric_limits<double>::infinity();
+      if (!kindOf(reading).counts_steps) {
+        sum += (weights_.whitener[k] * (predicted.value - kindOf(reading).measured(reading))).squaredNorm();
+        continue;
+      }
+      double variance = 0;
+      for (Index j = 0; j < state.arm.jointCount(); ++j)
+        variance += predicted.by_joints.col(j).squaredNorm() * std::pow(state.arm.joint(j).encoder_sigma, 2);
+      const double error = predicted.value.norm();
+      const double beyond = std::max({0., reading.own[1] - error, error - reading.own[2]});
+      if (beyond > 0) sum += beyond * beyond / std::max(variance, kExact * kExact);
+    }
+    return sum;
+  }
+
+  /// Takes for each size how far all may be stretched, up and down, with the readings explained.
+  void findRange(SizeMode& mode) const {
+    const double limit = disagreementOf(mode.state) + kAsGood;
+    double down = 1, up = 1;
+    while (down > kStretch && disagreementOf(stretched(mode, down - kStretch)) <= limit) down -= kStretch;
+    while (up < kMostStretch && disagreementOf(stretched(mode, up + kStretch)) <= limit) up += kStretch;
+    const VectorXd none = valuesIn(bare_), least = none + down * (mode.values - none),
+                   most = none + up * (mode.values - none);
+    const VectorXd doubt =
+        (mode.values.cwiseAbs().array() > 2 * mode.sigma.array()).select(2 * mode.sigma.array(), 0.).matrix();
+    mode.lower = least.cwiseMin(most).cwiseMin(mode.values - doubt);
+    mode.upper = least.cwiseMax(most).cwiseMax(mode.values + doubt);
+  }
+
+  /// Adds a mode unless one like it is there, whose place it takes where it is better by more than a number costs.
+  static void keep(const SizeMode& mode, std::vector<SizeMode>& modes) {
     if (!std::isfinite(mode.cost)) return;
-    for (Mode& other : modes) {
-      if (sizesOf(mode.x - other.x).cwiseQuotient(asked_.sigma).cwiseAbs().maxCoeff() > kApart) continue;
-      if (mode.cost < other.cost) other = mode;
+    for (SizeMode& other : modes) {
+      const VectorXd sigma = kApart * mode.sigma.cwiseMax(other.sigma);
+      if (((mode.values - other.values).cwiseAbs().array() > sigma.array()).any()) continue;
+      if (mode.cost < other.cost - kAsGood) {
+        const bool was_found = other.is_as_found;
+        other = mode;
+        other.is_as_found = was_found;
+      }
       return;
     }
     modes.push_back(mode);
   }
 
   const SizeModesQuestion& asked_;
+  PlacedArm bare_;  ///< where the effect does nothing, all else as found
+  std::vector<Unknown> others_;
   std::vector<Measurement> readings_;
   ReadingWeights weights_;
 };
@@ -169,11 +269,12 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
 
 SizeModes findSizeModes(const SizeModesQuestion& question) {
   SizeModes result;
-  if (question.sizes.empty() || !(question.sigma.minCoeff() > 0) || !question.sigma.allFinite()) return result;
-  for (const Mode& mode : SizeSearch(question).find())
-    result.states.push_back(applied(question.placed, question.unknowns, mode.x));
-  if (result.states.size() > 1)
-    result.decided_by = decidingKinds(result.states.front(), result.states.back(), question.readings);
+  if (question.sizes.empty() ||
+      std::ranges::none_of(question.readings, [](const Measurement& m) { return kindOf(m).counts_steps; }))
+    return result;
+  result.modes = SizeSearch(question).find();
+  if (result.modes.size() > 1)
+    result.decided_by = decidingKinds(result.modes.front().state, result.modes.back().state, question.readings);
   return result;
 }
 

@@ -22,37 +22,40 @@ bool isSizeOf(const Unknown& unknown, int effect, const deflection::Arm& arm) {
   return !number.is_shape && number.quantity != deflection::Quantity::kTime;
 }
 
-std::string noteOn(const SizeModes& modes) {
+std::string noteOn(const SizeModes& found) {
   std::vector<std::string> kinds;
-  for (const auto kind : modes.decided_by) kinds.emplace_back(kindOf(kind).name);
-  return fmt::format("one of {} values that explain the readings equally{}", modes.states.size(),
+  for (const auto kind : found.decided_by) kinds.emplace_back(kindOf(kind).name);
+  return fmt::format("one of {} values that explain the readings equally{}", found.modes.size(),
                      kinds.empty() ? "" : fmt::format("; one reading of kind {} decides", fmt::join(kinds, " or ")));
 }
 
-void widen(const SizeModes& modes, IdentifiedNumber& number) {
-  for (PlacedArm state : modes.states) number.modes.push_back(deflection::locate(state.arm, number.unknown.path));
-  const auto [least, most] = std::ranges::minmax_element(number.modes);
-  number.lower = std::min(number.lower, *least - 2 * number.sigma);
-  number.upper = std::max(number.upper, *most + 2 * number.sigma);
-  number.note = noteOn(modes);
+/// Widens the interval of the size of index `k` over all modes.
+void widen(const SizeModes& found, Index k, IdentifiedNumber& number) {
+  for (const SizeMode& mode : found.modes) {
+    number.lower = std::min(number.lower, mode.lower[k]);
+    number.upper = std::max(number.upper, mode.upper[k]);
+  }
+  if (found.modes.size() == 1 && found.modes.front().is_as_found) return;
+  for (const SizeMode& mode : found.modes) number.modes.push_back(mode.values[k]);
+  number.note = noteOn(found);
 }
 
 }  // namespace
 
 void widenSizes(const FittedModel& model, Identification& result) {
-  if (std::ranges::none_of(model.fitted, [](const Measurement& m) { return kindOf(m).counts_steps; })) return;
   const auto unknowns = fittedUnknowns(result);
   const int effects = static_cast<int>(result.fitted.arm.effects.size());
   for (int effect = 0; effect < effects; ++effect) {
-    SizeModesQuestion question{result.fitted, unknowns, {}, {}, model.fitted, result.model_error,
+    SizeModesQuestion question{result.fitted,           unknowns, {}, {}, model.fitted, result.model_error,
                                model.options.hooks.stop};
     for (std::size_t k = 0; k < unknowns.size(); ++k)
       if (isSizeOf(unknowns[k], effect, result.fitted.arm)) question.sizes.push_back(k);
     const std::vector<Index> places(question.sizes.begin(), question.sizes.end());
     question.sigma = result.covariance.diagonal()(places).cwiseSqrt();
-    const SizeModes modes = findSizeModes(question);
-    if (modes.states.size() < 2) continue;
-    for (const std::size_t k : question.sizes) widen(modes, result.numbers[k]);
+    const SizeModes found = findSizeModes(question);
+    if (found.modes.empty()) continue;
+    for (std::size_t k = 0; k < question.sizes.size(); ++k)
+      widen(found, static_cast<Index>(k), result.numbers[question.sizes[k]]);
   }
 }
 

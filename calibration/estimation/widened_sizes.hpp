@@ -5,7 +5,7 @@
 
 namespace tubeplan::calibration {
 
-/// Widens them where readings of steps, which do not say on which side the tip is, were fitted.
+/// Widens them, and says so in the numbers' notes.
 void widenSizes(const FittedModel& model, Identification& result);
 
 }  // namespace tubeplan::calibration

@@ -262,7 +262,7 @@ TEST(Repeats, areUnderTheSameLoadsAndBesideTheSameSideChains) {
 }
 
 TEST(Repeats, understatedNoiseIsSaidAndDoesNotCondemnTheModel) {
-  CampaignPlan plan{18, 4, 4 * kReadingSigma, kReadingSigma};
+  CampaignPlan plan{18, 4, 2.5 * kReadingSigma, kReadingSigma};
   const auto result = compareCobra(makeCampaign(deflection::cobraArm(), 12, plan));
   const auto& repeats = result.after_refit.repeats;
   EXPECT_EQ(repeats.groups, 18);

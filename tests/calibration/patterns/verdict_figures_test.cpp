@@ -7,6 +7,7 @@
 #include <random>
 
 #include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/estimation/fit.hpp"
 #include "calibration/patterns/comparison.hpp"
 #include "calibration/statistics.hpp"
 #include "tests/calibration/campaign.hpp"
@@ -118,7 +119,9 @@ TEST_P(VerdictFigures, OfAComparisonAgree) {
       } else if (result.verdict == Adequacy::kInadequate) {
         EXPECT_FALSE(result.grounds.empty()) << what;
       }
-      if (fit.errors.rms > kSlack * kMostNoiseRatio * fit.noise_floor) EXPECT_EQ(result.verdict, Adequacy::kInadequate) << what;
+      if (fit.errors.rms > kSlack * kMostNoiseRatio * fit.noise_floor) {
+        EXPECT_EQ(result.verdict, Adequacy::kInadequate) << what;
+      }
     }
 }
 
@@ -127,14 +130,16 @@ TEST_P(VerdictFigures, OfADiagnosisAgree) {
   DiagnosisOptions options;
   options.baseline.free = {{"tool.joint_stiffness.z"}, true};
   const Diagnosis result = diagnose(start(made), made, options);
-  if (result.verdict == Verdict::kAdequate)
+  if (result.verdict == Verdict::kAdequate) {
     EXPECT_LE(result.before.rms, kSlack * kMostNoiseRatio * result.noise_floor) << spoil().name;
+  }
   if (result.verdict == Verdict::kExplained || result.verdict == Verdict::kPartlyExplained) {
     EXPECT_LT(result.heldout_after.rms, result.heldout_before.rms) << spoil().name;
     EXPECT_LT(result.after.rms, result.before.rms) << spoil().name;
   }
-  if (result.verdict == Verdict::kExplained)
+  if (result.verdict == Verdict::kExplained) {
     EXPECT_LE(result.after.rms, kSlack * kMostNoiseRatio * result.noise_floor) << spoil().name;
+  }
   for (const double probability : {result.nothing_probability, result.unknown_probability, result.scatter_probability})
     if (std::isfinite(probability)) {
       EXPECT_GE(probability, -1e-9) << spoil().name;
