@@ -15,8 +15,8 @@ class Demo(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.out = pathlib.Path(cls.folder.name) / "demo"
-        cls.run = subprocess.run(["make", "-C", SOURCE, "-o", "program", "demo", f"BUILD={PROGRAM.parent}", f"OUT={cls.out}"],
-                                 capture_output=True, text=True, timeout=300, check=True)
+        cls.made = subprocess.run(["make", "-C", SOURCE, "-o", "program", "demo", f"BUILD={PROGRAM.parent}", f"OUT={cls.out}"],
+                                  capture_output=True, text=True, timeout=300, check=True)
         cls.plan = json.loads((cls.out / "plan.json").read_text())
 
     @classmethod
@@ -25,7 +25,7 @@ class Demo(unittest.TestCase):
 
     def test_every_command_is_printed(self):
         for command in ("simulate", "identify", "plan"):
-            self.assertIn(f"/tubeplan {command} ", self.run.stdout)
+            self.assertIn(f"/tubeplan {command} ", self.made.stdout)
 
     def test_the_touches_fit_and_nothing_is_warned_of(self):
         self.assertEqual(self.plan["calibration"]["verdict"], "adequate")
@@ -45,7 +45,7 @@ class Demo(unittest.TestCase):
         sentence = self.plan["sentence"]
         self.assertIn(self.plan["base"]["words"], sentence)
         self.assertIn(sentence, (self.out / "report.html").read_text())
-        self.assertIn(sentence, self.run.stdout)
+        self.assertIn(sentence, self.made.stdout)
 
 
 if __name__ == "__main__":

@@ -94,8 +94,9 @@ TEST_F(Commands, bodiesThatNoPosturePartsAreNamedByThePlanItsReportAndVerify) {
   const Outcome planned = run("plan " + shipped("puma.yaml") + " --tubes spread:12 --out made");
   ASSERT_EQ(planned.exit_code, 0) << planned.err;
   const json warnings = planJson("made")["warnings"];
-  ASSERT_EQ(warnings.size(), 1u);
-  const std::string warning = warnings[0];
+  ASSERT_EQ(warnings.size(), 2u) << "the other is of the base, which nobody placed";
+  const std::string warning =
+      warnings[0].get<std::string>().find("not checked") != std::string::npos ? warnings[0] : warnings[1];
   expectSays(warning, "not checked against one another");
   expectSays(planned.out, warning);
   expectSays(contentOf(folder / "made/report.html"), warning);

@@ -134,7 +134,7 @@ TEST_F(TouchedBases, UncertaintiesAreReadAsTheyAreWritten) {
     for (Eigen::Index i = 0; i < uncertainty.covariance.rows(); ++i)
       for (Eigen::Index j = 0; j < uncertainty.covariance.cols(); ++j)
         EXPECT_NEAR(again.uncertainty.covariance(i, j), uncertainty.covariance(i, j),
-                    2e-6 * std::sqrt(uncertainty.covariance(i, i) * uncertainty.covariance(j, j)))
+                    4e-6 * std::sqrt(uncertainty.covariance(i, i) * uncertainty.covariance(j, j)))
             << value;
   }
 }

@@ -222,14 +222,14 @@ inline Made oneHole(SeededSet& s, SeededRandom& random) {
   m.p_W = Eigen::Vector3d(tube->x, tube->y, 0);
   return mend;
 }
-/// A base said to be known that stands some centimetres and degrees elsewhere.
+/// A base said to be known that stands some centimetres and degrees elsewhere, as upright as it was: the arm sags
+/// alike.
 inline Made baseElsewhere(SeededSet& s, SeededRandom& random) {
   if (!s.cell.base_known || !arePlaces(s)) return std::nullopt;
   const double reach = deflection::reachOf(s.cell.arm);
-  Eigen::Vector3d shift, axis;
-  for (int k = 0; k < 3; ++k)
-    shift[k] = drawnBetween(-0.15, 0.15, random) * reach, axis[k] = drawnBetween(-1, 1, random);
-  const Eigen::AngleAxisd turn(drawnBetween(0.05, 0.4, random), axis.normalized());
+  Eigen::Vector3d shift;
+  for (double& along : shift) along = drawnBetween(-0.15, 0.15, random) * reach;
+  const Eigen::AngleAxisd turn(drawnBetween(0.05, 0.4, random), s.cell.arm.gravity_W.normalized());
   for (auto& m : s.table.readings)
     if (m.kind == MeasurementKind::kPosition || m.kind == MeasurementKind::kTouch) *m.p_W = turn * *m.p_W + shift;
   return "base=unknown";

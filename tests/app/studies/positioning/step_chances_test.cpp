@@ -74,7 +74,7 @@ TEST_F(StepChancesOfAPlan, ModelErrorsThatAreNoneAreRefused) {
 TEST_F(StepChancesOfAPlan, AKnownBaseWithoutAWordOnTheModelSaysSo) {
   const json plan = planned("mockup-true.yaml");
   EXPECT_TRUE(plan["probabilities"]["model_error"].is_null());
-  EXPECT_EQ(plan["probabilities"]["left_out"].size(), 2u);
+  EXPECT_EQ(plan["probabilities"]["left_out"].size(), 3u);
 }
 
 TEST_F(StepChancesOfAPlan, ACalibratedCellCarriesTheModelsErrorOn) {
@@ -84,7 +84,7 @@ TEST_F(StepChancesOfAPlan, ACalibratedCellCarriesTheModelsErrorOn) {
   const json found = json::parse(outcome.out, nullptr, false);
   EXPECT_EQ(found["model_error"]["from"], "touches");
   EXPECT_EQ(found["model_error"]["degrees_of_freedom"], 3);
-  EXPECT_EQ(planned("placed.yaml")["probabilities"]["model_error"]["source"], "cell");
+  EXPECT_EQ(planned("placed.yaml")["probabilities"]["model_error"]["source"], "touches");
 }
 
 TEST_F(StepChancesOfAPlan, IdentifyWritesTheModelsErrorIntoTheCell) {
