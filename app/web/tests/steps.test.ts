@@ -6,9 +6,8 @@ import type {PlanDocument, PlannedTube} from "../source/server/documents";
 import {bySteps} from "../source/sheet/colourings";
 import type {SheetModel} from "../source/sheet/sheet_model";
 
-const report = path.resolve(process.env.TUBEPLAN_PAGES ?? path.resolve(__dirname, "../.."), "report");
 const {chancesOf, countsOf, predictedCase, scoredCase, wholeToolText} = await import(
-  /* @vite-ignore */ path.join(report, "cases.js")
+  /* @vite-ignore */ path.resolve(__dirname, "../../report/cases.js")
 );
 
 const TOOLS = [1, 2, 3, 4, 5, 6, 7, 8];
