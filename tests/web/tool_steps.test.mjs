@@ -57,7 +57,7 @@ describe("a report", () => {
 
       const whole = plan.counts.via_point.at(-1);
       const said = `${plan.step_words.at(-1)} in ${whole} of ${plan.tubes.length} tubes with via-point compensation`;
-      assert.ok((await tab.innerText(".sentence")).includes(`${said}, ${plan.counts.none.at(-1)} without`), said);
+      assert.ok((await tab.innerText("body")).includes(`${said}, ${plan.counts.none.at(-1)} without`), said);
 
       const rows = await tab.locator("#steps tbody tr").allInnerTexts();
       assert.equal(rows.length, MODES.length);
@@ -80,6 +80,7 @@ describe("a report", () => {
       });
 
       await tab.locator("#tubes summary").click();
+      await tab.locator("#tubes tbody tr").first().waitFor();
       const heads = await tab.locator("#tubes thead th").allInnerTexts();
       const column = heads.indexOf(`probability that ${plan.step_words.at(-1)}`);
       const cells = await tab.locator(`#tubes tbody tr td:nth-child(${column + 1})`).allInnerTexts();
