@@ -8,6 +8,7 @@
 #include "tests/deflection/cobra.hpp"
 
 int main(int argc, char** argv) {
+  using namespace tubeplan;
   using namespace tubeplan::deflection;
   CLI::App cli{"Solves the same 64 postures again and again"};
   int rounds = 1;
