@@ -34,7 +34,7 @@ void rankCatalogue(benchmark::State& state) {
   const Case c;
   IdentificationOptions quick = c.options.baseline;
   quick.folds = 0;
-  const DiagnosisBasis basis = basisOf(identify(c.start, c.readings, quick), c.readings);
+  const FittedBasis basis = basisOf(identify(c.start, c.readings, quick), c.readings);
   std::size_t candidates = 0;
   for (auto _ : state) {
     const CauseList list = listCauses(basis.fitted, basis.readings, basis.unknowns, c.options.causes);
