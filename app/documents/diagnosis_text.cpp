@@ -13,8 +13,7 @@
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/effects_reader.hpp"
 #include "app/files/input_error.hpp"
-#include "calibration/estimation/whitened_residual.hpp"
-#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/estimation/size_modes.hpp"
 
 namespace tubeplan::app {
 
@@ -131,13 +130,9 @@ std::string modesSentence(const Explanation& explanation) {
   std::vector<std::string> sentences;
   for (const auto& effect : explanation.effects) {
     if (effect.modes.empty()) continue;
-    std::vector<std::string> kinds;
-    for (const auto kind : effect.decided_by) kinds.emplace_back(calibration::kindOf(kind).name);
     sentences.push_back(fmt::format("{} has {} sizes that explain the readings equally; {}.",
                                     effectAtPlace(effect.effect, effect.at), effect.modes.size(),
-                                    kinds.empty()
-                                        ? "no kind of reading made here decides"
-                                        : fmt::format("one reading of kind {} decides", fmt::join(kinds, " or "))));
+                                    calibration::decidedByText(effect.decided_by)));
   }
   return fmt::format("{}", fmt::join(sentences, " "));
 }

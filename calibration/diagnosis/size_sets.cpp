@@ -21,8 +21,7 @@ ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& expl
   std::erase_if(model.unknowns, [&](const Unknown& unknown) { return unknown.path.effect == effect; });
   const auto& numbers = deflection::numbersOf(model.placed.arm.effects[static_cast<std::size_t>(effect)]);
   for (std::size_t v = 0; v < numbers.size(); ++v)
-    if (!numbers[v].is_shape && numbers[v].quantity != deflection::Quantity::kTime)
-      model.unknowns.push_back(numberUnknown(model.placed.arm, effect, static_cast<int>(v)));
+    if (!numbers[v].is_shape) model.unknowns.push_back(numberUnknown(model.placed.arm, effect, static_cast<int>(v)));
   return model;
 }
 

@@ -1,4 +1,4 @@
-// Whether the readings say which sizes the effects of an explanation have, or only that they are among several.
+// The sizes of the effects of an explanation where readings say only that they are among several.
 #pragma once
 
 #include "calibration/diagnosis/diagnosis.hpp"
@@ -6,8 +6,9 @@
 
 namespace tubeplan::calibration {
 
-/// Looks for other sizes of each effect of an explanation. Where there are some, the effect has them as `modes`, the most
-/// probable in front and in the explanation, and its numbers have ranges over all of them. Unwinds where it was stopped.
+/// Looks for other sizes of each effect of an explanation. Where there are some, the effect has them as `modes`, the
+/// most probable in front and in the explanation, and its numbers have ranges over all of them. Unwinds where it was
+/// stopped.
 void findSizeSets(const FittedBasis& basis, Explanation& explanation);
 
 }  // namespace tubeplan::calibration

@@ -29,13 +29,6 @@ UncertainNumbers heldNumbers(const Identification& fit, const std::vector<Unknow
   return held;
 }
 
-/// Inverse of an information matrix whose variables may be of very different sizes.
-MatrixXd inverseOf(const MatrixXd& information) {
-  const VectorXd scale = information.diagonal().cwiseSqrt().cwiseInverse();
-  const MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
-  return scale.asDiagonal() * scaled.ldlt().solve(MatrixXd::Identity(scale.size(), scale.size())) * scale.asDiagonal();
-}
-
 /// Base steps are counted for an arm with one base pose; each of several belongs to a set-up, and none to the cell.
 bool isKept(const Unknown& unknown, const Identification& fit) {
   return unknown.owner == Unknown::Owner::kArm || fit.fitted.base_poses.size() == 1;
@@ -67,7 +60,7 @@ std::optional<ArmUncertainty> determinedNumbers(const Identification& fit, const
   VectorXd prior = VectorXd::Ones(to_numbers.cols()), gradient = jacobian.transpose() * at.r;
   prior.head(own) = priorSlopes(fitted).cwiseAbs2();
   gradient.head(own) += priorSlopes(fitted).cwiseProduct(priorResiduals(fitted, zerosOf(fitted)));
-  const MatrixXd inverse = inverseOf(jacobian.transpose() * jacobian + MatrixXd(prior.asDiagonal()));
+  const MatrixXd inverse = inverseOfInformation(jacobian.transpose() * jacobian + MatrixXd(prior.asDiagonal()));
   const VectorXd shift = inverse * gradient;  // of the most probable values from those that were written
   const MatrixXd covariance = to_numbers * (inverse + shift * shift.transpose()) * to_numbers.transpose();
   ArmUncertainty determined = held_numbers;

@@ -44,6 +44,12 @@ MatrixXd posteriorCovariance(const MatrixXd& jacobian, const std::vector<Unknown
   return back * inverse.asDiagonal() * back.transpose();
 }
 
+MatrixXd inverseOfInformation(const MatrixXd& information) {
+  const VectorXd scale = information.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
+  return scale.asDiagonal() * scaled.ldlt().solve(MatrixXd::Identity(scale.size(), scale.size())) * scale.asDiagonal();
+}
+
 double effectiveNumbers(const MatrixXd& covariance, const std::vector<Unknown>& unknowns) {
   double numbers = 0;
   for (std::size_t k = 0; k < unknowns.size(); ++k) {

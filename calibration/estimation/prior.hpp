@@ -23,6 +23,9 @@ namespace tubeplan::calibration {
 [[nodiscard]] Eigen::MatrixXd posteriorCovariance(const Eigen::MatrixXd& jacobian,
                                                   const std::vector<Unknown>& unknowns);
 
+/// Returns the inverse of an information matrix that determines every variable; they may be of very different sizes.
+[[nodiscard]] Eigen::MatrixXd inverseOfInformation(const Eigen::MatrixXd& information);
+
 /// How many of the numbers the readings determine, by the posterior covariance: from 0 to all.
 [[nodiscard]] double effectiveNumbers(const Eigen::MatrixXd& covariance, const std::vector<Unknown>& unknowns);
 

@@ -1,9 +1,13 @@
 #include "calibration/estimation/size_modes.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "calibration/estimation/fit.hpp"
+#include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 
@@ -123,8 +127,7 @@ class SizeSearch {
     VectorXd sigma = VectorXd::Zero(static_cast<Index>(asked_.sizes.size())), r;
     MatrixXd jacobian;
     if (!problem.evaluate(x, r, &jacobian)) return sigma;
-    const MatrixXd information = jacobian.transpose() * jacobian;
-    const MatrixXd covariance = information.ldlt().solve(MatrixXd::Identity(x.size(), x.size()));
+    const MatrixXd covariance = inverseOfInformation(jacobian.transpose() * jacobian);
     for (std::size_t k = 0; k < sizes.size(); ++k) {
       const auto place = std::ranges::find(asked_.sizes, sizes[k]) - asked_.sizes.begin();
       const Index row = x.size() - static_cast<Index>(sizes.size()) + static_cast<Index>(k);
@@ -191,9 +194,7 @@ class SizeSearch {
         sum += (weights_.whitener[k] * (predicted.value - kindOf(reading).measured(reading))).squaredNorm();
         continue;
       }
-      double variance = 0;
-      for (Index j = 0; j < state.arm.jointCount(); ++j)
-        variance += predicted.by_joints.col(j).squaredNorm() * std::pow(state.arm.joint(j).encoder_sigma, 2);
+      const double variance = encoderCovariance(state.arm, predicted.by_joints).trace();
       const double error = predicted.value.norm();
       const double beyond = std::max({0., reading.own[1] - error, error - reading.own[2]});
       if (beyond > 0) sum += beyond * beyond / std::max(variance, kExact * kExact);
@@ -266,6 +267,13 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
 }
 
 }  // namespace
+
+std::string decidedByText(const std::vector<MeasurementKind>& kinds) {
+  std::vector<std::string> names;
+  for (const auto kind : kinds) names.emplace_back(kindOf(kind).name);
+  return names.empty() ? "no kind of reading made here decides"
+                       : fmt::format("one reading of kind {} decides", fmt::join(names, " or "));
+}
 
 SizeModes findSizeModes(const SizeModesQuestion& question) {
   SizeModes result;

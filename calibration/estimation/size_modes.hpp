@@ -1,11 +1,12 @@
-// Whether readings say which sizes an effect has, or only that they are among several.
+// All sizes of an effect that explain readings equally.
 //
-// Readings of steps do not say on which side the tip is. The likelihood of an effect that moves it is then a ring, or has
-// several minima, and a fit stops at one of them. One or two sizes at a time are looked for in every direction anew: where
-// others explain the readings as well, the answer is the set of them.
+// Readings of steps do not say on which side the tip is. The likelihood of an effect that moves it is then a ring, or
+// has several minima, and a fit stops at one of them. One or two sizes at a time are looked for in every direction
+// anew: where others explain the readings as well, the answer is the set of them.
 #pragma once
 
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "calibration/estimation/whitened_residual.hpp"
@@ -40,5 +41,8 @@ struct SizeModes {
 
 /// Looks where readings of steps are among them: no other kind is even in the error. Unwinds where it was stopped.
 [[nodiscard]] SizeModes findSizeModes(const SizeModesQuestion& question);
+
+/// Returns "one reading of kind position or offset decides": what tells sizes apart that these kinds would.
+[[nodiscard]] std::string decidedByText(const std::vector<MeasurementKind>& kinds);
 
 }  // namespace tubeplan::calibration

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "calibration/estimation/fit.hpp"
+#include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 #include "deflection/rotation.hpp"
@@ -102,17 +103,12 @@ class TouchProblem {
 
   /// Of the base's step from where it was found and of the numbers' variables, by the slopes at x.
   [[nodiscard]] MatrixXd covarianceAt(const VectorXd& x, const MatrixXd& jacobian) const {
-    const MatrixXd information = jacobian.transpose() * jacobian;
-    const VectorXd scale = information.diagonal().cwiseSqrt().cwiseInverse();
-    const MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
-    const MatrixXd inverse = scaled.ldlt().solve(MatrixXd::Identity(scaled.rows(), scaled.cols()));
     const Index n = numbers_.root.rows();
     MatrixXd back = MatrixXd::Zero(6 + n, variables());
     back.topLeftCorner<3, 3>().setIdentity();
     back.block<3, 3>(3, 3) = deflection::leftJacobian(Vector3d(x.segment<3>(3)));
     back.bottomRightCorner(n, numbers_.root.cols()) = numbers_.root;
-    const MatrixXd root = back * scale.asDiagonal();
-    return root * inverse * root.transpose();
+    return back * inverseOfInformation(jacobian.transpose() * jacobian) * back.transpose();
   }
 
   [[nodiscard]] const std::vector<Matrix3d>& noise() const { return noise_; }

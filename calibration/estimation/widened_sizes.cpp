@@ -1,13 +1,11 @@
 #include "calibration/estimation/widened_sizes.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "calibration/estimation/size_modes.hpp"
-#include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::calibration {
 
@@ -18,15 +16,7 @@ namespace {
 bool isSizeOf(const Unknown& unknown, int effect, const deflection::Arm& arm) {
   if (unknown.owner != Unknown::Owner::kArm || unknown.path.effect != effect) return false;
   const auto& numbers = deflection::numbersOf(arm.effects[static_cast<std::size_t>(effect)]);
-  const auto& number = numbers[static_cast<std::size_t>(unknown.path.value)];
-  return !number.is_shape && number.quantity != deflection::Quantity::kTime;
-}
-
-std::string noteOn(const SizeModes& found) {
-  std::vector<std::string> kinds;
-  for (const auto kind : found.decided_by) kinds.emplace_back(kindOf(kind).name);
-  return fmt::format("one of {} values that explain the readings equally{}", found.modes.size(),
-                     kinds.empty() ? "" : fmt::format("; one reading of kind {} decides", fmt::join(kinds, " or ")));
+  return !numbers[static_cast<std::size_t>(unknown.path.value)].is_shape;
 }
 
 /// Widens the interval of the size of index `k` over all modes.
@@ -37,7 +27,8 @@ void widen(const SizeModes& found, Index k, IdentifiedNumber& number) {
   }
   if (found.modes.size() == 1 && found.modes.front().is_as_found) return;
   for (const SizeMode& mode : found.modes) number.modes.push_back(mode.values[k]);
-  number.note = noteOn(found);
+  number.note = fmt::format("one of {} values that explain the readings equally{}", found.modes.size(),
+                            found.decided_by.empty() ? "" : "; " + decidedByText(found.decided_by));
 }
 
 }  // namespace
