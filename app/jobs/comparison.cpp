@@ -6,7 +6,6 @@
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/reading_input.hpp"
-#include "app/jobs/outliers.hpp"
 #include "app/studies/model/cell_fit.hpp"
 
 namespace tubeplan::app {
@@ -58,15 +57,12 @@ RefitOfReadings refitReadings(const CellReadings& input, const ComparisonRequest
     requireGoingOn(hooks);
     return fit;
   };
-  RefitOfReadings refit{input.readings, {}, fitted(input.readings)};
-  if (refit.fit.status == calibration::IdentificationStatus::kRefused) return refit;
-  const auto aside = outliersOf(input, refit.fit, options);
-  requireGoingOn(hooks);
-  if (aside.empty()) return refit;
-  refit.set_aside = idsAt(aside, input.readings);
-  refit.readings = calibration::withoutReadings(input.readings, aside);
-  refit.fit = fitted(refit.readings);
-  return refit;
+  const auto outliers = [&](const calibration::Identification& fit) {
+    auto aside = outliersOf(input, fit, options);
+    requireGoingOn(hooks);
+    return aside;
+  };
+  return fitWithoutOutliers(input.readings, fitted, outliers);
 }
 
 ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request, const WorkHooks& hooks,

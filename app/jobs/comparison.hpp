@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/files/reading_input.hpp"
+#include "app/jobs/outliers.hpp"
 #include "app/studies/job_steps.hpp"
 #include "calibration/patterns/comparison.hpp"
 
@@ -14,13 +15,6 @@ namespace tubeplan::app {
 struct ComparisonRequest {
   int folds = 5;
   std::uint64_t seed = 1;
-};
-
-/// What is free fitted to the readings that are no outliers.
-struct RefitOfReadings {
-  std::vector<calibration::Measurement> readings;  ///< all but those set aside
-  std::vector<std::string> set_aside;              ///< ids of outliers
-  calibration::Identification fit;                 ///< of `readings`; not run where nothing is free
 };
 
 struct ComparisonOutcome {

@@ -13,6 +13,7 @@
 #include "app/files/input_error.hpp"
 #include "app/files/reading_input.hpp"
 #include "app/files/suggestion.hpp"
+#include "app/jobs/outliers.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "calibration/estimation/set_aside.hpp"
 #include "calibration/patterns/comparison.hpp"
@@ -108,30 +109,29 @@ std::vector<calibration::EffectWarning> effectWarnings(const IdentificationReque
                                     result);
 }
 
-}  // namespace
-
-namespace {
-
-/// Fits all readings and, where some are off by more than noise explains, what is left without them; stages and robust
-/// losses take all.
-void fitWithoutOutliers(const CellReadings& input, const IdentificationRequest& request, const WorkHooks& hooks,
-                        IdentificationOutcome& outcome) {
+/// Fits without outliers; stages and robust losses take all readings.
+void fitReadings(const CellReadings& input, const IdentificationRequest& request, const WorkHooks& hooks,
+                 IdentificationOutcome& outcome) {
   const auto& cell = input.cell;
-  outcome.readings = input.readings;
-  outcome.fit = identifyAsAsked(request, cell, input.readings, hooks);
-  requireGoingOn(hooks);
-  requireAccepted(outcome.fit, request, input);
+  const auto fitted = [&](const std::vector<calibration::Measurement>& readings) {
+    auto fit = identifyAsAsked(request, cell, readings, hooks);
+    requireGoingOn(hooks);
+    requireAccepted(fit, request, input);
+    return fit;
+  };
   const IdentificationOptions options = identificationOptions(request, cell, withoutProgress(hooks));
-  if (!request.stages.empty() || options.loss != calibration::RobustLoss::kNone || input.checks.is_overruled) return;
-  const auto aside =
-      calibration::readingsToSetAside(startOf(cell, input.readings), input.readings, outcome.fit, options);
-  requireGoingOn(hooks);
-  if (aside.empty()) return;
-  for (const int k : aside) outcome.set_aside.push_back(input.readings[static_cast<std::size_t>(k)].id);
-  outcome.readings = calibration::withoutReadings(input.readings, aside);
-  outcome.fit = identifyAsAsked(request, cell, outcome.readings, hooks);
-  requireGoingOn(hooks);
-  requireAccepted(outcome.fit, request, input);
+  const bool takes_all =
+      !request.stages.empty() || options.loss != calibration::RobustLoss::kNone || input.checks.is_overruled;
+  const auto outliers = [&](const Identification& fit) {
+    if (takes_all) return std::vector<int>();
+    auto aside = calibration::readingsToSetAside(startOf(cell, input.readings), input.readings, fit, options);
+    requireGoingOn(hooks);
+    return aside;
+  };
+  RefitOfReadings refit = fitWithoutOutliers(input.readings, fitted, outliers);
+  outcome.fit = std::move(refit.fit);
+  outcome.readings = std::move(refit.readings);
+  outcome.set_aside = std::move(refit.set_aside);
 }
 
 /// Says where the fit leaves more than noise explains, by the rule of `compare`. Robust losses leave outliers in.
@@ -158,7 +158,7 @@ IdentificationOutcome identifyModel(const CellReadings& input, const Identificat
   const auto& cell = input.cell;
   beginStep(hooks, "fit");
   IdentificationOutcome outcome;
-  fitWithoutOutliers(input, request, hooks, outcome);
+  fitReadings(input, request, hooks, outcome);
   const auto& readings = outcome.readings;
   beginStep(hooks, "uncertainties");
   outcome.warnings = fitWarnings(outcome.fit, readings);

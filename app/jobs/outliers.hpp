@@ -1,6 +1,7 @@
 // Readings that a job sets aside before it judges a model: one rule for what compares, and for a ladder of models.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,19 @@ namespace tubeplan::app {
 /// The ids of readings at these places.
 [[nodiscard]] std::vector<std::string> idsAt(const std::vector<int>& places,
                                              const std::vector<calibration::Measurement>& readings);
+
+/// A fit to the readings that are no outliers.
+struct RefitOfReadings {
+  std::vector<calibration::Measurement> readings;  ///< all but those set aside
+  std::vector<std::string> set_aside;              ///< ids of outliers
+  calibration::Identification fit;                 ///< of `readings`; not run where nothing is free
+};
+
+/// Fits all readings and, where `outliers` finds places of some by that fit, the others. A fit that is refused is the
+/// result.
+[[nodiscard]] RefitOfReadings fitWithoutOutliers(
+    const std::vector<calibration::Measurement>& readings,
+    const std::function<calibration::Identification(const std::vector<calibration::Measurement>&)>& fitted,
+    const std::function<std::vector<int>(const calibration::Identification&)>& outliers);
 
 }  // namespace tubeplan::app
