@@ -14,11 +14,7 @@ CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration
   requireEnoughTouches(touches, file);
   CalibrationOutcome outcome;
   outcome.touches = touches;
-  calibration::BaseCalibrationOptions options;
-  options.arm = cell.uncertainty;
-  if (const auto known = cell.knownModelError()) options.model_error = known->sigma;
-  if (cell.sheet) options.neighbours = neighboursOn(*cell.sheet);
-  outcome.calibration = calibration::calibrateBase(cell.filedArm(), touches, cell.X_WB, options);
+  outcome.calibration = calibration::calibrateBase(cell.filedArm(), touches, cell.X_WB, calibrationOptionsOf(cell));
   outcome.model_error = modelErrorBeside(cell, outcome.calibration);
   outcome.figures = calibrationJson(outcome.calibration, cell);
   if (outcome.model_error) outcome.figures["model_error"] = modelErrorJson(*outcome.model_error, cell.units);

@@ -74,11 +74,8 @@ BothCalibrations calibrateBothBy(calibration::BaseCalibrationOptions options, co
 
 BothCalibrations calibrateBoth(const planner::Workcell& placed, const CellModel& cell,
                                const std::vector<calibration::Measurement>& touches) {
-  calibration::BaseCalibrationOptions options;
-  options.arm = cell.uncertainty;
-  if (const auto known = cell.knownModelError()) options.model_error = known->sigma;
-  options.neighbours = neighboursOn(placed.sheet);
-  return calibrateBothBy(options, placed.arm, deflection::rigidCopy(placed.arm), placed.X_WB, touches);
+  return calibrateBothBy(calibrationOptionsOf(cell), placed.arm, deflection::rigidCopy(placed.arm), placed.X_WB,
+                         touches);
 }
 
 BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,

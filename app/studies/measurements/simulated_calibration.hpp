@@ -38,7 +38,7 @@ struct BothCalibrations {
 [[nodiscard]] BothCalibrations calibrateBoth(const planner::Workcell& placed, const CellModel& cell,
                                              const std::vector<calibration::Measurement>& touches);
 
-/// The same with both arms at hand, for many calibrations of one model: nothing is said of touches that do not fit.
+/// Calibrates with both arms at hand, for many calibrations of a model: nothing is said of touches that do not fit.
 [[nodiscard]] BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
                                              const calibration::ArmUncertainty& uncertainty,
                                              const Eigen::Isometry3d& X_WB_start, const tubesheets::Sheet& sheet,

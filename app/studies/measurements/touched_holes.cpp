@@ -20,4 +20,12 @@ calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet) {
   };
 }
 
+calibration::BaseCalibrationOptions calibrationOptionsOf(const CellModel& cell) {
+  calibration::BaseCalibrationOptions options;
+  options.arm = cell.uncertainty;
+  if (const auto known = cell.knownModelError()) options.model_error = known->sigma;
+  if (cell.sheet) options.neighbours = neighboursOn(*cell.sheet);
+  return options;
+}
+
 }  // namespace tubeplan::app
