@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/documents/diagnosis_text.hpp"
@@ -12,29 +13,32 @@
 
 namespace tubeplan::app {
 
-const char* nameOf(ImprovementEnd end) {
-  switch (end) {
-    case ImprovementEnd::kNotRun:
-      return "not-run";
-    case ImprovementEnd::kAdequate:
-      return "adequate";
-    case ImprovementEnd::kNothingSure:
-      return "nothing-sure";
-    case ImprovementEnd::kAmbiguous:
-      return "ambiguous";
-    case ImprovementEnd::kDoesNotCarryOver:
-      return "does-not-carry-over";
-    case ImprovementEnd::kMistake:
-      return "mistake";
-    case ImprovementEnd::kInconclusive:
-      return "inconclusive";
-    case ImprovementEnd::kMostSteps:
-      return "most-steps";
-    case ImprovementEnd::kNotFitted:
-      return "not-fitted";
-  }
-  return "";
-}
+namespace {
+
+/// How the loop ended: its name in documents, and the end of a sentence.
+struct EndRow {
+  ImprovementEnd end;
+  const char *name, *words;
+};
+
+constexpr EndRow kEnds[] = {
+    {ImprovementEnd::kNotRun, "not-run", "the model was not improved"},
+    {ImprovementEnd::kAdequate, "adequate", "nothing more is missing"},
+    {ImprovementEnd::kNothingSure, "nothing-sure", "what is left no known effect is certain to explain"},
+    {ImprovementEnd::kAmbiguous, "ambiguous",
+     "several effects explain what is left, and these readings cannot tell them apart"},
+    {ImprovementEnd::kDoesNotCarryOver, "does-not-carry-over",
+     "no further effect predicts the readings that it was not fitted to"},
+    {ImprovementEnd::kMistake, "mistake", "a mistake in the readings is suspected and is to be mended first"},
+    {ImprovementEnd::kInconclusive, "inconclusive", "the readings allow no verdict on what is left"},
+    {ImprovementEnd::kMostSteps, "most-steps", "the steps asked for are used up, and more may be missing"},
+    {ImprovementEnd::kNotFitted, "not-fitted", "the model as given cannot be fitted"}};
+
+const EndRow& rowOf(ImprovementEnd end) { return *std::ranges::find(kEnds, end, &EndRow::end); }
+
+}  // namespace
+
+const char* nameOf(ImprovementEnd end) { return rowOf(end).name; }
 
 std::string sentenceOf(const ImprovementStep& step, const Units& units) {
   return step.reason == ImprovementReason::kMistakeExplains ? step.diagnosis.reason
@@ -87,40 +91,11 @@ std::vector<std::string> idsSetAside(const Improvement& result, const std::vecto
   return result.models.empty() ? std::vector<std::string>() : idsOf(result.models.back().set_aside, readings);
 }
 
-namespace {
-
-/// How the loop ended, as the end of a sentence.
-const char* endWords(ImprovementEnd end) {
-  switch (end) {
-    case ImprovementEnd::kNotRun:
-      return "the model was not improved";
-    case ImprovementEnd::kAdequate:
-      return "nothing more is missing";
-    case ImprovementEnd::kNothingSure:
-      return "what is left no known effect is certain to explain";
-    case ImprovementEnd::kAmbiguous:
-      return "several effects explain what is left, and these readings cannot tell them apart";
-    case ImprovementEnd::kDoesNotCarryOver:
-      return "no further effect predicts the readings that it was not fitted to";
-    case ImprovementEnd::kMistake:
-      return "a mistake in the readings is suspected and is to be mended first";
-    case ImprovementEnd::kInconclusive:
-      return "the readings allow no verdict on what is left";
-    case ImprovementEnd::kMostSteps:
-      return "the steps asked for are used up, and more may be missing";
-    case ImprovementEnd::kNotFitted:
-      return "the model as given cannot be fitted";
-  }
-  return "";
-}
-
-}  // namespace
-
 std::string improvementSentence(const Improvement& result, const Units& units) {
   std::vector<std::string> added;
   for (const auto& step : result.steps) added.insert(added.end(), step.added.begin(), step.added.end());
   const std::string what = added.empty() ? "Nothing was added" : fmt::format("Added {}", fmt::join(added, ", "));
-  if (result.models.empty()) return fmt::format("{}: {}.", what, endWords(result.end));
+  if (result.models.empty()) return fmt::format("{}: {}.", what, rowOf(result.end).words);
   const auto &first = result.models.front().fit, &last = result.models.back().fit;
   const ErrorUnit unit = errorUnitOf(last.after.are_angles, units);
   const auto text = [&](double error) { return errorText(error, unit, 3); };
@@ -128,7 +103,7 @@ std::string improvementSentence(const Improvement& result, const Units& units) {
                                           : fmt::format("the held-out error {} from {} to {}",
                                                         last.heldout.rms < first.heldout.rms ? "fell" : "rose",
                                                         text(first.heldout.rms), text(last.heldout.rms));
-  return fmt::format("{}; {} (noise floor {}): {}.", what, error, text(last.noise_floor), endWords(result.end));
+  return fmt::format("{}; {} (noise floor {}): {}.", what, error, text(last.noise_floor), rowOf(result.end).words);
 }
 
 nlohmann::json improvementJson(const Improvement& result, const std::vector<calibration::Measurement>& readings,
