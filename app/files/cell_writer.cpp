@@ -257,26 +257,6 @@ void makePair(std::string& cell, TextFile& arm) {
   arm.text = withYamlValue(arm.text, "pair", pair);
 }
 
-namespace {
-
-/// Returns what is known of the numbers that an arm has: without those of effects that were taken off it.
-calibration::ArmUncertainty knownOf(calibration::ArmUncertainty uncertainty, const deflection::Arm& arm) {
-  const auto& steps = calibration::baseStepNames();
-  std::vector<Eigen::Index> kept;
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < uncertainty.determined.size(); ++k) {
-    const std::string& name = uncertainty.determined[k];
-    if (std::ranges::find(steps, name) == steps.end() && !deflection::findParameter(arm, name)) continue;
-    kept.push_back(static_cast<Eigen::Index>(k));
-    names.push_back(name);
-  }
-  uncertainty.covariance = Eigen::MatrixXd(uncertainty.covariance(kept, kept));
-  uncertainty.determined = std::move(names);
-  return uncertainty;
-}
-
-}  // namespace
-
 std::vector<std::string> freedNames(const deflection::Arm& arm, const deflection::Effect& effect) {
   std::vector<std::string> names;
   for (const auto& parameter : deflection::numbersOf(effect))

@@ -24,12 +24,10 @@ struct KindOfNumber {
   double ArmUncertainty::*sigma;
 };
 
-constexpr KindOfNumber kKinds[] = {{"stiffness", dimension::kNone, &ArmUncertainty::stiffness},
-                                   {"weight", dimension::kNone, &ArmUncertainty::weight},
-                                   {"zero", dimension::kAngle, &ArmUncertainty::zero},
-                                   {"axis", dimension::kAngle, &ArmUncertainty::axis},
-                                   {"length", dimension::kLength, &ArmUncertainty::length},
-                                   {"tip", dimension::kLength, &ArmUncertainty::tip}};
+constexpr KindOfNumber kKinds[] = {
+    {"stiffness", dimension::kNone, &ArmUncertainty::stiffness}, {"weight", dimension::kNone, &ArmUncertainty::weight},
+    {"zero", dimension::kAngle, &ArmUncertainty::zero},          {"axis", dimension::kAngle, &ArmUncertainty::axis},
+    {"length", dimension::kLength, &ArmUncertainty::length},     {"tip", dimension::kLength, &ArmUncertainty::tip}};
 
 /// The dimension of a number of the arm, or of the base's step; nothing where there is no such number.
 std::optional<Dimension> dimensionOfNumber(const std::string& name, const deflection::Arm& arm) {
@@ -123,6 +121,19 @@ std::string uncertaintyText(const ArmUncertainty& uncertainty, const deflection:
       text += fmt::format("{}: {}, ", kind.key, formatNumber(units.toFile(uncertainty.*kind.sigma, kind.unit)));
   if (!uncertainty.determined.empty()) text += "\n  determined: " + determinedText(uncertainty, arm, units);
   return "{" + text + "}";
+}
+
+ArmUncertainty knownOf(ArmUncertainty uncertainty, const deflection::Arm& arm) {
+  std::vector<Index> kept;
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < uncertainty.determined.size(); ++k) {
+    if (!dimensionOfNumber(uncertainty.determined[k], arm)) continue;
+    kept.push_back(static_cast<Index>(k));
+    names.push_back(uncertainty.determined[k]);
+  }
+  uncertainty.covariance = MatrixXd(uncertainty.covariance(kept, kept));
+  uncertainty.determined = std::move(names);
+  return uncertainty;
 }
 
 }  // namespace tubeplan::app

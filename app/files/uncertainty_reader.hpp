@@ -17,4 +17,7 @@ namespace tubeplan::app {
 [[nodiscard]] std::string uncertaintyText(const calibration::ArmUncertainty& uncertainty, const deflection::Arm& arm,
                                           const Units& units);
 
+/// Returns what is known of the numbers that an arm has, without those of effects that were taken off it.
+[[nodiscard]] calibration::ArmUncertainty knownOf(calibration::ArmUncertainty uncertainty, const deflection::Arm& arm);
+
 }  // namespace tubeplan::app
