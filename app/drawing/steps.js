@@ -10,46 +10,52 @@ import {plural} from "./numbers.js";
  *    base?: unknown}} SteppedDocument
  */
 
-/** @type {Mark} */
-const NO_STEP = {shape: "cross", colour: "case0"};
-/** @type {Mark} */
-const ALL_STEPS = {shape: "disc", colour: "case3"};
-/** From the first step to the last but one; they repeat beyond the eighth. @type {Mark[]} */
-const SOME_STEPS = [
-  {shape: "triangle", colour: "case1"},
-  {shape: "square", colour: "case2"},
-  {shape: "half", colour: "ink"},
-  {shape: "double-ring", colour: "violet"},
-  {shape: "target", colour: "case1"},
-  {shape: "bar", colour: "case2"},
-  {shape: "ring", colour: "ink"},
-];
+/**
+ * Marks of no step, of all, and from the first to the last but one; the latter repeat beyond the eighth.
+ * @typedef {{none: Mark, all: Mark, some: Mark[]}} StepMarks
+ */
 
-/** The same of a base that nobody placed: as it would be if it stood exactly where it should. @type {Mark} */
-const NOMINAL_NO_STEP = {shape: "plus", colour: "accent"};
-/** @type {Mark} */
-const NOMINAL_ALL_STEPS = {shape: "crossed-ring", colour: "accent"};
-/** @type {Mark[]} */
-const NOMINAL_SOME_STEPS = [
-  {shape: "hollow-triangle", colour: "accent"},
-  {shape: "hollow-square", colour: "accent"},
-  {shape: "hollow-diamond", colour: "accent"},
-  {shape: "split-square", colour: "accent"},
-  {shape: "split-diamond", colour: "accent"},
-  {shape: "crossed-square", colour: "accent"},
-  {shape: "crossed-diamond", colour: "accent"},
-];
+/** @type {StepMarks} */
+const PLACED = {
+  none: {shape: "cross", colour: "case0"},
+  all: {shape: "disc", colour: "case3"},
+  some: [
+    {shape: "triangle", colour: "case1"},
+    {shape: "square", colour: "case2"},
+    {shape: "half", colour: "ink"},
+    {shape: "double-ring", colour: "violet"},
+    {shape: "target", colour: "case1"},
+    {shape: "bar", colour: "case2"},
+    {shape: "ring", colour: "ink"},
+  ],
+};
+
+/** @param {import("./shapes.js").Shape} shape @returns {Mark} */
+const nominal = (shape) => ({shape, colour: "accent"});
+
+/** Of a base that nobody placed: as it would be if it stood exactly where it should. @type {StepMarks} */
+const NOMINAL = {
+  none: nominal("plus"),
+  all: nominal("crossed-ring"),
+  some: /** @type {import("./shapes.js").Shape[]} */ ([
+    "hollow-triangle",
+    "hollow-square",
+    "hollow-diamond",
+    "split-square",
+    "split-diamond",
+    "crossed-square",
+    "crossed-diamond",
+  ]).map(nominal),
+};
 
 /**
  * The mark of so many inserted steps of a tool that has `count`, by the base that a document says they are of.
  * @param {number} inserted @param {number} count @param {{placed?: unknown} | null} [base]
  */
 export function stepMark(inserted, count, base) {
-  const isNominal = base?.placed === false;
-  if (inserted <= 0) return isNominal ? NOMINAL_NO_STEP : NO_STEP;
-  if (inserted >= count) return isNominal ? NOMINAL_ALL_STEPS : ALL_STEPS;
-  const some = isNominal ? NOMINAL_SOME_STEPS : SOME_STEPS;
-  return some[(inserted - 1) % some.length];
+  const {none, all, some} = base?.placed === false ? NOMINAL : PLACED;
+  if (inserted <= 0) return none;
+  return inserted >= count ? all : some[(inserted - 1) % some.length];
 }
 
 /** How many steps the tool of a document has; 0 where it does not say. @param {SteppedDocument} document */
