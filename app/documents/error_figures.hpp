@@ -20,7 +20,7 @@ struct ErrorUnit {
 
 [[nodiscard]] ErrorUnit errorUnitOf(bool are_angles, const Units& units);
 
-/// Null where it is not finite.
+/// Returns an error in its unit; null where it is not finite.
 [[nodiscard]] nlohmann::json errorJson(double error, const ErrorUnit& unit);
 
 /// "0.0123 in" or "0.0123 deg", to so many digits; "none" where it is not finite.

@@ -81,10 +81,10 @@ std::vector<std::size_t> placesOfValues(const calibration::MeasurementKindRow& k
 /// "x, y, z", "its distance", "its joints' readings"
 std::string valuesOf(const calibration::MeasurementKindRow& kind) {
   const auto values = calibration::valueColumnsOf(kind);
-  std::vector<std::string> names;
-  for (const auto& column : values.numbers) names.emplace_back(column.name);
   if (values.has_joints) return "its joints' readings";
   if (kind.is_from_reading) return "its distance or x, y, z";
+  std::vector<std::string> names;
+  for (const auto& column : values.numbers) names.emplace_back(column.name);
   return fmt::format("{}{}", calibration::measuresPlace(kind) ? "" : "its ", fmt::join(names, ", "));
 }
 

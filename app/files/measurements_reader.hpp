@@ -33,7 +33,7 @@ struct MeasurementTable {
   calibration::ReadingUnits units;
 };
 
-/// The same with the columns' units, joint readings past their limits among them. Ways may also be taken from readings
+/// Returns readings with their columns' units, those past joint limits among them. Ways may also be taken from readings
 /// that were read before.
 [[nodiscard]] MeasurementTable parseMeasurementTable(const std::string& text, const std::string& file,
                                                      const deflection::Arm& arm,

@@ -13,10 +13,10 @@ namespace tubeplan::app {
 /// Whether it is a control character, C0 (line ends and tabulators too), DEL or C1.
 [[nodiscard]] bool isControl(std::string_view sequence);
 
-/// Whether all of it is UTF-8 without control characters but line ends (LF, CR LF) and tabulators.
+/// Returns whether a text is UTF-8 without control characters but line ends (LF, CR LF) and tabulators.
 [[nodiscard]] bool isPlainText(std::string_view text);
 
-/// Where the first byte is that no text has; nothing where all is text.
+/// Returns the place of the first byte that no text has; nothing where all is text.
 [[nodiscard]] std::optional<std::size_t> findNonText(std::string_view text);
 
 /// One line that shows what is in the text: control characters, line ends among them, marks that turn the direction of

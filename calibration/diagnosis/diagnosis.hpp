@@ -38,7 +38,7 @@ struct FoundNumber {
   double value = 0;
   double sigma = std::numeric_limits<double>::quiet_NaN();  ///< NaN for a shape that was scanned
   bool is_beyond_usual = false;                             ///< larger than real machines have, by more than its doubt
-  /// Of a size that is one of a set: over all of them, with two standard deviations.
+  /// The range of a size that the readings leave open, over all sizes that explain them; else not numbers.
   double lower = std::numeric_limits<double>::quiet_NaN(), upper = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -49,7 +49,8 @@ struct FoundEffect {
   std::vector<FoundNumber> numbers;
   std::vector<std::pair<std::string, std::string>>
       also;  ///< effect and place of others that no reading could distinguish from it
-  /// Values of its numbers with which the readings are explained as well, the found ones first; empty where only these do.
+  /// Values of its numbers with which the readings are explained as well, the found ones first; empty where only these
+  /// do.
   std::vector<std::vector<double>> modes;
   std::vector<MeasurementKind> decided_by;  ///< of which one reading would tell those apart
 };

@@ -76,8 +76,8 @@ struct IdentifiedNumber {
   std::vector<std::string> with;  ///< names of the unknowns it is determined in combination with
   double prior_deviation = 0;     ///< from the arm's file, in standard deviations of its prior
   bool is_at_bound = false;
-  /// Of an effect's size: the values with which the readings are explained as well, the most probable first; empty where
-  /// there are no others. The interval is over all.
+  /// Values of an effect's size with which the readings are explained equally, the most probable first; empty where
+  /// only `value` does. The interval is over all.
   std::vector<double> modes;
   std::string note;  ///< one plain sentence where there is something to say
 };

@@ -24,7 +24,8 @@ struct NamedUnit {
 /// The units that a file's columns say they are in, and those that they might be in.
 struct ReadingUnits {
   NamedUnit coordinates{"m", 1}, loads{"N", 1}, angles{"rad", 1}, sigma{"m", 1};
-  /// As the columns of the noise say, of all coordinates alike and of x, y and z apart; no name: no such column.
+  /// Units by the columns of the noise, of all coordinates alike and of x, y and z apart; without a name: no such
+  /// column.
   NamedUnit sigma_column{"", 1}, axis_sigma_columns{"", 1};
   std::vector<NamedUnit> lengths, forces, angle_units, sigmas;
   std::vector<NamedUnit> joints;  ///< of each joint's column; empty where nobody knows
@@ -44,7 +45,7 @@ struct Mend {
   std::string mistake, value;  ///< as `--assume MISTAKE=VALUE` takes them
   std::string sentence;        ///< "the unit of the coordinates is mm, not in as their columns say"
   std::function<void(std::vector<Measurement>&)> change = [](std::vector<Measurement>&) {};
-  /// Of noise in the same wrong unit; empty where there is none.
+  /// Mends noise that is in the same wrong unit; empty where none is.
   std::function<void(std::vector<Measurement>&)> change_sigma = {};
   bool frees_base = false;    ///< the base is taken as not known
   bool parts_setups = false;  ///< every set-up is taken alone, with a tip of its own

@@ -34,7 +34,7 @@ struct ProposedMeasurement {
   double time = std::numeric_limits<double>::quiet_NaN();         ///< s, of which nothing earlier can be read
 };
 
-/// Whether it touches a point whose place is, or is not, known.
+/// Return whether a proposed reading touches a point whose place is, or is not, known.
 [[nodiscard]] bool touchesKnownPoint(const ProposedMeasurement& proposed);
 [[nodiscard]] bool touchesUnknownPoint(const ProposedMeasurement& proposed);
 

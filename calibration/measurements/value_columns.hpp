@@ -19,7 +19,7 @@ struct ValueColumns {
   int least = 0;                        ///< of the numbers, that a reading states
 };
 
-/// Whether a reading of the kind measures x, y, z, which else are the place of what it is measured from.
+/// Returns whether a kind measures x, y, z, which else are the place of what it is measured from.
 [[nodiscard]] inline bool measuresPlace(const MeasurementKindRow& kind) {
   return kind.has_coordinates && !kind.is_touch;
 }

@@ -11,11 +11,11 @@ namespace tubeplan::app {
 /// A heading that states a unit of another kind is of something else: "x (deg)" is no place.
 [[nodiscard]] bool fits(const ColumnTarget& target, const ForeignHeading& heading);
 
-/// Of one table; empty for columns of which nothing is known.
+/// Returns the headings of one table, empty for columns of which nothing is known.
 [[nodiscard]] std::vector<ForeignHeading> columnNames(const ForeignTable& table,
                                                       const std::vector<ColumnTarget>& targets);
 
-/// Of every table, with the joints told apart and surveyors' axes called x, y and z.
+/// Returns the headings of every table, with the joints told apart and surveyors' axes called x, y and z.
 [[nodiscard]] std::vector<std::vector<ForeignHeading>> columnNames(const std::vector<ForeignTable>& tables,
                                                                    const std::vector<ColumnTarget>& targets);
 

@@ -19,8 +19,7 @@ struct PlacingRow {
 constexpr PlacingRow kPlacings[] = {
     {BasePlacing::kNominal, "nominal", "for the nominal base; not calibrated",
      "the base is the cell's nominal one and was not calibrated: clearance, proofs and steps hold only if the arm "
-     "stands "
-     "exactly there; touch three holes and calibrate (--touches)",
+     "stands exactly there; touch three holes and calibrate (--touches)",
      false},
     {BasePlacing::kStated, "stated", "for the base that the cell states as known", "", true},
     {BasePlacing::kIdentified, "identified", "for the base found by a fit of readings", "", true},
