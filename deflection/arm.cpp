@@ -32,6 +32,11 @@ std::vector<FollowedJoint> turnedWith(const Arm& arm, int active_row) {
   return turned;
 }
 
+bool isNearlyParallel(const Row<double>& row) {
+  constexpr double kCosine = 0.866;  // of 30 degrees
+  return std::abs(rotationFromPrevious<double>(row)(2, 2)) > kCosine;
+}
+
 std::vector<std::string> jointNames(const Arm& arm) {
   std::vector<std::string> names;
   for (const auto& joint : arm.joints()) names.push_back(joint.name);

@@ -26,17 +26,20 @@ namespace tubeplan::deflection {
 
 inline constexpr double kRigid = std::numeric_limits<double>::infinity();
 
-/// Modified (Craig) Denavit-Hartenberg numbers: RotX(alpha) TransX(a) RotZ(theta) TransZ(d). rad, m.
+/// Modified (Craig) Denavit-Hartenberg numbers with Hayati's lean: RotX(alpha) TransX(a) RotY(beta) RotZ(theta)
+/// TransZ(d). rad, m. Of an axis that is all but parallel to the one before it, beta is determined and d is not.
 template <class S>
 struct DenavitHartenberg {
-  S alpha{0}, a{0}, d{0}, theta{0};
+  S alpha{0}, a{0}, d{0}, theta{0}, beta{0};
 };
 
-/// A row placed as URDF does: translation [m], then fixed-axis roll, pitch, yaw [rad].
+/// A row placed as URDF does: translation [m], then fixed-axis roll, pitch, yaw [rad], then the lean beta [rad] about
+/// the row's own y, which a pitch of a right angle leaves without a number of its own.
 template <class S>
 struct Origin {
   Vector3<S> position = Vector3<S>::Zero();
   Vector3<S> rpy = Vector3<S>::Zero();
+  S beta{0};
 };
 
 enum class JointType { kPassive, kRevolute, kPrismatic };
@@ -188,6 +191,9 @@ std::vector<int> activeRows(const Arm& arm);
 
 /// The rows that turn when an active row's joint does, and how far: itself, and those that follow it.
 std::vector<FollowedJoint> turnedWith(const Arm& arm, int active_row);
+
+/// Whether a row's axis is parallel to that of the row before, or opposed to it, within 30 degrees.
+bool isNearlyParallel(const Row<double>& row);
 
 /// The names of its joints and of its rows, in order, and the row of a name.
 std::vector<std::string> jointNames(const Arm& arm);

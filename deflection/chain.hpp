@@ -41,11 +41,18 @@ struct Chain {
   int clearances = 0;  ///< axes with an open gap
 };
 
+/// R, then the lean `beta` [rad] about its y; most rows have none.
+template <class S>
+Matrix3<S> leaned(const Matrix3<S>& R, const S& beta) {
+  return isConstantZero(beta) ? R : Matrix3<S>(R * rotationY<S>(beta));
+}
+
 /// Translation from a row's origin to the next row's (its bearing, when that one slides), in the row's axes.
 template <class S>
 Vector3<S> offsetInPreviousAxes(const Row<S>& row) {
   if (const auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement))
-    return Vector3<S>::UnitX() * dh->a + rotationX<S>(dh->alpha) * Vector3<S>(Vector3<S>::UnitZ() * dh->d);
+    return Vector3<S>::UnitX() * dh->a +
+           leaned<S>(rotationX<S>(dh->alpha), dh->beta) * Vector3<S>(Vector3<S>::UnitZ() * dh->d);
   return std::get<Origin<S>>(row.placement).position;
 }
 
@@ -53,8 +60,9 @@ Vector3<S> offsetInPreviousAxes(const Row<S>& row) {
 template <class S>
 Matrix3<S> rotationFromPrevious(const Row<S>& row) {
   if (const auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement))
-    return rotationX<S>(dh->alpha) * rotationZ<S>(dh->theta);
-  return rotationFromFixedAngles<S>(std::get<Origin<S>>(row.placement).rpy);
+    return leaned<S>(rotationX<S>(dh->alpha), dh->beta) * rotationZ<S>(dh->theta);
+  const auto& origin = std::get<Origin<S>>(row.placement);
+  return leaned<S>(rotationFromFixedAngles<S>(origin.rpy), origin.beta);
 }
 
 /// Which entry of the joint vector belongs to a row with a joint.

@@ -24,7 +24,8 @@ struct RowNumber {
   double lower = -std::numeric_limits<double>::infinity();  ///< physical bounds in internal units
   double upper = std::numeric_limits<double>::infinity();
   RowPart part = RowPart::kLoad;
-  int lump = -1;              ///< which of the row's lumps it belongs to
+  int lump = -1;                                               ///< which of the row's lumps it belongs to
+  double left_out = std::numeric_limits<double>::quiet_NaN();  ///< the value that files need not state
   bool is_parameter = false;  ///< that can be identified: not so what a joint's reading or offset stands for already
 };
 
@@ -68,18 +69,22 @@ void visitPlacements(Visit&& visit, R& row, Rest&... rest) {
                         .part = RowPart::kPlacement,
                         .is_parameter = true};
   const auto named = [](RowNumber about, const char* name) { return about.name = name, about; };
+  RowNumber lean = angle;
+  lean.left_out = 0;
   if (auto* dh = dhOf(row)) {
     visit(named(angle, "dh.alpha"), dh->alpha, dhOf(rest)->alpha...);
     visit(named(length, "dh.a"), dh->a, dhOf(rest)->a...);
     visit(named(length, "dh.d"), dh->d, dhOf(rest)->d...);
     RowNumber theta = named(angle, "dh.theta");
     theta.is_parameter = !moves(row.joint);
-    return visit(theta, dh->theta, dhOf(rest)->theta...);
+    visit(theta, dh->theta, dhOf(rest)->theta...);
+    return visit(named(lean, "dh.beta"), dh->beta, dhOf(rest)->beta...);
   }
   visitVectors(length, {"origin.position.x", "origin.position.y", "origin.position.z"}, visit, originOf(row)->position,
                originOf(rest)->position...);
   visitVectors(angle, {"origin.rpy.r", "origin.rpy.p", "origin.rpy.y"}, visit, originOf(row)->rpy,
                originOf(rest)->rpy...);
+  visit(named(lean, "origin.beta"), originOf(row)->beta, originOf(rest)->beta...);
 }
 
 /// What effects add to what gives. An addition that one of the rows has not is passed over.

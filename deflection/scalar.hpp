@@ -19,6 +19,10 @@ using Matrix3 = Eigen::Matrix<S, 3, 3>;
 inline double valueOf(double x) { return x; }
 inline double valueOf(const Dual& x) { return x.value(); }
 
+/// Whether a number is zero and stays so, whatever its derivatives are taken by.
+inline bool isConstantZero(double x) { return x == 0; }
+inline bool isConstantZero(const Dual& x) { return x.value() == 0 && x.derivatives() == Dual::Derivatives{}; }
+
 template <class Derived>
 auto valuesOf(const Eigen::MatrixBase<Derived>& m) {
   return m.unaryExpr([](const typename Derived::Scalar& x) { return valueOf(x); }).eval();

@@ -75,7 +75,7 @@ Joint<double> readJoint(const YamlNode& node, const Units& units) {
 // What the joint itself moves may be left out of the row's numbers.
 void readDh(const YamlNode& node, const Units& units, ArmRow& row) {
   const bool turns = !row.joint.name.empty() && row.joint.type != JointType::kPrismatic;
-  std::vector<std::string> required{"alpha", "a"}, optional;
+  std::vector<std::string> required{"alpha", "a"}, optional{"beta"};
   (row.joint.type == JointType::kPrismatic ? optional : required).push_back("d");
   (turns ? optional : required).push_back("theta");
   node.expectKeys(required, optional);
@@ -84,9 +84,10 @@ void readDh(const YamlNode& node, const Units& units, ArmRow& row) {
 }
 
 deflection::Origin<double> readOrigin(const YamlNode& node, const Units& units) {
-  node.expectKeys({"position", "rpy"}, {});
+  node.expectKeys({"position", "rpy"}, {"beta"});
   return {readVector(node.at("position"), units, dimension::kLength),
-          readVector(node.at("rpy"), units, dimension::kAngle)};
+          readVector(node.at("rpy"), units, dimension::kAngle),
+          readQuantityOr(node, "beta", units, dimension::kAngle, 0)};
 }
 
 void readPlacement(const YamlNode& node, const Units& units, ArmRow& row) {

@@ -50,7 +50,8 @@ void addNumbers(std::string_view name, const ArmRow& row, const std::optional<do
   deflection::visitNumbers(
       [&](const deflection::RowNumber& about, const double& number) {
         const std::string_view key = deflection::keyIn(name, about);
-        if (!key.empty() && number != usual) map.add(key, number, dimensionOf(about.quantity));
+        if (!key.empty() && number != usual && number != about.left_out)
+          map.add(key, number, dimensionOf(about.quantity));
       },
       row);
 }
@@ -64,6 +65,7 @@ std::string placementText(const ArmRow& row, const Units& units) {
   const auto& origin = std::get<deflection::Origin<double>>(row.placement);
   map.add("position", origin.position, dimension::kLength);
   map.add("rpy", origin.rpy, dimension::kAngle);
+  map.addUnless(0, "beta", origin.beta, dimension::kAngle);
   return "origin: " + map.text();
 }
 

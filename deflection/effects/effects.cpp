@@ -17,6 +17,7 @@
 #include "deflection/effects/joint_offset.hpp"
 #include "deflection/effects/joint_scale.hpp"
 #include "deflection/effects/link_bending.hpp"
+#include "deflection/effects/link_lean.hpp"
 #include "deflection/effects/link_length.hpp"
 #include "deflection/effects/link_torsion.hpp"
 #include "deflection/effects/link_twist.hpp"
@@ -37,17 +38,17 @@ namespace tubeplan::deflection {
 
 const std::vector<EffectKind>& effectKinds() {
   static const std::vector<EffectKind> kKinds{
-      joint_offset::kind(),       joint_scale::kind(),    encoder_eccentricity::kind(),
-      transmission_error::kind(), hysteresis::kind(),     joint_coupling::kind(),
-      screw_coupling::kind(),     link_length::kind(),    link_twist::kind(),
-      tool_offset::kind(),        thermal_growth::kind(), link_weight::kind(),
-      tool_weight::kind(),        payload_offset::kind(), gravity_tilt::kind(),
-      hose_pull::kind(),          contact_force::kind(),  joint_compliance::kind(),
-      link_bending::kind(),       link_torsion::kind(),   stiffening::kind(),
-      backlash::kind(),           base_slip::kind(),      base_drift::kind(),
-      scale_error::kind(),        gravity_sag::kind(),    slide_bending::kind(),
-      cable_stretch::kind(),      gear_wave::kind(),      tool_remount::kind(),
-      user_formula::kind(),
+      joint_offset::kind(),       joint_scale::kind(),   encoder_eccentricity::kind(),
+      transmission_error::kind(), hysteresis::kind(),    joint_coupling::kind(),
+      screw_coupling::kind(),     link_length::kind(),   link_twist::kind(),
+      link_lean::kind(),          tool_offset::kind(),   thermal_growth::kind(),
+      link_weight::kind(),        tool_weight::kind(),   payload_offset::kind(),
+      gravity_tilt::kind(),       hose_pull::kind(),     contact_force::kind(),
+      joint_compliance::kind(),   link_bending::kind(),  link_torsion::kind(),
+      stiffening::kind(),         backlash::kind(),      base_slip::kind(),
+      base_drift::kind(),         scale_error::kind(),   gravity_sag::kind(),
+      slide_bending::kind(),      cable_stretch::kind(), gear_wave::kind(),
+      tool_remount::kind(),       user_formula::kind(),
   };
   return kKinds;
 }

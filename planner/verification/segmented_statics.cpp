@@ -33,21 +33,22 @@ Matrix3d turned(const Vector3d& by) {
   return angle > 0 ? AngleAxisd(angle, by / angle).toRotationMatrix() : Matrix3d::Identity();
 }
 
-/// Denavit and Hartenberg's four steps as Craig has them, or URDF's, written out.
+/// Denavit and Hartenberg's four steps as Craig has them with Hayati's lean, or URDF's, written out.
 struct Placement {
   Vector3d way;
   Matrix3d turn;
 };
 Placement placementOf(const Row& row) {
   if (const auto* dh = std::get_if<deflection::DenavitHartenberg<double>>(&row.placement)) {
-    const Matrix3d about_x = AngleAxisd(dh->alpha, Vector3d::UnitX()).toRotationMatrix();
-    return {Vector3d(dh->a, 0, 0) + about_x * Vector3d(0, 0, dh->d),
-            about_x * AngleAxisd(dh->theta, Vector3d::UnitZ()).toRotationMatrix()};
+    const Matrix3d to_axis =
+        (AngleAxisd(dh->alpha, Vector3d::UnitX()) * AngleAxisd(dh->beta, Vector3d::UnitY())).toRotationMatrix();
+    return {Vector3d(dh->a, 0, 0) + to_axis * Vector3d(0, 0, dh->d),
+            to_axis * AngleAxisd(dh->theta, Vector3d::UnitZ()).toRotationMatrix()};
   }
   const auto& origin = std::get<deflection::Origin<double>>(row.placement);
   return {origin.position,
           (AngleAxisd(origin.rpy.z(), Vector3d::UnitZ()) * AngleAxisd(origin.rpy.y(), Vector3d::UnitY()) *
-           AngleAxisd(origin.rpy.x(), Vector3d::UnitX()))
+           AngleAxisd(origin.rpy.x(), Vector3d::UnitX()) * AngleAxisd(origin.beta, Vector3d::UnitY()))
               .toRotationMatrix()};
 }
 

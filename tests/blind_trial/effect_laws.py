@@ -45,6 +45,14 @@ def twist(numbers, arm, session, place, shape, size):
     numbers.alpha[:, arm.row(place) + 1] += size * shape * DEG
 
 
+def lean(numbers, arm, session, place, shape, size):
+    """Turn the next frame about its own y before its joint turns it; its origin stays, so it must have no d."""
+    row = arm.row(place) + 1
+    theta = arm.theta[row] + numbers.q[:, list(arm.joint_rows).index(row)]
+    numbers.turn[:, row, 0] += size * shape * DEG * np.sin(theta)
+    numbers.turn[:, row, 1] += size * shape * DEG * np.cos(theta)
+
+
 def move_tip(numbers, arm, session, place, shape, size):
     numbers.tip += size * shape
 

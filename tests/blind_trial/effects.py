@@ -56,6 +56,7 @@ def _slipping(arm, place, shape, size):
 MOVING = ("base-link", "latch-link", "forearm")
 LONG = at("mezzanine-beam", *MOVING)
 JOINED = at("mezzanine-beam", "mezzanine-platform", *MOVING)
+LEANING = at("latch-link", "forearm")
 BENT = at("mezzanine-beam.y", "base-link.y", "base-link.z", "latch-link.y", "forearm.y", "forearm.z", "tool.z")
 HARMONIC, SHARE, VECTOR = (_harmonic, phase, two_phases), (_signed("share"), sign, single), (direction(3), span(3))
 
@@ -71,6 +72,7 @@ CATALOGUE = (
     Effect("joint-coupling", couplings, 2e-4, 5e-3, "1", laws.couple_joints, *SHARE),
     Effect("link-length", LONG, .004, .08, "in", laws.lengthen, _signed("delta_in"), sign, single),
     Effect("link-twist", JOINED, .01, .25, "deg", laws.twist, _signed("delta_deg"), sign, single),
+    Effect("link-lean", LEANING, .01, .25, "deg", laws.lean, _signed("delta_deg"), sign, single),
     Effect("tool-offset", at("tool"), .005, .15, "in", laws.move_tip, _vector("delta_in"), *VECTOR),
     Effect("link-weight", at(*MOVING), .3, 8., "lbf", laws.weigh_link, _signed("extra_lbf"), mostly_more, single),
     Effect("tool-weight", at("tool"), .02, .3, "1", laws.weigh_tool, *SHARE),

@@ -23,6 +23,7 @@ SCALARS = {
     "joint-offset": {"offset": lambda of: of["offset_deg"]},
     "joint-scale": {"scale": lambda of: of["share"]},
     "link-bending": {"compliance": lambda of: 1 / (read_arm().modulus * of["I_in4"])},
+    "link-lean": {"lean": lambda of: of["delta_deg"]},
     "link-length": {"length": lambda of: of["delta_in"]},
     "link-torsion": {"compliance": lambda of: 1 / of["GJ_lbfin2"]},
     "link-twist": {"twist": lambda of: of["delta_deg"]},

@@ -29,9 +29,10 @@ inline Row<double> randomRow(int index) {
   Row<double> row;
   row.name = "row" + std::to_string(index);
   if (happens(0.5))
-    row.placement = DenavitHartenberg<double>{between(-3, 3), between(0, 1), between(-0.5, 0.5), between(-3, 3)};
+    row.placement = DenavitHartenberg<double>{between(-3, 3), between(0, 1), between(-0.5, 0.5), between(-3, 3),
+                                              happens(0.5) ? between(-0.3, 0.3) : 0};
   else
-    row.placement = Origin<double>{vectorIn(0.7), vectorIn(3)};
+    row.placement = Origin<double>{vectorIn(0.7), vectorIn(3), happens(0.3) ? between(-0.3, 0.3) : 0};
   const int kind = index == 1 ? 0 : below(8);
   row.joint.type = kind < 6 ? JointType::kRevolute : kind == 6 ? JointType::kPrismatic : JointType::kPassive;
   if (row.joint.type == JointType::kPassive) return row;

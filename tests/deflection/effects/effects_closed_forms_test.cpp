@@ -136,6 +136,18 @@ void linkTwist() {
   expectSame(withEffect(placed, "link-twist", "boom", {twist}), posture, elbow(twist), posture);
 }
 
+void linkLean() {
+  const double lean = 0.03;
+  const Posture posture = at({0.1, 0.4}, 0);
+  Arm placed = elbow();
+  placed.rows[1].placement = Origin<double>{{kLength, 0, 0}, {0, lean, 0}};
+  expectSame(withEffect(elbow(), "link-lean", "boom", {lean}), posture, placed, posture);
+  placed.rows[1].placement = Origin<double>{{kLength, 0, 0}, {0, 0, 0}};
+  Arm leaning = elbow();
+  std::get<DenavitHartenberg<double>>(leaning.rows[1].placement).beta = lean;
+  expectSame(withEffect(placed, "link-lean", "boom", {lean}), posture, leaning, posture);
+}
+
 void toolOffset() {
   const Vector3d tip = solve(withEffect(boom(), "tool-offset", "tool", {0.01, -0.02, 0.03}), at({0}, 0)).X_BD.p;
   EXPECT_LE((tip - Vector3d(kLength + 0.01, -0.02, 0.03)).norm(), 1e-15);
@@ -377,6 +389,7 @@ const std::map<std::string, void (*)()>& closedForms() {
                                                         {"screw-coupling", screwCoupling},
                                                         {"link-length", linkLength},
                                                         {"link-twist", linkTwist},
+                                                        {"link-lean", linkLean},
                                                         {"tool-offset", toolOffset},
                                                         {"thermal-growth", thermalGrowth},
                                                         {"link-weight", linkWeight},

@@ -26,7 +26,7 @@ TEST(EffectsTable, HoldsTheNamesOfTheCatalogue) {
       "gravity-tilt",  "hose-pull",   "contact-force",        "joint-compliance",   "link-bending",  "link-torsion",
       "stiffening",    "backlash",    "thermal-growth",       "base-slip",          "base-drift",    "scale-error",
       "formula",       "gear-wave",   "tool-remount",         "gravity-sag",        "cable-stretch", "slide-bending",
-      "screw-coupling"};
+      "screw-coupling", "link-lean"};
   std::set<std::string> names;
   for (const EffectKind& kind : effectKinds()) names.insert(kind.name);
   EXPECT_EQ(names, promised);
