@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "calibration/independent_geometry.hpp"
 #include "deflection/effects/effect.hpp"
 #include "deflection/rotation.hpp"
 #include "deflection/weights.hpp"
@@ -85,10 +86,10 @@ Unknown armUnknown(const Parameter& parameter, const deflection::Arm& arm, bool 
   return unknown;
 }
 
-/// Rows' numbers that say where things are.
-bool isGeometry(const std::string& name) {
-  return name.find(".dh.") != std::string::npos || name.find(".origin.") != std::string::npos ||
-         name.ends_with(".joint.offset") || name.starts_with("tool.tip.");
+/// Whether a row's lean is all but the offset of the joint before it: no number to free beside those of its row.
+bool isReplaced(const Parameter& parameter, const deflection::Arm& arm) {
+  return parameter.name.ends_with(".beta") && parameter.path.side_chain < 0 && parameter.value == 0 &&
+         !deflection::isNearlyParallel(arm.rows.at(static_cast<std::size_t>(parameter.path.row)));
 }
 
 /// Of an effect of the catalogue. What the user's own formula may amount to, and the shape of a law, nobody knows
@@ -121,7 +122,8 @@ void addBase(const PlacedArm& placed, std::vector<Unknown>& list) {
     for (int k = 0; k < 6; ++k) {
       Unknown unknown;
       unknown.owner = Unknown::Owner::kBase;
-      unknown.name = baseStepNames()[static_cast<std::size_t>(k)] + (base_pose.setup.empty() ? "" : "@" + base_pose.setup);
+      unknown.name =
+          baseStepNames()[static_cast<std::size_t>(k)] + (base_pose.setup.empty() ? "" : "@" + base_pose.setup);
       unknown.quantity = k < 3 ? Quantity::kLength : Quantity::kAngle;
       unknown.base_pose = p;
       unknown.component = k;
@@ -174,7 +176,8 @@ std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::stri
   const bool is_part = name.find('.') != std::string::npos;
   std::vector<std::string> names;
   for (const auto& parameter : deflection::parametersOf(arm))
-    if (name == "geometry" ? isGeometry(parameter.name) : is_part && parameter.name.starts_with(name + "."))
+    if ((name == "geometry" ? isGeometry(parameter.name) : is_part && parameter.name.starts_with(name + ".")) &&
+        !isReplaced(parameter, arm))
       names.push_back(parameter.name);
   return names.empty() && name != "geometry" ? std::vector<std::string>{name} : names;
 }
@@ -203,8 +206,7 @@ Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice) {
   for (const bool geometry : {false, true})
     for (const auto& group : choice.names) {
       if ((group == "geometry") != geometry) continue;
-      for (const auto& name : namesBehind(placed.arm, group)) {
-        if (geometry && is_free(name)) continue;
+      for (const auto& name : geometry ? independentGeometry(placed, result.list) : namesBehind(placed.arm, group)) {
         const bool softened = soften(placed.arm, name);
         const auto parameter = deflection::findParameter(placed.arm, name);
         if (!parameter)

@@ -103,7 +103,7 @@ struct Unknowns {
 [[nodiscard]] Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice);
 
 /// The dotted names that `name` stands for: itself, all below it ("tool.tip", "forearm.origin.rpy", "forearm.dh"), or
-/// every number that says where things are ("geometry").
+/// every number that says where things are ("geometry", of which independentGeometry() are freed).
 [[nodiscard]] std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name);
 
 /// Every name that may be freed: "geometry", the arm's numbers, and what they stand below.

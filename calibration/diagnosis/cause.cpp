@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "calibration/independent_geometry.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
@@ -150,14 +151,11 @@ bool isFree(const std::vector<Unknown>& free, const std::string& name) {
 /// drawing's geometry as a whole.
 void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, CauseList& list) {
   std::vector<Cause> stiffnesses;
-  Cause geometry{kFreedNumbers, "geometry", {}, {}};
-  const auto of_geometry = namesBehind(placed.arm, "geometry");
+  Cause geometry{kFreedNumbers, "geometry", {}, independentGeometry(placed, free)};
   for (const auto& parameter : deflection::parametersOf(placed.arm)) {
     if (parameter.path.effect >= 0 || isFree(free, parameter.name)) continue;
     if (deflection::isStiffness(parameter.quantity))
       stiffnesses.push_back({kFreedNumbers, parameter.name, {}, {parameter.name}});
-    else if (std::find(of_geometry.begin(), of_geometry.end(), parameter.name) != of_geometry.end())
-      geometry.frees.push_back(parameter.name);
   }
   std::vector<Cause> zeros;
   for (const auto& row : placed.arm.rows) {

@@ -1,0 +1,142 @@
+#include "calibration/independent_geometry.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <numbers>
+#include <optional>
+
+#include "calibration/random_stream.hpp"
+#include "deflection/tip_derivatives.hpp"
+
+namespace tubeplan::calibration {
+
+using deflection::Arm, deflection::JointType, deflection::Parameter;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr int kPostures = 12;
+constexpr double kNothingNew = 1e-6;  // of a column's length, beyond those taken
+constexpr double kNearlyAsNew = 0.3;  // of the newest: the first in order is taken among such
+constexpr std::uint64_t kPosturesSeed = 7;
+
+/// The arm as a mechanism alone: rigid, with neither effects nor what only weighs.
+Arm mechanismOf(const Arm& arm) {
+  Arm mechanism = deflection::rigidCopy(arm);
+  mechanism.effects.clear();
+  mechanism.side_chains.clear();
+  return mechanism;
+}
+
+/// Postures all over the turn of each joint, slides within a metre: what the limits leave is up to the readings.
+std::vector<deflection::Posture> posturesAllOver(const Arm& mechanism) {
+  RandomStream random(kPosturesSeed);
+  std::vector<deflection::Posture> postures(kPostures);
+  for (auto& posture : postures) {
+    posture.q.resize(mechanism.jointCount());
+    for (Index j = 0; j < posture.q.size(); ++j) {
+      const double end = mechanism.joint(j).type == JointType::kPrismatic ? 1 : std::numbers::pi;
+      posture.q[j] = random.uniform(-end, end);
+    }
+  }
+  return postures;
+}
+
+/// How the tool moves by each number, in every posture: 6 rows a posture, lengths as parts of the arm's size. Columns
+/// of numbers, then of the six steps of the base.
+MatrixXd motionsBy(const Arm& mechanism, const std::vector<Parameter>& numbers) {
+  std::vector<deflection::Variable> variables;
+  for (const Parameter& number : numbers) variables.push_back(deflection::Variable::number(number.path));
+  const auto postures = posturesAllOver(mechanism);
+  const double size = deflection::reachOf(mechanism);
+  const auto count = static_cast<Index>(numbers.size());
+  MatrixXd motions = MatrixXd::Zero(6 * kPostures, count + 6);
+  for (int k = 0; k < kPostures; ++k) {
+    const auto tip = deflection::differentiateTip(mechanism, postures[static_cast<std::size_t>(k)], variables);
+    auto place = motions.middleRows<3>(6 * k), turn = motions.middleRows<3>(6 * k + 3);
+    place.leftCols(count) = tip.position_B / size;
+    turn.leftCols(count) = tip.rotation_B;
+    place.middleCols<3>(count) = Eigen::Matrix3d::Identity();
+    place.rightCols<3>() = -deflection::crossMatrix<double>(tip.kinematics.X_BD.p) / size;
+    turn.rightCols<3>() = Eigen::Matrix3d::Identity();
+  }
+  return motions;
+}
+
+/// Columns taken so far, as an orthonormal basis, and what they leave of the others.
+class Span {
+ public:
+  explicit Span(const MatrixXd& motions) : rest_(motions), lengths_(motions.colwise().norm()) {}
+
+  /// The part of a column that no column taken makes: 1 at first, 0 of one that moves nothing.
+  [[nodiscard]] double newnessOf(Index column) const {
+    return lengths_[column] > 0 ? rest_.col(column).norm() / lengths_[column] : 0;
+  }
+  void take(Index column) {
+    if (newnessOf(column) < kNothingNew) return;
+    const VectorXd direction = rest_.col(column).normalized();
+    for (int pass = 0; pass < 2; ++pass) rest_ -= direction * (direction.transpose() * rest_);
+  }
+
+ private:
+  MatrixXd rest_;
+  VectorXd lengths_;
+};
+
+/// The order in which numbers are asked; nothing of those that a mechanism has not.
+std::optional<int> rankOf(const Parameter& number, const Arm& arm) {
+  if (number.path.side_chain >= 0 || number.path.effect >= 0 || !isGeometry(number.name)) return std::nullopt;
+  if (number.path.row < 0) return 1;
+  if (number.name.ends_with(".joint.offset")) return 0;
+  return moves(arm.rows[static_cast<std::size_t>(number.path.row)].joint) ? 2 : 3;
+}
+
+/// Takes the numbers of one rank, as long as any says something new.
+void takeAll(std::vector<Index> columns, Span& span, std::vector<Index>& taken) {
+  while (!columns.empty()) {
+    double newest = 0;
+    for (const Index column : columns) newest = std::max(newest, span.newnessOf(column));
+    if (newest < kNothingNew) return;
+    const auto first =
+        std::ranges::find_if(columns, [&](Index column) { return span.newnessOf(column) >= kNearlyAsNew * newest; });
+    span.take(*first);
+    taken.push_back(*first);
+    columns.erase(first);
+  }
+}
+
+}  // namespace
+
+bool isGeometry(const std::string& name) {
+  return name.find(".dh.") != std::string::npos || name.find(".origin.") != std::string::npos ||
+         name.ends_with(".joint.offset") || name.starts_with("tool.tip.");
+}
+
+std::vector<std::string> independentGeometry(const PlacedArm& placed, const std::vector<Unknown>& free) {
+  const Arm mechanism = mechanismOf(placed.arm);
+  std::vector<Parameter> numbers = deflection::parametersOf(mechanism);
+  std::erase_if(numbers, [&](const Parameter& number) { return !rankOf(number, mechanism); });
+  const MatrixXd motions = motionsBy(mechanism, numbers);
+  Span span(motions);
+  const auto isFree = [&](const std::string& name) {
+    return std::ranges::any_of(free, [&](const Unknown& unknown) { return unknown.name == name; });
+  };
+  if (std::ranges::any_of(free, [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; }))
+    for (Index step = 0; step < 6; ++step) span.take(static_cast<Index>(numbers.size()) + step);
+  std::vector<std::vector<Index>> ranks(4);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const auto column = static_cast<Index>(k);
+    if (isFree(numbers[k].name))
+      span.take(column);
+    else
+      ranks[static_cast<std::size_t>(*rankOf(numbers[k], mechanism))].push_back(column);
+  }
+  std::vector<Index> taken;
+  for (auto& columns : ranks) takeAll(std::move(columns), span, taken);
+  std::ranges::sort(taken);
+  std::vector<std::string> names;
+  for (const Index column : taken) names.push_back(numbers[static_cast<std::size_t>(column)].name);
+  return names;
+}
+
+}  // namespace tubeplan::calibration

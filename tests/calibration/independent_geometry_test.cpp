@@ -1,0 +1,155 @@
+// Geometry that a fit frees: complete, not redundant, well told apart, for arms of any joints written in any way.
+#include "calibration/independent_geometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/SVD>
+
+#include "calibration/random_stream.hpp"
+#include "deflection/tip_derivatives.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+constexpr double kRight = std::numbers::pi / 2;
+
+/// Three to eight joints, each axis parallel, nearly parallel, square or askew to the one before, a sixth of them
+/// slides; rows by Denavit and Hartenberg's numbers.
+PlacedArm mechanism(std::uint64_t seed) {
+  RandomStream random(seed);
+  PlacedArm placed;
+  const int joints = 3 + random.index(6);
+  for (int k = 0; k < joints; ++k) {
+    deflection::Row<double> row;
+    row.name = "link" + std::to_string(k + 1);
+    const double turns[] = {0, 0, 0.002, kRight, -kRight, random.uniform(0.5, 2.5)};
+    deflection::DenavitHartenberg<double> dh{turns[random.index(6)], random.uniform(0.1, 0.5),
+                                             random.index(2) * random.uniform(0.1, 0.4), 0};
+    if (std::abs(dh.alpha) < 0.1 && random.index(2) == 0) dh.beta = random.uniform(-0.005, 0.005);
+    if (random.index(4) == 0) dh.a = 0;  // axes that meet
+    row.placement = dh;
+    row.joint.name = "q" + std::to_string(k + 1);
+    row.joint.type = random.index(6) == 0 ? deflection::JointType::kPrismatic : deflection::JointType::kRevolute;
+    placed.arm.rows.push_back(row);
+  }
+  placed.arm.p_LT = random.vector(0.1);
+  placed.base_poses = {{"", Eigen::Isometry3d::Identity(), random.index(2) == 0}};
+  return placed;
+}
+
+/// The same arm with every row placed as URDF does.
+PlacedArm byOrigins(PlacedArm placed) {
+  for (auto& row : placed.arm.rows) {
+    const Eigen::Vector3d p = deflection::offsetInPreviousAxes<double>(row);
+    row.placement =
+        deflection::Origin<double>{p, deflection::fixedAnglesOf(deflection::rotationFromPrevious<double>(row))};
+  }
+  return placed;
+}
+
+/// How the tool moves by the numbers of these names, then by the base where it is free, at random postures; each column
+/// has length 1.
+Eigen::MatrixXd motions(const PlacedArm& placed, const std::vector<std::string>& names) {
+  constexpr int kPostures = 30;
+  std::vector<deflection::Variable> variables;
+  for (const auto& name : names)
+    variables.push_back(deflection::Variable::number(deflection::findParameter(placed.arm, name)->path));
+  const bool has_base = !placed.base_poses[0].is_known;
+  const auto count = static_cast<Eigen::Index>(names.size());
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(6 * kPostures, count + (has_base ? 6 : 0));
+  RandomStream random(3);
+  for (int k = 0; k < kPostures; ++k) {
+    Eigen::VectorXd q(placed.arm.jointCount());
+    for (auto& reading : q) reading = random.uniform(-3, 3);
+    const auto tip = deflection::differentiateTip(placed.arm, {q}, variables);
+    all.block(6 * k, 0, 3, count) = tip.position_B;
+    all.block(6 * k + 3, 0, 3, count) = tip.rotation_B;
+    if (!has_base) continue;
+    all.block<3, 3>(6 * k, count).setIdentity();
+    all.block<3, 3>(6 * k, count + 3) = -deflection::crossMatrix<double>(tip.kinematics.X_BD.p);
+    all.block<3, 3>(6 * k + 3, count + 3).setIdentity();
+  }
+  for (Eigen::Index k = 0; k < all.cols(); ++k)
+    if (all.col(k).norm() > 1e-12) all.col(k).normalize();
+  return all;
+}
+
+Eigen::Index rankOf(const Eigen::MatrixXd& columns) {
+  const Eigen::VectorXd values = columns.bdcSvd().singularValues();
+  return (values.array() > 1e-9 * values[0]).count();
+}
+
+std::vector<std::string> allGeometry(const PlacedArm& placed) {
+  std::vector<std::string> names;
+  for (const auto& parameter : deflection::parametersOf(placed.arm))
+    if (isGeometry(parameter.name)) names.push_back(parameter.name);
+  return names;
+}
+
+std::vector<std::string> chosen(PlacedArm placed) {
+  std::vector<std::string> names;
+  for (const auto& unknown : chooseUnknowns(placed, {{"geometry"}, true}).list)
+    if (unknown.owner == Unknown::Owner::kArm) names.push_back(unknown.name);
+  return names;
+}
+
+TEST(IndependentGeometry, IsCompleteAndNotRedundantHoweverRowsAreWritten) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const PlacedArm by_dh = mechanism(seed), by_origins = byOrigins(by_dh);
+    Eigen::Index made = 0;
+    for (const PlacedArm& placed : {by_dh, by_origins}) {
+      const auto names = chosen(placed);
+      const Eigen::MatrixXd columns = motions(placed, names);
+      const Eigen::Index rank = rankOf(columns);
+      EXPECT_EQ(rank, columns.cols()) << seed << ": redundant";
+      EXPECT_EQ(rank, rankOf(motions(placed, allGeometry(placed)))) << seed << ": not complete";
+      made = made == 0 ? rank : made;
+      EXPECT_EQ(rank, made) << seed << ": as many numbers whichever way";
+    }
+  }
+}
+
+TEST(IndependentGeometry, HoldsAsManyNumbersAsMechanismsHave) {
+  int open = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const PlacedArm placed = mechanism(seed);
+    int turns = 0, slides = 0;
+    for (const auto& joint : placed.arm.joints()) ++(joint.type == deflection::JointType::kPrismatic ? slides : turns);
+    if (placed.base_poses[0].is_known) continue;
+    ++open;
+    // Everett's 4 R + 2 P + 6, of which the tool's own turn has no number; slides along one another leave fewer.
+    EXPECT_LE(rankOf(motions(placed, chosen(placed))), 4 * turns + 2 * slides + 6) << seed;
+    if (slides == 0) {
+      EXPECT_GE(rankOf(motions(placed, chosen(placed))), 4 * turns + 6 - 3) << seed;
+    }
+  }
+  EXPECT_GT(open, 30);
+}
+
+TEST(IndependentGeometry, TellsNearlyParallelAxesApartByTheirLean) {
+  for (const double lean : {0., 1e-5, 1e-3, 0.02, 0.08}) {
+    PlacedArm placed = cobra();
+    placed.arm = deflection::rigidCopy(placed.arm);
+    std::get<deflection::DenavitHartenberg<double>>(placed.arm.rows[4].placement).beta = lean;
+    const auto names = chosen(placed);
+    EXPECT_TRUE(std::ranges::count(names, "forearm.dh.beta")) << lean;
+    EXPECT_TRUE(std::ranges::count(names, "tool.dh.beta")) << lean;
+    EXPECT_FALSE(std::ranges::count(names, "latch-link.dh.beta")) << lean;
+    const Eigen::VectorXd values = motions(placed, names).bdcSvd().singularValues();
+    EXPECT_GT(values.tail<1>()[0], 1e-3 * values[0]) << lean;
+  }
+}
+
+/// A pitch of a right angle leaves roll and yaw about one axis: beta is then the third turn.
+TEST(IndependentGeometry, IsCompleteWhereFixedAnglesAreSingular) {
+  PlacedArm placed = byOrigins(mechanism(5));
+  placed.base_poses[0].is_known = false;
+  placed.arm.rows[1].placement = deflection::Origin<double>{{0.2, 0.1, 0.3}, {kRight, kRight, 0}};
+  const auto names = chosen(placed);
+  EXPECT_TRUE(std::ranges::count(names, "link2.origin.beta"));
+  EXPECT_EQ(rankOf(motions(placed, names)), static_cast<Eigen::Index>(names.size()) + 6);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
