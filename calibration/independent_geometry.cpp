@@ -105,6 +105,13 @@ void takeAll(std::vector<Index> columns, Span& span, std::vector<Index>& taken) 
   }
 }
 
+/// Whether nothing but the fit says where the arm stands: one base that is known leaves what leads to the first joint
+/// to be found.
+bool placesEveryBase(const PlacedArm& placed, const std::vector<Unknown>& free) {
+  return std::ranges::none_of(placed.base_poses, &BasePose::is_known) &&
+         std::ranges::any_of(free, [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
+}
+
 }  // namespace
 
 bool isGeometry(const std::string& name) {
@@ -121,7 +128,7 @@ std::vector<std::string> independentGeometry(const PlacedArm& placed, const std:
   const auto isFree = [&](const std::string& name) {
     return std::ranges::any_of(free, [&](const Unknown& unknown) { return unknown.name == name; });
   };
-  if (std::ranges::any_of(free, [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; }))
+  if (placesEveryBase(placed, free))
     for (Index step = 0; step < 6; ++step) span.take(static_cast<Index>(numbers.size()) + step);
   std::vector<std::vector<Index>> ranks(4);
   for (std::size_t k = 0; k < numbers.size(); ++k) {

@@ -13,7 +13,7 @@ namespace tubeplan::calibration {
 
 /// Returns the names of a set of geometry that is complete and not redundant beside the unknowns that are free already:
 /// every motion of the tool that geometry can make is made by one combination of these, those unknowns and no other.
-/// That is four numbers for a row that turns, two for a slide and those of the tip, less six where the base is free
+/// That is four numbers for a row that turns, two for a slide and those of the tip, less six where no base is known
 /// (Everett 1987); however the rows are written, and whatever readings there are.
 ///
 /// Joint zeros come first, then the tip, then rows that move, then others. Of equals the first in file order is taken;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/fit.hpp"
+#include "calibration/independent_geometry.hpp"
 #include "calibration/placed_arm.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
@@ -32,7 +33,8 @@ TEST(PlacedArm, PlacingsComeFirstThenNamesInTheirOrderThenGeometry) {
   EXPECT_EQ(names[5], "base.turn.z@B");
   EXPECT_EQ((std::vector<std::string>{names.begin() + 6, names.begin() + 10}),
             (std::vector<std::string>{"tool.tip.x", "tool.tip.y", "tool.tip.z", "forearm.dh.a"}));
-  EXPECT_EQ(names.size(), 6u + 27);  // 6 rows of 4, and the tip
+  EXPECT_EQ((std::vector<std::string>{names.begin() + 10, names.end()}),
+            independentGeometry(placed, {unknowns.begin(), unknowns.begin() + 10}));
   for (std::size_t k = 0; k < names.size(); ++k) EXPECT_EQ(unknowns[k].is_geometry, k >= 10) << names[k];
 }
 
