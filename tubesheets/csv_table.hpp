@@ -31,8 +31,22 @@ struct CsvTable {
 /// open quote, a zero byte.
 [[nodiscard]] CsvTable parseCsv(std::string_view text);
 
-/// The same with the columns' names in small letters: `Row` and `ROW` are `row`.
-[[nodiscard]] CsvTable parseCsvOfAnyCase(std::string_view text);
+/// One line of a text, without its end.
+struct TextLine {
+  int number = 0;         ///< from 1
+  std::string_view text;  ///< without the blanks around it
+  std::string_view raw;
+};
+
+/// All lines, empty ones too, after a byte order mark; ends are LF or CRLF.
+[[nodiscard]] std::vector<TextLine> textLines(std::string_view text);
+
+/// Begins with #, // or %.
+[[nodiscard]] bool isCommentLine(std::string_view line);
+
+/// Where the fields of one line stand in it, blanks and quotes included, without the separators; empty when a quote is
+/// left open.
+[[nodiscard]] std::optional<std::vector<std::string_view>> csvSpans(std::string_view line, char separator);
 
 /// The fields of one line, trimmed and without their quotes; empty when a quote is left open or followed by more text.
 [[nodiscard]] std::optional<std::vector<std::string>> splitCsvLine(std::string_view line, char separator);
@@ -42,23 +56,12 @@ struct CsvTable {
 [[nodiscard]] std::optional<int> parseInteger(std::string_view field);
 
 /// A text as a field: in double quotes where it could be taken for two fields or lose its blanks.
-[[nodiscard]] std::string csvField(std::string_view text);
+[[nodiscard]] std::string csvField(std::string_view text, char separator = ',');
 
 /// In double quotes whatever it is, where "" is a quote.
 [[nodiscard]] std::string csvQuoted(std::string_view text);
 
 /// Without blanks at both ends.
 [[nodiscard]] std::string_view trimBlanks(std::string_view text);
-
-/// The row and column numbers of a data row; a problem when they are not whole numbers from 1 to 100,000.
-struct TubeNumbers {
-  int row = 0;
-  int column = 0;
-  std::optional<Problem> problem;
-};
-[[nodiscard]] TubeNumbers parseTubeNumbers(const CsvTable& table, const CsvRow& row);
-
-/// A problem when one of the columns row and column is missing, or when there is one that is not in `known`.
-[[nodiscard]] std::optional<Problem> findColumnProblem(const CsvTable& table, const std::vector<std::string>& known);
 
 }  // namespace tubeplan::tubesheets

@@ -2,143 +2,164 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <map>
 #include <utility>
-#include <variant>
 
-#include "tubesheets/csv_table.hpp"
+#include "tubesheets/table_text.hpp"
 
 namespace tubeplan::tubesheets {
 namespace {
 
-struct Axis {
-  std::size_t column = 0;
-  LengthUnit unit{"", 0};
-};
-
-std::vector<std::string> holeMapColumns() {
-  std::vector<std::string> known{"row", "column"};
-  for (const char axis : {'x', 'y'})
-    for (const LengthUnit& unit : lengthUnits()) known.push_back(fmt::format("{}_{}", axis, unit.suffix));
-  known.insert(known.end(), {"state", "leg", "comment"});
-  return known;
-}
-
-// The one column of that axis, whichever unit it is in.
-std::variant<Axis, Problem> findAxis(const CsvTable& table, char axis) {
-  std::optional<Axis> found;
-  for (const LengthUnit& unit : lengthUnits()) {
-    const auto column = table.find(fmt::format("{}_{}", axis, unit.suffix));
-    if (column && found)
-      return Problem{"header", fmt::format("{} in two units", axis), "one unit", "remove one column",
-                     table.header_line};
-    if (column) found = Axis{*column, unit};
-  }
-  if (found) return *found;
-  return Problem{"header", fmt::format("no column for {}", axis), fmt::format("{0}_in, {0}_mm or {0}_m", axis),
-                 "name the unit in the column's name", table.header_line};
-}
-
 // Reads rows into a map, stopping at the first fault.
 class Reader {
  public:
-  Reader(const CsvTable& table, const Axis& x, const Axis& y) : table_(table), x_(x), y_(y) {}
+  explicit Reader(std::string_view text) {
+    map_.text = text;
+    map_.table = parseTubeTable(text);
+  }
 
   HoleMap read() {
-    for (const CsvRow& row : table_.rows) {
-      readRow(row);
+    map_.problem = map_.table.problem;
+    requirePlaces();
+    for (const CsvRow& row : map_.table.text.rows) {
       if (map_.problem) break;
+      readRow(row);
     }
     if (!map_.problem && map_.tubes.empty())
-      map_.problem = Problem{"text", "no holes", "at least one line below the header", "", table_.header_line};
+      refuse(Problem{"text", "no holes", "at least one line below the header", "", map_.table.text.heading_line});
     map_.status = map_.problem ? HoleMapStatus::kRefused : HoleMapStatus::kRead;
     if (map_.problem) map_.tubes.clear();
+    for (std::string& note : std::vector{map_.table.unreadText(), unknownCodesText(unknown_)})
+      if (!map_.problem && !note.empty()) map_.notes.push_back(std::move(note));
     return std::move(map_);
   }
 
  private:
+  void refuse(const std::optional<Problem>& problem) {
+    if (!map_.problem) map_.problem = problem;
+  }
+
+  void requirePlaces() {
+    for (const auto& [axis, name, unit] :
+         {std::tuple{TubeColumn::kX, 'x', map_.table.unit_x}, std::tuple{TubeColumn::kY, 'y', map_.table.unit_y}})
+      if (!unit)
+        refuse(Problem{"header", fmt::format("no {} for {}", map_.table.has(axis) ? "unit" : "column", name),
+                       fmt::format("{0}_in, {0}_mm or {0}_m", name), "name the unit in the column's name",
+                       map_.table.text.heading_line});
+  }
+
   void readRow(const CsvRow& row) {
-    const TubeNumbers numbers = parseTubeNumbers(table_, row);
-    if (numbers.problem) map_.problem = numbers.problem;
-    Tube tube{numbers.row, numbers.column};
-    readLength(row, x_, tube.x);
-    readLength(row, y_, tube.y);
-    readState(row, tube);
+    const NamedTube named = tubeOf(map_.table, row);
+    refuse(named.problem);
+    Tube tube{named.tube.row, named.tube.column};
+    tube.x = readPlace(row, TubeColumn::kX);
+    tube.y = readPlace(row, TubeColumn::kY);
+    const ReadCodes codes = codesOf(map_.table, row);
+    refuse(codes.problem);
+    tube.state = codes.state.value_or(TubeState::kOpen);
+    for (const std::string& code : codes.unknown) ++unknown_[code];
     readLeg(row);
     const auto [first, is_new] = lines_.try_emplace({tube.row, tube.column}, row.line);
     if (!is_new)
-      refuse(row, tubeName(tube.row, tube.column), fmt::format("a second time (first on line {})", first->second),
-             "every tube once", "remove one of the lines");
+      refuse(Problem{tubeName(tube.row, tube.column), fmt::format("a second time (first on line {})", first->second),
+                     "every tube once", "remove one of the lines", row.line});
     map_.tubes.push_back(tube);
   }
 
-  void readLength(const CsvRow& row, const Axis& axis, double& length) {
-    const std::string& field = row.fields[axis.column];
-    const std::optional<double> number = parseNumber(field);
-    if (!number) refuse(row, table_.columns[axis.column], "\"" + field + "\"", "a finite number", "");
-    length = snapLength(number.value_or(0) * axis.unit.metres);
-  }
-
-  void readState(const CsvRow& row, Tube& tube) {
-    const auto column = table_.find("state");
-    if (!column || row.fields[*column].empty()) return;
-    const auto state = findTubeState(row.fields[*column]);
-    if (!state) refuse(row, "state", "\"" + row.fields[*column] + "\"", "one of " + tubeStateNames(), "");
-    tube.state = state.value_or(TubeState::kUnresolved);
+  double readPlace(const CsvRow& row, TubeColumn axis) {
+    const ReadLength length = lengthOf(map_.table, row, axis);
+    refuse(length.problem);
+    if (!length.metres) refuse(Problem{map_.table.nameOf(axis), "\"\"", "a finite number", "", row.line});
+    return snapLength(length.metres.value_or(0));
   }
 
   void readLeg(const CsvRow& row) {
-    const auto column = table_.find("leg");
-    if (!column) return;
-    const auto leg = findLeg(row.fields[*column]);
-    if (!leg) refuse(row, "leg", "\"" + row.fields[*column] + "\"", "one of " + legNames(), "");
+    if (!map_.table.has(TubeColumn::kLeg)) return;
+    const std::string field = map_.table.field(row, TubeColumn::kLeg);
+    const auto leg = findLeg(field);
+    if (!leg) refuse(Problem{"leg", "\"" + field + "\"", "one of " + legNames(), "", row.line});
     if (leg && map_.leg && *leg != *map_.leg)
-      refuse(row, "leg", std::string(legName(*leg)), fmt::format("{}, as on the lines above", legName(*map_.leg)),
-             "keep one map for each leg");
+      refuse(Problem{"leg", std::string(legName(*leg)), fmt::format("{}, as on the lines above", legName(*map_.leg)),
+                     "keep one map for each leg", row.line});
     if (!map_.leg) map_.leg = leg;
   }
 
-  void refuse(const CsvRow& row, std::string what, std::string found, std::string expected, std::string advice) {
-    if (map_.problem) return;
-    map_.problem = Problem{std::move(what), std::move(found), std::move(expected), std::move(advice), row.line};
-  }
-
-  const CsvTable& table_;
-  Axis x_, y_;
   HoleMap map_;
   std::map<std::pair<int, int>, int> lines_;  // where each tube was first named
+  std::map<std::string, int> unknown_;        // codes
 };
 
-HoleMap refusedMap(Problem problem) {
-  HoleMap map;
-  map.status = HoleMapStatus::kRefused;
-  map.problem = std::move(problem);
-  return map;
+std::string ownHeading(const LengthUnit& unit) { return fmt::format("row,column,x_{0},y_{0},state", unit.suffix); }
+
+std::string ownRow(const Tube& tube, const LengthUnit& unit) {
+  return fmt::format("{},{},{},{},{}", tube.row, tube.column, formatLength(tube.x, unit), formatLength(tube.y, unit),
+                     tubeStateName(tube.state));
+}
+
+/// Where each column stands that this program writes, of a table that has them all under its names; else nothing.
+std::optional<std::size_t> placeOfStateInOwn(const HoleMap& map, const LengthUnit& unit) {
+  const TextTable& table = map.table.text;
+  std::string heading = ownHeading(unit);
+  const auto names = splitCsvLine(heading, ',');
+  if (table.separator != ',' || table.units_line != 0) return std::nullopt;
+  for (const std::string& name : *names)
+    if (std::ranges::find(table.columns, name) == table.columns.end()) return std::nullopt;
+  return static_cast<std::size_t>(std::ranges::find(table.columns, names->back()) - table.columns.begin());
+}
+
+/// The map's own text, its codes as states.
+std::string ownText(const Sheet& sheet, std::size_t place) {
+  const HoleMap& map = *sheet.map;
+  ColumnText state{"state", place, {}};
+  for (std::size_t k = 0; k < map.tubes.size(); ++k) {
+    const CsvRow& row = map.table.text.rows[k];
+    const Tube* tube = sheet.find(map.tubes[k].row, map.tubes[k].column);
+    const bool says_nothing = row.fields[place].empty() && tube->state == TubeState::kOpen;
+    if (!says_nothing) state.fields.emplace(row.line, tubeStateName(tube->state));
+  }
+  return withColumns(map.text, map.table.text, {state});
+}
+
+/// Columns that this program's own do not say again.
+std::vector<std::size_t> otherColumns(const TubeTable& table) {
+  std::vector<std::size_t> others;
+  for (std::size_t c = 0; c < table.text.columns.size(); ++c) {
+    const auto isAt = [&](TubeColumn column) { return table.has(column) && table.places.at(column) == c; };
+    const bool is_own = isAt(TubeColumn::kRow) || isAt(TubeColumn::kColumn) || isAt(TubeColumn::kTube) ||
+                        isAt(TubeColumn::kX) || isAt(TubeColumn::kY) || isAt(TubeColumn::kState);
+    if (!is_own) others.push_back(c);
+  }
+  return others;
+}
+
+/// In this program's way, with the comments before it and the other columns behind.
+std::string convertedText(const Sheet& sheet, const LengthUnit& unit) {
+  const TextTable* table = sheet.map ? &sheet.map->table.text : nullptr;
+  const std::vector<std::size_t> others = table ? otherColumns(sheet.map->table) : std::vector<std::size_t>{};
+  std::map<std::pair<int, int>, const CsvRow*> rows;
+  std::string text;
+  for (std::size_t k = 0; table && k < table->rows.size(); ++k)
+    rows[{sheet.map->tubes[k].row, sheet.map->tubes[k].column}] = &table->rows[k];
+  if (table)
+    for (const std::string& line : table->lines_before) text += (line.starts_with('#') ? "" : "# ") + line + "\n";
+  text += ownHeading(unit);
+  for (const std::size_t c : others) text += "," + csvField(table->columns[c]);
+  text += "\n";
+  for (const Tube& tube : sheet.tubes) {
+    text += ownRow(tube, unit);
+    for (const std::size_t c : others) text += "," + csvField(rows.at({tube.row, tube.column})->fields[c]);
+    text += "\n";
+  }
+  return text;
 }
 
 }  // namespace
 
 std::string formatHoleMap(const Sheet& sheet, const LengthUnit& unit) {
-  std::string text = fmt::format("row,column,x_{0},y_{0},state\n", unit.suffix);
-  for (const Tube& tube : sheet.tubes)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", tube.row, tube.column, formatLength(tube.x, unit),
-                   formatLength(tube.y, unit), tubeStateName(tube.state));
-  return text;
+  const auto place = sheet.map ? placeOfStateInOwn(*sheet.map, unit) : std::nullopt;
+  return place ? ownText(sheet, *place) : convertedText(sheet, unit);
 }
 
-HoleMap parseHoleMap(std::string_view text) {
-  const CsvTable table = parseCsvOfAnyCase(text);
-  if (table.problem) return refusedMap(*table.problem);
-  const auto x = findAxis(table, 'x'), y = findAxis(table, 'y');
-  for (const auto* axis : {&x, &y})
-    if (const auto* problem = std::get_if<Problem>(axis)) return refusedMap(*problem);
-  if (const auto problem = findColumnProblem(table, holeMapColumns())) return refusedMap(*problem);
-  const LengthUnit unit_x = std::get<Axis>(x).unit, unit_y = std::get<Axis>(y).unit;
-  if (unit_x.suffix != unit_y.suffix)
-    return refusedMap({"header", fmt::format("x in {} and y in {}", unit_x.suffix, unit_y.suffix), "both in one unit",
-                       "", table.header_line});
-  return Reader(table, std::get<Axis>(x), std::get<Axis>(y)).read();
-}
+HoleMap parseHoleMap(std::string_view text) { return Reader(text).read(); }
 
 }  // namespace tubeplan::tubesheets

@@ -12,6 +12,25 @@ namespace tubeplan::tubesheets {
 namespace {
 
 constexpr std::array kUnits{kInch, kMillimetre, kMetre};
+
+struct LengthWord {
+  std::string_view word;
+  LengthUnit unit;
+};
+
+/// Beside the suffixes.
+constexpr LengthWord kLengthWords[] = {
+    {"inch", kInch},
+    {"inches", kInch},
+    {"millimeter", kMillimetre},
+    {"millimeters", kMillimetre},
+    {"millimetre", kMillimetre},
+    {"millimetres", kMillimetre},
+    {"meter", kMetre},
+    {"meters", kMetre},
+    {"metre", kMetre},
+    {"metres", kMetre},
+};
 constexpr int kGridExponent = 44;
 constexpr double kLargestSnapped = 256;  // m; beyond it a double is coarser than the grid
 
@@ -28,6 +47,14 @@ std::span<const LengthUnit> lengthUnits() { return kUnits; }
 const LengthUnit* findLengthUnit(std::string_view suffix) {
   const auto unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const LengthUnit& u) { return u.suffix == suffix; });
   return unit == kUnits.end() ? nullptr : &*unit;
+}
+
+const LengthUnit* findLengthWord(std::string_view word) {
+  std::string small(word);
+  std::ranges::transform(small, small.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  if (const LengthUnit* unit = findLengthUnit(small)) return unit;
+  const auto known = std::ranges::find(kLengthWords, small, &LengthWord::word);
+  return known == std::end(kLengthWords) ? nullptr : &known->unit;
 }
 
 double snapLength(double metres) {

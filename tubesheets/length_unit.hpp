@@ -22,6 +22,9 @@ inline constexpr LengthUnit kMetre{"m", 1.0};
 /// The unit of that suffix; null when there is none.
 [[nodiscard]] const LengthUnit* findLengthUnit(std::string_view suffix);
 
+/// The same by any word or sign for it, in any capitals: "Inches", "millimetres"; null when there is none.
+[[nodiscard]] const LengthUnit* findLengthWord(std::string_view word);
+
 /// Lengths [m] of drilled positions are kept on a grid of 2^-44 m (57 femtometre): far below any drawing, and coarse
 /// enough that a length printed in another unit returns to the same bits.
 [[nodiscard]] double snapLength(double metres);

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@
 #include "tubesheets/tube.hpp"
 
 namespace tubeplan::tubesheets {
+
+struct HoleMap;
 
 /// What a sheet is made from. [m]
 struct SheetDescription {
@@ -46,6 +49,7 @@ struct Sheet {
   int columns = 0;  ///< the highest column number
   std::optional<Manway> manway;
   std::vector<Tube> tubes;
+  std::shared_ptr<const HoleMap> map;  ///< what it was read from; null of a layout
 
   /// The tube of that name; null when it is not on this sheet.
   [[nodiscard]] const Tube* find(int row, int column) const;
@@ -68,8 +72,8 @@ struct Sheet {
 /// Drills the layout: the hot leg as generated, the cold leg mirrored (y -> -y). The description must have no problems.
 [[nodiscard]] Sheet makeSheet(const SheetDescription& description);
 
-/// A sheet of given holes (a hole map), positions taken as they are; of the layout only type and pitch are used. The
-/// result may have problems: see findSheetProblems.
+/// A sheet of given holes, positions taken as they are; of the layout only type and pitch are used. The result may have
+/// problems: see findSheetProblems.
 [[nodiscard]] Sheet makeSheet(const SheetDescription& description, std::vector<Tube> tubes);
 
 /// For every hole, the holes within 1.05 pitch, in sheet order.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tubesheets/csv_table.hpp"
+#include "tubesheets/text_table.hpp"
 
 namespace tubeplan::tubesheets {
 namespace {
@@ -24,8 +25,12 @@ Named(Value, std::string_view, std::string_view) -> Named<Value>;  // Clang 16 d
 constexpr std::array kLegs{Named{Leg::kHot, std::string_view("hot"), std::string_view("hot leg")},
                            Named{Leg::kCold, std::string_view("cold"), std::string_view("cold leg")},
                            Named{Leg::kFull, std::string_view("full"), std::string_view("full sheet")}};
-constexpr std::array kShortLegs{Named{Leg::kHot, std::string_view("HL"), std::string_view()},
-                                Named{Leg::kCold, std::string_view("CL"), std::string_view()}};
+constexpr std::array kShortLegs{Named{Leg::kHot, std::string_view("hl"), std::string_view()},
+                                Named{Leg::kHot, std::string_view("h"), std::string_view()},
+                                Named{Leg::kHot, std::string_view("hotleg"), std::string_view()},
+                                Named{Leg::kCold, std::string_view("cl"), std::string_view()},
+                                Named{Leg::kCold, std::string_view("c"), std::string_view()},
+                                Named{Leg::kCold, std::string_view("coldleg"), std::string_view()}};
 constexpr std::array kSides{Named{ViewedFrom::kBelow, std::string_view("below"), std::string_view("seen from below")},
                             Named{ViewedFrom::kAbove, std::string_view("above"), std::string_view("seen from above")}};
 constexpr std::array kStates{
@@ -91,8 +96,9 @@ std::vector<TubeState> tubeStates() {
 }
 
 std::optional<Leg> findLeg(std::string_view name) {
-  const auto leg = valueOf(kLegs, name);
-  return leg ? leg : valueOf(kShortLegs, name);
+  const std::string plain = plainName(name);
+  const auto leg = valueOf(kLegs, plain);
+  return leg ? leg : valueOf(kShortLegs, plain);
 }
 std::optional<ViewedFrom> findViewedFrom(std::string_view name) { return valueOf(kSides, name); }
 std::optional<TubeState> findTubeState(std::string_view name) { return valueOf(kStates, name); }

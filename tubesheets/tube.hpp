@@ -55,7 +55,7 @@ struct RowAndColumn {
 /// All states, in the order of their table.
 [[nodiscard]] std::vector<TubeState> tubeStates();
 
-/// By those names (a leg also as HL, CL); empty when unknown.
+/// By those names (a leg also as HL, CL, "Hot leg", in any capitals); empty when unknown.
 [[nodiscard]] std::optional<Leg> findLeg(std::string_view name);
 [[nodiscard]] std::optional<ViewedFrom> findViewedFrom(std::string_view name);
 [[nodiscard]] std::optional<TubeState> findTubeState(std::string_view name);

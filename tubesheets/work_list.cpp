@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "tubesheets/csv_table.hpp"
 #include "tubesheets/selection_terms.hpp"
@@ -25,7 +27,9 @@ struct Item {
   [[nodiscard]] TermRole role() const { return term == nullptr ? TermRole::kSource : term->role; }
 };
 
-Selection refuseList(std::string reason) { return {SelectionStatus::kRefused, std::move(reason), {}, {}, {}, {}}; }
+Selection refuseList(std::string reason) {
+  return {SelectionStatus::kRefused, std::move(reason), {}, {}, {}, {}, std::nullopt};
+}
 
 Selection refuseList(const Item& item, const std::string& reason) {
   return refuseList(fmt::format("item {} \"{}{}\" (character {}): {}", item.number, item.is_minus ? "-" : "", item.text,
@@ -129,56 +133,92 @@ Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
     }
   }
   const std::vector<bool> is_named = namedTubes(sheet, items);
-  Selection selection{SelectionStatus::kSelected, "", {}, {}, {}, {}};
+  Selection selection{SelectionStatus::kSelected, "", {}, {}, {}, {}, std::nullopt};
   for (const int tube : all) {
     if (!is_selected[tube]) continue;
     const TubeState state = sheet.tubes[tube].state;
     const bool is_left_out = isLeftOutUnlessNamed(state) && !is_named[tube];
-    (is_left_out ? selection.left_out : selection.tube_indices).push_back(tube);
+    if (is_left_out)
+      selection.left_out.push_back({tube, tubeStateName(state)});
+    else
+      selection.tube_indices.push_back(tube);
     if (!is_left_out && isDoubtful(state)) selection.doubtful[tube] = state;
   }
   return selection;
 }
 
 // What an empty selection has left out.
-std::string besides(const Sheet& sheet, const Selection& selection) {
-  const std::string left_out = leftOutText(sheet, selection);
+std::string besides(const Selection& selection) {
+  const std::string left_out = leftOutText(selection);
   return left_out.empty()
              ? ""
              : fmt::format(" but {}, which are taken by state (\"plugged\", say) or by name alone", left_out);
 }
 
-std::string findListFault(const WorkListItem& item, const Sheet& sheet) {
+/// A list of another leg or sheet, or a tube that is not where the list has it.
+std::string findListFault(const WorkListItem& item, const Sheet& sheet, const std::string& fingerprint) {
   if (item.leg && *item.leg != sheet.leg)
     return fmt::format("this list is for the {} leg, but the sheet is {}", legName(*item.leg), legName(sheet.leg));
-  const auto index = sheet.indexOf(item.row, item.column);
-  if (!index) return explainMissing(sheet, item.row, item.column);
-  const Tube& tube = sheet.tubes[static_cast<std::size_t>(*index)];
-  const double off = std::hypot(item.x.value_or(tube.x) - tube.x, item.y.value_or(tube.y) - tube.y);
-  if (!(off <= sheet.hole_diameter / 2))
-    return fmt::format(
-        "its coordinates are not those of {}, which is {:.4g} m from there: correct the name or the coordinates, or "
-        "remove their columns",
-        tubeName(item.row, item.column), off);
-  return "";
+  if (!item.sheet.empty() && item.sheet != fingerprint)
+    return fmt::format("this list is for the sheet {}, but this sheet is {}", item.sheet, fingerprint);
+  const Tube* tube = sheet.find(item.row, item.column);
+  if (!tube) return "";
+  const double off = std::hypot(item.x.value_or(tube->x) - tube->x, item.y.value_or(tube->y) - tube->y);
+  if (off <= sheet.hole_diameter / 2) return "";
+  return fmt::format(
+      "its coordinates are not those of {}, which is {:.4g} m from there: correct the name or the coordinates, or "
+      "remove their columns",
+      tubeName(item.row, item.column), off);
+}
+
+/// All tubes of a list that the sheet has not, the first few by name; empty where it has all.
+std::string explainMissingTubes(const WorkList& list, const Sheet& sheet) {
+  constexpr std::size_t kShown = 5;
+  std::set<std::pair<int, int>> seen;
+  std::vector<const WorkListItem*> missing;
+  for (const WorkListItem& item : list.items)
+    if (!sheet.indexOf(item.row, item.column) && seen.emplace(item.row, item.column).second) missing.push_back(&item);
+  if (missing.empty()) return "";
+  const std::string first = explainMissing(sheet, missing.front()->row, missing.front()->column);
+  if (missing.size() == 1) return fmt::format("line {}: {}", missing.front()->line, first);
+  std::vector<std::string> named;
+  for (std::size_t k = 0; k < std::min(missing.size(), kShown); ++k)
+    named.push_back(fmt::format("{} (line {})", tubeName(missing[k]->row, missing[k]->column), missing[k]->line));
+  if (missing.size() > kShown) named.emplace_back("...");
+  return fmt::format("{} tubes of the list are not on this sheet: {}; {}", missing.size(), fmt::join(named, ", "),
+                     first);
+}
+
+/// What the rows of one tube say together.
+std::map<int, WorkListItem> tubesOfList(const WorkList& list, const Sheet& sheet) {
+  std::map<int, WorkListItem> tubes;
+  for (const WorkListItem& item : list.items) {
+    WorkListItem& tube = tubes.try_emplace(*sheet.indexOf(item.row, item.column), item).first->second;
+    if (item.state) tube.state = item.state;
+    if (item.dwell) tube.dwell = item.dwell;
+    tube.is_done = tube.is_done && item.is_done;
+  }
+  return tubes;
+}
+
+/// Plugged or done by the list's word, or plugged by the sheet's; nothing where the tube is to be visited.
+std::optional<LeftOut> leftOutOf(int index, const WorkListItem& item, const Sheet& sheet) {
+  if (item.is_done) return LeftOut{index, "done", true};
+  const TubeState state = item.state.value_or(sheet.tubes[static_cast<std::size_t>(index)].state);
+  if (!takesNoTool(state)) return std::nullopt;
+  return LeftOut{index, tubeStateName(state), item.state.has_value()};
 }
 
 }  // namespace
 
 bool isLeftOutUnlessNamed(TubeState state) { return takesNoTool(state) || isDoubtful(state); }
 
-std::string leftOutText(const Sheet& sheet, const Selection& selection) {
-  std::map<TubeState, int> counts;
-  for (const int tube : selection.left_out) ++counts[sheet.tubes[static_cast<std::size_t>(tube)].state];
-  // By a list's word a tube may be plugged that the sheet has open.
-  int by_list = 0;
+std::string leftOutText(const Selection& selection) {
+  std::map<std::pair<bool, std::string_view>, int> counts;
+  for (const LeftOut& tube : selection.left_out) ++counts[{tube.is_by_list, tube.word}];
   std::vector<std::string> parts;
-  for (const auto& [state, count] : counts)
-    if (isLeftOutUnlessNamed(state))
-      parts.push_back(fmt::format("{} {}", count, tubeStateName(state)));
-    else
-      by_list += count;
-  if (by_list > 0) parts.push_back(fmt::format("{} plugged according to the list", by_list));
+  for (const auto& [kind, count] : counts)
+    parts.push_back(fmt::format("{} {}{}", count, kind.second, kind.first ? " according to the list" : ""));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -221,7 +261,7 @@ Selection selectTubes(const Sheet& sheet, const std::string& request) {
     selection.tube_indices = std::move(choice.tubes);
   }
   if (selection.status == SelectionStatus::kSelected && selection.tube_indices.empty())
-    return refuseList(fmt::format("\"{}\" selects no tube of this sheet{}", request, besides(sheet, selection)));
+    return refuseList(fmt::format("\"{}\" selects no tube of this sheet{}", request, besides(selection)));
   return selection;
 }
 
@@ -230,30 +270,28 @@ std::string spreadRequest(const Sheet& sheet, std::size_t most) {
   return "spread:" + std::to_string(std::max<std::size_t>(1, std::min(most, there)));
 }
 
-Selection selectTubes(const Sheet& sheet, const WorkList& list) {
+Selection selectTubes(const Sheet& sheet, WorkList list) {
   if (list.status != WorkListStatus::kRead)
     return refuseList(list.problem ? list.problem->sentence() : "the work list has not been read");
   const std::string fingerprint = sheet.fingerprint();
-  Selection selection{SelectionStatus::kSelected, "", {}, {}, {}, {}};
-  for (const WorkListItem& item : list.items) {
-    std::string fault = findListFault(item, sheet);
-    if (!item.sheet.empty() && item.sheet != fingerprint)
-      fault = fmt::format("this list is for the sheet {}, but this sheet is {}", item.sheet, fingerprint);
-    if (!fault.empty()) return refuseList(fmt::format("line {}: {}", item.line, fault));
-    const int tube = *sheet.indexOf(item.row, item.column);
-    const TubeState state = item.state.value_or(sheet.tubes[static_cast<std::size_t>(tube)].state);
-    if (takesNoTool(state)) {
-      selection.left_out.push_back(tube);
+  for (const WorkListItem& item : list.items)
+    if (const std::string fault = findListFault(item, sheet, fingerprint); !fault.empty())
+      return refuseList(fmt::format("line {}: {}", item.line, fault));
+  if (std::string missing = explainMissingTubes(list, sheet); !missing.empty()) return refuseList(std::move(missing));
+  Selection selection{SelectionStatus::kSelected, "", {}, {}, {}, {}, std::nullopt};
+  for (const auto& [tube, item] : tubesOfList(list, sheet)) {
+    if (const auto left_out = leftOutOf(tube, item, sheet)) {
+      selection.left_out.push_back(*left_out);
       continue;
     }
     selection.tube_indices.push_back(tube);
+    const TubeState state = item.state.value_or(sheet.tubes[static_cast<std::size_t>(tube)].state);
     if (isDoubtful(state)) selection.doubtful[tube] = state;
-    if (item.dwell) selection.dwell[selection.tube_indices.back()] = *item.dwell;
+    if (item.dwell) selection.dwell[tube] = *item.dwell;
   }
-  std::sort(selection.tube_indices.begin(), selection.tube_indices.end());
-  const auto repeated = std::unique(selection.tube_indices.begin(), selection.tube_indices.end());
-  if (repeated != selection.tube_indices.end()) return refuseList("the work list names a tube twice");
-  if (selection.tube_indices.empty()) return refuseList("the work list names no tube" + besides(sheet, selection));
+  if (selection.tube_indices.empty())
+    return refuseList("the work list names no tube that is to be visited: " + leftOutText(selection));
+  selection.list = std::move(list);
   return selection;
 }
 

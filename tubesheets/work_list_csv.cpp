@@ -1,29 +1,15 @@
 // parseWorkListCsv.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <map>
 #include <utility>
 
-#include "tubesheets/csv_table.hpp"
-#include "tubesheets/length_unit.hpp"
+#include "tubesheets/tube_table.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::tubesheets {
 namespace {
-
-const std::vector<std::string>& workListColumns() {
-  static const std::vector<std::string> known{"row",  "column", "leg",      "sheet",   "sg",     "zone",
-                                              "tool", "state",  "x_in",     "y_in",    "x_mm",   "y_mm",
-                                              "x_m",  "y_m",    "priority", "comment", "dwell_s"};
-  return known;
-}
-
-WorkList refusedList(Problem problem) { return {WorkListStatus::kRefused, std::move(problem), {}}; }
-
-std::string fieldOf(const CsvTable& table, const CsvRow& row, std::string_view column) {
-  const auto place = table.find(column);
-  return place ? row.fields[*place] : "";
-}
 
 std::string describeLeg(const std::optional<Leg>& leg) { return leg ? std::string(legName(*leg)) : "no leg"; }
 std::string describeSheet(const std::string& sheet) { return sheet.empty() ? "no sheet" : sheet; }
@@ -42,58 +28,131 @@ std::optional<Problem> findOddLine(const WorkListItem& first, const WorkListItem
   return std::nullopt;
 }
 
-// The length in a column x_in, x_mm or x_m; not said where there is none or it is empty.
-std::optional<Problem> readLength(const CsvTable& table, const CsvRow& row, const char* axis,
-                                  std::optional<double>& metres) {
-  for (const LengthUnit& unit : lengthUnits()) {
-    const std::string column = fmt::format("{}_{}", axis, unit.suffix);
-    const std::string field = fieldOf(table, row, column);
-    if (field.empty()) continue;
-    const auto number = parseNumber(field);
-    if (!number) return Problem{column, "\"" + field + "\"", "a finite number", "", row.line};
-    metres = *number * unit.metres;
-  }
+/// Two rows of one tube that cannot both be true.
+std::optional<Problem> findContradiction(const WorkListItem& first, const WorkListItem& item) {
+  const std::string tube = tubeName(item.row, item.column);
+  const auto problem = [&](const std::string& found, const std::string& before) {
+    return Problem{tube, found, fmt::format("{}, as on line {}", before, first.line), "correct the one or the other",
+                   item.line};
+  };
+  if (first.state && item.state && *first.state != *item.state)
+    return problem(std::string(tubeStateName(*item.state)), std::string(tubeStateName(*first.state)));
+  if (first.dwell && item.dwell && *first.dwell != *item.dwell)
+    return problem(fmt::format("a stay of {} s", *item.dwell), fmt::format("{} s", *first.dwell));
+  if (first.is_done != item.is_done)
+    return problem(item.is_done ? "done" : "not done", first.is_done ? "done" : "not done");
   return std::nullopt;
 }
 
+/// "tubes that stand in several rows are visited once: R12C34 (lines 2 and 3)"; empty where none does.
+std::string repeatedText(const std::map<std::pair<int, int>, std::vector<int>>& lines) {
+  constexpr std::size_t kShown = 5;
+  std::vector<std::string> named;
+  std::size_t count = 0;
+  for (const auto& [tube, at] : lines) {
+    if (at.size() < 2) continue;
+    if (++count <= kShown)
+      named.push_back(fmt::format("{} (lines {})", tubeName(tube.first, tube.second), fmt::join(at, " and ")));
+  }
+  if (count > kShown) named.push_back(fmt::format("{} more", count - kShown));
+  return named.empty() ? "" : fmt::format("named in several rows, visited once: {}", fmt::join(named, ", "));
+}
+
+class ListReader {
+ public:
+  explicit ListReader(std::string_view text) {
+    list_.text = text;
+    list_.table = parseTubeTable(text);
+  }
+
+  WorkList read() {
+    list_.problem = list_.table.problem;
+    for (const CsvRow& row : list_.table.text.rows) {
+      if (list_.problem) break;
+      readRow(row);
+    }
+    if (!list_.problem && list_.items.empty())
+      refuse(Problem{"text", "no tubes", "at least one line below the header", "", list_.table.text.heading_line});
+    list_.status = list_.problem ? WorkListStatus::kRefused : WorkListStatus::kRead;
+    if (list_.problem) list_.items.clear();
+    for (std::string& note :
+         std::vector{list_.table.unreadText(), unknownCodesText(unknown_), repeatedText(lines_), unitlessText()})
+      if (!list_.problem && !note.empty()) list_.notes.push_back(std::move(note));
+    return std::move(list_);
+  }
+
+ private:
+  void refuse(const std::optional<Problem>& problem) {
+    if (!list_.problem) list_.problem = problem;
+  }
+
+  void readRow(const CsvRow& row) {
+    const TubeTable& table = list_.table;
+    const NamedTube named = tubeOf(table, row);
+    refuse(named.problem);
+    WorkListItem item;
+    item.row = named.tube.row;
+    item.column = named.tube.column;
+    item.line = row.line;
+    item.sheet = table.field(row, TubeColumn::kSheet);
+    item.steam_generator = table.field(row, TubeColumn::kSteamGenerator);
+    readLeg(row, item);
+    readPlace(row, item);
+    readDwell(row, item);
+    readCodes(row, item);
+    if (list_.problem) return;
+    const auto [first, is_new] = first_.try_emplace({item.row, item.column}, list_.items.size());
+    if (!is_new) refuse(findContradiction(list_.items[first->second], item));
+    list_.items.push_back(std::move(item));
+    lines_[first->first].push_back(row.line);
+    refuse(findOddLine(list_.items.front(), list_.items.back()));
+  }
+
+  void readLeg(const CsvRow& row, WorkListItem& item) {
+    const std::string leg = list_.table.field(row, TubeColumn::kLeg);
+    item.leg = findLeg(leg);
+    if (!leg.empty() && !item.leg) refuse(Problem{"leg", "\"" + leg + "\"", "one of " + legNames(), "", row.line});
+  }
+
+  void readPlace(const CsvRow& row, WorkListItem& item) {
+    const ReadLength x = lengthOf(list_.table, row, TubeColumn::kX), y = lengthOf(list_.table, row, TubeColumn::kY);
+    refuse(x.problem);
+    refuse(y.problem);
+    item.x = x.metres;
+    item.y = y.metres;
+  }
+
+  void readDwell(const CsvRow& row, WorkListItem& item) {
+    const std::string dwell = list_.table.field(row, TubeColumn::kDwell);
+    if (dwell.empty()) return;
+    item.dwell = parseNumber(dwell);
+    if (!item.dwell || *item.dwell < 0 || *item.dwell > kLongestStay)
+      refuse(Problem{"dwell_s", "\"" + dwell + "\"", "seconds from 0 to a day", "", row.line});
+  }
+
+  void readCodes(const CsvRow& row, WorkListItem& item) {
+    const ReadCodes codes = codesOf(list_.table, row);
+    refuse(codes.problem);
+    item.state = codes.state;
+    item.is_done = codes.is_done;
+    for (const std::string& code : codes.unknown) ++unknown_[code];
+  }
+
+  [[nodiscard]] std::string unitlessText() const {
+    const TubeTable& table = list_.table;
+    const bool is_unitless =
+        (table.has(TubeColumn::kX) && !table.unit_x) || (table.has(TubeColumn::kY) && !table.unit_y);
+    return is_unitless ? "x or y without a unit (x_in, x_mm, x_m): not held against the sheet" : "";
+  }
+
+  WorkList list_;
+  std::map<std::pair<int, int>, std::size_t> first_;       // the item that first names a tube
+  std::map<std::pair<int, int>, std::vector<int>> lines_;  // of every tube
+  std::map<std::string, int> unknown_;                     // codes
+};
+
 }  // namespace
 
-WorkList parseWorkListCsv(std::string_view text) {
-  const CsvTable table = parseCsvOfAnyCase(text);
-  if (table.problem) return refusedList(*table.problem);
-  if (const auto problem = findColumnProblem(table, workListColumns())) return refusedList(*problem);
-  WorkList list{WorkListStatus::kRead, std::nullopt, {}};
-  std::map<std::pair<int, int>, int> lines;
-  for (const CsvRow& row : table.rows) {
-    const TubeNumbers numbers = parseTubeNumbers(table, row);
-    if (numbers.problem) return refusedList(*numbers.problem);
-    const std::string leg = fieldOf(table, row, "leg");
-    WorkListItem item{
-        numbers.row, numbers.column,           row.line, findLeg(leg), fieldOf(table, row, "sheet"), {}, {}, {},
-        {},          fieldOf(table, row, "sg")};
-    if (auto problem = readLength(table, row, "x", item.x)) return refusedList(std::move(*problem));
-    if (auto problem = readLength(table, row, "y", item.y)) return refusedList(std::move(*problem));
-    if (const std::string dwell = fieldOf(table, row, "dwell_s"); !dwell.empty()) {
-      item.dwell = parseNumber(dwell);
-      if (!item.dwell || *item.dwell < 0 || *item.dwell > kLongestStay)
-        return refusedList({"dwell_s", "\"" + dwell + "\"", "seconds from 0 to a day", "", row.line});
-    }
-    if (const std::string state = fieldOf(table, row, "state"); !state.empty()) {
-      item.state = findTubeState(state);
-      if (!item.state) return refusedList({"state", "\"" + state + "\"", "one of " + tubeStateNames(), "", row.line});
-    }
-    if (!leg.empty() && !item.leg) return refusedList({"leg", "\"" + leg + "\"", "one of " + legNames(), "", row.line});
-    const auto [first, is_new] = lines.try_emplace({item.row, item.column}, item.line);
-    if (!is_new)
-      return refusedList({tubeName(item.row, item.column),
-                          fmt::format("a second time (first on line {})", first->second), "every tube once",
-                          "remove one of the lines", item.line});
-    list.items.push_back(item);
-    if (const auto problem = findOddLine(list.items.front(), item)) return refusedList(*problem);
-  }
-  if (list.items.empty())
-    return refusedList({"text", "no tubes", "at least one line below the header", "", table.header_line});
-  return list;
-}
+WorkList parseWorkListCsv(std::string_view text) { return ListReader(text).read(); }
 
 }  // namespace tubeplan::tubesheets

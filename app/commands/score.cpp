@@ -217,7 +217,9 @@ int run(const ScoreOptions& options) {
     throw InputError(options.truth, "another tube sheet", "the cell's, fingerprint " + model.sheet.fingerprint());
   checkJsonTarget(options.json);
   const std::size_t spread = options.runs > 0 ? kTubesOfRuns : kTubes;
-  const auto tubes = readTubes(tubesOrSpread(options.tubes, model.sheet, spread), model.sheet).tube_indices;
+  const auto selection = readTubes(tubesOrSpread(options.tubes, model.sheet, spread), model.sheet);
+  const auto& tubes = selection.tube_indices;
+  for (const auto& note : listNotes(selection)) fmt::print(stderr, "note: {}\n", note);
   if (options.runs > 0) return runExperiment(options, tubes, model, truth, cell);
   const Scored scored = scoreAll(model, truth, tubes, options.seed, cell);
   if (scored.calibration.flexible.status != calibration::CalibrationStatus::kDone) {

@@ -77,7 +77,9 @@ void findSheetWork(const Cell& cell, const SensitivityOptions& options, Sensitiv
                    calibration::SensitivityTask& task) {
   planner::Workcell work = workcellOf(cell, "work at its holes");
   work.load = task.load;
-  const auto tubes = readTubes(tubesOrSpread(options.tubes, work.sheet, 60), work.sheet).tube_indices;
+  const auto selection = readTubes(tubesOrSpread(options.tubes, work.sheet, 60), work.sheet);
+  const auto& tubes = selection.tube_indices;
+  for (const auto& note : listNotes(selection)) fmt::print(stderr, "note: {}\n", note);
   for (const auto& hole : reachHoles(work, tubes, false)) task.work.push_back(hole.q);
   report.work_lost = static_cast<int>(tubes.size() - task.work.size());
   task.hole_axis_W = planner::kHoleAxis_W;

@@ -13,6 +13,7 @@
 #include "app/studies/positioning/step_chances.hpp"
 #include "app/studies/positioning/step_score.hpp"
 #include "planner/visit_plan.hpp"
+#include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
 
@@ -40,9 +41,10 @@ struct PlanOutcome {
   std::vector<calibration::Measurement> touches;
   std::optional<BothCalibrations> calibration;
   planner::VisitConditions conditions;
-  std::string left_out;    ///< "12 plugged, 1 inaccessible": tubes that were not planned for
-  double padding = 0;      ///< m, the most that a tip at a visited hole is kept off beyond the clearance
-  std::vector<int> zones;  ///< per visit; empty where no tubes come first
+  tubesheets::Selection selection;  ///< what was asked for
+  std::string left_out;             ///< "12 plugged, 1 inaccessible": tubes that were not planned for
+  double padding = 0;               ///< m, the most that a tip at a visited hole is kept off beyond the clearance
+  std::vector<int> zones;           ///< per visit; empty where no tubes come first
   planner::VisitPlan plan;
   int tubes_added = 0, tubes_removed = 0;    ///< against the plan begun from, of those visited
   std::vector<planner::Centring> predicted;  ///< by the model itself, per visit

@@ -3,37 +3,112 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "app/files/units.hpp"
 #include "tubesheets/csv_table.hpp"
 #include "tubesheets/length_unit.hpp"
+#include "tubesheets/table_text.hpp"
 
 namespace tubeplan::app {
 
-std::string workListCsv(const PlanOutcome& outcome) {
-  const auto& sheet = outcome.model.sheet;
-  const auto* known = tubesheets::findLengthUnit(outcome.cell.units.length().name);
-  const tubesheets::LengthUnit& unit = known ? *known : tubesheets::kInch;
-  const std::string fingerprint = sheet.fingerprint();
-  const auto& visits = outcome.plan.visits;
-  const bool has_stays = std::any_of(visits.begin(), visits.end(), [](const auto& visit) { return visit.dwell > 0; });
-  std::string text =
-      fmt::format("leg,sheet,row,column,x_{0},y_{0},priority{1},comment\n", unit.suffix, has_stays ? ",dwell_s" : "");
+namespace {
+
+using tubesheets::ColumnText;
+using tubesheets::TubeColumn;
+
+/// What came of a tube that was asked for.
+struct TubeOutcome {
+  int tube = 0;
+  std::string visit;    ///< its place in the order, from 1; empty where it is not visited
+  std::string outcome;  ///< why not
+  std::string dwell;    ///< s
+};
+
+/// Those visited in their order, then those out of reach, then those left out.
+std::vector<TubeOutcome> outcomesOf(const PlanOutcome& outcome) {
+  std::vector<TubeOutcome> all;
   const auto stayAt = [&](int tube) {
     const auto own = outcome.conditions.dwell_at.find(tube);
     return formatNumber(own == outcome.conditions.dwell_at.end() ? outcome.conditions.dwell : own->second);
   };
-  const auto add = [&](int index, const std::string& priority, const std::string& dwell, const std::string& comment) {
-    const auto& tube = sheet.tubes[static_cast<std::size_t>(index)];
+  for (const auto& visit : outcome.plan.visits)
+    all.push_back({visit.tube, std::to_string(all.size() + 1), "", formatNumber(visit.dwell)});
+  for (const auto& missed : outcome.plan.unreachable)
+    all.push_back({missed.tube, "", "unreachable: " + missed.reason, stayAt(missed.tube)});
+  for (const auto& left_out : outcome.selection.left_out)
+    all.push_back({left_out.tube, "", fmt::format("left out: {}", left_out.word), ""});
+  return all;
+}
+
+bool hasStays(const PlanOutcome& outcome) {
+  return std::ranges::any_of(outcome.plan.visits, [](const auto& visit) { return visit.dwell > 0; });
+}
+
+std::string ownList(const PlanOutcome& outcome) {
+  const auto& sheet = outcome.model.sheet;
+  const auto* known = tubesheets::findLengthUnit(outcome.cell.units.length().name);
+  const tubesheets::LengthUnit& unit = known ? *known : tubesheets::kInch;
+  const std::string fingerprint = sheet.fingerprint();
+  const bool has_stays = hasStays(outcome);
+  std::string text =
+      fmt::format("leg,sheet,row,column,x_{0},y_{0},visit{1},outcome\n", unit.suffix, has_stays ? ",dwell_s" : "");
+  for (const TubeOutcome& of_tube : outcomesOf(outcome)) {
+    if (of_tube.dwell.empty()) continue;  // left out of an area that was asked for
+    const auto& tube = sheet.tubes[static_cast<std::size_t>(of_tube.tube)];
     text += fmt::format("{},{},{},{},{},{},{}{},{}\n", tubesheets::legName(sheet.leg), fingerprint, tube.row,
                         tube.column, tubesheets::formatLength(tube.x, unit), tubesheets::formatLength(tube.y, unit),
-                        priority, has_stays ? "," + dwell : "", comment);
-  };
-  for (std::size_t k = 0; k < visits.size(); ++k)
-    add(visits[k].tube, std::to_string(k + 1), formatNumber(visits[k].dwell), "");
-  for (const auto& missed : outcome.plan.unreachable)
-    add(missed.tube, "", stayAt(missed.tube), tubesheets::csvQuoted("unreachable: " + missed.reason));
+                        of_tube.visit, has_stays ? "," + of_tube.dwell : "",
+                        of_tube.outcome.empty() ? "" : tubesheets::csvQuoted(of_tube.outcome));
+  }
   return text;
+}
+
+/// The list that was given, with what came of its tubes.
+class GivenList {
+ public:
+  explicit GivenList(const PlanOutcome& outcome) : outcome_(outcome), list_(*outcome.selection.list) {
+    for (TubeOutcome& of_tube : outcomesOf(outcome)) by_tube_.emplace(of_tube.tube, std::move(of_tube));
+  }
+
+  std::string text() {
+    const auto& sheet = outcome_.model.sheet;
+    addMissing(TubeColumn::kLeg, "leg",
+               [&](const TubeOutcome&) { return std::string(tubesheets::legName(sheet.leg)); });
+    addMissing(TubeColumn::kSheet, "sheet", [print = sheet.fingerprint()](const TubeOutcome&) { return print; });
+    add(TubeColumn::kVisit, "visit", [](const TubeOutcome& of_tube) { return of_tube.visit; });
+    if (hasStays(outcome_))
+      addMissing(TubeColumn::kDwell, "dwell_s", [](const TubeOutcome& of_tube) { return of_tube.dwell; });
+    add(TubeColumn::kOutcome, "outcome", [](const TubeOutcome& of_tube) { return of_tube.outcome; });
+    return tubesheets::withColumns(list_.text, list_.table.text, columns_);
+  }
+
+ private:
+  void addMissing(TubeColumn column, const char* name, const auto& textOf) {
+    if (!list_.table.has(column)) add(column, name, textOf);
+  }
+
+  void add(TubeColumn column, const char* name, const auto& textOf) {
+    ColumnText added{name, std::nullopt, {}};
+    if (const auto place = list_.table.places.find(column); place != list_.table.places.end())
+      added.place = place->second;
+    for (const auto& item : list_.items)
+      if (const auto found = by_tube_.find(*outcome_.model.sheet.indexOf(item.row, item.column));
+          found != by_tube_.end())
+        added.fields.emplace(item.line, textOf(found->second));
+    columns_.push_back(std::move(added));
+  }
+
+  const PlanOutcome& outcome_;
+  const tubesheets::WorkList& list_;
+  std::map<int, TubeOutcome> by_tube_;
+  std::vector<ColumnText> columns_;
+};
+
+}  // namespace
+
+std::string workListCsv(const PlanOutcome& outcome) {
+  return outcome.selection.list ? GivenList(outcome).text() : ownList(outcome);
 }
 
 }  // namespace tubeplan::app

@@ -9,8 +9,10 @@ namespace tubeplan::app {
 
 inline constexpr const char* kWorkListFile = "worklist.csv";
 
-/// leg,sheet,row,column,x_UNIT,y_UNIT,priority,comment in visiting order, which is the priority; tubes that cannot be
-/// reached come last, without one and with the reason. A list for another sheet or leg is refused by its columns.
+/// Of tubes that a work list named, that list, byte for byte, with columns behind its own: `visit`, the place in visiting
+/// order, `outcome`, why there is none, and, where the list has none, `leg` and `sheet`, by which another leg or sheet
+/// refuses it, and `dwell_s`, where the plan stays at tubes. Of others leg,sheet,row,column,x_UNIT,y_UNIT,visit,outcome
+/// in visiting order, those that cannot be reached last.
 [[nodiscard]] std::string workListCsv(const PlanOutcome& outcome);
 
 }  // namespace tubeplan::app

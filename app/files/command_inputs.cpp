@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "app/files/input_error.hpp"
 #include "app/files/joint_units.hpp"
@@ -80,9 +81,9 @@ std::string tubesOrSpread(const std::string& request, const tubesheets::Sheet& s
 tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet, const std::string& option) {
   tubesheets::Selection selection;
   if (namesCsvFile(request)) {
-    const auto list = tubesheets::parseWorkListCsv(readTextFile(request));
+    auto list = tubesheets::parseWorkListCsv(readTextFile(request));
     if (list.problem) refuseText(request, *list.problem);
-    selection = tubesheets::selectTubes(sheet, list);
+    selection = tubesheets::selectTubes(sheet, std::move(list));
   } else {
     selection = tubesheets::selectTubes(sheet, request);
   }
@@ -90,6 +91,13 @@ tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sh
     throw InputError(option, inQuotes(request) + " (" + selection.reason + ")", "tubes of this sheet",
                      "`tubeplan map CELL --csv holes.csv` lists them");
   return selection;
+}
+
+std::vector<std::string> listNotes(const tubesheets::Selection& selection) {
+  std::vector<std::string> notes;
+  if (selection.list)
+    for (const std::string& note : selection.list->notes) notes.push_back("work list: " + note);
+  return notes;
 }
 
 }  // namespace tubeplan::app

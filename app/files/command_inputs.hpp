@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "app/files/units.hpp"
 #include "deflection/arm.hpp"
@@ -33,5 +34,8 @@ namespace tubeplan::app {
 /// .csv file. Throws InputError for what either refuses; `option` is where they are asked for.
 [[nodiscard]] tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet,
                                               const std::string& option = "--tubes");
+
+/// What a work list has that is left out of planning or taken once, a sentence each; empty of other selections.
+[[nodiscard]] std::vector<std::string> listNotes(const tubesheets::Selection& selection);
 
 }  // namespace tubeplan::app

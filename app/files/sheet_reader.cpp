@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "app/files/input_error.hpp"
 #include "app/files/quantities.hpp"
@@ -104,12 +106,14 @@ tubesheets::Sheet readMappedSheet(const YamlNode& node, const Units& units, cons
   description.layout.pitch = readQuantity(node.at("pitch"), units, dimension::kLength);
   readCommon(node, units, description);
   const std::string path = (folder / node.at("map").text()).lexically_normal().string();
-  const tubesheets::HoleMap map = tubesheets::parseHoleMap(readTextFile(path));
-  if (map.problem) refuseText(path, *map.problem);
-  if (map.leg && *map.leg != description.leg)
-    node.at("leg").fail(fmt::format("the {} leg but a map of the {} leg", legName(description.leg), legName(*map.leg)),
+  auto map = std::make_shared<tubesheets::HoleMap>(tubesheets::parseHoleMap(readTextFile(path)));
+  if (map->problem) refuseText(path, *map->problem);
+  if (map->leg && *map->leg != description.leg)
+    node.at("leg").fail(fmt::format("the {} leg but a map of the {} leg", legName(description.leg), legName(*map->leg)),
                         "the same leg in both", "check which map belongs to this cell");
-  return tubesheets::makeSheet(description, map.tubes);
+  tubesheets::Sheet sheet = tubesheets::makeSheet(description, map->tubes);
+  sheet.map = std::move(map);
+  return sheet;
 }
 
 }  // namespace
@@ -153,6 +157,8 @@ void warnOfHolesOffLattice(const tubesheets::Sheet& sheet, const Units& units, s
 }  // namespace
 
 void warnOfHoles(const tubesheets::Sheet& sheet, const Units& units, std::vector<std::string>& warnings) {
+  if (sheet.map)
+    for (const std::string& note : sheet.map->notes) warnings.push_back("hole map: " + note);
   warnOfMisnamedHoles(sheet, warnings);
   warnOfHolesOffLattice(sheet, units, warnings);
 }

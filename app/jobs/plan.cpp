@@ -139,7 +139,9 @@ void requireZonesOfTheList(const ConditionsRequest& asked, const planner::VisitC
 void addConditions(const PlanRequest& request, const tubesheets::Selection& selection, PlanOutcome& outcome) {
   outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
   requireZonesOfTheList(request.conditions, outcome.conditions, selection.tube_indices);
-  outcome.left_out = tubesheets::leftOutText(outcome.nominal.sheet, selection);
+  outcome.selection = selection;
+  outcome.left_out = tubesheets::leftOutText(selection);
+  for (auto& note : listNotes(selection)) outcome.cell.warnings.push_back(std::move(note));
   if (auto doubtful = tubesheets::doubtfulText(outcome.nominal.sheet, selection); !doubtful.empty())
     outcome.cell.warnings.push_back(std::move(doubtful));
 }

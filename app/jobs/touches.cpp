@@ -138,7 +138,9 @@ void settleTask(const TouchRequest& request, TouchTask& task, TouchOutcome& outc
   }
   task.under_sheet = workcellOf(outcome.cell, "find holes to touch");
   const auto& sheet = task.under_sheet->sheet;
-  task.tubes = readTubes(tubesOrSpread(request.tubes, sheet, 60), sheet).tube_indices;
+  auto selection = readTubes(tubesOrSpread(request.tubes, sheet, 60), sheet);
+  for (auto& note : listNotes(selection)) outcome.notes.push_back(std::move(note));
+  task.tubes = std::move(selection.tube_indices);
 }
 
 }  // namespace

@@ -58,6 +58,16 @@ TEST(WorkListCsv, RefusesATubeThatIsNotThere) {
   EXPECT_EQ(selection.reason, "line 3: R60C3 is not on this sheet: rows 1 to 4, columns 1 to 8");
 }
 
+TEST(WorkListCsv, RefusesAllTubesThatAreNotThereAtOnce) {
+  std::string text = "row,column\n1,1\n";
+  for (int column = 101; column <= 107; ++column) text += "2," + std::to_string(column) + "\n";
+  const Selection selection = selectTubes(smallSheet(), parseWorkListCsv(text));
+  EXPECT_EQ(selection.status, SelectionStatus::kRefused);
+  for (const char* part : {"7 tubes", "R2C101 (line 3)", "R2C105 (line 7)", "...", "row 2 has columns 1 to 8"})
+    EXPECT_NE(selection.reason.find(part), std::string::npos) << part << " in " << selection.reason;
+  EXPECT_EQ(selection.reason.find("R2C106"), std::string::npos) << selection.reason;
+}
+
 TEST(WorkListCsv, RefusesAListThatWasNeverReadOrRefused) {
   EXPECT_EQ(selectTubes(smallSheet(), WorkList{}).status, SelectionStatus::kRefused);
   const Selection selection = selectTubes(smallSheet(), parseWorkListCsv("row,column\n1,x\n"));
@@ -86,19 +96,32 @@ TEST_P(RefusedWorkList, SaysWhereAndWhat) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, RefusedWorkList,
-    testing::Values(BadList{"Empty", "", 0, "an empty file"}, BadList{"OnlyHeader", "row,column\n", 1, "no tubes"},
-                    BadList{"NoHeader", "1,1\n2,2\n", 1, "add a header line"},
-                    BadList{"NoColumn", "row\n1\n", 1, "\"column\""},
-                    BadList{"UnknownColumn", "row,column,legg\n1,1,hot\n", 1, "\"legg\""},
-                    BadList{"Duplicate", "row,column\n1,1\n2,2\n1,1\n", 4, "first on line 2"},
-                    BadList{"NaN", "row,column\n1,nan\n", 2, "\"nan\""},
-                    BadList{"Huge", "row,column\n1,1000000\n", 2, "100000"},
-                    BadList{"Junk", "row,column\nR1C1,\n", 2, "\"R1C1\""},
-                    BadList{"UnknownLeg", "row,column,leg\n1,1,warm\n", 2, "\"warm\""},
-                    BadList{"TwoLegs", "row,column,leg\n1,1,hot\n1,2,cold\n", 3, "one list for each leg"},
-                    BadList{"LegLeftOut", "row,column,leg\n1,1,hot\n1,2,\n", 3, "no leg"},
-                    BadList{"TwoSheets", "row,column,sheet\n1,1,a\n1,2,b\n", 3, "one list for each sheet"},
-                    BadList{"MissingField", "row,column\n1\n", 2, "1 fields"}),
+    testing::Values(
+        BadList{"Empty", "", 0, "an empty file"}, BadList{"OnlyHeader", "row,column\n", 1, "no tubes"},
+        BadList{"NoHeader", "1,1\n2,2\n", 1, "add a header line"}, BadList{"NoColumn", "row\n1\n", 1, "\"column\""},
+        BadList{"UnknownColumn", "row,column,legg\n1,1,hot\n", 1, "\"legg\""},
+        BadList{"TwoStates", "row,column,state\n1,1,plugged\n2,2,\n1,1,SLV\n", 4, "plugged, as on line 2"},
+        BadList{"TwoStays", "row,column,dwell_s\n1,1,5\n1,1,6\n", 3, "5 s, as on line 2"},
+        BadList{"DoneAndNot", "row,column,status\n1,1,done\n1,1,\n", 3, "done, as on line 2"},
+        BadList{"TwoStatesInARow", "row,column,state,code\n1,1,PLG,SLV\n", 2, "plugged, as beside it"},
+        BadList{"UnknownState", "row,column,status\n1,1,XYZ\n", 2, "\"XYZ\""},
+        BadList{"ColumnTwice", "row,column,row\n1,1,1\n", 1, "\"row\" twice"},
+        BadList{"TwoNamesOfOneColumn", "Row,Col,Column\n1,1,1\n", 1, "\"Col\" and \"Column\""},
+        BadList{"NoteTwice", "row,column,ind,volts,volts\n1,1,,,\n", 1, "\"volts\" twice"},
+        BadList{"NameAndNumbersDiffer", "tube,row,column\nR1C2,1,3\n", 2, "column 3"},
+        BadList{"NameIsANumber", "tube\n34.12\n", 2, "\"34.12\""},
+        BadList{"NameIsARange", "tube\nR1-3\n", 2, "\"R1-3\""},
+        BadList{"CommasBelowSemicolons", "row;column\n1;1\n1,2\n", 3, "apart by commas"},
+        BadList{"SemicolonsBelowCommas", "row,column\n1;1\n", 2, "apart by semicolons"},
+        BadList{"Longer", "row,column\n1,1,1\n", 2, "3 fields"},
+        BadList{"Thousands", "row;column;x_mm\n1;1;1.190\n1;2;12,5\n", 2, "\"1.190\""},
+        BadList{"NoNameForTubes", "a;b\n1;1\n", 1, "\"tube\""}, BadList{"NaN", "row,column\n1,nan\n", 2, "\"nan\""},
+        BadList{"Huge", "row,column\n1,1000000\n", 2, "100000"}, BadList{"Junk", "row,column\nR1C1,\n", 2, "\"R1C1\""},
+        BadList{"UnknownLeg", "row,column,leg\n1,1,warm\n", 2, "\"warm\""},
+        BadList{"TwoLegs", "row,column,leg\n1,1,hot\n1,2,cold\n", 3, "one list for each leg"},
+        BadList{"LegLeftOut", "row,column,leg\n1,1,hot\n1,2,\n", 3, "no leg"},
+        BadList{"TwoSheets", "row,column,sheet\n1,1,a\n1,2,b\n", 3, "one list for each sheet"},
+        BadList{"MissingField", "row,column\n1\n", 2, "1 fields"}),
     [](const auto& sheet) { return sheet.param.name; });
 
 TEST(WorkListCsv, RefusesCoordinatesOfAnotherHole) {

@@ -75,9 +75,9 @@ TEST(SelectTubes, PluggedOnesAreLeftOutAndCountedUnlessAskedForByName) {
   EXPECT_EQ(countOf(sheet, "all,plugged"), 25u);
   EXPECT_EQ(countOf(sheet, "all,plugged,stabilised"), 26u);
   EXPECT_EQ(namesOf(sheet, "R1C3"), "R1C3");
-  EXPECT_EQ(leftOutText(sheet, selectTubes(sheet, "all")), "2 plugged, 1 stabilised");
-  EXPECT_EQ(leftOutText(sheet, selectTubes(sheet, "all,plugged,stabilised")), "");
-  EXPECT_EQ(leftOutText(sheet, selectTubes(sheet, "all,-plugged")), "1 stabilised");
+  EXPECT_EQ(leftOutText(selectTubes(sheet, "all")), "2 plugged, 1 stabilised");
+  EXPECT_EQ(leftOutText(selectTubes(sheet, "all,plugged,stabilised")), "");
+  EXPECT_EQ(leftOutText(selectTubes(sheet, "all,-plugged")), "1 stabilised");
   const Selection none = selectTubes(sheet, "R4C5-5");
   EXPECT_EQ(none.status, SelectionStatus::kRefused);
   EXPECT_NE(none.reason.find("1 stabilised"), std::string::npos) << none.reason;
@@ -89,7 +89,7 @@ TEST(SelectTubes, AWorkListsStateCountsBeforeTheSheets) {
       selectTubes(sheet, parseWorkListCsv("row,column,state\n1,1,plugged\n1,2,\n1,3,open\n2,5,\n"));
   ASSERT_EQ(selection.status, SelectionStatus::kSelected) << selection.reason;
   EXPECT_EQ(selection.tube_indices, (std::vector<int>{*sheet.indexOf(1, 2), *sheet.indexOf(1, 3)}));
-  EXPECT_EQ(leftOutText(sheet, selection), "1 plugged, 1 plugged according to the list");
+  EXPECT_EQ(leftOutText(selection), "1 plugged, 1 plugged according to the list");
   EXPECT_EQ(parseWorkListCsv("row,column,state\n1,1,plugd\n").status, WorkListStatus::kRefused);
 }
 
@@ -99,7 +99,7 @@ TEST(SelectTubes, InaccessibleAndUnresolvedOnesAreTakenOnlyWhereTheyAreNamedAndT
   sheet.tubes[*sheet.indexOf(2, 5)].state = TubeState::kUnresolved;
   for (const char* group : {"all", "R1-4C1-8", "-R1C1,-R1C2", "zone:-10:10:-10:10in"}) {
     const Selection selection = selectTubes(sheet, group);
-    EXPECT_EQ(leftOutText(sheet, selection), "1 inaccessible, 1 unresolved") << group;
+    EXPECT_EQ(leftOutText(selection), "1 inaccessible, 1 unresolved") << group;
     EXPECT_EQ(doubtfulText(sheet, selection), "") << group;
   }
   EXPECT_EQ(countOf(sheet, "all,inaccessible"), 25u);
@@ -119,7 +119,7 @@ TEST(SelectTubes, AWorkListNamesItsTubesSoThatDoubtfulOnesAreTakenAndReported) {
   EXPECT_EQ(selection.tube_indices.size(), 3u);
   EXPECT_EQ(doubtfulText(sheet, selection),
             "1 inaccessible, 1 unresolved among the tubes asked for (R1C1, R1C3): taken as asked");
-  EXPECT_EQ(leftOutText(sheet, selection), "1 plugged according to the list");
+  EXPECT_EQ(leftOutText(selection), "1 plugged according to the list");
   const Selection opened = selectTubes(sheet, parseWorkListCsv("row,column,state\n1,3,open\n"));
   EXPECT_EQ(doubtfulText(sheet, opened), "");
 }

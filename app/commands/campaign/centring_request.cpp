@@ -110,6 +110,7 @@ constexpr std::size_t kTubes = 80;
 void findHoles(const CampaignRequest& request, CentringTask& task) {
   const std::string tubes = tubesOrSpread(request.tubes, task.model.sheet, kTubes);
   const auto selection = readTubes(tubes, task.model.sheet);
+  for (const auto& note : listNotes(selection)) fmt::print(stderr, "note: {}\n", note);
   task.tubes = static_cast<int>(selection.tube_indices.size());
   task.holes.visited = touchCandidates(task.model, selection.tube_indices);
   if (static_cast<int>(task.holes.visited.size()) < request.holes)

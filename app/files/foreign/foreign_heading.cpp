@@ -1,7 +1,10 @@
 #include "app/files/foreign/foreign_heading.hpp"
 
+#include <utility>
+
 #include "app/files/lower_case.hpp"
-#include "tubesheets/csv_table.hpp"
+#include "tubesheets/length_unit.hpp"
+#include "tubesheets/text_table.hpp"
 
 namespace tubeplan::app {
 
@@ -15,16 +18,6 @@ struct UnitWord {
 
 /// Beside the program's own names of units.
 constexpr UnitWord kUnitWords[] = {
-    {"millimeter", UnitKind::kLength, "mm"},
-    {"millimeters", UnitKind::kLength, "mm"},
-    {"millimetre", UnitKind::kLength, "mm"},
-    {"millimetres", UnitKind::kLength, "mm"},
-    {"inch", UnitKind::kLength, "in"},
-    {"inches", UnitKind::kLength, "in"},
-    {"meter", UnitKind::kLength, "m"},
-    {"meters", UnitKind::kLength, "m"},
-    {"metre", UnitKind::kLength, "m"},
-    {"metres", UnitKind::kLength, "m"},
     {"centimeters", UnitKind::kLength, "cm"},
     {"centimetres", UnitKind::kLength, "cm"},
     {"feet", UnitKind::kLength, "ft"},
@@ -50,24 +43,6 @@ constexpr UnitWord kUnitWords[] = {
     {"hours", UnitKind::kTime, "h"},
 };
 
-/// Letters and digits of ASCII, and whatever is beyond it.
-std::string plainName(std::string_view text) {
-  std::string plain;
-  for (const char c : lowerCase(text))
-    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) > 127) plain += c;
-  return plain;
-}
-
-/// The text in the last brackets and what stands before them; nothing where there are none.
-bool splitBrackets(std::string_view text, std::string_view& before, std::string_view& inside) {
-  const std::size_t open = text.find_last_of("([");
-  const std::size_t close = text.find_last_of(")]");
-  if (open == std::string_view::npos || close == std::string_view::npos || close < open) return false;
-  before = text.substr(0, open);
-  inside = text.substr(open + 1, close - open - 1);
-  return true;
-}
-
 }  // namespace
 
 const Unit* findUnitWord(std::string_view word) {
@@ -77,20 +52,17 @@ const Unit* findUnitWord(std::string_view word) {
   const std::string small = lowerCase(trimmed);
   for (const Unit& unit : unitTable())
     if (lowerCase(unit.name) == small) return &unit;
+  if (const auto* length = tubesheets::findLengthWord(small)) return findUnit(UnitKind::kLength, length->suffix);
   for (const UnitWord& known : kUnitWords)
     if (known.word == small) return findUnit(known.kind, known.name);
   return nullptr;
 }
 
+bool isUnitWord(std::string_view word) { return findUnitWord(word) != nullptr; }
+
 ForeignHeading parseHeading(std::string_view text) {
-  std::string_view before, inside;
-  if (splitBrackets(text, before, inside))
-    if (const Unit* unit = findUnitWord(inside)) return {plainName(before), unit};
-  text = tubesheets::trimBlanks(text);
-  const std::size_t at = text.find_last_of(" _,/");
-  if (at != std::string_view::npos && at > 0)
-    if (const Unit* unit = findUnitWord(text.substr(at + 1))) return {plainName(text.substr(0, at)), unit};
-  return {plainName(text), nullptr};
+  auto words = tubesheets::splitHeading(text, isUnitWord);
+  return {std::move(words.name), words.unit.empty() ? nullptr : findUnitWord(words.unit)};
 }
 
 }  // namespace tubeplan::app

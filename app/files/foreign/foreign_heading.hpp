@@ -15,6 +15,7 @@ struct ForeignHeading {
 
 /// The unit of that word or sign: "mm", "Millimeters", "inches", "°"; null where it is none.
 [[nodiscard]] const Unit* findUnitWord(std::string_view word);
+[[nodiscard]] bool isUnitWord(std::string_view word);
 
 /// A unit stands in brackets, or behind the last blank, underscore, comma or slash.
 [[nodiscard]] ForeignHeading parseHeading(std::string_view text);

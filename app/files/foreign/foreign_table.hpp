@@ -1,32 +1,21 @@
-// Tables that other programs write: what trackers, robot controllers and spreadsheets export.
+// Tables of readings that other programs write: what trackers, robot controllers and spreadsheets export.
 #pragma once
 
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "tubesheets/text_table.hpp"
 
 namespace tubeplan::app {
 
-struct ForeignRow {
-  int line = 0;  ///< from 1
-  std::vector<std::string> fields;
+using ForeignRow = tubesheets::CsvRow;
+
+/// One table of a text and the file that it stands in, for messages.
+struct ForeignTable : tubesheets::TextTable {
+  std::string file;
 };
 
-/// One table of a text, with the decimal point of the program.
-struct ForeignTable {
-  std::string file;                  ///< for messages
-  std::vector<std::string> columns;  ///< as many as every row has fields; "column 1", ... where there is no heading
-  bool has_heading = false;
-  int heading_line = 0;
-  std::vector<ForeignRow> rows;
-  std::vector<std::string> lines_before;  ///< of text before the table, comments among them
-};
-
-/// Fields apart by tab, semicolon, comma or blanks, whichever makes a table of the text; with a decimal point or, where
-/// fields are not apart by commas, a decimal comma. The table begins with the first line from which all have as many
-/// fields, its heading is the line before where that has as many and no numbers, with the units of a line between; else
-/// the last comment that has as many. Empty lines and lines that begin with #, // or % are no rows. Throws InputError
-/// for text without a table, for a row that is longer or shorter than the others and for a quote that is not closed.
+/// A table whose rows are known by their numbers (tubesheets/text_table.hpp). Throws InputError for its faults.
 [[nodiscard]] ForeignTable parseForeignTable(std::string_view text, const std::string& file);
 
 }  // namespace tubeplan::app

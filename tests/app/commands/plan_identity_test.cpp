@@ -134,7 +134,7 @@ TEST_F(PlanIdentity, AnAlteredRowOfThePathIsRefutedWhereItDoesNoHarm) {
 
 TEST_F(PlanIdentity, TheWorkListComesBackAsTheSamePlanAndIsRefusedElsewhere) {
   const std::string list = contentOf(folder / "made/worklist.csv");
-  expectSays(list, "leg,sheet,row,column,x_in,y_in,priority,comment\n");
+  expectSays(list, "leg,sheet,row,column,x_in,y_in,visit,outcome\n");
   expectSays(list, "\"unreachable: ");
   EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 4);
   ASSERT_EQ(run("plan mockup.yaml --tubes made/worklist.csv --out again").exit_code, 0);
@@ -153,6 +153,47 @@ TEST_F(PlanIdentity, TheWorkListComesBackAsTheSamePlanAndIsRefusedElsewhere) {
   const Outcome wider = run("plan wider.yaml --tubes made/worklist.csv --out wider");
   EXPECT_EQ(wider.exit_code, 2);
   expectSays(wider.err, "this list is for the sheet ");
+}
+
+TEST_F(PlanIdentity, AWorkListComesBackWithAllThatItHad) {
+  struct Case {
+    std::string text, first, row, end;  ///< the heading, a row's beginning and what ends a line
+  };
+  for (const auto& [text, first, row, end] :
+       {Case{"# zone 5\nsg,leg,row,column,zone,tool,priority,comment\nA,HL,20,40,5,P1,7,ask AB\nA,HL,22,44,5,P1,1,\n",
+             "sg,leg,row,column,zone,tool,priority,comment,sheet,visit,outcome", "A,HL,20,40,5,P1,7,ask AB,", "\n"},
+        Case{"Tube ID;Exam;Volts\r\nR020C040;Bobbin;0,5\r\n22-44;\"a;b\";\r\n22/44;MRPC;\r\n",
+             "Tube ID;Exam;Volts;leg;sheet;visit;outcome", "R020C040;Bobbin;0,5;", "\r\n"}}) {
+    (void)write("list.csv", text);
+    const Outcome outcome = run("plan mockup.yaml --tubes list.csv --out listed");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string out = contentOf(folder / "listed/worklist.csv");
+    expectSays(out, first + end);
+    expectSays(out, row);
+    std::istringstream before(text), after(out);
+    for (std::string theirs, ours; std::getline(before, theirs);) {
+      ASSERT_TRUE(std::getline(after, ours));
+      if (theirs.ends_with('\r')) theirs.pop_back();
+      EXPECT_TRUE(ours.starts_with(theirs)) << ours;
+    }
+    ASSERT_EQ(run("plan mockup.yaml --tubes listed/worklist.csv --out again").exit_code, 0);
+    EXPECT_EQ(contentOf(folder / "again/worklist.csv"), out);
+  }
+}
+
+TEST_F(PlanIdentity, WhatAListHasBesideItsTubesIsSaidOnce) {
+  (void)write("list.csv", "Row;Col;Ind;Exam\n20;40;NDD;Bobbin\n22;44;DSI;MRPC\n22;44;DSI;MRPC\n30;50;PLG;\n");
+  const Outcome outcome = run("plan mockup.yaml --tubes list.csv --out noted");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  expectSays(outcome.out, "left out of planning, and kept: the column Exam");
+  expectSays(outcome.out, "visited once: R22C44 (lines 3 and 4)");
+  expectSays(outcome.out, "1 plugged according to the list left out");
+  expectSays(contentOf(folder / "noted/worklist.csv"), "30;50;PLG;");
+  expectSays(contentOf(folder / "noted/worklist.csv"), ";left out: plugged\n");
+  (void)write("absent.csv", "row,column\n20,40\n900,1\n901,1\n");
+  const Outcome absent = run("plan mockup.yaml --tubes absent.csv --out absent");
+  EXPECT_EQ(absent.exit_code, 2);
+  expectSays(absent.err, "2 tubes of the list are not on this sheet: R900C1 (line 3), R901C1 (line 4)");
 }
 
 TEST_F(PlanIdentity, TheTrajectoryIsThePathInRadians) {
