@@ -222,8 +222,9 @@ Eigen::Vector3d undeflectedMember(const Arm& arm, int row);
 /// The greatest length of a slide [m], infinite without limits; 0 of any other joint.
 double slideLength(const Joint<double>& joint);
 
-/// The largest distance the tip can have from the base, joints at their longest [m]; the yardstick of tolerances, so
-/// slides without limits count as nothing.
+/// No less than the largest distance that the tip can have from the base [m]: the shortest way along the joints' axes,
+/// slides at their longest, however the rows are written. The yardstick of tolerances, so slides without limits count
+/// as nothing.
 double reachOf(const Arm& arm);
 
 /// What makes an arm unusable. `path` is the dotted name in the arm file (`tool.joint_stiffness.z`).
