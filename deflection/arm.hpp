@@ -130,6 +130,11 @@ struct Row {
   std::optional<Beam<S>> beam;
   Weight<S> weight;
   std::optional<EffectTerms<S>> effect_terms;
+  /// The row that has this one's alpha, a and beta in its file and in fits, where that is another: by the standard
+  /// convention the one before. Empty: none has, and they are no parameters.
+  std::optional<std::string> placed_by;
+  bool is_written =
+      true;  ///< whether the file has a row of that name: not of the end of a last link by that convention
 };
 
 /// Rows that hang from a row without leading to the tip: see side_chains.hpp. The first is placed in that row's axes.
