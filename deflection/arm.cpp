@@ -5,17 +5,9 @@
 
 #include "deflection/chain.hpp"
 #include "deflection/effects/effect.hpp"
+#include "deflection/shortest_chain.hpp"
 
 namespace tubeplan::deflection {
-
-namespace {
-
-double offsetLength(const Row<double>& row) {
-  if (const auto* dh = std::get_if<DenavitHartenberg<double>>(&row.placement)) return std::hypot(dh->a, dh->d);
-  return std::get<Origin<double>>(row.placement).position.norm();
-}
-
-}  // namespace
 
 std::vector<int> activeRows(const Arm& arm) {
   std::vector<int> active;
@@ -83,12 +75,18 @@ double slideLength(const Joint<double>& joint) {
 }
 
 double reachOf(const Arm& arm) {
-  double reach = arm.p_LT.norm();
+  std::vector<ChainLine> chain{{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), false}};
+  PoseOf<double> X_BL;
+  double slides = 0;
   for (const auto& row : arm.rows) {
+    X_BL = X_BL * PoseOf<double>{rotationFromPrevious<double>(row), offsetInPreviousAxes<double>(row)};
+    if (turns(row.joint)) chain.push_back({X_BL.p, X_BL.R.col(2)});
     const double slide = slideLength(row.joint);
-    reach += offsetLength(row) + (std::isfinite(slide) ? slide : 0);
+    slides += std::isfinite(slide) ? slide : 0;
   }
-  return reach;
+  chain.push_back({X_BL.p + X_BL.R * arm.p_LT, Eigen::Vector3d::UnitZ(), false});
+  shortenChain(chain);
+  return chainLength(chain) + slides;
 }
 
 }  // namespace tubeplan::deflection

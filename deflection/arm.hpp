@@ -130,6 +130,11 @@ struct Row {
   std::optional<Beam<S>> beam;
   Weight<S> weight;
   std::optional<EffectTerms<S>> effect_terms;
+  /// The row that has this one's alpha, a and beta in its file and in fits, where that is another: by the standard
+  /// convention the one before. Empty: none has, and they are no parameters.
+  std::optional<std::string> placed_by;
+  bool is_written =
+      true;  ///< whether the file has a row of that name: not of the end of a last link by that convention
 };
 
 /// Rows that hang from a row without leading to the tip: see side_chains.hpp. The first is placed in that row's axes.
@@ -222,8 +227,9 @@ Eigen::Vector3d undeflectedMember(const Arm& arm, int row);
 /// The greatest length of a slide [m], infinite without limits; 0 of any other joint.
 double slideLength(const Joint<double>& joint);
 
-/// The largest distance the tip can have from the base, joints at their longest [m]; the yardstick of tolerances, so
-/// slides without limits count as nothing.
+/// No less than the largest distance that the tip can have from the base [m]: the shortest way along the joints' axes,
+/// slides at their longest, however the rows are written. The yardstick of tolerances, so slides without limits count
+/// as nothing.
 double reachOf(const Arm& arm);
 
 /// What makes an arm unusable. `path` is the dotted name in the arm file (`tool.joint_stiffness.z`).

@@ -6,6 +6,7 @@
 #include "deflection/arm.hpp"
 #include "deflection/effects/effect.hpp"
 #include "deflection/parameters.hpp"
+#include "deflection/row_numbers.hpp"
 
 namespace tubeplan::deflection {
 
@@ -27,7 +28,7 @@ void checkNumbers(const Row<double>& row, std::vector<ArmProblem>& out) {
     for (int lump = 0; lump < lumps; ++lump) {
       const double* number = findNumber(copy, field, lump);
       if (!number) continue;
-      const std::string path = row.name + "." + std::string(field.name);
+      const std::string path = std::string(rowInFile(row, field.name)) + "." + std::string(field.name);
       const bool may_be_rigid = isStiffness(field.quantity);
       if (std::isnan(*number) || (std::isinf(*number) && !may_be_rigid))
         out.push_back({path, text(*number), "a finite number"});

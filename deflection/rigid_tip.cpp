@@ -2,10 +2,28 @@
 
 #include "deflection/flexible_kinematics.hpp"
 #include "deflection/resized.hpp"
+#include "deflection/shortest_chain.hpp"
 
 namespace tubeplan::deflection {
 
 using Eigen::Matrix3d, Eigen::Vector3d, Eigen::VectorXd;
+
+namespace {
+
+/// Slides the points of the axes that turn near each other where they are far apart: equations lose by it what digits
+/// the way there and back takes. A slide has a direction alone.
+void drawAxesTogether(AxesAtZero& axes) {
+  std::vector<ChainLine> chain{{Vector3d::Zero(), Vector3d::UnitZ(), false}};
+  for (std::size_t k = 0; k < axes.point.size(); ++k)
+    if (!axes.slides[k]) chain.push_back({axes.point[k], axes.direction[k]});
+  chain.push_back({axes.tip, Vector3d::UnitZ(), false});
+  drawTogether(chain);
+  std::size_t turning = 0;
+  for (std::size_t k = 0; k < axes.point.size(); ++k)
+    if (!axes.slides[k]) axes.point[k] = chain[++turning].point;
+}
+
+}  // namespace
 
 AxesAtZero axesAtZero(const Arm& arm) {
   const auto active = activeRows(arm);
@@ -19,6 +37,7 @@ AxesAtZero axesAtZero(const Arm& arm) {
   }
   axes.tip = zero.X_BT.p;
   axes.tool_axis = zero.X_BT.R * arm.tool_axis_L;
+  drawAxesTogether(axes);
   return axes;
 }
 

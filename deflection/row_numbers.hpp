@@ -36,6 +36,18 @@ inline std::string_view keyIn(std::string_view map, const RowNumber& about) {
   return is_there ? name.substr(map.size() + 1) : std::string_view();
 }
 
+/// Whether a number, by its name within the row, leads to the row's axis, before what its joint moves.
+inline bool leadsToAxis(std::string_view number) {
+  return number == "dh.alpha" || number == "dh.a" || number == "dh.beta";
+}
+
+/// The name of the row that has a number of this one in its file and in fits; empty where none has.
+template <class S>
+std::string_view rowInFile(const Row<S>& row, std::string_view number) {
+  if (row.placed_by && leadsToAxis(number)) return *row.placed_by;
+  return row.is_written ? std::string_view(row.name) : std::string_view();
+}
+
 template <class R>
 using ScalarOf = std::remove_cvref_t<decltype(std::declval<R&>().joint.offset)>;
 

@@ -66,8 +66,11 @@ constexpr Command kCommands[] = {
     {"serve", "the workbench: all of this in a browser, on this machine",
      "tubeplan serve app/cells/mockup.yaml\ntubeplan serve app/cells/bench.yaml readings.csv --port 0 --open",
      configureServe},
-    {"arm", "imports arms from URDF, exports them to it, and shows an arm file for checking",
+    {"arm",
+     "imports arms from URDF or a controller, exports them by any convention, and shows an arm file for checking",
      "tubeplan arm import robot.urdf --out robot-arm.yaml --cell robot.yaml\n"
+     "tubeplan arm import calibration.conf --nominal nominal-arm.yaml --out robot-arm.yaml\n"
+     "tubeplan arm export app/cells/iiwa-arm.yaml --convention standard --out iiwa-standard.yaml\n"
      "tubeplan arm show app/cells/cobra-arm.yaml --svg arm.svg",
      configureArm},
     {"completion", "writes a shell completion script",

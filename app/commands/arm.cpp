@@ -1,4 +1,5 @@
-// tubeplan arm: arms from URDF and to it, and an arm's file shown for checking.
+// tubeplan arm: arms from URDF or a controller's calibration, arms to URDF or by rows of another convention, and an
+// arm's file shown for checking.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,6 +17,7 @@
 #include "app/files/arm_writer.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_reader.hpp"
+#include "app/files/controller_calibration.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/text_file.hpp"
 #include "app/files/urdf_reader.hpp"
@@ -23,13 +25,14 @@
 #include "app/files/utf8.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
 #include "app/files/yaml/yaml_text.hpp"
+#include "deflection/row_conventions.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
 struct ArmOptions {
-  std::string action, file, tip, out, cell, svg, json;
+  std::string action, file, tip, nominal, convention, out, cell, svg, json;
 };
 
 const Units& urdfUnits() {
@@ -42,6 +45,7 @@ const Units& urdfUnits() {
 struct ShownArm {
   deflection::Arm arm;
   Units units;
+  ToolAxis tool_axis = ToolAxis::kStated;
 };
 
 ShownArm readAnyArm(const std::string& path, const std::string& tip) {
@@ -53,7 +57,7 @@ ShownArm readAnyArm(const std::string& path, const std::string& tip) {
     return {cell.arm, cell.units};
   }
   ArmSource source = readArm(file.root);
-  return {std::move(source.arm), source.units};
+  return {std::move(source.arm), source.units, source.names_tool_axis ? ToolAxis::kStated : ToolAxis::kLeftOut};
 }
 
 void tell(const char* kind, const std::vector<std::string>& sentences) {
@@ -75,7 +79,24 @@ std::string cellText(const UrdfArm& read, const std::string& arm_file) {
   return text;
 }
 
-int import(const ArmOptions& options) {
+int importCalibration(const ArmOptions& options) {
+  if (options.nominal.empty())
+    throw InputError("--nominal", "nothing",
+                     "the arm file with the model's standard table, to which " + options.file + " adds",
+                     "write one with `convention: standard`, and limits and speeds as the maker states them");
+  for (const auto& [name, value] : {std::pair("--cell", options.cell), std::pair("--tip", options.tip)})
+    if (!value.empty())
+      throw InputError(name, "an option of URDF files", "a controller's calibration without it", "leave it out");
+  const auto calibration = parseControllerCalibration(readTextFile(options.file), options.file);
+  const std::string text = withControllerCalibration(readYamlFile(options.nominal), calibration);
+  const ArmSource calibrated = readArm(parseYaml(text, options.out));
+  writeFileAtomically(options.out, text, "--out");
+  tell("remark", calibration.remarks);
+  fmt::print("{}", armText(calibrated.arm, calibrated.units));
+  return kDone;
+}
+
+int importUrdf(const ArmOptions& options) {
   const UrdfArm read = parseUrdf(readTextFile(options.file), options.file, options.tip);
   const std::string text =
       fmt::format("# From {}: rigid; add joint_stiffness and beam where it is compliant.\n{}",
@@ -88,6 +109,23 @@ int import(const ArmOptions& options) {
   tell("left out", read.left_out);
   tell("remark", read.remarks);
   fmt::print("{}  the tool is the link {}\n", armText(read.arm, urdfUnits()), nameInLine(read.tip));
+  return kDone;
+}
+
+int exportRows(const ArmOptions& options) {
+  const ShownArm given = readAnyArm(options.file, options.tip);
+  const auto names = deflection::rowConventionNames();
+  const auto convention =
+      static_cast<deflection::RowConvention>(std::ranges::find(names, options.convention) - names.begin());
+  const auto converted = deflection::convertRows(given.arm, convention);
+  if (!converted.is_converted)
+    throw InputError(options.file, fmt::format("the row {}: {}", inQuotes(converted.row), converted.reason),
+                     fmt::format("rows whose frames may stand as `--convention {}` has them", options.convention),
+                     "take --convention origin, which leaves frames where they are");
+  std::vector<std::string> left_out;
+  if (!given.arm.effects.empty()) left_out.emplace_back("the cell's effects: they are no numbers of rows");
+  writeFileAtomically(options.out, armYaml(converted.arm, given.units, given.tool_axis), "--out");
+  tell("left out", left_out);
   return kDone;
 }
 
@@ -115,6 +153,8 @@ void requireOptionsOf(const ArmOptions& options) {
     std::vector<std::string_view> actions;
   } own[] = {{"--out", options.out, {"import", "export"}},
              {"--cell", options.cell, {"import"}},
+             {"--nominal", options.nominal, {"import"}},
+             {"--convention", options.convention, {"export"}},
              {"--svg", options.svg, {"show"}},
              {"--json", options.json, {"show"}}};
   for (const auto& [name, value, actions] : own)
@@ -128,18 +168,30 @@ int run(const ArmOptions& options) {
   if (options.action == "show") return show(options);
   if (options.out.empty())
     throw InputError("--out", "nothing", fmt::format("the file that `arm {}` writes", options.action));
-  return options.action == "import" ? import(options) : exportUrdf(options);
+  if (options.action == "export") return options.convention.empty() ? exportUrdf(options) : exportRows(options);
+  const bool is_calibration = !options.nominal.empty() || options.file.ends_with(".conf");
+  return is_calibration ? importCalibration(options) : importUrdf(options);
 }
 
 }  // namespace
 
 Run configureArm(CLI::App& cli) {
   const auto options = std::make_shared<ArmOptions>();
-  cli.add_option("ACTION", options->action, "import (from URDF), export (to URDF) or show")
+  cli.add_option("ACTION", options->action,
+                 "import (from URDF or a controller's calibration.conf), export (to URDF or by --convention) or show")
       ->required()
       ->check(CLI::IsMember({"import", "export", "show"}));
-  cli.add_option("FILE", options->file, "a URDF file, an arm file or a cell")->required();
-  cli.add_option("--out", options->out, "the arm file that import writes, the URDF file that export writes");
+  cli.add_option("FILE", options->file, "a URDF file, an arm file, a cell or a controller's calibration.conf")
+      ->required();
+  cli.add_option("--out", options->out,
+                 "the arm file that import writes, the URDF file or arm file that export writes");
+  const auto names = deflection::rowConventionNames();
+  cli.add_option(
+         "--convention", options->convention,
+         "export: an arm file with rows by Craig's numbers, the standard ones or origins, instead of a URDF file")
+      ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
+  cli.add_option("--nominal", options->nominal,
+                 "import of calibration.conf: the arm file with the model's standard table, to which it adds");
   cli.add_option("--tip", options->tip, "of a URDF: the link at the tool's tip, where the robot has several end links");
   cli.add_option("--cell", options->cell, "import: write a cell with the arm and its solids too");
   cli.add_option("--svg", options->svg, "show: draw the arm from the side and from above");

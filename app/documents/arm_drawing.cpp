@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "deflection/anchored_rows.hpp"
 #include "deflection/flexible_kinematics.hpp"
 
 namespace tubeplan::app {
@@ -112,7 +113,7 @@ std::string draw(const Arm& arm, const Outline& outline, const View& view, const
 }  // namespace
 
 std::string armDrawing(const Arm& arm, const Units& units) {
-  const Outline outline = outlineOf(arm);
+  const Outline outline = outlineOf(deflection::anchoredRows(arm).arm);
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
       "font-family=\"sans-serif\" font-size=\"13\">\n"

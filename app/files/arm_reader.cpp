@@ -11,6 +11,7 @@
 #include "app/files/yaml/strict_yaml.hpp"
 #include "app/files/yaml/yaml_edit.hpp"
 #include "deflection/rotation.hpp"
+#include "deflection/row_conventions.hpp"
 #include "deflection/row_numbers.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -21,6 +22,7 @@ namespace {
 using deflection::Arm;
 using deflection::Joint;
 using deflection::JointType;
+using deflection::RowConvention;
 using ArmRow = deflection::Row<double>;
 
 /// Reads each of a row's numbers that stands in a map of it, "beam" or "dh"; what is left out stays as it is.
@@ -184,6 +186,35 @@ deflection::SideChain<double> readSideChain(const YamlNode& node, const Units& u
   return chain;
 }
 
+RowConvention readConvention(const YamlNode& node) {
+  const YamlNode* convention = node.find("convention");
+  if (!convention || convention->text() == "modified") return RowConvention::kModified;
+  if (convention->text() != "standard")
+    convention->fail(inQuotes(convention->text()), "standard or modified",
+                     "what `dh` of the links means: modified is Craig's, and where none is stated");
+  return RowConvention::kStandard;
+}
+
+/// A row by origin has no alpha and a for the one before it to lead there by.
+void requireOriginsFirst(const YamlNode& links) {
+  bool is_after_dh = false;
+  for (const YamlNode& row : links.list()) {
+    if (is_after_dh && row.find("origin"))
+      row.at("origin").fail("a row by origin after one by dh", "dh, by `convention: standard`",
+                            "write it by dh, or take `tubeplan arm export --convention` to have all rows alike");
+    is_after_dh = is_after_dh || row.find("dh");
+  }
+}
+
+void takeAsStandard(const YamlNode& node, Arm& arm) {
+  requireOriginsFirst(node.at("links"));
+  deflection::readAsStandard(arm.rows);
+  for (std::size_t k = 0; k < arm.side_chains.size(); ++k) {
+    requireOriginsFirst(node.at("side_chains").items[k].at("links"));
+    deflection::readAsStandard(arm.side_chains[k].rows);
+  }
+}
+
 void readTool(const YamlNode& node, ArmSource& source) {
   node.expectKeys({"tip"}, {"axis", "rpy"});
   source.arm.p_LT = readVector(node.at("tip"), source.units, dimension::kLength);
@@ -244,7 +275,8 @@ std::string pathBelow(std::string_view rest) {
 }  // namespace
 
 ArmSource readArm(const YamlNode& node) {
-  node.expectKeys({"units", "links", "tool"}, {"name", "gravity", "reference_temperature", "side_chains", "pair"});
+  node.expectKeys({"units", "links", "tool"},
+                  {"name", "convention", "gravity", "reference_temperature", "side_chains", "pair"});
   ArmSource source;
   source.units = Units(node.at("units"));
   Arm& arm = source.arm;
@@ -261,6 +293,7 @@ ArmSource readArm(const YamlNode& node) {
   }
   if (const YamlNode* chains = node.find("side_chains"))
     for (const YamlNode& chain : chains->list()) arm.side_chains.push_back(readSideChain(chain, source.units, arm));
+  if (readConvention(node) == RowConvention::kStandard) takeAsStandard(node, arm);
   readTool(node.at("tool"), source);
   checkArm(node, arm);
   return source;

@@ -6,9 +6,11 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "app/files/yaml/yaml_text.hpp"
 #include "deflection/rotation.hpp"
+#include "deflection/row_conventions.hpp"
 #include "deflection/row_numbers.hpp"
 
 namespace tubeplan::app {
@@ -54,6 +56,13 @@ void addNumbers(std::string_view name, const ArmRow& row, const std::optional<do
           map.add(key, number, dimensionOf(about.quantity));
       },
       row);
+}
+
+/// The k-th row as its file has it.
+ArmRow rowAsWritten(const std::vector<ArmRow>& rows, std::size_t k) {
+  ArmRow row = rows[k];
+  if (deflection::isStandard(rows) && deflection::dhOf(row)) row.placement = deflection::standardNumbers(rows, k);
+  return row;
 }
 
 std::string placementText(const ArmRow& row, const Units& units) {
@@ -133,25 +142,38 @@ std::string rowText(const Arm& arm, const ArmRow& row, const Units& units, const
   return text;
 }
 
+/// Those that the file has.
+std::string rowsText(const Arm& arm, const std::vector<ArmRow>& rows, const Units& units, const char* margin) {
+  std::string text;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (rows[k].is_written) text += rowText(arm, rowAsWritten(rows, k), units, margin);
+  return text;
+}
+
 }  // namespace
 
-std::string armYaml(const Arm& arm, const Units& units) {
+std::string armYaml(const Arm& arm, const Units& units, ToolAxis tool_axis) {
   std::string text =
       fmt::format("units: {{length: {}, angle: {}, force: {}, temperature: {}, time: {}}}\n", units.length().name,
                   units.angle().name, units.force().name, units.temperature().name, units.time().name);
   if (!arm.name.empty()) text += fmt::format("name: {}\n", yamlName(arm.name));
+  if (deflection::isStandard(arm.rows)) text += "convention: standard\n";
   const FlowMap map(units);
+  if (arm.reference_temperature != Arm().reference_temperature)
+    text +=
+        fmt::format("reference_temperature: {}\n", formatNumber(units.temperatureToFile(arm.reference_temperature)));
   text += fmt::format("gravity: {}\nlinks:\n", map.listOf(arm.gravity_W, dimension::kNone));
-  for (const auto& row : arm.rows) text += rowText(arm, row, units, "  ");
+  text += rowsText(arm, arm.rows, units, "  ");
   if (!arm.side_chains.empty()) text += "side_chains:\n";
   for (const auto& chain : arm.side_chains) {
     text += fmt::format("  - on: {}\n    links:\n", yamlName(arm.rows[static_cast<std::size_t>(chain.row)].name));
-    for (const auto& row : chain.rows) text += rowText(arm, row, units, "      ");
+    text += rowsText(arm, chain.rows, units, "      ");
   }
   const std::string turned =
       arm.R_LT.isIdentity(1e-15) ? "" : ", rpy: " + map.listOf(deflection::fixedAnglesOf(arm.R_LT), dimension::kAngle);
-  return text + fmt::format("tool: {{tip: {}, axis: {}{}}}\n", map.listOf(arm.p_LT, dimension::kLength),
-                            map.listOf(arm.tool_axis_L, dimension::kNone), turned);
+  const std::string axis =
+      tool_axis == ToolAxis::kLeftOut ? "" : ", axis: " + map.listOf(arm.tool_axis_L, dimension::kNone);
+  return text + fmt::format("tool: {{tip: {}{}{}}}\n", map.listOf(arm.p_LT, dimension::kLength), axis, turned);
 }
 
 }  // namespace tubeplan::app

@@ -8,7 +8,11 @@
 
 namespace tubeplan::app {
 
+/// Left out where the arm's own file states none, and the cell may know better.
+enum class ToolAxis { kStated, kLeftOut };
+
 /// The arm's file (readArm), without effects, which stand in the cell.
-[[nodiscard]] std::string armYaml(const deflection::Arm& arm, const Units& units);
+[[nodiscard]] std::string armYaml(const deflection::Arm& arm, const Units& units,
+                                  ToolAxis tool_axis = ToolAxis::kStated);
 
 }  // namespace tubeplan::app

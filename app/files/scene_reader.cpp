@@ -11,6 +11,7 @@
 #include "app/files/mesh_reader.hpp"
 #include "app/files/quantities.hpp"
 #include "app/files/suggestion.hpp"
+#include "deflection/anchored_rows.hpp"
 #include "deflection/flexible_kinematics.hpp"
 #include "planner/collision/inseparable.hpp"
 
@@ -231,11 +232,12 @@ SceneSource readScene(const YamlNode& cell, const deflection::Arm& arm, const Un
 namespace {
 
 /// Members that move and that no body is along: what is not given as a shape is not checked.
-std::vector<std::string> bareMembers(const planner::Scene& scene, const deflection::Arm& arm,
+std::vector<std::string> bareMembers(const planner::Scene& scene, const deflection::Arm& written,
                                      const Eigen::Isometry3d& X_WB) {
   constexpr double kLong = 0.08;  // of the arm's reach; a shorter one is within what its neighbours' shapes cover
   constexpr double kNear = 0.25;  // of its length, from its middle
   std::vector<std::string> bare;
+  const auto [arm, slid] = deflection::anchoredRows(written);
   const auto active = deflection::activeRows(arm);
   Eigen::VectorXd q(static_cast<Eigen::Index>(active.size()));
   for (Eigen::Index k = 0; k < q.size(); ++k) {
@@ -252,9 +254,13 @@ std::vector<std::string> bareMembers(const planner::Scene& scene, const deflecti
                           to = is_last ? Eigen::Vector3d(X_BL.p + X_BL.R * arm.p_LT) : shape.rows[i + 1].X_BL_rigid.p;
     const double length = (to - from).norm();
     if (length < kLong * deflection::reachOf(arm)) continue;
+    const auto middleOf = [&](const planner::Body& body) {
+      const auto row = static_cast<std::size_t>(body.frame_index);
+      const auto& X_BO = shape.rows[row].X_BL_rigid;
+      return Eigen::Vector3d(X_BO.R.transpose() * ((from + to) / 2 - X_BO.p) + slid[row] * Eigen::Vector3d::UnitZ());
+    };
     const bool is_covered = std::ranges::any_of(scene.bodies, [&](const planner::Body& body) {
-      const auto& X_BO = shape.rows[static_cast<std::size_t>(body.frame_index)].X_BL_rigid;
-      return body.shape->pointDistance(X_BO.R.transpose() * ((from + to) / 2 - X_BO.p)) <= kNear * length;
+      return body.shape->pointDistance(middleOf(body)) <= kNear * length;
     });
     if (!is_covered)
       bare.push_back(is_last ? arm.rows[i].name + " to the tip" : arm.rows[i].name + " to " + arm.rows[i + 1].name);

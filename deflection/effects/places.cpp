@@ -14,7 +14,7 @@ bool hasJoint(const Row<double>& row) { return row.joint.type != JointType::kPas
 std::vector<Place> ofRows(const Arm& arm, bool (*accepts)(const Arm&, int)) {
   std::vector<Place> out;
   for (int row = 0; row < static_cast<int>(arm.rows.size()); ++row)
-    if (accepts(arm, row)) out.push_back({.row = row});
+    if (arm.rows[row].is_written && accepts(arm, row)) out.push_back({.row = row});
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include "deflection/frames_along_chords.hpp"
 #include "deflection/inverse/rigid_branches.hpp"
 #include "deflection/tip_derivatives.hpp"
+#include "planner/collision/anchored_reach.hpp"
 #include "planner/collision/deflection_travel.hpp"
 #include "planner/collision/nearest_pairs.hpp"
 
@@ -41,13 +42,13 @@ Scene travelScene(Scene scene) {
   return scene;
 }
 
-std::vector<LinkReach> linksOf(const Workcell& cell, const std::vector<double>& body_reach) {
+std::vector<LinkReach> linksOf(const AnchoredReach& anchored) {
   std::vector<LinkReach> links;
-  for (int row = 0; row < static_cast<int>(cell.arm.rows.size()); ++row) {
-    const auto& joint = cell.arm.rows[row].joint;
+  for (int row = 0; row < static_cast<int>(anchored.arm.rows.size()); ++row) {
+    const auto& joint = anchored.arm.rows[row].joint;
     LinkReach link;
-    link.step = deflection::memberOf(cell.arm, row).norm();
-    link.body = body_reach.at(row);
+    link.step = deflection::memberOf(anchored.arm, row).norm();
+    link.body = anchored.body_reach.at(row);
     link.joint = joint.type == deflection::JointType::kPassive     ? LinkReach::Joint::kNone
                  : joint.type == deflection::JointType::kPrismatic ? LinkReach::Joint::kPrismatic
                                                                    : LinkReach::Joint::kRevolute;
@@ -67,8 +68,8 @@ ArmTravel armTravelOf(const Workcell& cell, const std::vector<double>& body_reac
   travel.is_proved = deflection.is_proved;
   travel.reason = deflection.reason;
   travel.jump = deflection.jump;
-  travel.bound =
-      travelBoundOf(linksOf(cell, body_reach), deflection.is_proved ? deflection.stretch : deflectionFactor(cell));
+  travel.bound = travelBoundOf(linksOf(anchoredReachOf(cell.arm, cell.scene, body_reach)),
+                               deflection.is_proved ? deflection.stretch : deflectionFactor(cell));
   if (deflection.is_proved) travel.bound.reach_per_joint += deflection.per_joint;
   return travel;
 }

@@ -7,6 +7,7 @@
 #include "deflection/chain.hpp"
 #include "deflection/effects/effect_context.hpp"
 #include "deflection/elements/element.hpp"
+#include "planner/collision/anchored_reach.hpp"
 
 namespace tubeplan::planner {
 
@@ -55,10 +56,11 @@ double complianceOf(const deflection::Row<double>& row, deflection::ElementPlace
 
 class Bound {
  public:
-  Bound(const Workcell& cell, const std::vector<double>& body_reach) : arm_(cell.arm) {
+  /// `load` [N] hangs on the tip.
+  Bound(const AnchoredReach& anchored, double load) : arm_(anchored.arm) {
     const int rows = static_cast<int>(arm_.rows.size());
     // From the tip inwards: what hangs beyond each place.
-    double weight = cell.load, moment = 0, reach = 0;
+    double weight = load, moment = 0, reach = 0;
     for (int row = rows - 1; row >= 0; --row) {
       const auto& numbers = arm_.rows[static_cast<std::size_t>(row)];
       const Eigen::Vector3d member = deflection::memberOf(arm_, row), bar = barOf(numbers, member);
@@ -66,7 +68,7 @@ class Bound {
                    length = bar.norm() * kLengthening;
       moment += weight * (slide + step) + momentOf(numbers, length, slide);
       weight += weightOf(numbers, length);
-      reach = slide + std::max(reach + step, body_reach[static_cast<std::size_t>(row)]);
+      reach = slide + std::max(reach + step, anchored.body_reach[static_cast<std::size_t>(row)]);
       add({row, complianceOf(numbers, deflection::ElementPlace::kMember, bar), length, moment, weight, reach, 0});
       add({row, complianceOf(numbers, deflection::ElementPlace::kOrigin, bar), 0, moment, weight, reach, 0});
       at_origin_.push_back({moment, weight});
@@ -173,11 +175,12 @@ double gapJumpOf(const Workcell& cell, const std::vector<double>& body_reach) {
   const deflection::Posture posture{Eigen::VectorXd::Zero(cell.arm.jointCount()), cell.load,
                                     deflection::gravityInBase(cell.arm, cell.X_WB)};
   const auto context = deflection::contextOf(cell.arm, posture);
+  const AnchoredReach anchored = anchoredReachOf(context.arm, cell.scene, body_reach);
   double jump = 0, reach = 0;
   for (int row = static_cast<int>(cell.arm.rows.size()) - 1; row >= 0; --row) {
-    const auto& numbers = context.arm.rows[static_cast<std::size_t>(row)];
-    reach = deflection::slideLength(numbers.joint) +
-            std::max(reach + deflection::memberOf(context.arm, row).norm(), body_reach[static_cast<std::size_t>(row)]);
+    const auto& numbers = anchored.arm.rows[static_cast<std::size_t>(row)];
+    reach = deflection::slideLength(numbers.joint) + std::max(reach + deflection::memberOf(anchored.arm, row).norm(),
+                                                              anchored.body_reach[static_cast<std::size_t>(row)]);
     if (numbers.effect_terms) jump += numbers.effect_terms->gap.cwiseAbs().sum() * reach;
   }
   return jump;
@@ -193,7 +196,8 @@ DeflectionTravel deflectionTravelOf(const Workcell& cell, const std::vector<doub
   if (dependsOnPosture(cell.arm)) return refuse("the arm has effects beyond its elements");
   for (const auto& row : cell.arm.rows)
     if (!std::isfinite(deflection::slideLength(row.joint))) return refuse("the arm has a slide without limits");
-  const Bound bound(cell, body_reach);
+  const AnchoredReach anchored = anchoredReachOf(cell.arm, cell.scene, body_reach);
+  const Bound bound(anchored, cell.load);
   if (!bound.bendsLittle()) return refuse("an element may rotate by more than 0.1 rad");
   const auto active = deflection::activeRows(cell.arm);
   travel.per_joint.setZero(static_cast<Eigen::Index>(active.size()));

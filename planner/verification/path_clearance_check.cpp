@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "deflection/anchored_rows.hpp"
 #include "deflection/row_placing.hpp"
 #include "planner/collision/arm_clearance.hpp"
 #include "planner/collision/deflection_travel.hpp"
@@ -14,7 +15,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-using Eigen::Isometry3d, Eigen::VectorXd;
+using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 
 /// Between holes the tool has no leave to touch anything that stands in the world.
 Scene withoutContact(Scene scene) {
@@ -32,12 +33,13 @@ Scene withoutContact(Scene scene) {
   return scene;
 }
 
-/// Greatest distance of a body point from its frame.
-double thickestBody(const Scene& scene) {
+/// Greatest distance of a body point from its row's origin, which is slid along the row's z.
+double thickestBody(const Scene& scene, const std::vector<double>& slid) {
   double thick = 0;
   for (const auto& body : scene.bodies) {
     const auto& capsule = static_cast<const Solid&>(*body.shape).around();
-    thick = std::max(thick, std::max(capsule.from.norm(), capsule.to.norm()) + capsule.radius);
+    const Vector3d origin = slid.at(static_cast<std::size_t>(body.frame_index)) * Vector3d::UnitZ();
+    thick = std::max(thick, std::max((capsule.from - origin).norm(), (capsule.to - origin).norm()) + capsule.radius);
   }
   return thick;
 }
@@ -52,14 +54,14 @@ double reachBeyond(const deflection::Arm& arm, int row, double thick) {
 }
 
 /// Per joint, what it can move a point by, with the rows that turn with it. A slide moves all by 1.
-VectorXd leversOf(const Workcell& cell, double thick) {
-  const auto active = deflection::activeRows(cell.arm);
+VectorXd leversOf(const deflection::Arm& arm, double thick) {
+  const auto active = deflection::activeRows(arm);
   VectorXd lever = VectorXd::Zero(static_cast<Eigen::Index>(active.size()));
   for (int j = 0; j < lever.size(); ++j) {
-    for (const auto& moved : deflection::turnedWith(cell.arm, active[static_cast<std::size_t>(j)])) {
-      const auto& joint = cell.arm.rows[static_cast<std::size_t>(moved.row)].joint;
+    for (const auto& moved : deflection::turnedWith(arm, active[static_cast<std::size_t>(j)])) {
+      const auto& joint = arm.rows[static_cast<std::size_t>(moved.row)].joint;
       const bool is_slide = joint.type == deflection::JointType::kPrismatic;
-      lever[j] += std::abs(moved.ratio) * (is_slide ? 1 : reachBeyond(cell.arm, moved.row, thick));
+      lever[j] += std::abs(moved.ratio) * (is_slide ? 1 : reachBeyond(arm, moved.row, thick));
     }
   }
   return lever;
@@ -80,10 +82,11 @@ class PathClearance {
         approaching_(cell.scene, BasePadding(cell, options.padding)),
         placing_(cell.arm, cell.load, cell.X_WB),
         frames_(cell.arm.rows.size()) {
-    const double thick = thickestBody(cell.scene);
+    const deflection::AnchoredRows anchored = deflection::anchoredRows(cell.arm);
+    const double thick = thickestBody(cell.scene, anchored.slid);
     const auto deflection = deflectionTravelOf(cell, std::vector<double>(cell.arm.rows.size(), thick));
     jump_ = deflection.jump;
-    lever_ = leversOf(cell, thick);
+    lever_ = leversOf(anchored.arm, thick);
     if (deflection.is_proved)
       lever_ = deflection.stretch * lever_ + deflection.per_joint;
     else
