@@ -24,6 +24,17 @@ enum class MeasurementKind {
   kTilt,         ///< own is how far the axes of the tool frame, or of a row's, rise above the horizontal [rad]
   kSteps,        ///< p_W is a hole, own how many steps of the tool went in, and what that says of the centring error
   kRelative,     ///< p_W is the way that the tip has come from where it was at `reference`, or own[0] its length [m]
+  kPlane,        ///< the tip touches the plane `point`, whose place nobody knows
+  kSphere,       ///< the tip touches the sphere `point`, whose centre nobody knows; own[0] its radius [m] where known
+  kPolar,        ///< p_W is a station, own the range [m], horizontal and vertical angle [rad] from it to the tip
+  kDirection,    ///< own is azimuth and altitude [rad] of the x axis of the tool frame, or of a row's
+};
+
+/// Where a touched plane or sphere of unknown place is taken to be by the readings that touched it.
+struct Surface {
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();           ///< m, of a plane a point of it, of a sphere its centre
+  Eigen::Vector3d direction_W = Eigen::Vector3d::UnitZ();  ///< of a plane its normal
+  double radius = 0;                                       ///< m, of a sphere
 };
 
 /// Forces and moments on the tip, in the world's axes.
@@ -47,6 +58,7 @@ struct Measurement {
   std::optional<Eigen::Vector3d> direction_W;    ///< a unit vector, of kinds that measure along one
   std::shared_ptr<const Measurement> reference;  ///< the reading whose tip this one is taken from; none of most kinds
   std::optional<Eigen::Vector3d> p_TQ;  ///< m, the measured point from the tip in the tool frame; none: the tip itself
+  std::optional<Surface> surface;       ///< that it touches, of kinds that do, once one has been settled (surfaces.hpp)
   std::optional<int> row;  ///< of the arm, whose frame as deflected is read, of kinds that may; none: the tool's
   /// Numbers of its kind's own columns, in their order; NaN = not stated.
   Eigen::Vector3d own = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());

@@ -48,6 +48,7 @@ nlohmann::json chosenReadingJson(const DiscriminatingMeasurements& result, const
   for (std::size_t j = 0; j < reading.approach_directions.size(); ++j)
     json["senses"][names[j]] = reading.approach_directions[j];
   if (touchesUnknownPoint(reading)) json["point"] = "N" + std::to_string(number + 1);
+  if (reading.surface) json["point"] = reading.point;
   if (isAtPoint(reading)) {
     json["point"] = reading.point;
     json["place"] = vectorJson(*reading.known_W, units, dimension::kLength);

@@ -11,6 +11,7 @@
 #include "app/documents/pose_json.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/units_json.hpp"
+#include "calibration/measurements/surfaces.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::app {
@@ -53,7 +54,9 @@ nlohmann::json numberJson(const IdentifiedNumber& number, const Units& units) {
                          {"prior", priorJson(number.unknown, units)},
                          {"prior_deviation", finiteJson(number.prior_deviation)},
                          {"interval", {finiteJson(number.lower / factor), finiteJson(number.upper / factor)}},
-                         {"interval_by", !number.modes.empty() ? "modes" : number.is_profile ? "profile" : "sigma"}};
+                         {"interval_by", !number.modes.empty() ? "modes"
+                                         : number.is_profile   ? "profile"
+                                                               : "sigma"}};
   for (const double value : number.modes) json["modes"].push_back(finiteJson(value / factor));
   if (number.is_at_bound) json["at_bound"] = true;
   if (!number.note.empty()) json["note"] = number.note;
@@ -102,6 +105,41 @@ std::string baseText(const calibration::BasePose& base, const Units& units) {
                      units.length().name, rpy.x(), rpy.y(), rpy.z(), units.angle().name);
 }
 
+std::vector<calibration::Measurement> fittedReadings(const Identification& result,
+                                                     const std::vector<calibration::Measurement>& readings) {
+  std::vector<calibration::Measurement> used;
+  for (const int k : result.used) used.push_back(readings.at(static_cast<std::size_t>(k)));
+  return used;
+}
+
+/// Of a plane its normal and its distance from the world's origin along that, of a sphere its centre and radius.
+nlohmann::json surfaceJson(const calibration::SettledSurface& settled, const Units& units) {
+  const double length = units.factor(dimension::kLength);
+  nlohmann::json json = {{"kind", settled.kind}, {"point", settled.point}, {"readings", settled.readings}};
+  if (settled.surface.radius > 0) {
+    json["centre"] = vectorJson(settled.surface.p_W, units, dimension::kLength);
+    json["radius"] = finiteJson(settled.surface.radius / length);
+  } else {
+    const auto& normal = settled.surface.direction_W;
+    json["normal"] = {normal.x(), normal.y(), normal.z()};
+    json["distance"] = finiteJson(normal.dot(settled.surface.p_W) / length);
+  }
+  json["rms"] = finiteJson(settled.rms / length);
+  return json;
+}
+
+std::string surfaceText(const calibration::SettledSurface& settled, const Units& units) {
+  const double length = units.factor(dimension::kLength);
+  const auto& [p_W, normal, radius] = settled.surface;
+  const std::string where = radius > 0
+                                ? fmt::format("centre [{:.6g}, {:.6g}, {:.6g}] {}, radius {:.5g}", p_W.x() / length,
+                                              p_W.y() / length, p_W.z() / length, units.length().name, radius / length)
+                                : fmt::format("normal [{:.5g}, {:.5g}, {:.5g}], distance {:.6g} {}", normal.x(),
+                                              normal.y(), normal.z(), normal.dot(p_W) / length, units.length().name);
+  return fmt::format("  {} {}: {}; {} readings within {:.3g} (rms)\n", settled.kind, nameInLine(settled.point), where,
+                     settled.readings, settled.rms / length);
+}
+
 }  // namespace
 
 nlohmann::json identificationJson(const Identification& result, const std::vector<calibration::Measurement>& readings,
@@ -118,6 +156,9 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
   json["base_steps"] = nlohmann::json::array();
   for (const auto& number : result.numbers)
     if (number.unknown.owner == Unknown::Owner::kBase) json["base_steps"].push_back(numberJson(number, units));
+  json["surfaces"] = nlohmann::json::array();
+  for (const auto& surface : calibration::surfacesOf(result.fitted, fittedReadings(result, readings)))
+    json["surfaces"].push_back(surfaceJson(surface, units));
   const ErrorUnit unit = errorUnitOf(result, units);
   json["rms"] = {{"before", errorJson(result.before.rms, unit)},
                  {"after_base", errorJson(result.after_base.rms, unit)},
@@ -185,6 +226,8 @@ std::string identificationText(const Identification& result, const std::vector<c
     if (!base.is_known) text += baseText(base, units);
   for (const auto& number : result.numbers)
     if (number.unknown.owner == Unknown::Owner::kBase) text += numberText(number, units);
+  for (const auto& surface : calibration::surfacesOf(result.fitted, fittedReadings(result, readings)))
+    text += surfaceText(surface, units);
   for (const auto& dropped : result.dropped) text += "  dropped " + dropped + "\n";
   for (const auto& pair : result.correlations)
     text += fmt::format("  correlation {:+.3f} of {} and {}\n", pair.value, pair.a, pair.b);

@@ -82,7 +82,8 @@ std::vector<int> readRowList(const YamlNode& node, const deflection::Arm& arm) {
 void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
   const calibration::MeasurementKindRow& kind = kindOf(design.kind);
   for (const char* key : {"points", "postures_per_point"})
-    if (const YamlNode* node = root.find(key); node && !kind.is_touch)
+    if (const YamlNode* node = root.find(key);
+        node && !kind.is_touch && !(kind.settle && std::string_view(key) == "postures_per_point"))
       node->fail(std::string("`") + key + "` of a kind that touches nothing", "it with kind: touch", "remove it");
   const auto check = [&](const char* key, bool calibration::MeasurementKindRow::*has, const std::string& what) {
     std::string kinds;
@@ -90,7 +91,7 @@ void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
       if (row.*has) kinds += (kinds.empty() ? "" : " or ") + std::string(row.name);
     const YamlNode* node = root.find(key);
     if (node && !(kind.*has)) node->fail(what + " of a kind that needs none", "it with kind: " + kinds, "remove it");
-    if (!node && kind.*has)
+    if (!node && kind.*has && !kind.is_from_origin)
       root.at("kind").fail(std::string("readings of kind ") + kind.name + " without " + what,
                            "the point they are measured from", std::string("add ") + key + ": [x, y, z]");
   };
@@ -102,6 +103,8 @@ void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
   if (const YamlNode* node = root.find("turn_sigma"); node && kind.turn_rows == 0)
     node->fail("`turn_sigma` of a kind that measures no angle", "it with angles", "remove it");
 }
+
+constexpr int kPosturesOfSurface = 12;
 
 // What the keys that are not there stand for.
 CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
@@ -116,7 +119,8 @@ CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
   if (!kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles) design.loads = {0};
   if (kindOf(design.kind).is_displacement && !kindOf(design.kind).is_from_reading)
     design.loads.erase(design.loads.begin());
-  design.sigma = is_touch ? calibration::kTouchSigma : calibration::kPositionSigma;
+  if (kindOf(design.kind).settle) design.postures_per_point = kPosturesOfSurface;
+  design.sigma = is_touch || kindOf(design.kind).settle ? calibration::kTouchSigma : calibration::kPositionSigma;
   if (kindOf(design.kind).counts_steps) design.sigma = calibration::kVisitSigma;
   if (kindOf(design.kind).turn_rows > 0) design.turn_sigma = calibration::kAngleSigma;
   return design;

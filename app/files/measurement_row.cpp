@@ -150,6 +150,7 @@ Eigen::Vector3d readOwn(const RowReader& row, const MeasurementColumns& columns,
 void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
   const auto count = static_cast<Eigen::Index>(kind.columns.size());
   const Eigen::Index stated = count - m.own.head(count).array().isNaN().count();
+  if (kind.are_columns_given && stated == 0) return;
   const bool is_by_place = kind.is_from_reading && m.p_W;
   const bool is_enough = is_by_place ? stated == 0 : kind.is_partly_seen ? stated > 0 : stated == count;
   const bool is_right = is_by_place || !kind.is_above_zero || m.own[0] > 0;
@@ -158,17 +159,24 @@ void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measur
   for (const auto& column : kind.columns) names.emplace_back(column.name), columns.push_back(columnText(column));
   row.failRow(fmt::format("a reading of kind {} without its {}", kind.name, fmt::join(names, ", ")),
               fmt::format("{}number{} in the column{} {}", count > 1 ? "" : "a ",
-                          kind.is_above_zero ? " above zero"
-                          : count > 1        ? "s"
-                                             : "",
+                          kind.is_above_zero && count == 1 ? " above zero"
+                          : count > 1                      ? "s"
+                                                           : "",
                           count > 1 ? "s" : "", fmt::join(columns, ", ")));
 }
 
 void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
   if (kind.is_touch && m.point.empty())
     row.failRow("a touch without a point", "the point's name in the column 'point'");
+  if (kind.settle && m.point.empty())
+    row.failRow(fmt::format("a {} without a name", kind.name),
+                fmt::format("the {}'s name in the column 'point'", kind.name), "readings of one name touched the same");
   if (!kind.is_touch && !kind.is_without_place && !kind.is_from_reading && !m.p_W)
     row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
+  if (kind.settle && (m.p_W || m.direction_W))
+    row.failRow(fmt::format("the place of a reading of kind {}", kind.name),
+                "nothing in x, y, z, dx, dy, dz: where it is, its readings say",
+                "of a plane of known place make readings of kind axis, of a ball of known centre of kind distance");
   checkOwn(row, kind, m);
   if (kind.has_direction && !m.direction_W)
     row.failRow(fmt::format("a reading of kind {} without a direction", kind.name),
@@ -227,6 +235,7 @@ Measurement readMeasurement(const RowReader& row, const MeasurementColumns& colu
   m.side_q = readJoints(row, columns.side_joints);
   m.p_W = readTriple(row, columns.place, "coordinates x, y, z");
   if (!m.p_W && kind.names_hole) m.p_W = holeCentre(row, columns, m.point, sheet);
+  if (!m.p_W && kind.is_from_origin) m.p_W = Eigen::Vector3d::Zero();
   m.own = readOwn(row, columns, kind);
   m.row = readRowOfArm(row, columns, kind, arm);
   m.p_TQ = readTriple(row, columns.tool_point, "measured point's tool_x, tool_y, tool_z");

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "app/files/input_error.hpp"
@@ -73,7 +74,7 @@ std::vector<std::size_t> placesOfValues(const calibration::MeasurementKindRow& k
     for (const auto& coordinate : columns.place)
       if (coordinate) places.push_back(coordinate->index);
   for (const auto& column : kind.columns)
-    if (const auto found = columns.own.find(column.name); found != columns.own.end())
+    if (const auto found = columns.own.find(column.name); !kind.are_columns_given && found != columns.own.end())
       places.push_back(found->second.index);
   return places;
 }
@@ -115,6 +116,26 @@ void requireFilledIn(const tubesheets::CsvTable& table, const MeasurementColumns
                        : fmt::format("{} readings that are not filled in: {}", blank.size(), fmt::join(named, ", ")),
                    fmt::format("what was measured, {}{}", kind->is_partly_seen ? "one or more of " : "", what),
                    fmt::format("fill in {}, or take {} out", what, blank.size() == 1 ? "the row" : "these rows"));
+}
+
+}  // namespace
+
+namespace {
+
+/// What one reading of a surface states of it, as a ball's radius, holds for all readings of that surface.
+void shareGivenNumbers(std::vector<Measurement>& readings, const std::string& file) {
+  std::map<std::string, const Measurement*> stated;
+  for (const auto& reading : readings) {
+    if (!touchesSurface(reading) || std::isnan(reading.own[0])) continue;
+    const auto [first, is_new] = stated.emplace(placeOf(reading), &reading);
+    if (!is_new && reading.own[0] != first->second->own[0])
+      throw InputError(fmt::format("{}:{}", file, reading.line),
+                       fmt::format("another {} of the {}", kindOf(reading).columns.front().name, placeOf(reading)),
+                       fmt::format("the one that line {} states", first->second->line),
+                       "give another ball a name of its own");
+  }
+  for (auto& reading : readings)
+    if (const auto found = stated.find(placeOf(reading)); found != stated.end()) reading.own = found->second->own;
 }
 
 }  // namespace
@@ -175,6 +196,7 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
       reader.fail(columns.id, "the id " + inQuotes(out.back().id) + " again", "every id once",
                   fmt::format("line {} has the same", out[first->second].line));
   }
+  shareGivenNumbers(out, file);
   std::map<std::string, const Measurement*> known;
   for (const auto* readings : {&before, static_cast<const std::vector<Measurement>*>(&out)})
     for (const auto& reading : *readings) known[reading.id] = &reading;

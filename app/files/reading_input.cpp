@@ -43,12 +43,13 @@ std::vector<std::string> unnamedSetups(const deflection::Arm& arm, const std::ve
   return warnings;
 }
 
-/// Touches of points that nobody measured reward a smaller arm: nothing in them is a length.
+/// Touches of places that nobody measured reward a smaller arm: nothing in them is a length, but of a ball its radius.
 std::string shrunkenArm(const Identification& result, const std::vector<Measurement>& readings) {
   constexpr double kTooGood = 0.5;  // of chi-square per degree of freedom
   constexpr int kMany = 30;         // degrees of freedom from which that is no chance
-  const bool is_blind = std::all_of(readings.begin(), readings.end(),
-                                    [](const Measurement& reading) { return touchesUnknownPoint(reading); });
+  const bool is_blind = std::all_of(readings.begin(), readings.end(), [](const Measurement& reading) {
+    return hasUnknownPlace(reading) && std::isnan(reading.own[0]);
+  });
   if (!is_blind || result.degrees_of_freedom < kMany) return "";
   const double per_degree = result.chi2 / result.degrees_of_freedom;
   if (!(per_degree < kTooGood)) return "";

@@ -33,13 +33,13 @@ std::vector<double> discrepancySizes(double noise) {
   return sizes;
 }
 
-/// Blocks of readings; those that touched one unknown point stay together.
+/// Blocks of readings; those of one unknown place stay together.
 std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& readings) {
   std::map<std::string, std::vector<int>> touching;
   std::vector<std::vector<int>> groups;
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    if (touchesUnknownPoint(readings[k]))
-      touching[readings[k].point].push_back(static_cast<int>(k));
+    if (hasUnknownPlace(readings[k]))
+      touching[placeOf(readings[k])].push_back(static_cast<int>(k));
     else
       groups.push_back({static_cast<int>(k)});
   }

@@ -23,12 +23,12 @@ void alignBases(PlacedArm& placed, const std::vector<Measurement>& readings) {
     for (int repeat = 0; repeat < kMostAlignments; ++repeat) {
       std::vector<Vector3d> tips, places;
       for (const auto& reading : readings) {
-        if (reading.is_held_out || !statesPlace(reading) || basePoseOf(placed, reading) != static_cast<int>(p))
-          continue;
+        const auto place = statedPlace(reading);
+        if (reading.is_held_out || !place || basePoseOf(placed, reading) != static_cast<int>(p)) continue;
         if (arm.solve(postureOf(reading, placed.arm, base_pose.X_WB)) != deflection::KinematicsStatus::kConverged)
           continue;
         tips.push_back(arm.X_BD().p);
-        places.push_back(*reading.p_W);
+        places.push_back(*place);
       }
       if (tips.size() < 3) break;
       const auto n = static_cast<Index>(tips.size());

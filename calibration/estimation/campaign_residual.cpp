@@ -6,6 +6,7 @@
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/predict_all.hpp"
 #include "calibration/measurements/reading_batch.hpp"
+#include "calibration/measurements/surfaces.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::calibration {
@@ -14,15 +15,15 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 
 namespace {
 
-/// In place, what the unknown points absorb.
+/// In place, what the unknown places absorb.
 void takePointsOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
-  Eigen::Matrix3Xd common(3, columns.cols());
-  const auto rowsOfTouch = [&](int reading) {
-    return columns.middleRows<3>(weights.first_row[static_cast<std::size_t>(reading)]);
-  };
   for (const auto& point : weights.points) {
-    const auto basisOf = [&](std::size_t i) { return Matrix3d(point.Q.middleRows<3>(3 * static_cast<Index>(i))); };
-    common.setZero();
+    const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());  // of each of its readings
+    const auto rowsOfTouch = [&](int reading) {
+      return columns.middleRows(weights.first_row[static_cast<std::size_t>(reading)], rows);
+    };
+    const auto basisOf = [&](std::size_t i) { return point.Q.middleRows(rows * static_cast<Index>(i), rows); };
+    MatrixXd common = MatrixXd::Zero(point.Q.cols(), columns.cols());
     for (std::size_t i = 0; i < point.readings.size(); ++i)
       common.noalias() += basisOf(i).transpose().lazyProduct(rowsOfTouch(point.readings[i]));
     for (std::size_t i = 0; i < point.readings.size(); ++i)
@@ -30,16 +31,18 @@ void takePointsOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) 
   }
 }
 
-/// Touched places as seen from their points' estimates.
+/// Errors as seen from the estimates of the unknown places.
 void takeEstimatesOff(const ReadingWeights& weights, VectorXd& error) {
-  const auto rowsOfTouch = [&](int reading) {
-    return error.segment<3>(weights.first_row[static_cast<std::size_t>(reading)]);
-  };
   for (const auto& point : weights.points) {
-    Vector3d estimate = Vector3d::Zero();
+    const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());
+    const auto rowsOfTouch = [&](int reading) {
+      return error.segment(weights.first_row[static_cast<std::size_t>(reading)], rows);
+    };
+    VectorXd estimate = VectorXd::Zero(point.estimate.rows());
     for (std::size_t i = 0; i < point.readings.size(); ++i)
-      estimate += point.estimate.middleCols<3>(3 * static_cast<Index>(i)) * rowsOfTouch(point.readings[i]);
-    for (const int k : point.readings) rowsOfTouch(k) -= estimate;
+      estimate += point.estimate.middleCols(rows * static_cast<Index>(i), rows) * rowsOfTouch(point.readings[i]);
+    for (const int k : point.readings)
+      rowsOfTouch(k) -= weights.by_place_numbers[static_cast<std::size_t>(k)] * estimate;
   }
 }
 
@@ -62,9 +65,10 @@ void takeOffWithin(const ReadingWeights& weights, const std::vector<int>& readin
   for (const auto& point : weights.points) {
     if (!std::all_of(point.readings.begin(), point.readings.end(), [&](int k) { return first_row.contains(k); }))
       continue;
+    const Index rows_of_touch = point.Q.rows() / static_cast<Index>(point.readings.size());
     std::vector<Index> own;
     for (const int k : point.readings)
-      for (Index i = 0; i < 3; ++i) own.push_back(first_row.at(k) + i);
+      for (Index i = 0; i < rows_of_touch; ++i) own.push_back(first_row.at(k) + i);
     const MatrixXd touches = rows(own, Eigen::all);
     rows(own, Eigen::all) = touches - point.Q * (point.Q.transpose() * touches);
   }
@@ -82,6 +86,7 @@ CampaignResidual::CampaignResidual(const PlacedArm& start, const std::vector<Unk
   if (priors == Priors::kAppended) prior_slopes_ = priorSlopes(unknowns);
   base_pose_of_ = basePosesOf(start, readings);
   is_for_batch_ = isForBatch(placed_.arm, readings);
+  if (touchSurfaces(readings)) settled_ = readings;
   bases_.resize(start.base_poses.size());
   bool has_base = false;
   for (std::size_t k = 0; k < unknowns.size(); ++k) {
@@ -141,6 +146,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   moveTo(x);
   last_.error.resize(weights_.rows);
   last_.jacobian.setZero(with_jacobian ? weights_.rows : 0, with_jacobian ? x.size() : 0);
+  if (!settled_.empty() && !settleSurfaces(placed_, settled_)) return false;
   if (!(is_for_batch_ ? fillSideBySide(with_jacobian) : fillOneByOne(with_jacobian))) {
     goOn(stop_);  // rows that were left out by a stop are no figures
     return false;
@@ -189,7 +195,7 @@ bool CampaignResidual::fillBlock(ReadingBatch& batch, std::size_t first, std::si
 }
 
 void CampaignResidual::fillTip(const ReadingBatch& batch, std::size_t k, std::size_t reading, bool with_jacobian) {
-  const Measurement& measured = readings_[reading];
+  const Measurement& measured = taken()[reading];
   const Eigen::Isometry3d& X_WB = placed_.base_poses[static_cast<std::size_t>(base_pose_of_[reading])].X_WB;
   const Index row = weights_.first_row[reading];
   const ToolPose tool = toolOf(batch, k, X_WB, measured);
@@ -252,10 +258,11 @@ bool CampaignResidual::fillOneByOne(bool with_jacobian) {
       request.numbers.assign(variables_.begin(), variables_.begin() + static_cast<Index>(numbers_.size()));
       request.by_base = !bases_[base_pose].empty();
     }
-    const Prediction prediction = predictor.predict(placed_.base_poses[base_pose].X_WB, readings_[k], request);
+    const Measurement& reading = taken()[k];
+    const Prediction prediction = predictor.predict(placed_.base_poses[base_pose].X_WB, reading, request);
     if (!prediction.ok) return false;
     const Index row = weights_.first_row[k];
-    const VectorXd error = prediction.value - kindOf(readings_[k]).measured(readings_[k]);
+    const VectorXd error = prediction.value - kindOf(reading).measured(reading);
     last_.error.segment(row, error.size()) = error;
     if (with_jacobian) scatter(base_pose_of_[k], prediction, row);
     return true;

@@ -54,6 +54,9 @@ class CampaignResidual {
   bool fillOneByOne(bool with_jacobian);
   void scatter(int base_pose, const struct Prediction& prediction, Eigen::Index row);
 
+  /// The readings, those of surfaces with the surface as the arm at the variables asked for last touches it.
+  [[nodiscard]] const std::vector<Measurement>& taken() const { return settled_.empty() ? readings_ : settled_; }
+
   const PlacedArm& start_;
   const std::vector<Unknown>& unknowns_;
   const std::vector<Measurement>& readings_;
@@ -61,6 +64,7 @@ class CampaignResidual {
   Eigen::VectorXd prior_slopes_;  ///< none where no priors are appended
   StopQuestion stop_;
   bool is_for_batch_ = true;
+  std::vector<Measurement> settled_;              ///< none where no surface is touched
   std::vector<int> base_pose_of_;                 ///< of each reading
   std::vector<deflection::Variable> variables_;   ///< the numbers, then gravity turned, where a base is free
   std::vector<Eigen::Index> numbers_;             ///< column of each number

@@ -145,11 +145,11 @@ std::vector<Measurement> judgeable(const PlacedArm& placed, const std::vector<Me
                                    const std::vector<Measurement>& held_out) {
   std::set<std::string> setups;
   for (const auto& reading : fitted) setups.insert(reading.setup);
-  std::map<std::string, int> touches;  // of each unknown point
-  for (const auto& reading : held_out) touches[reading.point] += touchesUnknownPoint(reading) ? 1 : 0;
+  std::map<std::string, int> touches;  // of each unknown place
+  for (const auto& reading : held_out) touches[placeOf(reading)] += hasUnknownPlace(reading) ? 1 : 0;
   std::vector<Measurement> kept = held_out;
   std::erase_if(kept, [&](const Measurement& reading) {
-    const bool is_lone = touchesUnknownPoint(reading) && touches[reading.point] < 2;
+    const bool is_lone = hasUnknownPlace(reading) && touches[placeOf(reading)] < leastOfPlace(reading);
     const auto& base = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))];
     return is_lone || !(base.is_known || setups.contains(reading.setup));
   });

@@ -22,8 +22,10 @@ struct Alone {
 std::vector<MatrixXd> pointBlocks(const ReadingWeights& weights, std::size_t readings) {
   std::vector<MatrixXd> blocks(readings);
   for (const auto& point : weights.points)
-    for (std::size_t i = 0; i < point.readings.size(); ++i)
-      blocks[static_cast<std::size_t>(point.readings[i])] = point.Q.middleRows(3 * static_cast<Index>(i), 3);
+    for (std::size_t i = 0; i < point.readings.size(); ++i) {
+      const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());
+      blocks[static_cast<std::size_t>(point.readings[i])] = point.Q.middleRows(rows * static_cast<Index>(i), rows);
+    }
   return blocks;
 }
 

@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::size_t kFewOutliers = 10;  // one reading in that many, at most
 
-/// How many touches each unknown point is left without these readings.
+/// How many readings each unknown place is left without these.
 std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
   std::map<std::string, int> left;
   for (std::size_t k = 0; k < readings.size(); ++k)
-    if (!readings[k].is_held_out && touchesUnknownPoint(readings[k]))
-      left[readings[k].point] += !std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
+    if (!readings[k].is_held_out && hasUnknownPlace(readings[k]))
+      left[placeOf(readings[k])] += !std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
   return left;
 }
 
@@ -75,7 +75,7 @@ std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector
   const auto touches = touchesLeft(outliers, readings);
   std::vector<int> all = outliers;
   for (std::size_t k = 0; k < readings.size(); ++k)
-    if (isLeft(k) && touchesUnknownPoint(readings[k]) && touches.at(readings[k].point) == 1)
+    if (isLeft(k) && hasUnknownPlace(readings[k]) && touches.at(placeOf(readings[k])) < leastOfPlace(readings[k]))
       all.push_back(static_cast<int>(k));
   std::sort(all.begin(), all.end());
   return all;

@@ -59,14 +59,14 @@ void takeOff(const SharedNoise& shared, const std::vector<Index>& rows, Eigen::R
   columns(rows, Eigen::all) = own - shared.Q * (shared.shrink.asDiagonal() * (shared.Q.transpose() * own));
 }
 
-/// What a touched point that nobody measured absorbs must not reach beyond its own touches.
+/// What an unknown place absorbs must not reach beyond its own touches.
 bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& readings) {
   const auto at = [&](const Share& share) -> const Measurement& {
     return readings[static_cast<std::size_t>(share.reading)];
   };
-  const bool is_blind = touchesUnknownPoint(at(shares.front()));
+  const bool is_blind = hasUnknownPlace(at(shares.front()));
   return std::all_of(shares.begin(), shares.end(), [&](const Share& share) {
-    return touchesUnknownPoint(at(share)) == is_blind && (!is_blind || at(share).point == at(shares.front()).point);
+    return hasUnknownPlace(at(share)) == is_blind && (!is_blind || placeOf(at(share)) == placeOf(at(shares.front())));
   });
 }
 

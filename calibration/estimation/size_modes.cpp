@@ -185,6 +185,7 @@ class SizeSearch {
     double sum = 0;
     for (std::size_t k = 0; k < readings_.size(); ++k) {
       const Measurement& reading = readings_[k];
+      if (hasUnknownPlace(reading)) continue;
       const auto& X_WB = state.base_poses[static_cast<std::size_t>(basePoseOf(state, reading))].X_WB;
       PredictionRequest request;
       request.by_joints = true;
@@ -244,7 +245,8 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
                                            const std::vector<Measurement>& readings) {
   std::vector<MeasurementKind> kinds;
   for (const auto& kind : measurementKinds()) {
-    const bool needs_more = kind.has_direction || kind.is_to_gravity || kind.is_displacement || kind.has_anchor;
+    const bool needs_more =
+        kind.has_direction || kind.is_to_gravity || kind.is_displacement || kind.has_anchor || kind.settle;
     if (needs_more || kind.counts_steps) continue;
     for (std::size_t k = 0; k < readings.size(); k += std::max<std::size_t>(1, readings.size() / 20)) {
       Measurement asked = readings[k];

@@ -8,6 +8,7 @@
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/predict_all.hpp"
 #include "calibration/measurements/reading_batch.hpp"
+#include "calibration/measurements/surfaces.hpp"
 
 namespace tubeplan::calibration {
 
@@ -15,32 +16,56 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-void eliminatePoints(const std::vector<Measurement>& readings, ReadingWeights& weights) {
+/// The unknown places, by the readings that share each.
+void groupByPlace(const std::vector<Measurement>& readings, ReadingWeights& weights) {
   std::map<std::string, std::size_t> index;
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    if (!touchesUnknownPoint(readings[k])) continue;
-    const auto [at, is_new] = index.emplace(readings[k].point, weights.points.size());
+    if (!hasUnknownPlace(readings[k])) continue;
+    const auto [at, is_new] = index.emplace(placeOf(readings[k]), weights.points.size());
     if (is_new) weights.points.push_back({readings[k].point, {}, {}, {}});
     weights.points[at->second].readings.push_back(static_cast<int>(k));
   }
+}
+
+void eliminatePoints(const std::vector<Measurement>& readings, ReadingWeights& weights) {
+  groupByPlace(readings, weights);
   for (auto& point : weights.points) {
+    const auto whitenerAt = [&](Index i) -> const MatrixXd& {
+      return weights.whitener[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
+    };
     const auto n = static_cast<Index>(point.readings.size());
-    MatrixXd stacked(3 * n, 3);
+    const Index rows = whitenerAt(0).rows();
+    const auto& columns = weights.by_place_numbers;
+    MatrixXd stacked(rows * n, columns[static_cast<std::size_t>(point.readings.front())].cols());
     for (Index i = 0; i < n; ++i)
-      stacked.middleRows(3 * i, 3) =
-          weights.whitener[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
+      stacked.middleRows(rows * i, rows) =
+          whitenerAt(i) * columns[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
     decorrelateWithin(weights, point.readings, stacked);
-    const Eigen::HouseholderQR<MatrixXd> qr(stacked);
-    point.Q = qr.householderQ() * MatrixXd::Identity(3 * n, 3);
-    const MatrixXd R = point.Q.transpose() * stacked;
-    MatrixXd weighed = point.Q;
+    const Eigen::CompleteOrthogonalDecomposition<MatrixXd> qr(stacked);
+    point.Q = qr.householderQ() * MatrixXd::Identity(rows * n, qr.rank());
+    MatrixXd weighed = qr.pseudoInverse().transpose();
     decorrelateWithin(weights, point.readings, weighed);
-    point.estimate = R.inverse() * weighed.transpose();
-    for (Index i = 0; i < n; ++i)
-      point.estimate.middleCols(3 * i, 3) *=
-          weights.whitener[static_cast<std::size_t>(point.readings[static_cast<std::size_t>(i)])];
-    weights.degrees_of_freedom -= 3;
+    point.estimate = weighed.transpose();
+    for (Index i = 0; i < n; ++i) point.estimate.middleCols(rows * i, rows) *= whitenerAt(i);
+    weights.degrees_of_freedom -= static_cast<int>(qr.rank());
   }
+}
+
+/// How each reading changes with the numbers of its unknown place, at this state of the arm.
+bool placeColumns(const PlacedArm& placed, const std::vector<Measurement>& readings, std::vector<MatrixXd>& columns) {
+  columns.resize(readings.size());
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    if (!hasUnknownPlace(readings[k])) continue;
+    if (!touchesSurface(readings[k])) {
+      columns[k] = byPlaceNumbers(readings[k], {});
+      continue;
+    }
+    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, readings[k]))].X_WB;
+    const auto tool = toolAt(placed.arm, X_WB, readings[k]);
+    if (!tool) return false;
+    columns[k] = byPlaceNumbers(readings[k], *tool);
+  }
+  return true;
 }
 
 /// Weight of a reading by its covariance: L^-1 of L L^T.
@@ -127,9 +152,16 @@ ReadingWeights reweighted(const ReadingWeights& weights, const std::vector<Measu
   return other;
 }
 
-std::optional<ReadingWeights> weighReadings(const PlacedArm& placed, const std::vector<Measurement>& readings,
+std::optional<ReadingWeights> weighReadings(const PlacedArm& placed, const std::vector<Measurement>& taken,
                                             const VectorXd& factors, double model_error, const StopQuestion& stop) {
+  std::vector<Measurement> settled;
+  if (touchSurfaces(taken)) {
+    settled = taken;
+    if (!settleSurfaces(placed, settled)) return std::nullopt;
+  }
+  const std::vector<Measurement>& readings = settled.empty() ? taken : settled;
   ReadingWeights weights;
+  if (!placeColumns(placed, readings, weights.by_place_numbers)) return std::nullopt;
   for (const auto& reading : readings) {
     weights.first_row.push_back(weights.rows);
     weights.rows += rowsOf(reading);
@@ -176,7 +208,8 @@ double noiseFloor(const std::vector<Measurement>& readings, const ReadingWeights
   for (const auto& noise : weights.noise) sum += noise.trace();
   for (const auto& point : weights.points)
     for (const int k : point.readings)
-      sum -= weights.noise[static_cast<std::size_t>(k)].trace() / static_cast<double>(point.readings.size());
+      sum -= weights.noise[static_cast<std::size_t>(k)].trace() * static_cast<double>(point.Q.cols()) /
+             static_cast<double>(point.Q.rows());
   return std::sqrt(sum / static_cast<double>(readings.size()));
 }
 

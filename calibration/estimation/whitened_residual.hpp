@@ -17,18 +17,21 @@ namespace tubeplan::calibration {
 /// Where each reading's rows stand, how they are weighted, and which readings touched one unknown point.
 ///
 /// Elimination: whitened readings of one unknown point P are W_i p_i with Q an orthonormal basis of the stacked W_i;
-/// the best P leaves (I - Q Q^T) W p. So the point costs 3 degrees of freedom and no variable.
+/// the best P leaves (I - Q Q^T) W p. So the point costs 3 degrees of freedom and no variable. Of a touched surface the
+/// stacked rows are W_i C_i, with C_i the change of the reading with the surface's numbers; what they do not tell of
+/// them costs nothing.
 struct ReadingWeights {
   struct UnknownPoint {
     std::string name;
     std::vector<int> readings;
-    Eigen::MatrixXd Q;         ///< 3 n x 3
-    Eigen::MatrixXd estimate;  ///< 3 x 3 n: takes the stacked tip places to the point
+    Eigen::MatrixXd Q;         ///< as many rows as all of its readings have, at most a column for each number
+    Eigen::MatrixXd estimate;  ///< takes the stacked errors to the numbers of the place
   };
   std::vector<int> first_row;              ///< of each reading
   std::vector<Eigen::MatrixXd> whitener;   ///< L^-1 of the own covariance L L^T, times the root of its weight
   std::vector<Eigen::MatrixXd> noise;      ///< covariance of each reading by its own and the encoders' noise [m^2]
   std::vector<Eigen::MatrixXd> own_noise;  ///< the same without what it shares with other readings
+  std::vector<Eigen::MatrixXd> by_place_numbers;  ///< C_i; empty of readings without an unknown place
   std::vector<SharedNoise> shared;
   double model_error = 0;  ///< m, standard deviation of each coordinate beyond the noise, added to every covariance
   std::vector<UnknownPoint> points;

@@ -17,14 +17,14 @@ constexpr double kUsualTurn = 0.05;   // rad, and ...
 constexpr double kUsualShift = 0.05;  // ... of the reach: what bases are usually off by
 constexpr std::size_t kQuickReadings = 40;
 
-/// Indices of the readings to look at: all, or whole groups drawn by the seed; touches of one unknown point are a
+/// Indices of the readings to look at: all, or whole groups drawn by the seed; those of one unknown place are a
 /// group.
 std::vector<std::size_t> drawReadings(const std::vector<Measurement>& readings, std::size_t most, std::uint64_t seed) {
   std::map<std::string, std::vector<std::size_t>> points;
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t k = 0; k < readings.size(); ++k)
-    if (touchesUnknownPoint(readings[k]))
-      points[readings[k].point].push_back(k);
+    if (hasUnknownPlace(readings[k]))
+      points[placeOf(readings[k])].push_back(k);
     else
       groups.push_back({k});
   for (auto& [point, members] : points) groups.push_back(std::move(members));
@@ -125,7 +125,7 @@ MistakeTrials::MistakeTrials(const CheckedReadings& checked, const CheckOptions&
       held_{{}, true, checked.free.priors},
       reach_(deflection::reachOf(checked.start.arm)),
       has_places_(std::any_of(checked.readings.begin(), checked.readings.end(),
-                              [](const Measurement& reading) { return statesPlace(reading); })) {
+                              [](const Measurement& reading) { return statedPlace(reading).has_value(); })) {
   if (checked.readings.empty()) return;
   as_is_ = tried({}, TrialDepth::kOpen);
   const Trial drawn = tried({}, TrialDepth::kDrawn);

@@ -160,9 +160,10 @@ std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked,
   const double reach = kSlack * deflection::reachOf(checked.start.arm);
   std::vector<std::string> ids;
   for (const auto& reading : checked.readings) {
-    if (!statesPlace(reading)) continue;
+    const auto place = statedPlace(reading);
+    if (!place) continue;
     const auto& X_WB = found.base_poses[static_cast<std::size_t>(basePoseOf(found, reading))].X_WB;
-    if (!((*reading.p_W - X_WB.translation()).norm() <= reach + 5 * reading.sigma)) ids.push_back(reading.id);
+    if (!((*place - X_WB.translation()).norm() <= reach + 5 * reading.sigma)) ids.push_back(reading.id);
   }
   if (ids.empty()) return std::nullopt;
   const auto& unit = checked.units.coordinates;

@@ -44,7 +44,7 @@ double motionOfRounding(double step, const std::vector<int>& joints, const Mista
   double squares = 0;
   int count = 0;
   for (const auto& reading : trials.checked().readings) {
-    if (!statesPlace(reading)) continue;
+    if (!statedPlace(reading)) continue;
     const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
     const auto predicted = predictReading(placed.arm, X_WB, reading, request);
     if (!predicted.ok) continue;

@@ -37,7 +37,7 @@ Station stationOf(const Measurement& reading) {
 /// where the model cannot be evaluated.
 double errorOf(const PlacedArm& placed, const Measurement& reading) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (touchesUnknownPoint(reading)) return kNone;
+  if (hasUnknownPlace(reading)) return kNone;
   const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
   const Prediction predicted = predictReading(placed.arm, X_WB, reading);
   return predicted.ok ? (predicted.value - kindOf(reading).measured(reading)).norm() : kNone;

@@ -28,6 +28,9 @@ struct MeasuredSlope {
   MeasuredRows by_turn;  ///< per rad, about the world's axes; empty where a turn changes nothing
 };
 
+/// How measured values change with the numbers of an unknown place, which readings of one point share.
+using PlaceColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 4>;
+
 /// Readings of angles are weighed and reported by what they move at this distance, so that all rows are lengths.
 inline constexpr double kTurnLever = 0.1;  // m
 
@@ -45,22 +48,24 @@ struct MeasurementKindRow {
   int (*rows_of)(const Measurement& reading) = nullptr;  ///< where they differ from reading to reading
   std::span<const MeasuredColumn> columns = {};          ///< of Measurement::own, up to three
 
-  bool has_coordinates = false;   ///< the first rows, where there are three, are x, y, z in the world
-  bool is_touch = false;          ///< the tip rests centred at `point`, whose place may be unknown
-  bool is_place = false;          ///< p_W is where the tip is
-  bool is_displacement = false;   ///< of the tip from its unloaded place at the same joint readings ...
-  bool is_from_reading = false;   ///< ... or from its place at another reading; p_W or else its own numbers state it
-  bool is_without_place = false;  ///< states no p_W
-  bool is_partly_seen = false;    ///< of its own numbers those that are stated count, one at least
-  bool names_hole = false;        ///< `point` may name a hole, whose centre is p_W
-  bool is_centring = false;       ///< the tool is brought under the point p_W, as well as the arm can
-  bool has_anchor = false;        ///< p_W is a fixed place that it is measured from
-  bool has_direction = false;     ///< and direction_W that along which
-  bool is_above_zero = false;     ///< a length, which has no sign
-  bool is_to_gravity = false;     ///< direction_W points up, against gravity
-  bool counts_steps = false;      ///< own is (steps that went in, beyond, within): see steps.hpp
-  bool is_by_scale = true;        ///< its lengths are of the measuring system's scale, which may be off
-  bool sees_turn = false;         ///< the tool's turn matters
+  bool has_coordinates = false;    ///< the first rows, where there are three, are x, y, z in the world
+  bool is_touch = false;           ///< the tip rests centred at `point`, whose place may be unknown
+  bool is_place = false;           ///< p_W is where the tip is
+  bool is_displacement = false;    ///< of the tip from its unloaded place at the same joint readings ...
+  bool is_from_reading = false;    ///< ... or from its place at another reading; p_W or else its own numbers state it
+  bool is_without_place = false;   ///< states no p_W
+  bool is_partly_seen = false;     ///< of its own numbers those that are stated count, one at least
+  bool names_hole = false;         ///< `point` may name a hole, whose centre is p_W
+  bool is_centring = false;        ///< the tool is brought under the point p_W, as well as the arm can
+  bool has_anchor = false;         ///< p_W is a fixed place that it is measured from
+  bool is_from_origin = false;     ///< which is the world's origin where it is not stated
+  bool has_direction = false;      ///< and direction_W that along which
+  bool is_above_zero = false;      ///< a length, which has no sign
+  bool is_to_gravity = false;      ///< direction_W points up, against gravity
+  bool counts_steps = false;       ///< own is (steps that went in, beyond, within): see steps.hpp
+  bool is_by_scale = true;         ///< its lengths are of the measuring system's scale, which may be off
+  bool sees_turn = false;          ///< the tool's turn matters
+  bool are_columns_given = false;  ///< its own numbers say what it is read of, not what was read; they may be absent
   bool may_be_of_row =
       false;  ///< what it reads may be fixed to a row of the arm (Measurement::row) and not to the tool
 
@@ -70,6 +75,18 @@ struct MeasurementKindRow {
   MeasuredValue (*measured)(const Measurement& reading);
   /// Writes what is read of a tool that stands there, lengths by a scale that is off by `scale`, with that noise [m].
   void (*record)(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading);
+
+  /// Of kinds that say where the tip is by other numbers than p_W: that place in the world [m].
+  Eigen::Vector3d (*place)(const Measurement& reading) = nullptr;
+
+  /// Of kinds that touch a surface of unknown place: how many numbers place it, how values change with these, and the
+  /// surface nearest to points that touched it; false, and the surface as it was, where they do not determine one.
+  int (*place_numbers)(const Measurement& reading) = nullptr;
+  PlaceColumns (*by_place_numbers)(const Measurement& reading, const ToolPose& tool) = nullptr;
+  bool (*settle)(const Eigen::Matrix3Xd& points_W, const Measurement& reading, Surface& surface) = nullptr;
+  /// For the simulator: such a surface through a place, facing along a direction, and its point nearest to a place.
+  Surface (*through)(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W) = nullptr;
+  Eigen::Vector3d (*nearest)(const Surface& surface, const Eigen::Vector3d& p_W) = nullptr;
 };
 
 }  // namespace tubeplan::calibration

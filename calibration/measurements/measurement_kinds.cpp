@@ -8,12 +8,16 @@
 
 #include "calibration/measurements/axis.hpp"
 #include "calibration/measurements/deflection.hpp"
+#include "calibration/measurements/direction.hpp"
 #include "calibration/measurements/distance.hpp"
 #include "calibration/measurements/offset.hpp"
 #include "calibration/measurements/orientation.hpp"
+#include "calibration/measurements/plane.hpp"
+#include "calibration/measurements/polar.hpp"
 #include "calibration/measurements/pose.hpp"
 #include "calibration/measurements/position.hpp"
 #include "calibration/measurements/relative.hpp"
+#include "calibration/measurements/sphere.hpp"
 #include "calibration/measurements/steps.hpp"
 #include "calibration/measurements/tilt.hpp"
 #include "calibration/measurements/touch.hpp"
@@ -21,10 +25,11 @@
 namespace tubeplan::calibration {
 
 std::span<const MeasurementKindRow> measurementKinds() {
-  static const std::array kKinds{position::kind(), touch::kind(),   deflection_reading::kind(),
-                                 distance::kind(), axis::kind(),    orientation::kind(),
-                                 pose::kind(),     offset::kind(),  tilt::kind(),
-                                 steps::kind(),    relative::kind()};
+  static const std::array kKinds{position::kind(), touch::kind(),    deflection_reading::kind(),
+                                 distance::kind(), axis::kind(),     orientation::kind(),
+                                 pose::kind(),     offset::kind(),   tilt::kind(),
+                                 steps::kind(),    relative::kind(), plane::kind(),
+                                 sphere::kind(),   polar::kind(),    direction::kind()};
   return kKinds;
 }
 
@@ -36,15 +41,10 @@ const MeasurementKindRow* findMeasurementKind(std::string_view name) {
   return found == kinds.end() ? nullptr : &*found;
 }
 
-namespace {
-
-/// The tool, named by the measured point in place of its tip.
 ToolPose atMeasuredPoint(const Measurement& reading, ToolPose tool) {
   if (reading.p_TQ) tool.p_W += tool.R_WT * *reading.p_TQ;
   return tool;
 }
-
-}  // namespace
 
 MeasuredValue predictedValue(const Measurement& reading, const ToolPose& tool) {
   return kindOf(reading).value(reading, atMeasuredPoint(reading, tool));
@@ -58,6 +58,20 @@ MeasuredSlope predictedSlope(const Measurement& reading, const ToolPose& tool) {
   slope.by_turn = slope.by_turn.size() ? MeasuredRows(slope.by_turn + by_lever) : by_lever;
   return slope;
 }
+
+PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& tool) {
+  if (touchesUnknownPoint(reading)) return Eigen::Matrix3d::Identity();
+  const MeasurementKindRow& kind = kindOf(reading);
+  return kind.by_place_numbers ? kind.by_place_numbers(reading, atMeasuredPoint(reading, tool)) : PlaceColumns();
+}
+
+int placeNumbers(const Measurement& reading) {
+  if (touchesUnknownPoint(reading)) return 3;
+  const MeasurementKindRow& kind = kindOf(reading);
+  return kind.place_numbers ? kind.place_numbers(reading) : 0;
+}
+
+std::string placeOf(const Measurement& reading) { return kindOf(reading).name + (" " + reading.point); }
 
 double ownNumber(const Measurement& reading, std::string_view name) {
   const auto columns = kindOf(reading).columns;

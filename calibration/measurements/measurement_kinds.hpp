@@ -1,6 +1,7 @@
 // The kinds of reading that there are: an open table. A new one is a header beside this and its row in the table.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +33,9 @@ namespace tubeplan::calibration {
 
 /// Whether the tool's turn reaches the reading: by its kind, or because another point of the tool than the tip is seen.
 [[nodiscard]] inline bool seesTurn(const Measurement& reading) { return kindOf(reading).sees_turn || reading.p_TQ; }
+
+/// The tool, named by the measured point in place of its tip.
+[[nodiscard]] ToolPose atMeasuredPoint(const Measurement& reading, ToolPose tool);
 
 /// What would be measured of a tool that stands there [m], and how it changes with the tool's pose: at the point of the
 /// tool that the reading is of.
@@ -72,10 +76,33 @@ void linkReferences(std::vector<Measurement>& readings);
 /// Whether it touches a point whose place nobody knows.
 [[nodiscard]] inline bool touchesUnknownPoint(const Measurement& reading) { return isTouch(reading) && !reading.p_W; }
 
+/// Whether it touches a surface, whose place nobody knows.
+[[nodiscard]] inline bool touchesSurface(const Measurement& reading) { return kindOf(reading).settle != nullptr; }
+
+/// How many numbers of an unknown place it shares with all readings of the same place: a touch of an unknown point
+/// three, most readings none; and how what is measured changes with them.
+[[nodiscard]] int placeNumbers(const Measurement& reading);
+[[nodiscard]] PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& tool);
+[[nodiscard]] inline bool hasUnknownPlace(const Measurement& reading) { return placeNumbers(reading) > 0; }
+
+/// Which unknown place that is: "touch P1", "plane table".
+[[nodiscard]] std::string placeOf(const Measurement& reading);
+
+/// How many readings of an unknown place say something: one more than place it.
+[[nodiscard]] inline int leastOfPlace(const Measurement& reading) {
+  return placeNumbers(reading) / rowsOf(reading) + 1;
+}
+
 /// Whether it touches a point of known place.
 [[nodiscard]] inline bool touchesKnownPoint(const Measurement& reading) { return isTouch(reading) && reading.p_W; }
 
 /// Whether it states where the tip is.
 [[nodiscard]] inline bool statesPlace(const Measurement& reading) { return kindOf(reading).is_place && reading.p_W; }
+
+/// Returns where the tip is by the reading [m], whatever numbers state it; nothing where it does not say.
+[[nodiscard]] inline std::optional<Eigen::Vector3d> statedPlace(const Measurement& reading) {
+  if (kindOf(reading).place) return kindOf(reading).place(reading);
+  return statesPlace(reading) ? reading.p_W : std::nullopt;
+}
 
 }  // namespace tubeplan::calibration

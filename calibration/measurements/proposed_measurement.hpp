@@ -27,6 +27,8 @@ struct ProposedMeasurement {
   std::shared_ptr<const Measurement> reference;             ///< the reading made that a way is taken from
   bool is_length_alone = false;                             ///< of that way its length is measured, not its coordinates
   std::optional<int> row;                                   ///< of the arm, as of Measurement
+  std::optional<Surface> surface;                           ///< that `point` is taken to be, of kinds that touch one
+  double given = std::numeric_limits<double>::quiet_NaN();  ///< m, of it what its own column states (a ball's radius)
   double sigma = std::numeric_limits<double>::quiet_NaN();  ///< m, that a coordinate would have
   double turn_sigma = std::numeric_limits<double>::quiet_NaN();   ///< rad, that an angle would have
   std::vector<int> approach_directions;                           ///< in which the joints are to arrive

@@ -18,33 +18,45 @@ bool isOnePosture(const std::vector<Measurement>& readings) {
   });
 }
 
-/// The reading that touched a point of unknown place alone, or nothing.
-std::optional<int> loneTouch(const std::vector<Measurement>& readings) {
+/// The first reading of an unknown place that too few share, or nothing.
+std::optional<int> loneReading(const std::vector<Measurement>& readings) {
   std::map<std::string, std::vector<int>> touched;
   for (std::size_t k = 0; k < readings.size(); ++k)
-    if (touchesUnknownPoint(readings[k])) touched[readings[k].point].push_back(static_cast<int>(k));
-  for (const auto& [point, by] : touched)
-    if (by.size() == 1) return by.front();
+    if (hasUnknownPlace(readings[k])) touched[placeOf(readings[k])].push_back(static_cast<int>(k));
+  for (const auto& [place, by] : touched)
+    if (static_cast<int>(by.size()) < leastOfPlace(readings[static_cast<std::size_t>(by.front())])) return by.front();
   return std::nullopt;
+}
+
+/// Of a touched surface: as many readings place it as it has numbers, and none of them says anything.
+ReadingProblem fewOfSurface(int place, const std::vector<Measurement>& readings) {
+  const Measurement& first = readings[static_cast<std::size_t>(place)];
+  const auto count = std::count_if(readings.begin(), readings.end(),
+                                   [&](const Measurement& m) { return placeOf(m) == placeOf(first); });
+  return {place, std::to_string(count) + " readings of the " + placeOf(first) + " (" + first.id + " the first)",
+          std::to_string(leastOfPlace(first)) + " or more of one " + kindOf(first).name,
+          "touch it again elsewhere, or remove them: so few only say where it is"};
 }
 
 }  // namespace
 
 int numbersMeasured(const std::vector<Measurement>& readings) {
-  std::map<std::string, int> points;
+  std::map<std::string, int> places;
   int count = 0;
   for (const auto& reading : readings) {
     count += rowsOf(reading);
-    if (touchesUnknownPoint(reading)) points[reading.point] = 1;
+    if (hasUnknownPlace(reading)) places[placeOf(reading)] = placeNumbers(reading);
   }
-  return count - 3 * static_cast<int>(points.size());
+  for (const auto& [place, numbers] : places) count -= numbers;
+  return count;
 }
 
 std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>& readings,
                                                  const std::vector<Unknown>& unknowns) {
   if (readings.empty())
     return ReadingProblem{-1, "no reading to fit", "readings that are not marked held-out", "mark some as fit"};
-  if (const auto lone = loneTouch(readings)) {
+  if (const auto lone = loneReading(readings)) {
+    if (touchesSurface(readings[static_cast<std::size_t>(*lone)])) return fewOfSurface(*lone, readings);
     const Measurement& touch = readings[static_cast<std::size_t>(*lone)];
     return ReadingProblem{*lone, "the only touch of point " + touch.point + " (reading " + touch.id + ")",
                           "two or more touches of a point of unknown position",

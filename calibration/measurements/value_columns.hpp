@@ -27,10 +27,10 @@ struct ValueColumns {
 /// Returns the columns of a kind; of a way from another reading, which states its coordinates or else its length, both.
 [[nodiscard]] inline ValueColumns valueColumnsOf(const MeasurementKindRow& kind) {
   ValueColumns values;
-  values.has_joints = kind.is_touch;
+  values.has_joints = kind.is_touch || kind.settle;
   if (measuresPlace(kind)) values.numbers.assign(kPlaceColumns.begin(), kPlaceColumns.end());
   if (kind.is_from_reading) values.least = 1;
-  values.numbers.insert(values.numbers.end(), kind.columns.begin(), kind.columns.end());
+  if (!kind.are_columns_given) values.numbers.insert(values.numbers.end(), kind.columns.begin(), kind.columns.end());
   if (!kind.is_from_reading) values.least = kind.is_partly_seen ? 1 : static_cast<int>(values.numbers.size());
   return values;
 }

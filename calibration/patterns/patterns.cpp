@@ -7,6 +7,7 @@
 #include <map>
 
 #include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/surfaces.hpp"
 #include "calibration/patterns/constant.hpp"
 #include "calibration/patterns/joint_reading.hpp"
 #include "calibration/patterns/joint_sense.hpp"
@@ -61,6 +62,7 @@ const std::vector<PatternKind>& patternKinds() {
 
 ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& readings) {
   ReadingScene scene{true, placed, readings, {}, {}, {}, {}, {}};
+  settleSurfaces(placed, scene.readings);
   scene.tips.resize(3, static_cast<Index>(readings.size()));
   scene.seen.resize(3, static_cast<Index>(readings.size()));
   scene.tools.resize(readings.size());

@@ -48,6 +48,9 @@ constexpr std::array<NamedDesign, 3> kDesigns{{
 
 int readingsPerPoint(const CampaignDesign& design) { return readingsPerPosture(design) * design.postures_per_point; }
 
+/// How many readings of a surface say something of the arm.
+int leastOfSurface(const MeasurementKindRow& kind) { return kind.place_numbers({}) + 1; }
+
 std::string findNoiseProblem(const CampaignDesign& design) {
   for (const double sigma : {design.sigma, design.turn_sigma})
     if (!(sigma >= 0) || !std::isfinite(sigma)) return "a sigma that is negative or not finite";
@@ -77,8 +80,9 @@ std::string findLoadProblem(const CampaignDesign& design) {
 
 std::string findKindProblem(const CampaignDesign& design) {
   const MeasurementKindRow& kind = kindOf(design.kind);
-  const bool is_touch = kind.is_touch;
-  if (kind.has_anchor && !design.anchor_W) return std::string("readings of kind ") + kind.name + " without an anchor";
+  const bool is_touch = kind.is_touch, is_surface = kind.settle != nullptr;
+  if (kind.has_anchor && !kind.is_from_origin && !design.anchor_W)
+    return std::string("readings of kind ") + kind.name + " without an anchor";
   if (kind.has_direction && !design.direction_W)
     return std::string("readings of kind ") + kind.name + " without a direction";
   if (!is_touch && design.place == CampaignPlace::kPlane) return "points of a plane that are not touched";
@@ -88,7 +92,11 @@ std::string findKindProblem(const CampaignDesign& design) {
     return std::string("readings of kind ") + kind.name + " elsewhere than at holes of the sheet";
   if (!design.rows.empty() && !kind.may_be_of_row)
     return std::string("readings of kind ") + kind.name + " of rows of the arm";
-  if (!is_touch && design.postures_per_point != 1) return "several postures for a point that is not touched";
+  if (is_surface && readingsPerPoint(design) < leastOfSurface(kind))
+    return std::string("a ") + kind.name + " of unknown place touched less than " +
+           std::to_string(leastOfSurface(kind)) + " times, which says nothing";
+  if (!is_touch && !is_surface && design.postures_per_point != 1)
+    return "several postures for a point that is not touched";
   if (is_touch && !design.points_known && readingsPerPoint(design) < 2)
     return "unknown points, each touched only once, which carry no information";
   return {};
@@ -117,8 +125,10 @@ int readingsPerPosture(const CampaignDesign& design) {
 
 int pointsOf(const CampaignDesign& design, int readings) {
   const int each = readingsPerPoint(design), points = readings / each, left = readings % each;
-  // A single touch of an unknown point says nothing: the point before has it.
-  const bool is_kept = left > 1 || (left == 1 && (design.points_known || points == 0));
+  // A single touch of an unknown point says nothing, nor do few of a surface: the point before has them.
+  const MeasurementKindRow& kind = kindOf(design.kind);
+  const int least = kind.settle ? leastOfSurface(kind) : design.points_known ? 1 : 2;
+  const bool is_kept = left >= least || (left > 0 && points == 0);
   return points + (is_kept ? 1 : 0);
 }
 

@@ -59,6 +59,14 @@ Eigen::VectorXd PostureSource::anywhere() {
   return q;
 }
 
+Eigen::Vector3d PostureSource::direction() {
+  while (true) {
+    const Eigen::Vector3d drawn(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1));
+    const double length = drawn.norm();
+    if (length > 0.1 && length <= 1) return drawn / length;
+  }
+}
+
 HoleStart PostureSource::atHole(const CampaignSite& site, const std::vector<CampaignPoint>& holes,
                                 const Eigen::Vector3d& axis_W, double below, double load) {
   HoleStart start;

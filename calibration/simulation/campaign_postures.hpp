@@ -47,6 +47,9 @@ class PostureSource {
   /// are none, the arm's reach for a slide.
   [[nodiscard]] Eigen::VectorXd anywhere();
 
+  /// A unit vector, all directions alike.
+  [[nodiscard]] Eigen::Vector3d direction();
+
   /// One of the arm's postures at one of the holes, the tool along the axis and the tip short of the hole by `below`
   /// [m].
   [[nodiscard]] HoleStart atHole(const CampaignSite& site, const std::vector<CampaignPoint>& holes,

@@ -22,7 +22,7 @@ void stateConditions(const deflection::Arm& arm, const CampaignDesign& design, c
                      Measurement& reading) {
   const MeasurementKindRow& kind = kindOf(reading);
   if (kind.names_hole && (!kind.is_touch || design.points_known)) reading.p_W = point_W;
-  if (kind.has_anchor) reading.p_W = design.anchor_W;
+  if (kind.has_anchor) reading.p_W = design.anchor_W.value_or(Vector3d::Zero());
   if (kind.has_direction) reading.direction_W = design.direction_W;
   if (kind.is_to_gravity) reading.direction_W = -arm.gravity_W;
 }
@@ -39,7 +39,7 @@ MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& c
 
 /// What is read of the arm as it stands.
 PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, const ReadingConditions& conditions,
-                       ToolPose tool, Measurement& reading) {
+                       ToolPose tool, const std::optional<Surface>& surface, Measurement& reading) {
   const MeasurementKindRow& kind = kindOf(reading);
   if (kind.is_displacement && !kind.is_from_reading) {
     const auto rest = toolIn(arm, site, unloaded(reading));
@@ -51,7 +51,9 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
     if (!frame) return PostureRefusal::kNotConverged;
     tool = *frame;
   }
+  reading.surface = surface;
   kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), reading);
+  reading.surface.reset();  // nobody knows it
   return kind.is_above_zero && reading.own[0] <= 0 ? PostureRefusal::kOutsideRegion : PostureRefusal::kNone;
 }
 
@@ -124,6 +126,7 @@ TipTrial CampaignStation::tryAnywhere(const CampaignSite& site) {
 
 PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
   if (design_.place == CampaignPlace::kHoles) return beginAtHole(site, taken, q);
+  if (kindOf(design_.kind).through) return beginAtSurface(site, taken, q);
   q = source_.anywhere();
   if (!kindOf(design_.kind).is_touch || taken.p_W) return PostureRefusal::kNone;
   Measurement first;
@@ -135,6 +138,27 @@ PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings&
   const Vector3d up = -arm_.gravity_W;
   if (design_.place == CampaignPlace::kPlane) *taken.p_W += (plane_height_ - up.dot(*taken.p_W)) * up;
   return PostureRefusal::kNone;
+}
+
+/// The first posture has the surface at its tip; the others are those from which it is not far.
+PostureRefusal CampaignStation::beginAtSurface(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
+  constexpr int kMostPostures = 200;
+  constexpr double kNear = 0.15;  // of the reach
+  const MeasurementKindRow& kind = kindOf(design_.kind);
+  for (int draws = 0; draws < kMostPostures; ++draws) {
+    Measurement first;
+    first.q = q = source_.anywhere();
+    first.load = design_.loads.front();
+    const auto tool = toolIn(arm_, site, first);
+    if (!tool) continue;
+    if (!taken.surface) {
+      taken.p_W = tool->p_W;
+      taken.surface = kind.through(tool->p_W, source_.direction());
+      return PostureRefusal::kNone;
+    }
+    if ((kind.nearest(*taken.surface, tool->p_W) - tool->p_W).norm() < kNear * reach_) return PostureRefusal::kNone;
+  }
+  return PostureRefusal::kOutOfReach;
 }
 
 PostureRefusal CampaignStation::beginAtHole(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
@@ -153,7 +177,7 @@ PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingCond
                                      const StationReadings& taken, const VectorXd& here, Measurement& reading,
                                      Vector3d& tip_W) const {
   reading.approach_directions = conditions.approach_directions(here, reading.q);
-  if (const auto goal_W = goalOf(taken, conditions.coordinate_noise)) {
+  if (const auto goal_W = goalOf(site, taken, reading, conditions.coordinate_noise)) {
     const auto refusal = bringTip(site, conditions, *goal_W, here, reading);
     if (refusal != PostureRefusal::kNone) return refusal;
   }
@@ -161,7 +185,7 @@ PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingCond
   if (trial.refusal != PostureRefusal::kNone) return trial.refusal;
   stateConditions(arm_, design_, taken.p_W, reading);
   tip_W = trial.tool.p_W;
-  return measure(arm_, site, conditions, trial.tool, reading);
+  return measure(arm_, site, conditions, trial.tool, taken.surface, reading);
 }
 
 /// What the arm does may depend on the senses in which its joints arrive, and those on where they have to be.
@@ -180,8 +204,14 @@ PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const Reading
   return PostureRefusal::kNotConverged;
 }
 
-std::optional<Vector3d> CampaignStation::goalOf(const StationReadings& taken, const Vector3d& noise) const {
+std::optional<Vector3d> CampaignStation::goalOf(const CampaignSite& site, const StationReadings& taken,
+                                                const Measurement& reading, const Vector3d& noise) const {
   if (!taken.p_W) return std::nullopt;
+  if (taken.surface) {
+    const auto tool = toolIn(arm_, site, reading);
+    const Vector3d from = tool ? tool->p_W : *taken.p_W;
+    return kindOf(design_.kind).nearest(*taken.surface, from) + noise;
+  }
   if (kindOf(design_.kind).is_centring) return *taken.p_W + noise;
   return *taken.p_W - options_.standoff * options_.hole_axis_W;
 }

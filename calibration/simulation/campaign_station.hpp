@@ -17,6 +17,7 @@ struct StationReadings {
   PostureRefusal refusal = PostureRefusal::kNone;
   std::string name;                    ///< of the point or posture: P1, H1, R10C20
   std::optional<Eigen::Vector3d> p_W;  ///< m, the point that is touched or looked at
+  std::optional<Surface> surface;      ///< that is touched, of kinds that do
   std::vector<Measurement> readings;
   std::vector<Eigen::Vector3d> tips_W;  ///< m, of each reading, without noise
 };
@@ -50,6 +51,7 @@ class CampaignStation {
  private:
   /// Draws the posture to begin from, and for the first posture of a point the point.
   [[nodiscard]] PostureRefusal begin(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
+  [[nodiscard]] PostureRefusal beginAtSurface(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
   [[nodiscard]] PostureRefusal beginAtHole(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
 
   /// Brings the arm from `here` to the reading's place and reads it there, without the encoders' noise.
@@ -59,7 +61,8 @@ class CampaignStation {
   [[nodiscard]] PostureRefusal bringTip(const CampaignSite& site, const ReadingConditions& conditions,
                                         const Eigen::Vector3d& goal_W, const Eigen::VectorXd& here,
                                         Measurement& reading) const;
-  [[nodiscard]] std::optional<Eigen::Vector3d> goalOf(const StationReadings& taken, const Eigen::Vector3d& noise) const;
+  [[nodiscard]] std::optional<Eigen::Vector3d> goalOf(const CampaignSite& site, const StationReadings& taken,
+                                                      const Measurement& reading, const Eigen::Vector3d& noise) const;
   [[nodiscard]] TipTrial check(const CampaignSite& site, const Measurement& reading) const;
   [[nodiscard]] bool isInRegion(const CampaignSite& site, const Eigen::Vector3d& tip_W) const;
 

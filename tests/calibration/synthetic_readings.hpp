@@ -6,9 +6,11 @@
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
+#include <map>
 
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/measurements/steps.hpp"
+#include "calibration/measurements/tip_placement.hpp"
 #include "deflection/inverse/inverse_kinematics.hpp"
 #include "tests/deflection/cobra.hpp"
 
@@ -54,6 +56,10 @@ class ReadingMaker {
       m.q = drawPosture();
       m.load = uniform(10, 40) * kPound;
       const MeasurementKindRow& row = kindOf(kind);
+      if (row.settle) {
+        k -= touchSurface(row, m) ? 0 : 1;
+        continue;
+      }
       if (row.has_anchor) m.p_W = Eigen::Vector3d(uniform(-3, 3), uniform(-3, 3), uniform(-2, -1));
       if (row.has_direction)
         m.direction_W = Eigen::Vector3d(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).normalized();
@@ -114,6 +120,33 @@ class ReadingMaker {
   }
 
  private:
+  /// A surface, and how many readings have touched it or one before it.
+  struct Touched {
+    Surface surface;
+    int readings = 0;
+  };
+
+  /// Brings the tip onto a surface that ten readings share and adds the reading; false where it does not come there.
+  bool touchSurface(const MeasurementKindRow& row, Measurement& m) {
+    constexpr int kOfSurface = 10;
+    constexpr double kFarthest = 1.5;  // rad, to bring the tip there
+    Touched& on = touched_[m.setup + row.name];
+    const Eigen::Vector3d tip_W = toolOf(m).p_W;
+    if (on.readings % kOfSurface == 0)
+      on.surface = row.through(tip_W, Eigen::Vector3d(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).normalized());
+    const Eigen::Vector3d goal_W = row.nearest(on.surface, tip_W) + noise3(m.sigma);
+    const auto placed =
+        placeTip(truth_.arm, postureOf(m, truth_.arm, baseOf(m)), baseOf(m).inverse() * goal_W, {.tolerance = 1e-13});
+    if (placed.status != TipPlacementStatus::kPlaced || (placed.q - m.q).norm() > kFarthest) return false;
+    m.q = placed.q + encoderNoise();
+    m.point = m.setup + row.name + std::to_string(on.readings++ / kOfSurface);
+    m.surface = on.surface;
+    row.record(toolOf(m), 1, MeasuredValue::Zero(row.rows), m);
+    m.surface.reset();
+    readings.push_back(m);
+    return true;
+  }
+
   Measurement blank(MeasurementKind kind, const std::string& setup) {
     Measurement m;
     m.id = std::to_string(readings.size() + 1);
@@ -203,15 +236,17 @@ class ReadingMaker {
 
   PlacedArm truth_;
   boost::random::mt19937_64 random_;
+  std::map<std::string, Touched> touched_;  ///< the last of each kind and set-up
   bool has_noise_;
   double touch_sigma_;
 };
 
-/// A few readings of every kind but touches, every other one of another point of the tool than its tip.
+/// A few readings of every kind but touches (few of a surface say nothing: surfaces_test.cpp), every other one of
+/// another point of the tool than its tip.
 inline void addUntouched(ReadingMaker& maker, int count, const std::string& setup = "") {
   const std::size_t first = maker.readings.size();
   for (const MeasurementKindRow& row : measurementKinds())
-    if (!row.is_touch) maker.add(row.kind, count, setup);
+    if (!row.is_touch && !row.settle) maker.add(row.kind, count, setup);
   for (std::size_t k = first; k < maker.readings.size(); k += 2)
     if (!kindOf(maker.readings[k]).is_displacement) maker.readings[k].p_TQ = Eigen::Vector3d(0.03, -0.02, 0.05);
 }

@@ -11,6 +11,8 @@
 #include "app/studies/measurements/measured_room.hpp"
 #include "app/studies/measurements/reading_candidates.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/surfaces.hpp"
+#include "calibration/measurements/tip_placement.hpp"
 #include "calibration/statistics.hpp"
 #include "deflection/inverse/inverse_solver.hpp"
 #include "planner/collision/arm_clearance.hpp"
@@ -135,6 +137,59 @@ void addAtPoint(const planner::Workcell& work, const planner::ArmClearance& clea
   }
 }
 
+/// The surfaces touched so far, by the readings that touched each first, as the fitted arm finds them.
+std::vector<Measurement> surfacesTouched(const calibration::PlacedArm& fitted, std::vector<Measurement> readings,
+                                         MeasurementKind kind) {
+  std::vector<Measurement> touched;
+  if (!calibration::settleSurfaces(fitted, readings)) return touched;
+  std::set<std::string> seen;
+  for (const auto& reading : readings)
+    if (reading.kind == kind && reading.surface && seen.insert(reading.point).second) touched.push_back(reading);
+  return touched;
+}
+
+bool isWithinLimits(const deflection::Arm& arm, const VectorXd& q) {
+  for (Eigen::Index k = 0; k < q.size(); ++k)
+    if (!(q[k] >= arm.joint(k).lower && q[k] <= arm.joint(k).upper)) return false;
+  return true;
+}
+
+/// The posture with the tip on the surface, from one nearby; nothing where the arm does not come there.
+std::optional<VectorXd> broughtTo(const planner::Workcell& work, const Measurement& of, const VectorXd& q) {
+  const deflection::Posture start{q, work.load, deflection::gravityInBase(work.arm, work.X_WB)};
+  const auto shape = deflection::solveFlexibleKinematics(work.arm, start);
+  if (shape.status != deflection::KinematicsStatus::kConverged) return std::nullopt;
+  const Eigen::Vector3d goal_W = kindOf(of).nearest(*of.surface, work.X_WB * shape.X_BD.p);
+  const auto placed = calibration::placeTip(work.arm, start, work.X_WB.inverse() * goal_W);
+  const bool is_there = placed.status == calibration::TipPlacementStatus::kPlaced;
+  return is_there && isWithinLimits(work.arm, placed.q) ? std::optional(placed.q) : std::nullopt;
+}
+
+/// The tip brought from each posture to each of the surfaces, under each load.
+std::vector<ReadingCandidate> surfaceTouches(planner::Workcell work, const std::vector<VectorXd>& postures,
+                                             const std::vector<double>& loads,
+                                             const std::vector<Measurement>& surfaces) {
+  std::vector<ReadingCandidate> candidates;
+  for (const double load : loads) {
+    work.load = load;
+    const planner::ArmClearance clear(work);
+    for (std::size_t k = 0; k < postures.size() * surfaces.size(); ++k) {
+      const Measurement& of = surfaces[k % surfaces.size()];
+      const auto q = broughtTo(work, of, postures[k / surfaces.size()]);
+      if (!q) continue;
+      if (!work.scene.bodies.empty() && !(clear.at(*q, planner::ContactRule::kApproach).margin >= 0)) continue;
+      ProposedMeasurement reading;
+      reading.point = of.point;
+      reading.surface = of.surface;
+      reading.given = of.own[0];
+      reading.q = *q;
+      reading.load = load;
+      candidates.push_back({{reading}});
+    }
+  }
+  return candidates;
+}
+
 std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibration::PlacedArm& fitted,
                                              const std::vector<Measurement>& readings, const Custom& custom,
                                              const DiscriminationCandidateOptions& options) {
@@ -168,6 +223,8 @@ std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibr
   postures.insert(postures.end(), outer.begin(), outer.end());
   if (kindOf(custom.kind).is_touch)
     return custom.loads.size() < 2 ? candidates : pointTouches(work, postures, custom.loads, custom.sigma);
+  if (kindOf(custom.kind).settle)
+    return surfaceTouches(work, postures, custom.loads, surfacesTouched(fitted, readings, custom.kind));
   return positionReadings(postures, custom.loads, custom.sigma);
 }
 

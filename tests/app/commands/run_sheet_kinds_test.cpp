@@ -41,7 +41,12 @@ std::vector<SheetCase> sheetCases() {
           {"tiltOfARow", "tilt", "bench.yaml", "turn_sigma: 0.01, rows: [forearm]"},
           {"steps", "steps", "holes.yaml", ""},
           {"relative", "relative", "bench.yaml", ""},
-          {"relativeByLength", "relative", "bench.yaml", "", true}};
+          {"relativeByLength", "relative", "bench.yaml", "", true},
+          {"plane", "plane", "bench.yaml", "loads: [0, 30], postures_per_point: 8"},
+          {"sphere", "sphere", "bench.yaml", "loads: [0, 30], postures_per_point: 8"},
+          {"polar", "polar", "bench.yaml", "anchor: [90, 60, 20], turn_sigma: 0.001"},
+          {"direction", "direction", "bench.yaml", "turn_sigma: 0.01"},
+          {"directionOfARow", "direction", "bench.yaml", "turn_sigma: 0.01, rows: [forearm]"}};
 }
 
 class EveryRunSheet : public ProgramTest, public ::testing::WithParamInterface<SheetCase> {

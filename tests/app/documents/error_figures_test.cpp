@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
@@ -75,7 +76,9 @@ std::vector<calibration::Measurement> readingsOf(const MeasurementKindRow& kind)
     maker.add(kind.kind, 16);
   if (kind.turn_rows == 0) return maker.readings;
   auto& own = maker.readings[3].own;
-  *std::find_if(own.begin(), own.end(), [](double angle) { return std::isfinite(angle); }) += kHalfDegree;
+  const auto from_last = std::make_reverse_iterator(own.end());  // an azimuth is less of an angle than an elevation
+  *std::find_if(from_last, std::make_reverse_iterator(own.begin()), [](double a) { return std::isfinite(a); }) +=
+      kHalfDegree;
   return maker.readings;
 }
 

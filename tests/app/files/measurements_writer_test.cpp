@@ -42,6 +42,7 @@ class MeasurementsWriter : public ::testing::Test {
     if (kindOf(m).turn_rows > 0) m.turn_sigma = random.uniform(1e-5, 1e-3);
     if (kindOf(m).is_place && random.index(3) == 0) m.p_TQ = random.vector(0.1);
     if (kindOf(m).has_direction) m.direction_W = random.vector(1).normalized();
+    if (kindOf(m).are_columns_given) m.own[0] = 0.01;  // of one point every reading states the same
     m.sigma = random.uniform(1e-5, 1e-3);
     if (kindOf(m).has_coordinates && random.index(3) == 0) {
       m.sigma_W = Eigen::Vector3d(random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3));

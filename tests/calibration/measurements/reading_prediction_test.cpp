@@ -23,6 +23,7 @@ Measurement reading(MeasurementKind kind) {
   m.p_W = Eigen::Vector3d(1.5, -2, 0.4);
   m.direction_W = Eigen::Vector3d(0.6, 0, -0.8);
   m.own = {0.1, 0.2, 0.3};
+  if (kindOf(kind).settle) m.surface = Surface{{1.2, -1.7, 0.3}, {0.48, -0.6, 0.64}, 0.1};
   m.sigma = 0.003 * kInch;
   m.turn_sigma = 0.01 * kDegree;
   if (!kindOf(kind).is_from_reading) return m;
@@ -70,6 +71,17 @@ TEST(ReadingPrediction, ValueOfEachKind) {
   upright.direction_W = up;
   const Eigen::VectorXd tilts = predictReading(placed.arm, placed.base_poses[0].X_WB, upright).value / kTurnLever;
   EXPECT_LE((tilts.array().sin().matrix() - R.transpose() * up).norm(), 1e-9);
+  const Surface surface = *reading(MeasurementKind::kPlane).surface;
+  EXPECT_NEAR(value(MeasurementKind::kPlane)[0], surface.direction_W.dot(loaded - surface.p_W), 1e-9);
+  EXPECT_NEAR(value(MeasurementKind::kSphere)[0], (loaded - surface.p_W).norm() - surface.radius, 1e-9);
+  const Eigen::Vector3d way = loaded - *m.p_W;
+  const Eigen::Vector3d polar = value(MeasurementKind::kPolar);
+  EXPECT_NEAR(polar[0], way.norm(), 1e-9);
+  EXPECT_NEAR(std::tan(polar[1] / kTurnLever + m.own[1]), way.y() / way.x(), 1e-9);
+  EXPECT_NEAR(std::sin(polar[2] / kTurnLever), way.z() / way.norm(), 1e-9);
+  const Eigen::Vector2d off = value(MeasurementKind::kDirection) / kTurnLever;
+  const Eigen::Vector3d seen(std::cos(0.1) * std::cos(0.2), std::sin(0.1) * std::cos(0.2), std::sin(0.2));
+  EXPECT_NEAR(std::cos(off.norm()), seen.dot(R.col(0)), 1e-9);
   EXPECT_NEAR(value(MeasurementKind::kSteps)[0], (loaded - *m.p_W).head<2>().norm(), 1e-9);
 }
 

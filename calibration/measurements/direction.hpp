@@ -1,0 +1,88 @@
+// Where the x axis of the tool frame, or of a row's, points in the world: azimuth from x towards y, altitude above the
+// plane of both (an altazimuth mount's line of sight, a beam on a tool). The error is the angle from the measured
+// direction to the predicted one, along the circle of equal elevation and upwards: both count as on the sky, so an
+// azimuth near the zenith weighs as little as it says.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+#include "calibration/measurements/measurement_kind.hpp"
+#include "deflection/rotation.hpp"
+
+namespace tubeplan::calibration::direction {
+
+inline constexpr std::array<MeasuredColumn, 2> kColumns{
+    {{"azimuth", deflection::Quantity::kAngle}, {"altitude", deflection::Quantity::kAngle}}};
+
+/// Columns: across, upwards and along the direction that was measured, in the world.
+inline Eigen::Matrix3d frameOf(double azimuth, double elevation) {
+  const double ca = std::cos(azimuth), sa = std::sin(azimuth), ce = std::cos(elevation), se = std::sin(elevation);
+  Eigen::Matrix3d R_WM;
+  R_WM << -sa, -ca * se, ca * ce, ca, -sa * se, sa * ce, 0, ce, se;
+  return R_WM;
+}
+
+/// How far a direction is off the third axis [rad], along the first and the second, and how that changes with it.
+struct Deviation {
+  Eigen::Vector2d angles;
+  Eigen::Matrix<double, 2, 3> slope;
+};
+inline Deviation deviationOf(const Eigen::Vector3d& direction_M) {
+  const Eigen::Vector2d aside = direction_M.head<2>();
+  const double sine = aside.norm(), angle = std::atan2(sine, direction_M.z());
+  Deviation deviation{aside, Eigen::Matrix<double, 2, 3>::Zero()};
+  if (sine < 1e-8) {  // the angle is its sine there
+    deviation.slope.leftCols<2>().setIdentity();
+    return deviation;
+  }
+  const Eigen::Vector2d along = aside / sine;
+  deviation.angles = angle * along;
+  deviation.slope.leftCols<2>() = angle / sine * (Eigen::Matrix2d::Identity() - along * along.transpose());
+  deviation.slope.leftCols<2>() += direction_M.z() * along * along.transpose();
+  deviation.slope.col(2) = -sine * along;
+  return deviation;
+}
+
+inline Eigen::Vector3d seenFrom(const Eigen::Matrix3d& R_WM, const ToolPose& tool) {
+  return R_WM.transpose() * tool.R_WT.col(0);
+}
+inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
+  return kTurnLever * deviationOf(seenFrom(frameOf(reading.own[0], reading.own[1]), tool)).angles;
+}
+inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
+  const Eigen::Matrix3d R_WM = frameOf(reading.own[0], reading.own[1]);
+  const Eigen::Matrix3d by_turn = -R_WM.transpose() * deflection::crossMatrix<double>(tool.R_WT.col(0));
+  return {MeasuredRows::Zero(2, 3), kTurnLever * deviationOf(seenFrom(R_WM, tool)).slope * by_turn};
+}
+inline MeasuredValue measured(const Measurement&) { return MeasuredValue::Zero(2); }
+
+/// The direction turned by the noise, upwards and across.
+inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& reading) {
+  const auto anglesOf = [](const Eigen::Vector3d& d) {
+    return Eigen::Vector2d(std::atan2(d.y(), d.x()), std::atan2(d.z(), d.head<2>().norm()));
+  };
+  const Eigen::Vector2d there = anglesOf(tool.R_WT.col(0));
+  const Eigen::Matrix3d R_WM = frameOf(there[0], there[1]);
+  const Eigen::Vector3d off(noise[0] / kTurnLever, noise[1] / kTurnLever, 1);
+  reading.own.head<2>() = anglesOf(R_WM * off);
+}
+
+inline MeasurementKindRow kind() {
+  return {.kind = MeasurementKind::kDirection,
+          .name = "direction",
+          .rows = 2,
+          .turn_rows = 2,
+          .columns = kColumns,
+          .is_without_place = true,
+          .is_by_scale = false,
+          .sees_turn = true,
+          .may_be_of_row = true,
+          .value = value,
+          .slope = slope,
+          .measured = measured,
+          .record = record};
+}
+
+}  // namespace tubeplan::calibration::direction

@@ -1,0 +1,76 @@
+// The tip touches a plane whose place nobody knows: a face of a datum block, a granite table. What is read are the
+// joints; the error is how far the tip is off the plane that all readings of the same point lie nearest to. The radius
+// of a ball at the tip shifts the plane and nothing else, as long as one side is touched.
+#pragma once
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "calibration/measurements/measurement_kind.hpp"
+
+namespace tubeplan::calibration::plane {
+
+inline constexpr int kNumbers = 3;  // two angles, a distance
+
+inline int numbersOf(const Measurement&) { return kNumbers; }
+
+inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
+  if (!reading.surface) return MeasuredValue::Zero(1);
+  return MeasuredValue::Constant(1, reading.surface->direction_W.dot(tool.p_W - reading.surface->p_W));
+}
+inline MeasuredSlope slope(const Measurement& reading, const ToolPose&) {
+  if (!reading.surface) return {MeasuredRows::Zero(1, 3), {}};
+  return {reading.surface->direction_W.transpose(), {}};
+}
+inline MeasuredValue measured(const Measurement&) { return MeasuredValue::Zero(1); }
+
+/// A normal that leans takes a point off by how far it is along the plane.
+inline PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& tool) {
+  PlaceColumns columns = PlaceColumns::Zero(1, kNumbers);
+  if (!reading.surface) return columns;
+  const Eigen::Vector3d across = reading.surface->direction_W.unitOrthogonal();
+  const Eigen::Vector3d from = tool.p_W - reading.surface->p_W;
+  columns << across.dot(from), reading.surface->direction_W.cross(across).dot(from), -1;
+  return columns;
+}
+
+/// The normal is the direction in which the points are spread least, on the side of the one before.
+inline bool settle(const Eigen::Matrix3Xd& points_W, const Measurement&, Surface& surface) {
+  constexpr double kLine = 1e-6;  // of the spread along the points: less across them is a line
+  if (points_W.cols() < kNumbers) return false;
+  const Eigen::Vector3d mean = points_W.rowwise().mean();
+  const Eigen::Matrix3Xd from = points_W.colwise() - mean;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(from * from.transpose());
+  if (!(spread.eigenvalues()[1] > kLine * kLine * spread.eigenvalues()[2])) return false;
+  const Eigen::Vector3d normal = spread.eigenvectors().col(0);
+  surface.p_W = mean;
+  surface.direction_W = normal.dot(surface.direction_W) < 0 ? Eigen::Vector3d(-normal) : normal;
+  return true;
+}
+
+inline Surface through(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W) { return {p_W, direction_W, 0}; }
+inline Eigen::Vector3d nearest(const Surface& surface, const Eigen::Vector3d& p_W) {
+  return p_W - surface.direction_W * surface.direction_W.dot(p_W - surface.p_W);
+}
+
+/// Where it touches is the plane's place.
+inline void recordNothing(const ToolPose&, double, const MeasuredValue&, Measurement&) {}
+
+inline MeasurementKindRow kind() {
+  return {.kind = MeasurementKind::kPlane,
+          .name = "plane",
+          .rows = 1,
+          .is_without_place = true,
+          .is_by_scale = false,
+          .value = value,
+          .slope = slope,
+          .measured = measured,
+          .record = recordNothing,
+          .place_numbers = numbersOf,
+          .by_place_numbers = byPlaceNumbers,
+          .settle = settle,
+          .through = through,
+          .nearest = nearest};
+}
+
+}  // namespace tubeplan::calibration::plane

@@ -1,0 +1,69 @@
+// What a tracker or a total station reads before it makes coordinates of it: the slope distance to the tip, the
+// horizontal angle from the world's x towards y, and the vertical angle above their plane, from a station at x, y, z
+// (the world's origin where left out) whose axes are the world's. Distances and angles have noise of their own, so that
+// near and far readings weigh as they are.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "calibration/measurements/measurement_kind.hpp"
+
+namespace tubeplan::calibration::polar {
+
+inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"range", deflection::Quantity::kLength},
+                                                         {"horizontal", deflection::Quantity::kAngle},
+                                                         {"vertical", deflection::Quantity::kAngle}}};
+
+inline Eigen::Vector3d wayTo(const Measurement& reading, const ToolPose& tool) { return tool.p_W - *reading.p_W; }
+
+/// The range [m], then the horizontal angle and the vertical one [rad].
+inline Eigen::Vector3d numbersOf(const Eigen::Vector3d& way) {
+  return {way.norm(), std::atan2(way.y(), way.x()), std::atan2(way.z(), way.head<2>().norm())};
+}
+/// The horizontal angle is counted from the measured one, whole turns left out.
+inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
+  const Eigen::Vector3d there = numbersOf(wayTo(reading, tool));
+  const double off = std::remainder(there[1] - reading.own[1], 2 * EIGEN_PI);
+  return Eigen::Vector3d(there[0], kTurnLever * off, kTurnLever * there[2]);
+}
+inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
+  const Eigen::Vector3d way = wayTo(reading, tool);
+  const double range = way.norm(), across = way.head<2>().norm();
+  Eigen::Matrix3d by_place;
+  by_place.row(0) = way.transpose() / range;
+  by_place.row(1) = kTurnLever / (across * across) * Eigen::RowVector3d(-way.y(), way.x(), 0);
+  by_place.row(2) = kTurnLever / (range * range) *
+                    Eigen::RowVector3d(-way.z() * way.x() / across, -way.z() * way.y() / across, across);
+  return {by_place, {}};
+}
+inline MeasuredValue measured(const Measurement& reading) {
+  return Eigen::Vector3d(reading.own[0], 0, kTurnLever * reading.own[2]);
+}
+inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading) {
+  const Eigen::Vector3d there = numbersOf(wayTo(reading, tool));
+  reading.own = {scale * there[0] + noise[0], there[1] + noise[1] / kTurnLever, there[2] + noise[2] / kTurnLever};
+}
+
+inline Eigen::Vector3d place(const Measurement& reading) {
+  const double across = reading.own[0] * std::cos(reading.own[2]);
+  return *reading.p_W + Eigen::Vector3d(across * std::cos(reading.own[1]), across * std::sin(reading.own[1]),
+                                        reading.own[0] * std::sin(reading.own[2]));
+}
+
+inline MeasurementKindRow kind() {
+  return {.kind = MeasurementKind::kPolar,
+          .name = "polar",
+          .turn_rows = 2,
+          .columns = kColumns,
+          .has_anchor = true,
+          .is_from_origin = true,
+          .is_above_zero = true,
+          .value = value,
+          .slope = slope,
+          .measured = measured,
+          .record = record,
+          .place = place};
+}
+
+}  // namespace tubeplan::calibration::polar

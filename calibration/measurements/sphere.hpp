@@ -1,0 +1,135 @@
+// The tip touches a sphere whose centre nobody knows: a tooling ball. What is read are the joints; the error is how far
+// the tip is off the sphere that all readings of the same point lie nearest to. Its radius (that of a ball at the tip
+// added) is known, which makes it a length among the readings, or found with the centre.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "calibration/measurements/plane.hpp"
+
+namespace tubeplan::calibration::sphere {
+
+inline constexpr std::array<MeasuredColumn, 1> kColumns{{{"radius", deflection::Quantity::kLength}}};
+
+inline bool isRadiusKnown(const Measurement& reading) { return !std::isnan(reading.own[0]); }
+inline int numbersOf(const Measurement& reading) { return isRadiusKnown(reading) ? 3 : 4; }
+
+/// From the centre to the tip; of a tip in the centre any direction.
+inline Eigen::Vector3d outwards(const Surface& surface, const Eigen::Vector3d& p_W) {
+  const Eigen::Vector3d from = p_W - surface.p_W;
+  return from.norm() > 0 ? Eigen::Vector3d(from.normalized()) : Eigen::Vector3d::UnitZ();
+}
+
+inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
+  if (!reading.surface) return MeasuredValue::Zero(1);
+  return MeasuredValue::Constant(1, (tool.p_W - reading.surface->p_W).norm() - reading.surface->radius);
+}
+inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
+  if (!reading.surface) return {MeasuredRows::Zero(1, 3), {}};
+  return {outwards(*reading.surface, tool.p_W).transpose(), {}};
+}
+
+inline PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& tool) {
+  PlaceColumns columns = PlaceColumns::Zero(1, numbersOf(reading));
+  if (!reading.surface) return columns;
+  columns.leftCols<3>() = -outwards(*reading.surface, tool.p_W).transpose();
+  if (!isRadiusKnown(reading)) columns(0, 3) = -1;
+  return columns;
+}
+
+/// Distances of points from a sphere, and how they change with its centre and, where that is open, its radius.
+struct Distances {
+  Eigen::VectorXd error;
+  Eigen::MatrixXd columns;
+};
+inline Distances distancesFrom(const Surface& surface, const Eigen::Matrix3Xd& points_W, int numbers) {
+  Distances distances{Eigen::VectorXd(points_W.cols()), Eigen::MatrixXd::Constant(points_W.cols(), numbers, -1)};
+  for (Eigen::Index k = 0; k < points_W.cols(); ++k) {
+    distances.error[k] = (points_W.col(k) - surface.p_W).norm() - surface.radius;
+    distances.columns.row(k).head<3>() = -outwards(surface, points_W.col(k)).transpose();
+  }
+  return distances;
+}
+
+/// The sphere by |p|^2 = 2 c p + (r^2 - |c|^2), which is linear in c and the bracket.
+inline Surface algebraic(const Eigen::Matrix3Xd& points_W) {
+  const Eigen::Vector3d mean = points_W.rowwise().mean();
+  const Eigen::Matrix3Xd from = points_W.colwise() - mean;
+  Eigen::MatrixXd columns(points_W.cols(), 4);
+  columns << 2 * from.transpose(), Eigen::VectorXd::Ones(points_W.cols());
+  const Eigen::Vector4d found =
+      columns.completeOrthogonalDecomposition().solve(from.colwise().squaredNorm().transpose().eval());
+  Surface surface;
+  surface.p_W = mean + found.head<3>();
+  surface.radius = std::sqrt(std::max(0., found[3] + found.head<3>().squaredNorm()));
+  return surface;
+}
+
+/// Gauss and Newton, with steps halved until the points come nearer.
+inline Surface nearestSphere(Surface surface, const Eigen::Matrix3Xd& points_W, int numbers) {
+  constexpr int kMostSteps = 50, kMostHalvings = 12;
+  constexpr double kStill = 1e-14;  // m
+  Distances at = distancesFrom(surface, points_W, numbers);
+  for (int steps = 0; steps < kMostSteps; ++steps) {
+    Eigen::VectorXd step = -at.columns.completeOrthogonalDecomposition().solve(at.error);
+    bool is_nearer = false;
+    for (int halvings = 0; halvings < kMostHalvings && !is_nearer; ++halvings, step /= 2) {
+      Surface next = surface;
+      next.p_W += step.head<3>();
+      if (numbers > 3) next.radius += step[3];
+      Distances there = distancesFrom(next, points_W, numbers);
+      if (!(there.error.squaredNorm() < at.error.squaredNorm())) continue;
+      is_nearer = true;
+      surface = next;
+      at = std::move(there);
+    }
+    if (!is_nearer || step.norm() < kStill) break;
+  }
+  return surface;
+}
+
+inline bool settle(const Eigen::Matrix3Xd& points_W, const Measurement& reading, Surface& surface) {
+  const int numbers = numbersOf(reading);
+  if (points_W.cols() < numbers + 1) return false;
+  Surface start = algebraic(points_W);
+  if (isRadiusKnown(reading)) start.radius = reading.own[0];
+  const Surface found = nearestSphere(start, points_W, numbers);
+  if (!found.p_W.allFinite() || !(found.radius > 0)) return false;
+  surface.p_W = found.p_W;
+  surface.radius = found.radius;
+  return true;
+}
+
+inline constexpr double kUsualRadius = 0.0125;  // m, of a tooling ball of an inch
+
+inline Surface through(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W) {
+  return {p_W - kUsualRadius * direction_W, direction_W, kUsualRadius};
+}
+inline Eigen::Vector3d nearest(const Surface& surface, const Eigen::Vector3d& p_W) {
+  return surface.p_W + surface.radius * outwards(surface, p_W);
+}
+
+/// Where it touches is the centre's place; the radius is stated.
+inline void record(const ToolPose&, double, const MeasuredValue&, Measurement& reading) {
+  if (reading.surface) reading.own[0] = reading.surface->radius;
+}
+
+inline MeasurementKindRow kind() {
+  MeasurementKindRow row = plane::kind();
+  row.kind = MeasurementKind::kSphere;
+  row.name = "sphere";
+  row.columns = kColumns;
+  row.are_columns_given = row.is_above_zero = true;
+  row.value = value;
+  row.slope = slope;
+  row.place_numbers = numbersOf;
+  row.by_place_numbers = byPlaceNumbers;
+  row.record = record;
+  row.settle = settle;
+  row.through = through;
+  row.nearest = nearest;
+  return row;
+}
+
+}  // namespace tubeplan::calibration::sphere

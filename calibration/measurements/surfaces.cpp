@@ -1,0 +1,70 @@
+#include "calibration/measurements/surfaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "calibration/measurements/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr deflection::FlexibleKinematicsOptions kSettleExactly{1e-13, 100};
+
+/// The readings of each surface.
+std::map<std::string, std::vector<std::size_t>> bySurface(const std::vector<Measurement>& readings) {
+  std::map<std::string, std::vector<std::size_t>> groups;
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (touchesSurface(readings[k])) groups[placeOf(readings[k])].push_back(k);
+  return groups;
+}
+
+/// Where the measured point of the tool touches, in the world [m]; nothing where the shape does not converge.
+std::optional<ToolPose> contactOf(const PlacedArm& placed, const Measurement& reading) {
+  const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
+  const auto tool = toolAt(placed.arm, X_WB, reading, kSettleExactly);
+  return tool ? std::optional(atMeasuredPoint(reading, *tool)) : std::nullopt;
+}
+
+}  // namespace
+
+bool touchSurfaces(const std::vector<Measurement>& readings) {
+  return std::any_of(readings.begin(), readings.end(), [](const Measurement& m) { return touchesSurface(m); });
+}
+
+bool settleSurfaces(const PlacedArm& placed, std::vector<Measurement>& readings) {
+  for (const auto& [name, members] : bySurface(readings)) {
+    Eigen::Matrix3Xd points_W(3, static_cast<Eigen::Index>(members.size()));
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const auto contact = contactOf(placed, readings[members[i]]);
+      if (!contact) return false;
+      points_W.col(static_cast<Eigen::Index>(i)) = contact->p_W;
+    }
+    const Measurement& first = readings[members.front()];
+    Surface surface = first.surface.value_or(Surface{});
+    if (!kindOf(first).settle(points_W, first, surface)) continue;
+    for (const std::size_t k : members) readings[k].surface = surface;
+  }
+  return true;
+}
+
+std::vector<SettledSurface> surfacesOf(const PlacedArm& placed, std::vector<Measurement> readings) {
+  std::vector<SettledSurface> surfaces;
+  if (!settleSurfaces(placed, readings)) return surfaces;
+  for (const auto& [name, members] : bySurface(readings)) {
+    const Measurement& first = readings[members.front()];
+    if (!first.surface) continue;
+    SettledSurface settled{kindOf(first).name, first.point, *first.surface, static_cast<int>(members.size()), 0};
+    for (const std::size_t k : members) {
+      const auto contact = contactOf(placed, readings[k]);
+      if (contact) settled.rms += kindOf(first).value(readings[k], *contact).squaredNorm();
+    }
+    settled.rms = std::sqrt(settled.rms / static_cast<double>(members.size()));
+    surfaces.push_back(std::move(settled));
+  }
+  return surfaces;
+}
+
+}  // namespace tubeplan::calibration
