@@ -1,5 +1,9 @@
 #include "app/files/foreign/foreign_heading.hpp"
 
+#include <algorithm>
+#include <array>
+#include <numbers>
+
 #include "app/files/lower_case.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -50,6 +54,16 @@ constexpr UnitWord kUnitWords[] = {
     {"hours", UnitKind::kTime, "h"},
 };
 
+/// Of surveyors' instruments alone: files of the program have none.
+constexpr Unit kGon{UnitKind::kAngle, "gon", std::numbers::pi / 200};
+
+constexpr std::array<std::string_view, 9> kCountWords{"pulse",   "pulses", "pls",        "count",    "counts",
+                                                      "counter", "cts",    "increments", "increment"};
+
+bool isCountWord(std::string_view word) {
+  return std::ranges::find(kCountWords, lowerCase(tubesheets::trimBlanks(word))) != kCountWords.end();
+}
+
 /// Letters and digits of ASCII, and whatever is beyond it.
 std::string plainName(std::string_view text) {
   std::string plain;
@@ -79,17 +93,32 @@ const Unit* findUnitWord(std::string_view word) {
     if (lowerCase(unit.name) == small) return &unit;
   for (const UnitWord& known : kUnitWords)
     if (known.word == small) return findUnit(known.kind, known.name);
-  return nullptr;
+  return small == kGon.name || small == "grad" || small == "gons" ? &kGon : nullptr;
+}
+
+OwnUnit ownUnitOf(const Unit& unit) {
+  if (&unit != &kGon) return {&unit, 1};
+  return {findUnit(UnitKind::kAngle, "deg"), 0.9};
+}
+
+std::vector<std::string> foreignUnitNames(UnitKind kind) {
+  auto names = unitNames(kind);
+  if (kind == kGon.kind) names.emplace_back(kGon.name);
+  return names;
 }
 
 ForeignHeading parseHeading(std::string_view text) {
   std::string_view before, inside;
-  if (splitBrackets(text, before, inside))
+  if (splitBrackets(text, before, inside)) {
     if (const Unit* unit = findUnitWord(inside)) return {plainName(before), unit};
+    if (isCountWord(inside)) return {plainName(before), nullptr, true};
+  }
   text = tubesheets::trimBlanks(text);
   const std::size_t at = text.find_last_of(" _,/");
-  if (at != std::string_view::npos && at > 0)
+  if (at != std::string_view::npos && at > 0) {
     if (const Unit* unit = findUnitWord(text.substr(at + 1))) return {plainName(text.substr(0, at)), unit};
+    if (isCountWord(text.substr(at + 1))) return {plainName(text.substr(0, at)), nullptr, true};
+  }
   return {plainName(text), nullptr};
 }
 

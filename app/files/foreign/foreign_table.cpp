@@ -200,6 +200,11 @@ std::vector<std::string> namesInComment(const std::vector<Line>& comments, int f
 
 }  // namespace
 
+bool isBlankField(std::string_view field) {
+  return field.empty() || field == "-" || field == "--" || field == "NaN" || field == "nan" || field == "n/a" ||
+         field == "N/A";
+}
+
 ForeignTable parseForeignTable(std::string_view text, const std::string& file) {
   ForeignTable table;
   table.file = file;
@@ -229,6 +234,7 @@ ForeignTable parseForeignTable(std::string_view text, const std::string& file) {
   if (!table.has_heading) table.columns = countedNames(width);
   for (std::size_t k = 0; k < first; ++k)
     if (rows[k].line < table.heading_line || table.heading_line == 0) table.lines_before.emplace_back(lines[k].text);
+  table.units = statedUnits(table.lines_before, file);
   table.rows.assign(std::make_move_iterator(rows.begin() + static_cast<std::ptrdiff_t>(first)),
                     std::make_move_iterator(rows.end()));
   return table;

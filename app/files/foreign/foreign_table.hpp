@@ -1,9 +1,12 @@
 // Tables that other programs write: what trackers, robot controllers and spreadsheets export.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "app/files/foreign/stated_units.hpp"
 
 namespace tubeplan::app {
 
@@ -20,7 +23,11 @@ struct ForeignTable {
   int heading_line = 0;
   std::vector<ForeignRow> rows;
   std::vector<std::string> lines_before;  ///< of text before the table, comments among them
+  std::map<UnitKind, StatedUnit> units;   ///< that those lines state, of columns whose headings state none
 };
+
+/// Whether a field stands for nothing, in tables that leave none empty: "-", "NaN", "n/a".
+[[nodiscard]] bool isBlankField(std::string_view field);
 
 /// Fields apart by tab, semicolon, comma or blanks, whichever makes a table of the text; with a decimal point or, where
 /// fields are not apart by commas, a decimal comma. The table begins with the first line from which all have as many
