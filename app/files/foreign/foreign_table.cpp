@@ -208,8 +208,9 @@ bool isBlankField(std::string_view field) {
 ForeignTable parseForeignTable(std::string_view text, const std::string& file) {
   ForeignTable table;
   table.file = file;
-  std::vector<Line> lines, comments;
-  for (const auto& line : linesOf(text)) (isComment(line.text) ? comments : lines).push_back(line);
+  std::vector<Line> lines, comments, of_units;
+  for (const auto& line : linesOf(text))
+    (statesUnits(line.text) ? of_units : isComment(line.text) ? comments : lines).push_back(line);
   for (const auto& comment : comments) table.lines_before.emplace_back(comment.text);
   const char separator = separatorOf(lines, file);
   const std::size_t width = usualWidth(lines, separator).first;
@@ -234,6 +235,7 @@ ForeignTable parseForeignTable(std::string_view text, const std::string& file) {
   if (!table.has_heading) table.columns = countedNames(width);
   for (std::size_t k = 0; k < first; ++k)
     if (rows[k].line < table.heading_line || table.heading_line == 0) table.lines_before.emplace_back(lines[k].text);
+  for (const auto& line : of_units) table.lines_before.emplace_back(line.text);
   table.units = statedUnits(table.lines_before, file);
   table.rows.assign(std::make_move_iterator(rows.begin() + static_cast<std::ptrdiff_t>(first)),
                     std::make_move_iterator(rows.end()));

@@ -47,6 +47,8 @@ std::vector<const Unit*> unitsIn(std::string_view text) {
 
 }  // namespace
 
+bool statesUnits(std::string_view line) { return !unitsIn(behindUnits(line)).empty(); }
+
 std::map<UnitKind, StatedUnit> statedUnits(const std::vector<std::string>& lines, const std::string& file) {
   std::map<UnitKind, StatedUnit> stated;
   for (const auto& line : lines)

@@ -1,7 +1,10 @@
 // Every form of the table, written here by other code than reads it, comes back as the turn or place that it was.
 #include "app/files/foreign/written_forms.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -64,7 +67,7 @@ std::vector<Eigen::Matrix3d> someTurns() {
                         .toRotationMatrix());
   for (const double middle : {pi / 2, -pi / 2, pi, pi / 2 - 1e-9, 1e-9})
     for (const double first : {0.0, 0.7, -2.9, pi})
-      for (const Eigen::Vector3d& axis : {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()})
+      for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, 0, 1)})
         turns.push_back((Eigen::AngleAxisd(first, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(middle, axis) *
                          Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()))
                             .toRotationMatrix());
