@@ -91,7 +91,11 @@ class TableParser {
     for (const TextLine& line : textLines(text)) {
       if (line.text.find('\0') != std::string_view::npos)
         refuse({"text", "a zero byte", "text", "save the table as text or CSV", line.number});
-      if (!line.text.empty()) (isCommentLine(line.text) ? comments_ : lines_).push_back(line);
+      if (line.text.empty()) continue;
+      if (words.statesUnits && words.statesUnits(line.text))
+        table_.lines_before.emplace_back(line.text);
+      else
+        (isCommentLine(line.text) ? comments_ : lines_).push_back(line);
     }
     for (const auto& comment : comments_) table_.lines_before.emplace_back(comment.text);
   }

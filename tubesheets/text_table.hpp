@@ -21,6 +21,7 @@ struct TableWords {
   /// The heading is the first whole one, else the first partial one. Left out, it is what stands above the first row
   /// with a number.
   std::function<HeadingRank(const std::vector<std::string>&)> rankHeading = nullptr;
+  bool (*statesUnits)(std::string_view) = nullptr;  ///< of a line that states units and is neither row nor heading
 };
 
 /// One table of a text, with the decimal point of the program.

@@ -10,6 +10,7 @@
 #include "app/commands/option_groups.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_reader.hpp"
+#include "app/files/foreign/clock_time.hpp"
 #include "app/files/foreign/foreign_heading.hpp"
 #include "app/files/foreign/foreign_readings.hpp"
 #include "app/files/input_error.hpp"
@@ -23,7 +24,7 @@ namespace tubeplan::app {
 namespace {
 
 struct ReadingsOptions {
-  std::string cell, out, kind;
+  std::string cell, out, kind, orientation, points, dates;
   std::vector<std::string> files, columns, units;
   bool is_template = false;
 };
@@ -67,7 +68,8 @@ int run(const ReadingsOptions& options) {
     return kDone;
   }
   if (options.files.empty()) throw InputError("FILES", "none", "the tables to read", "name one or more, or --template");
-  ForeignRequest request{{}, {options.columns, unitsOf(options.units)}, options.kind};
+  ForeignRequest request{
+      {}, {options.columns, unitsOf(options.units), options.orientation, options.points, options.dates}, options.kind};
   for (const auto& file : options.files) request.tables.push_back(parseForeignTable(readTextFile(file), file));
   if (!options.out.empty()) checkWritableFile(options.out, "--out");
   const ForeignReadings readings = readForeign(request, cell.arm);
@@ -88,13 +90,21 @@ Run configureReadings(CLI::App& cli) {
   cli.add_option("FILES", options->files,
                  "tables (CSV, or text with tabs or blanks): joints and positions together, or a joint log and a "
                  "tracker's points");
-  cli.add_option("--column", options->columns,
-                 "NAME=COLUMN: assigns a column whose heading does not say what it is (x_mm=X, theta1=log.csv:J1)")
+  cli.add_option(
+         "--column", options->columns,
+         "NAME=COLUMN: assigns a column whose heading does not say what it is (x_mm=X, theta1=log.csv:J1), with a "
+         "factor or divisor for pulses (theta1_deg=S*-0.00012)")
       ->take_all();
   cli.add_option("--units", options->units, "units of columns that state none: mm,deg,N")->delimiter(',');
   cli.add_option("--kind", options->kind,
                  "kind of the readings, where no column states it (default: position, or touch without coordinates)")
       ->check(CLI::IsMember(calibration::measurementKindNames()));
+  cli.add_option("--orientation", options->orientation, "form in which the columns state how the tool is turned")
+      ->check(CLI::IsMember(formNames(Stated::kTurn)));
+  cli.add_option("--points", options->points, "form in which the columns state places, where it is not x, y, z")
+      ->check(CLI::IsMember(formNames(Stated::kPlace)));
+  cli.add_option("--dates", options->dates, "which number of dates such as 3/5/2024 is the day")
+      ->check(CLI::IsMember({nameOf(DateOrder::kDayFirst), nameOf(DateOrder::kMonthFirst)}));
   cli.add_option("--out", options->out, "write the measurement table to this file, else to standard output");
   cli.add_flag("--template", options->is_template, "an empty table for this arm, to be filled in");
   return [options] { return run(*options); };

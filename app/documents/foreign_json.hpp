@@ -2,17 +2,17 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <vector>
 
 #include "app/files/cell_reader.hpp"
-#include "app/files/foreign/foreign_columns.hpp"
+#include "app/files/foreign/foreign_readings.hpp"
 
 namespace tubeplan::app {
 
 /// {tables: [{name, columns, rows: [[field]], count, names}], targets: [{quantity, units, is_required, found: {table,
-/// column, unit} or null}]}: the first rows of each, every quantity that readings of this arm may state, and which
-/// column seems to be it; `unit` is empty where its heading states none, `names` is null where no column has the rows'
-/// names.
-[[nodiscard]] nlohmann::json foreignColumnsJson(const std::vector<ForeignTable>& tables, const Cell& cell);
+/// column, unit} or null}], options: [{name, label, values: [{value, words}]}]}: the first rows of each, every quantity
+/// that readings of this arm may state, and which column seems to be it; `unit` is empty where nothing states one,
+/// `names` is null where no column has the rows' names. Options are what else the user may say of the tables: kind,
+/// orientation, points, dates.
+[[nodiscard]] nlohmann::json foreignColumnsJson(const ForeignRequest& request, const Cell& cell);
 
 }  // namespace tubeplan::app

@@ -120,17 +120,23 @@ std::vector<ForeignTable> foreignTablesOf(const nlohmann::json& body) {
   return tables;
 }
 
-/// What the columns of foreign tables seem to be.
-Answer foreignColumns(Workbench& workbench, const Request& request) {
-  const auto tables = foreignTablesOf(objectOf(request));
-  return answerOf(foreignColumnsJson(tables, currentModel(workbench.session()).cell));
+/// {"tables", "columns"?: ["x_mm=points.txt:X"], "kind"?, "orientation"?, "points"?, "dates"?}: what the options of
+/// `readings` say.
+ForeignRequest foreignOf(const nlohmann::json& body) {
+  return {foreignTablesOf(body),
+          {textsOf(body, "columns"), {}, textOf(body, "orientation"), textOf(body, "points"), textOf(body, "dates")},
+          textOf(body, "kind")};
 }
 
-/// The same with {"columns": ["x_mm=points.txt:X"], "kind"?, "sigma"?}: they become the readings, with that noise where
-/// no column states it.
+/// What the columns of foreign tables seem to be.
+Answer foreignColumns(Workbench& workbench, const Request& request) {
+  return answerOf(foreignColumnsJson(foreignOf(objectOf(request)), currentModel(workbench.session()).cell));
+}
+
+/// The same with {"sigma"?}: they become the readings, with that noise where no column states it.
 Answer takeForeign(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  ForeignRequest foreign{foreignTablesOf(body), {textsOf(body, "columns"), {}}, textOf(body, "kind")};
+  const ForeignRequest foreign = foreignOf(body);
   const auto readings = readForeign(foreign, currentModel(workbench.session()).cell.arm);
   return takeText(workbench, readings.text, foreign.tables.front().file, numberOf(body, "sigma", 0));
 }

@@ -8,9 +8,22 @@
 
 namespace tubeplan::app {
 
-/// Seconds of "2026-11-01 10:00:00.123", of the same with a T between, or of "10:00:00" since midnight; nothing for any
-/// other text. Only differences mean anything: zones and leap seconds are not known.
-[[nodiscard]] std::optional<double> clockSeconds(std::string_view text);
+/// Which number of a date is the day, where the year stands last.
+enum class DateOrder { kDayFirst, kMonthFirst };
+
+/// "day-first", "month-first": as --dates takes them.
+[[nodiscard]] const char* nameOf(DateOrder order);
+
+/// Seconds of "2026-11-01 10:00:00.123", of the same with a T between, of "3/5/2024 11:50:00 AM", or of "10:00:00"
+/// since midnight; nothing for any other text. Dates with points have the day first. Only differences mean anything:
+/// zones and leap seconds are not known.
+[[nodiscard]] std::optional<double> clockSeconds(std::string_view text, DateOrder order = DateOrder::kMonthFirst);
+
+/// Whether it is a time in either order.
+[[nodiscard]] bool isClockTime(std::string_view text);
+
+/// The orders in which every row that is a time in one of them is one; only the first where both mean the same times.
+[[nodiscard]] std::vector<DateOrder> dateOrders(const std::vector<std::string>& rows);
 
 /// Times of rows that follow one another.
 struct ClockTimes {
@@ -19,6 +32,6 @@ struct ClockTimes {
 };
 
 /// A clock without a date that goes back by half a day or more has passed midnight.
-[[nodiscard]] ClockTimes clockTimes(const std::vector<std::string>& rows);
+[[nodiscard]] ClockTimes clockTimes(const std::vector<std::string>& rows, DateOrder order = DateOrder::kMonthFirst);
 
 }  // namespace tubeplan::app

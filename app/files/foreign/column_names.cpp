@@ -6,17 +6,13 @@
 #include <array>
 #include <set>
 
+#include "app/files/foreign/joint_headings.hpp"
+#include "app/files/input_error.hpp"
 #include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
 namespace {
-
-/// Whether a joint may be called by its number; those beside the chain to the tip are not counted.
-bool isNumbered(const ColumnTarget& target) { return target.is_joint && target.aliases.size() > 1; }
-
-/// Of a heading that is this target's and no other's.
-std::string settledName(const ColumnTarget& target) { return "=" + target.quantity; }
 
 /// How many columns at the front are of text: the collection, the group and the name of a tracker's point.
 std::size_t textsInFront(const ForeignTable& table) {
@@ -92,63 +88,27 @@ void takeSurveyAxes(std::vector<std::vector<ForeignHeading>>& tables) {
   }
 }
 
-/// Joints counted from zero are counted from one here: q0 to q5 of six, where there is no q6.
-void countFromOne(std::vector<std::vector<ForeignHeading>>& tables, std::size_t joints) {
-  const auto find = [&](const std::string& name) -> ForeignHeading* {
-    for (auto& headings : tables)
-      for (auto& heading : headings)
-        if (heading.name == name) return &heading;
-    return nullptr;
-  };
-  for (const char* word : kJointWords) {
-    std::vector<ForeignHeading*> counted;
-    for (std::size_t k = 0; k < joints; ++k) counted.push_back(find(fmt::format("{}{}", word, k)));
-    const bool are_all = std::all_of(counted.begin(), counted.end(), [](const auto* heading) { return heading; });
-    if (!are_all || find(fmt::format("{}{}", word, joints))) continue;
-    for (std::size_t k = 0; k < joints; ++k) counted[k]->name = fmt::format("{}{}", word, k + 1);
-  }
-}
-
-/// A joint's own name goes before its number among the joints: `slide, A1, A2` are no numbers. The numbers of those
-/// that are left count them alone where there are as many: `slide, J1, J2`.
-void settleJoints(std::vector<std::vector<ForeignHeading>>& tables, const std::vector<ColumnTarget>& targets) {
-  const auto called = [&](const std::string& name) {
-    std::vector<ForeignHeading*> found;
-    for (auto& headings : tables)
-      for (auto& heading : headings)
-        if (heading.name == name) found.push_back(&heading);
-    return found;
-  };
-  std::vector<const ColumnTarget*> rest;
-  bool is_any_named = false;
-  for (const auto& target : targets) {
-    if (!target.is_joint) continue;
-    const auto found = called(target.aliases.front());
-    if (found.size() == 1 && fits(target, *found.front())) {
-      found.front()->name = settledName(target);
-      is_any_named = true;
-    } else if (isNumbered(target)) {
-      rest.push_back(&target);
-    }
-  }
-  for (const char* word : kJointWords) {
-    const auto numbered = [&](std::size_t number) { return called(fmt::format("{}{}", word, number)); };
-    bool are_all = is_any_named && !rest.empty() && numbered(rest.size() + 1).empty();
-    for (std::size_t number = 1; number <= rest.size(); ++number) are_all = are_all && numbered(number).size() == 1;
-    if (!are_all) continue;
-    std::vector<ForeignHeading*> columns;
-    for (std::size_t number = 1; number <= rest.size(); ++number) columns.push_back(numbered(number).front());
-    for (std::size_t k = 0; k < rest.size(); ++k) columns[k]->name = settledName(*rest[k]);
-    return;
-  }
-}
-
 }  // namespace
 
 bool fits(const ColumnTarget& target, const ForeignHeading& heading) {
   if (heading.unit && target.unit != heading.unit->kind) return false;
+  if (heading.is_count && !target.is_joint) return false;
   return heading.name == settledName(target) ||
          std::find(target.aliases.begin(), target.aliases.end(), heading.name) != target.aliases.end();
+}
+
+const Unit* unitOf(const ForeignTable& table, const ForeignHeading& heading, UnitKind kind, const UsualUnits& usual) {
+  if (heading.unit) return heading.unit->kind == kind ? heading.unit : nullptr;
+  if (heading.is_count) return nullptr;
+  const auto above = table.units.find(kind);
+  const auto asked = usual.find(kind);
+  if (above == table.units.end()) return asked == usual.end() ? nullptr : asked->second;
+  if (asked != usual.end() && asked->second->name != above->second.unit->name)
+    throw InputError(table.file,
+                     fmt::format("the unit {} by {}", above->second.unit->name, inQuotes(above->second.line)),
+                     fmt::format("{} as --units says", asked->second->name),
+                     "leave that unit out of --units, or take out the line where it is not true");
+  return above->second.unit;
 }
 
 std::vector<ForeignHeading> columnNames(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
@@ -162,8 +122,6 @@ std::vector<std::vector<ForeignHeading>> columnNames(const std::vector<ForeignTa
                                                      const std::vector<ColumnTarget>& targets) {
   std::vector<std::vector<ForeignHeading>> headings;
   for (const auto& table : tables) headings.push_back(columnNames(table, targets));
-  const auto joints = std::count_if(targets.begin(), targets.end(), isNumbered);
-  countFromOne(headings, static_cast<std::size_t>(joints));
   settleJoints(headings, targets);
   takeSurveyAxes(headings);
   return headings;

@@ -8,8 +8,13 @@
 
 namespace tubeplan::app {
 
-/// A heading that states a unit of another kind is of something else: "x (deg)" is no place.
+/// A heading that states a unit of another kind is of something else: "x (deg)" is no place; and pulses are of joints.
 [[nodiscard]] bool fits(const ColumnTarget& target, const ForeignHeading& heading);
+
+/// Returns the unit of a column's numbers: that of its heading, else of a line above the table, else the usual one;
+/// null where none is stated. Throws InputError where the last two differ.
+[[nodiscard]] const Unit* unitOf(const ForeignTable& table, const ForeignHeading& heading, UnitKind kind,
+                                 const UsualUnits& usual);
 
 /// Returns the headings of one table, empty for columns of which nothing is known.
 [[nodiscard]] std::vector<ForeignHeading> columnNames(const ForeignTable& table,

@@ -48,6 +48,15 @@ void addOwn(std::vector<ColumnTarget>& targets) {
     }
 }
 
+void addForms(std::vector<ColumnTarget>& targets) {
+  for (const auto& form : writtenForms())
+    for (std::size_t part = 0; part < form.numbers.size(); ++part)
+      targets.push_back({.quantity = fmt::format("{}.{}", form.name, form.numbers[part].name),
+                         .unit = form.numbers[part].unit,
+                         .form = &form,
+                         .part = part});
+}
+
 }  // namespace
 
 std::vector<ColumnTarget> columnTargets(const deflection::Arm& arm) {
@@ -70,8 +79,10 @@ std::vector<ColumnTarget> columnTargets(const deflection::Arm& arm) {
   addJoints(arm, targets);
   for (const char* axis : {"x", "y", "z"}) {
     std::vector<std::string> aliases;
-    for (const char* form : {"{}", "pos{}", "p{}", "t{}", "{}pos", "measured{}", "{}measured", "meas{}", "{}meas"})
+    for (const char* form : {"{}", "pos{}", "p{}", "t{}", "{}pos", "measured{}", "{}measured", "meas{}", "{}meas",
+                             "position{}", "poseposition{}"})
       aliases.push_back(fmt::format(fmt::runtime(form), axis));
+    aliases.push_back(fmt::format("actualtcppose{}", axis[0] - 'x'));
     targets.push_back(number(axis, UnitKind::kLength, std::move(aliases)));
   }
   for (const char* name : {"tool_x", "tool_y", "tool_z", "sigma_x", "sigma_y", "sigma_z"})
@@ -90,6 +101,7 @@ std::vector<ColumnTarget> columnTargets(const deflection::Arm& arm) {
                                {fmt::format("{}{}", letter, axis), fmt::format("{}{}", word, axis)}));
   targets.push_back(number("temperature", UnitKind::kTemperature, {"temperature", "temp"}));
   targets.push_back(number("time", UnitKind::kTime, {"time", "timestamp", "t"}));
+  addForms(targets);
   return targets;
 }
 

@@ -4,10 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
+#include "app/files/foreign/chosen_column.hpp"
 #include "app/files/foreign/clock_time.hpp"
 #include "app/files/foreign/column_names.hpp"
+#include "app/files/foreign/form_columns.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "tubesheets/csv_table.hpp"
@@ -21,13 +25,15 @@ std::string exampleOf(UnitKind kind) { return kind == UnitKind::kLength ? "mm" :
 class ColumnTaker {
  public:
   ColumnTaker(const std::vector<ForeignTable>& tables, const std::vector<ColumnTarget>& targets,
-              const ColumnChoice& choice)
-      : tables_(tables), targets_(targets), choice_(choice), headings_(columnNames(tables, targets)) {
+              const ColumnChoice& choice, const std::string& kind)
+      : tables_(tables), targets_(targets), choice_(choice), kind_(kind), headings_(columnNames(tables, targets)) {
     for (const auto& table : tables) free_.emplace_back(table.columns.size(), true);
   }
 
   std::vector<TakenColumn> take() {
     for (const auto& chosen : choice_.columns) takeChosen(chosen);
+    takeChosenForms();
+    for (const auto& [stated, name] : neededForms(kindsOf(search(), kind_), choice_)) takeForm(stated, name);
     for (std::size_t k = 0; k < targets_.size(); ++k)
       if (!isTaken(k)) takeNamed(k);
     for (std::size_t k = 0; k < targets_.size(); ++k)
@@ -46,43 +52,98 @@ class ColumnTaker {
   }
 
   void takeChosen(const std::string& chosen) {
-    const std::size_t equals = chosen.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == chosen.size())
-      throw InputError("--column", inQuotes(chosen), "NAME=COLUMN, such as x_mm=X", "");
-    const std::string name = chosen.substr(0, equals);
-    const auto [target, unit] = targetOf(name);
-    if (isTaken(target)) throw InputError("--column", fmt::format("{} twice", inQuotes(name)), "it once", "");
-    const auto [table, column] = columnOf(chosen.substr(equals + 1));
-    add(target, table, column, unit);
+    const ChosenColumn column = parseChosenColumn(chosen, tables_, targets_);
+    if (isTaken(column.target) || std::ranges::find(parts_, column.target, &ChosenColumn::target) != parts_.end())
+      throw InputError("--column", fmt::format("{} twice", inQuotes(targets_[column.target].quantity)), "it once", "");
+    if (!targets_[column.target].form)
+      return add(column.target, column.table, column.column, column.unit, column.factor);
+    free_[column.table][column.column] = false;
+    parts_.push_back(column);
   }
 
-  /// "x_mm" or "x": a quantity, and the unit where the name states one.
-  [[nodiscard]] std::pair<std::size_t, const Unit*> targetOf(const std::string& name) const {
-    std::vector<std::string> known;
-    for (std::size_t k = 0; k < targets_.size(); ++k) {
-      const auto& target = targets_[k];
-      known.push_back(target.quantity);
-      if (name == target.quantity) return {k, nullptr};
-      if (!target.unit || !name.starts_with(target.quantity + "_")) continue;
-      if (const Unit* unit = findUnit(*target.unit, name.substr(target.quantity.size() + 1))) return {k, unit};
-    }
-    throw InputError("--column", inQuotes(name), "a column of a measurement table", suggestion(name, known));
-  }
-
-  [[nodiscard]] std::pair<std::size_t, std::size_t> columnOf(const std::string& theirs) const {
-    std::vector<std::pair<std::size_t, std::size_t>> found;
-    std::vector<std::string> known;
-    for (std::size_t t = 0; t < tables_.size(); ++t)
-      for (std::size_t c = 0; c < tables_[t].columns.size(); ++c) {
-        known.push_back(tables_[t].columns[c]);
-        if (theirs == tables_[t].columns[c] || theirs == tables_[t].file + ":" + tables_[t].columns[c])
-          found.emplace_back(t, c);
+  /// The forms whose numbers were chosen, each whole and of one table.
+  void takeChosenForms() {
+    while (!parts_.empty()) {
+      const WrittenForm& form = *targets_[parts_.front().target].form;
+      FormColumns columns{&form, parts_.front().table, {}, {}};
+      for (std::size_t part = 0; part < form.numbers.size(); ++part) {
+        const auto found = std::ranges::find_if(parts_, [&](const auto& chosen) {
+          return targets_[chosen.target].form == &form && targets_[chosen.target].part == part;
+        });
+        if (found == parts_.end() || found->table != columns.table)
+          throw InputError("--column",
+                           fmt::format("{} without its {} in the same table", form.name, form.numbers[part].name),
+                           fmt::format("all {} numbers", form.numbers.size()),
+                           fmt::format("add --column {}.{}=COLUMN", form.name, form.numbers[part].name));
+        columns.columns.push_back(found->column);
+        columns.units.push_back(found->unit);
       }
-    if (found.size() == 1) return found.front();
-    if (found.empty())
-      throw InputError("--column", "no column " + inQuotes(theirs), alternatives(known), suggestion(theirs, known));
-    throw InputError("--column", fmt::format("{} columns {}", found.size(), inQuotes(theirs)), "one",
-                     fmt::format("write {}:{}", tables_[found.front().first].file, theirs));
+      std::erase_if(parts_, [&](const auto& chosen) { return targets_[chosen.target].form == &form; });
+      addForm(std::move(columns));
+    }
+  }
+
+  [[nodiscard]] FormSearch search() const {
+    std::vector<const ColumnTarget*> joints;
+    for (std::size_t k = 0; k < targets_.size(); ++k)
+      if (targets_[k].is_joint && !isTaken(k)) joints.push_back(&targets_[k]);
+    return {tables_, headings_, choice_.units, free_, std::move(joints)};
+  }
+
+  /// Whether columns of their own state a turn or a place.
+  [[nodiscard]] bool hasColumns(Stated stated) const {
+    return std::ranges::any_of(columnsOf(stated).columns, [&](const char* name) {
+      return isTaken(indexOf(name)) || hasFreeColumn(search(), targets_[indexOf(name)]);
+    });
+  }
+
+  [[nodiscard]] std::size_t indexOf(std::string_view quantity) const {
+    return static_cast<std::size_t>(std::ranges::find(targets_, quantity, &ColumnTarget::quantity) - targets_.begin());
+  }
+
+  /// The form of that name, else the only one where no columns state the same by themselves.
+  void takeForm(Stated stated, const std::string& name) {
+    const bool is_chosen = isTaken(indexOf(columnsOf(stated).columns.front()));
+    if (is_chosen || (name.empty() && hasColumns(stated))) return;
+    const auto names = formNames(stated);
+    if (!name.empty() && std::ranges::find(names, name) == names.end())
+      throw InputError(columnsOf(stated).option, inQuotes(name), alternatives(names), suggestion(name, names));
+    if (auto form = onlyForm(formsByHeadings(search(), stated, name), tables_)) return addForm(std::move(*form));
+    if (!name.empty()) missingForm(name);
+  }
+
+  [[noreturn]] static void missingForm(const std::string& name) {
+    const auto& form = *std::ranges::find(writtenForms(), name, &WrittenForm::name);
+    std::vector<std::string> numbers;
+    for (const auto& number : form.numbers) numbers.push_back(fmt::format("--column {}.{}=COLUMN", name, number.name));
+    throw InputError(fmt::format("{} {}", columnsOf(form.stated).option, name), "no columns with its headings",
+                     fmt::format("{}", form.words), fmt::format("say which: {}", fmt::join(numbers, " ")));
+  }
+
+  void addForm(FormColumns columns) {
+    const StatedColumns& stated = columnsOf(columns.form->stated);
+    for (std::size_t i = 0; i < columns.columns.size(); ++i) {
+      const auto& kind = columns.form->numbers[i].unit;
+      if (kind && !columns.units[i])
+        columns.units[i] = neededUnit(fmt::format("{}.{}", columns.form->name, columns.form->numbers[i].name), *kind,
+                                      columns.table, columns.columns[i]);
+      free_[columns.table][columns.columns[i]] = false;
+    }
+    const auto stating =
+        std::ranges::find_if(columns.units, [&](const Unit* u) { return u && u->kind == stated.unit; });
+    const auto usual = choice_.units.find(stated.unit);
+    const Unit& unit = stating != columns.units.end() ? **stating
+                       : usual != choice_.units.end() ? *usual->second
+                                                      : *findUnit(stated.unit, unitNames(stated.unit).front());
+    const auto shared = std::make_shared<const FormColumns>(std::move(columns));
+    for (std::size_t part = 0; part < stated.columns.size(); ++part) {
+      const std::size_t target = indexOf(stated.columns[part]);
+      if (isTaken(target))
+        throw InputError("--column", fmt::format("{} and {}", stated.columns[part], shared->form->name), "one of them",
+                         "");
+      taken_.push_back({fmt::format("{}_{}", stated.columns[part], ownUnitOf(unit).unit->name), target, shared->table,
+                        shared->columns.front(), 1, shared, part});
+    }
   }
 
   void takeNamed(std::size_t k) {
@@ -103,41 +164,67 @@ class ColumnTaker {
     add(k, found[0].first, found[0].second, nullptr);
   }
 
-  void add(std::size_t target, std::size_t table, std::size_t column, const Unit* stated) {
+  void add(std::size_t target, std::size_t table, std::size_t column, const Unit* stated, double factor = 1) {
     const auto& wanted = targets_[target];
     std::string name = wanted.quantity;
     if (wanted.unit) {
-      const Unit* unit = stated ? stated : unitOf(*wanted.unit, table, column);
-      if (!unit)
-        throw InputError("the column " + nameOf(table, column), "no unit",
-                         fmt::format("{} with its unit: {}", wanted.quantity, alternatives(unitNames(*wanted.unit))),
-                         fmt::format("write --units {0}, or --column {1}_{0}={2}", exampleOf(*wanted.unit),
-                                     wanted.quantity, tables_[table].columns[column]));
-      name += "_" + std::string(unit->name);
+      const Unit* unit = stated ? stated : neededUnit(wanted.quantity, *wanted.unit, table, column);
+      const bool is_stated = stated || factor != 1 || headings_[table][column].unit;
+      if (wanted.is_joint && !is_stated) refusePulses(wanted, table, column, *unit);
+      name += "_" + std::string(ownUnitOf(*unit).unit->name);
+      factor *= ownUnitOf(*unit).factor;
     }
     free_[table][column] = false;
-    taken_.push_back({std::move(name), target, table, column});
+    taken_.push_back({std::move(name), target, table, column, factor});
+  }
+
+  [[nodiscard]] const Unit* neededUnit(const std::string& quantity, UnitKind kind, std::size_t table,
+                                       std::size_t column) const {
+    const auto& heading = headings_[table][column];
+    if (const Unit* unit = kind == UnitKind::kTime && isClock(table, column)
+                               ? findUnit(kind, "s")
+                               : unitOf(tables_[table], heading, kind, choice_.units))
+      return unit;
+    const std::string& theirs = tables_[table].columns[column];
+    if (heading.is_count)
+      throw InputError("the column " + nameOf(table, column), "pulses, whose size is not stated",
+                       "the angle or length of one",
+                       fmt::format("write --column '{}_{}={}*0.0001', with the size of a pulse and its sign", quantity,
+                                   exampleOf(kind), theirs));
+    throw InputError("the column " + nameOf(table, column), "no unit",
+                     fmt::format("{} with its unit: {}", quantity, alternatives(unitNames(kind))),
+                     fmt::format("write --units {0}, or --column {1}_{0}={2}", exampleOf(kind), quantity, theirs));
+  }
+
+  /// Whole numbers of many turns are no angles, whatever unit the others have.
+  void refusePulses(const ColumnTarget& joint, std::size_t table, std::size_t column, const Unit& unit) const {
+    constexpr double kMostTurns = 20;
+    double most = 0;
+    for (const auto& row : tables_[table].rows) {
+      const auto number = tubesheets::parseInteger(row.fields[column]);
+      if (!number && !isBlankField(row.fields[column])) return;
+      if (number) most = std::max(most, std::abs(*number * unit.factor) / (2 * std::numbers::pi));
+    }
+    if (joint.unit != UnitKind::kAngle || most < kMostTurns) return;
+    const std::string& theirs = tables_[table].columns[column];
+    throw InputError("the column " + nameOf(table, column),
+                     fmt::format("whole numbers that would be up to {:.0f} turns", most), "angles, not pulses",
+                     fmt::format("write --column '{0}_{1}={2}*0.0001' with the size of a pulse and its sign, or "
+                                 "--column {0}_{1}={2} if they are angles",
+                                 joint.quantity, unit.name, theirs));
   }
 
   [[nodiscard]] const std::string& firstField(std::size_t table, std::size_t column) const {
     return tables_[table].rows.front().fields[column];
   }
   [[nodiscard]] bool isClock(std::size_t table, std::size_t column) const {
-    return clockSeconds(firstField(table, column)).has_value();
+    return isClockTime(firstField(table, column));
   }
   /// A time that is written in some way of its own is left out, as a date is.
   [[nodiscard]] bool isOtherTime(std::size_t target, std::size_t table, std::size_t column) const {
     const std::string& field = firstField(table, column);
     return targets_[target].unit == UnitKind::kTime && !field.empty() && !tubesheets::parseNumber(field) &&
            !isClock(table, column);
-  }
-
-  [[nodiscard]] const Unit* unitOf(UnitKind kind, std::size_t table, std::size_t column) const {
-    if (kind == UnitKind::kTime && isClock(table, column)) return findUnit(kind, "s");
-    const Unit* stated = headings_[table][column].unit;
-    if (stated && stated->kind == kind) return stated;
-    const auto usual = choice_.units.find(kind);
-    return usual == choice_.units.end() ? nullptr : usual->second;
   }
 
   [[noreturn]] void missingJoint(std::size_t k) const {
@@ -154,39 +241,18 @@ class ColumnTaker {
   const std::vector<ForeignTable>& tables_;
   const std::vector<ColumnTarget>& targets_;
   const ColumnChoice& choice_;
+  const std::string& kind_;
   std::vector<std::vector<ForeignHeading>> headings_;
-  std::vector<std::vector<bool>> free_;
+  std::vector<ChosenColumn> parts_;  ///< chosen numbers of forms
+  FreeColumns free_;
   std::vector<TakenColumn> taken_;
 };
 
 }  // namespace
 
-std::optional<std::size_t> findNames(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
-  const auto headings = columnNames(table, targets);
-  for (const char* quantity : {"point", "id"})
-    for (const auto& target : targets) {
-      if (target.quantity != quantity) continue;
-      const auto found = std::find_if(headings.begin(), headings.end(), [&](const auto& h) { return fits(target, h); });
-      if (found != headings.end()) return static_cast<std::size_t>(found - headings.begin());
-    }
-  return std::nullopt;
-}
-
-std::vector<std::optional<ColumnGuess>> guessColumns(const std::vector<ForeignTable>& tables,
-                                                     const std::vector<ColumnTarget>& targets) {
-  const auto headings = columnNames(tables, targets);
-  std::vector<std::optional<ColumnGuess>> guesses(targets.size());
-  std::set<std::pair<std::size_t, std::size_t>> used;
-  for (std::size_t k = 0; k < targets.size(); ++k)
-    for (std::size_t t = 0; t < tables.size(); ++t)
-      for (std::size_t c = 0; c < headings[t].size() && !guesses[k]; ++c)
-        if (fits(targets[k], headings[t][c]) && used.emplace(t, c).second) guesses[k] = {t, c, headings[t][c].unit};
-  return guesses;
-}
-
 std::vector<TakenColumn> takeColumns(const std::vector<ForeignTable>& tables, const std::vector<ColumnTarget>& targets,
-                                     const ColumnChoice& choice) {
-  return ColumnTaker(tables, targets, choice).take();
+                                     const ColumnChoice& choice, const std::string& kind) {
+  return ColumnTaker(tables, targets, choice, kind).take();
 }
 
 }  // namespace tubeplan::app

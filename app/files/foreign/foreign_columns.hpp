@@ -3,18 +3,20 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/files/foreign/foreign_table.hpp"
+#include "app/files/foreign/written_forms.hpp"
 #include "app/files/units.hpp"
 #include "deflection/arm.hpp"
 
 namespace tubeplan::app {
 
 /// Before a joint's number.
-inline constexpr std::array kJointWords{"j", "joint", "axis", "a", "q", "theta", "encoder"};
+inline constexpr std::array kJointWords{"j", "joint", "axis", "a", "q", "theta", "encoder", "jt", "actualq"};
 
 /// A quantity that a measurement table may have, and what it is called elsewhere.
 struct ColumnTarget {
@@ -22,22 +24,44 @@ struct ColumnTarget {
   std::optional<UnitKind> unit;  ///< of those with one: the column is quantity_UNIT
   bool is_number = true;
   bool is_joint = false;
-  std::vector<std::string> aliases;  ///< as parseHeading() gives names
+  std::vector<std::string> aliases = {};  ///< as parseHeading() gives names
+  const WrittenForm* form = nullptr;      ///< it is no column, but a number of that form: "euler-zyx.z"
+  std::size_t part = 0;                   ///< and which
 };
 
 /// All that readings of that arm may state, in the order of a measurement table.
 [[nodiscard]] std::vector<ColumnTarget> columnTargets(const deflection::Arm& arm);
+
+/// Columns of one table whose numbers state a turn or a place together.
+struct FormColumns {
+  const WrittenForm* form = nullptr;
+  std::size_t table = 0;
+  std::vector<std::size_t> columns;  ///< of each number
+  std::vector<const Unit*> units;    ///< of each; null where it has none or none is stated
+  bool is_beside = false;            ///< a column beside them decides for the form
+  std::string why = {};              ///< where others with the same headings were excluded: which, and by what
+};
 
 struct TakenColumn {
   std::string name;        ///< in a measurement table: "x_mm"
   std::size_t target = 0;  ///< index in columnTargets()
   std::size_t table = 0;
   std::size_t column = 0;
+  double factor = 1;                                  ///< what its numbers are multiplied by
+  std::shared_ptr<const FormColumns> form = nullptr;  ///< of which it is ...
+  std::size_t part = 0;                               ///< ... the number of its columnsOf()
 };
 
+/// Units of columns that state none, as --units.
+using UsualUnits = std::map<UnitKind, const Unit*>;
+
 struct ColumnChoice {
-  std::vector<std::string> columns;       ///< NAME=THEIRS or NAME=FILE:THEIRS: "x_mm=X", "theta1_deg=log.csv:J1"
-  std::map<UnitKind, const Unit*> units;  ///< of columns whose headings state none
+  /// NAME=THEIRS or NAME=FILE:THEIRS, with a factor or a divisor behind: "x_mm=X", "theta1_deg=log.csv:S*-0.00012".
+  std::vector<std::string> columns;
+  UsualUnits units;
+  std::string orientation = {};  ///< the form that turns are written in; empty: the one that their columns say
+  std::string points = {};       ///< the same of places
+  std::string dates = {};        ///< "day-first" or "month-first", where the rows leave it open
 };
 
 /// The column with the names of a table's rows: its points, else its ids, by its headings or, without these, its shape.
@@ -49,15 +73,20 @@ struct ColumnGuess {
   const Unit* unit = nullptr;
 };
 
-/// For each target the first column that no target before it has; nothing where there is none.
+/// Numbers of a form are looked for where the readings need them: by `kind`, else by the kinds that the rows state.
+/// For each target the first column that no target before it has; nothing where there is none. Numbers of a form only
+/// where the readings need it and it is the only one.
 [[nodiscard]] std::vector<std::optional<ColumnGuess>> guessColumns(const std::vector<ForeignTable>& tables,
-                                                                   const std::vector<ColumnTarget>& targets);
+                                                                   const std::vector<ColumnTarget>& targets,
+                                                                   const ColumnChoice& choice = {},
+                                                                   const std::string& kind = {});
 
 /// Those chosen, and of the rest those whose headings say what they are; tables without headings by how many columns
-/// they have. Throws InputError for a choice of a column that is not there, for a quantity that two columns could be,
-/// for a joint without a column and for a number without a unit.
+/// they have. Where the readings need a turn or a place that no column is, those of the one form that states it. Throws
+/// InputError for a choice of a column that is not there, for a quantity that two columns could be or a turn that two
+/// forms could mean, for a joint without a column and for a number without a unit.
 [[nodiscard]] std::vector<TakenColumn> takeColumns(const std::vector<ForeignTable>& tables,
-                                                   const std::vector<ColumnTarget>& targets,
-                                                   const ColumnChoice& choice);
+                                                   const std::vector<ColumnTarget>& targets, const ColumnChoice& choice,
+                                                   const std::string& kind = {});
 
 }  // namespace tubeplan::app

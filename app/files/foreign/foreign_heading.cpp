@@ -1,5 +1,8 @@
 #include "app/files/foreign/foreign_heading.hpp"
 
+#include <algorithm>
+#include <array>
+#include <numbers>
 #include <utility>
 
 #include "app/files/lower_case.hpp"
@@ -43,6 +46,16 @@ constexpr UnitWord kUnitWords[] = {
     {"hours", UnitKind::kTime, "h"},
 };
 
+/// Of surveyors' instruments alone: files of the program have none.
+constexpr Unit kGon{UnitKind::kAngle, "gon", std::numbers::pi / 200};
+
+constexpr std::array<std::string_view, 9> kCountWords{"pulse",   "pulses", "pls",        "count",    "counts",
+                                                      "counter", "cts",    "increments", "increment"};
+
+bool isCountWord(std::string_view word) {
+  return std::ranges::find(kCountWords, lowerCase(tubesheets::trimBlanks(word))) != kCountWords.end();
+}
+
 }  // namespace
 
 const Unit* findUnitWord(std::string_view word) {
@@ -55,14 +68,27 @@ const Unit* findUnitWord(std::string_view word) {
   if (const auto* length = tubesheets::findLengthWord(small)) return findUnit(UnitKind::kLength, length->suffix);
   for (const UnitWord& known : kUnitWords)
     if (known.word == small) return findUnit(known.kind, known.name);
-  return nullptr;
+  return small == kGon.name || small == "grad" || small == "gons" ? &kGon : nullptr;
+}
+
+OwnUnit ownUnitOf(const Unit& unit) {
+  if (&unit != &kGon) return {&unit, 1};
+  return {findUnit(UnitKind::kAngle, "deg"), 0.9};
+}
+
+std::vector<std::string> foreignUnitNames(UnitKind kind) {
+  auto names = unitNames(kind);
+  if (kind == kGon.kind) names.emplace_back(kGon.name);
+  return names;
 }
 
 bool isUnitWord(std::string_view word) { return findUnitWord(word) != nullptr; }
 
 ForeignHeading parseHeading(std::string_view text) {
-  auto words = tubesheets::splitHeading(text, isUnitWord);
-  return {std::move(words.name), words.unit.empty() ? nullptr : findUnitWord(words.unit)};
+  auto words =
+      tubesheets::splitHeading(text, [](std::string_view word) { return isUnitWord(word) || isCountWord(word); });
+  const Unit* unit = words.unit.empty() ? nullptr : findUnitWord(words.unit);
+  return {std::move(words.name), unit, !words.unit.empty() && !unit};
 }
 
 }  // namespace tubeplan::app

@@ -10,8 +10,11 @@
 #include <set>
 
 #include "app/files/foreign/clock_time.hpp"
+#include "app/files/foreign/column_names.hpp"
+#include "app/files/foreign/form_columns.hpp"
 #include "app/files/foreign/joined_rows.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/suggestion.hpp"
 #include "tubesheets/csv_table.hpp"
 #include "tubesheets/tube.hpp"
 
@@ -21,24 +24,19 @@ namespace {
 
 using tubesheets::csvField, tubesheets::parseNumber;
 
-/// What stands for nothing in tables that leave no field empty.
-bool isBlank(const std::string& field) {
-  return field.empty() || field == "-" || field == "--" || field == "NaN" || field == "nan" || field == "n/a" ||
-         field == "N/A";
-}
-
 class ForeignReader {
  public:
   ForeignReader(const ForeignRequest& request, const deflection::Arm& arm)
       : request_(request),
         targets_(columnTargets(arm)),
-        taken_(takeColumns(request.tables, targets_, request.choice)) {}
+        taken_(takeColumns(request.tables, targets_, request.choice, request.kind)) {}
 
   ForeignReadings read() {
     refuseUnused();
     joinTables();
     nameColumns();
     kind_ = kindOf();
+    requireTurn();
     findIds();
     readClocks();
     std::vector<std::string> names = {"id"};
@@ -99,9 +97,11 @@ class ForeignReader {
   void nameColumns() {
     std::vector<std::set<std::size_t>> used(request_.tables.size());
     for (const auto& column : taken_) {
-      used[column.table].insert(column.column);
-      out_.taken.push_back(fmt::format("{}: {} of {}", column.name,
-                                       inQuotes(table(column.table).columns[column.column]), table(column.table).file));
+      if (column.form)
+        used[column.table].insert(column.form->columns.begin(), column.form->columns.end());
+      else
+        used[column.table].insert(column.column);
+      out_.taken.push_back(fmt::format("{}: {}", column.name, sourceOf(column)));
     }
     if (!joined_.how.empty()) out_.taken.push_back(fmt::format("the tables' rows are matched {}", joined_.how));
     for (std::size_t t = 0; t < request_.tables.size(); ++t) {
@@ -112,20 +112,56 @@ class ForeignReader {
         left.push_back(inQuotes(table(t).columns[c]));
         if (areNumbers(t, c)) unknown_numbers_.push_back(fmt::format("{} of {}", left.back(), table(t).file));
       }
+      sayTurnLeftOut(t, used[t]);
       if (!left.empty()) out_.left_out.push_back(fmt::format("of {}: {}", table(t).file, fmt::join(left, ", ")));
     }
+  }
+
+  [[nodiscard]] std::string sourceOf(const TakenColumn& column) const {
+    if (column.form) {
+      const bool is_explained = column.part == 0 && !column.form->why.empty();
+      return fmt::format("{} as {}{}", namesOf(*column.form, request_.tables), column.form->form->name,
+                         is_explained ? fmt::format(" (their numbers are {})", column.form->why) : "");
+    }
+    const std::string factor = column.factor == 1 ? "" : fmt::format(" times {}", formatNumber(column.factor));
+    return fmt::format("{} of {}{}", inQuotes(table(column.table).columns[column.column]), table(column.table).file,
+                       factor);
+  }
+
+  /// What looks like a turn, where none is read.
+  void sayTurnLeftOut(std::size_t t, const std::set<std::size_t>& used) {
+    if (isTaken(columnsOf(Stated::kTurn).columns.front())) return;
+    const auto headings = columnNames(request_.tables, targets_);
+    FreeColumns free;
+    for (const auto& other : request_.tables) free.emplace_back(other.columns.size(), false);
+    for (std::size_t c = 0; c < free[t].size(); ++c) free[t][c] = !used.contains(c);
+    const auto forms = formsByHeadings({request_.tables, headings, request_.choice.units, free, {}}, Stated::kTurn, "");
+    if (!forms.empty())
+      out_.left_out.push_back(fmt::format("an orientation, {}, which --kind pose or orientation reads",
+                                          namesOf(forms.front(), request_.tables)));
+  }
+
+  /// Readings of a kind that measures a turn have one.
+  void requireTurn() const {
+    const StatedColumns& turn = columnsOf(Stated::kTurn);
+    if (request_.kind.empty() || !neededForms({request_.kind}, {}).contains(Stated::kTurn)) return;
+    if (std::ranges::any_of(turn.columns, [&](const char* name) { return isTaken(name); })) return;
+    throw InputError(
+        "the columns", fmt::format("none for the orientation of readings of kind {}", request_.kind),
+        fmt::format("{}, or the numbers of {}", fmt::join(turn.columns, ", "), alternatives(formNames(Stated::kTurn))),
+        "say which columns they are: --column euler-zyx.z_deg=COLUMN and so on");
   }
 
   [[nodiscard]] bool areNumbers(std::size_t t, std::size_t column) const {
     const auto& rows = table(t).rows;
     const auto isNumber = [&](const ForeignRow& row) { return parseNumber(row.fields[column]).has_value(); };
     return std::ranges::any_of(rows, isNumber) && std::ranges::all_of(rows, [&](const ForeignRow& row) {
-             return isBlank(row.fields[column]) || isNumber(row);
+             return isBlankField(row.fields[column]) || isNumber(row);
            });
   }
 
   [[nodiscard]] std::string fieldOf(const TakenColumn& column, std::size_t k) const {
-    return table(column.table).rows[joined_.rows[column.table][k]].fields[column.column];
+    return rowOf(column, k).fields[column.column];
   }
 
   /// Ids must differ: where they do not, they are points' names that were measured again.
@@ -143,7 +179,10 @@ class ForeignReader {
 
   [[nodiscard]] std::string kindOf() const {
     if (!request_.kind.empty() || isTaken("kind")) return request_.kind;
-    if (isTaken("x") || isTaken("y") || isTaken("z")) return "position";
+    const bool has_place = isTaken("x") || isTaken("y") || isTaken("z");
+    const auto* turn = find(columnsOf(Stated::kTurn).columns.front());
+    if (turn && turn->form) return has_place ? "pose" : "orientation";
+    if (has_place) return "position";
     if (!isTaken("point"))
       throw InputError("the columns", "no coordinates and no points", "x, y and z, or the points that were touched",
                        "say which columns they are (--column x_mm=COLUMN), or of what kind the readings are (--kind)");
@@ -152,8 +191,8 @@ class ForeignReader {
           "the columns",
           fmt::format("no coordinates, and numbers that are not recognised: {}", fmt::join(unknown_numbers_, ", ")),
           "x, y and z, or touches of points alone",
-          "say which columns they are (--column x_mm=COLUMN), with polar coordinates made x, y and z "
-          "before; or say that the readings are touches (--kind touch)");
+          "say which columns they are (--column x_mm=COLUMN), or of polar coordinates all three "
+          "(--column polar.horizontal_gon=COLUMN); or say that the readings are touches (--kind touch)");
     return "touch";
   }
 
@@ -169,8 +208,19 @@ class ForeignReader {
     if (!request_.kind.empty() || kind_ != "position") return false;
     return std::ranges::all_of(std::array{"x", "y", "z"}, [&](const char* axis) {
       const TakenColumn* column = find(axis);
-      return !column || isBlank(fieldOf(*column, k));
+      return !column || isEmptyAt(*column, k);
     });
+  }
+
+  [[nodiscard]] const ForeignRow& rowOf(const TakenColumn& column, std::size_t k) const {
+    return table(column.table).rows[joined_.rows[column.table][k]];
+  }
+
+  /// Whether nothing stands there: of a form, in any of its columns.
+  [[nodiscard]] bool isEmptyAt(const TakenColumn& column, std::size_t k) const {
+    if (!column.form) return isBlankField(fieldOf(column, k));
+    const auto& fields = rowOf(column, k).fields;
+    return std::ranges::any_of(column.form->columns, [&](std::size_t c) { return isBlankField(fields[c]); });
   }
 
   [[nodiscard]] std::string originOf(std::size_t k) const {
@@ -198,15 +248,47 @@ class ForeignReader {
   }
 
   [[nodiscard]] std::string numberField(const TakenColumn& column, std::size_t k, const std::string& field) const {
-    if (isBlank(field)) return "";
+    if (column.form) return formField(column, k);
+    if (isBlankField(field)) return "";
     const std::string number = field.starts_with('+') ? field.substr(1) : field;
-    if (parseNumber(number)) return number;
-    if (const auto clock = clocks_.find(column.target); clock != clocks_.end())
-      if (const auto seconds = clock->second[joined_.rows[column.table][k]]) return formatNumber(*seconds);
-    throw InputError(fmt::format("{}:{} (column {})", table(column.table).file,
-                                 table(column.table).rows[joined_.rows[column.table][k]].line,
-                                 inQuotes(table(column.table).columns[column.column])),
-                     inQuotes(field), "a finite number", "");
+    if (const auto value = parseNumber(number))
+      return column.factor == 1 ? number : formatNumber(*value * column.factor);
+    const auto clock = clocks_.find(column.target);
+    if (clock == clocks_.end()) refuseField(column, column.column, k, "a finite number");
+    if (const auto seconds = clock->second[joined_.rows[column.table][k]]) return formatNumber(*seconds);
+    refuseField(column, column.column, k, "a time as the other rows have it");
+  }
+
+  [[noreturn]] void refuseField(const TakenColumn& column, std::size_t at, std::size_t k, const char* expected) const {
+    throw InputError(fmt::format("{}:{} (column {})", table(column.table).file, rowOf(column, k).line,
+                                 inQuotes(table(column.table).columns[at])),
+                     inQuotes(rowOf(column, k).fields[at]), expected, "");
+  }
+
+  /// One number of what the columns of a form state together.
+  [[nodiscard]] std::string formField(const TakenColumn& column, std::size_t k) const {
+    const FormColumns& columns = *column.form;
+    const auto& fields = rowOf(column, k).fields;
+    if (std::ranges::all_of(columns.columns, [&](std::size_t c) { return isBlankField(fields[c]); })) return "";
+    const auto numbers = numbersOf(columns, rowOf(column, k));
+    if (!numbers)
+      for (const std::size_t c : columns.columns)
+        if (!parseNumber(fields[c])) refuseField(column, c, k, "a finite number");
+    if (columns.form->fit(*numbers) == FormFit::kImpossible) refuseNumbers(column, k);
+    const UnitKind kind = columnsOf(columns.form->stated).unit;
+    const Unit* unit = findUnit(kind, column.name.substr(column.name.rfind('_') + 1));
+    const auto part = static_cast<Eigen::Index>(column.part);
+    return formatNumber(columns.form->read(*numbers)[part] / unit->factor);
+  }
+
+  [[noreturn]] void refuseNumbers(const TakenColumn& column, std::size_t k) const {
+    const FormColumns& columns = *column.form;
+    std::vector<std::string> found;
+    for (const std::size_t c : columns.columns) found.push_back(rowOf(column, k).fields[c]);
+    throw InputError(fmt::format("{}:{}", table(column.table).file, rowOf(column, k).line),
+                     fmt::format("{} for {}", fmt::join(found, ", "), namesOf(columns, request_.tables)),
+                     fmt::format("a {}, {}", columns.form->name, columns.form->usual),
+                     "correct the row or say what the columns are");
   }
 
   /// Clocks' times count from the first reading's that states one.
@@ -215,7 +297,7 @@ class ForeignReader {
       if (targets_[column.target].unit != UnitKind::kTime) continue;
       std::vector<std::string> fields;
       for (const auto& row : table(column.table).rows) fields.push_back(row.fields[column.column]);
-      ClockTimes times = clockTimes(fields);
+      ClockTimes times = clockTimes(fields, dateOrderOf(column, fields));
       for (const std::size_t k : times.midnights)
         out_.taken.push_back(fmt::format("{}: the clock passes midnight before {}:{}, a day is added from there on",
                                          column.name, table(column.table).file, table(column.table).rows[k].line));
@@ -227,6 +309,24 @@ class ForeignReader {
         if (seconds) *seconds -= start;
       clocks_.emplace(column.target, std::move(times.seconds));
     }
+  }
+
+  /// Which number of the dates is the day, where that matters.
+  [[nodiscard]] DateOrder dateOrderOf(const TakenColumn& column, const std::vector<std::string>& fields) const {
+    constexpr std::array kOrders{DateOrder::kDayFirst, DateOrder::kMonthFirst};
+    if (const std::string& asked = request_.choice.dates; !asked.empty()) {
+      const auto order = std::ranges::find(kOrders, asked, [](DateOrder known) { return std::string(nameOf(known)); });
+      if (order == kOrders.end()) throw InputError("--dates", inQuotes(asked), "day-first or month-first", "");
+      return *order;
+    }
+    const auto orders = dateOrders(fields);
+    if (orders.size() < 2) return orders.empty() ? DateOrder::kMonthFirst : orders.front();
+    const auto first = std::ranges::find_if(fields, isClockTime);
+    throw InputError(
+        fmt::format("the column {} of {}", inQuotes(table(column.table).columns[column.column]),
+                    table(column.table).file),
+        fmt::format("{} and no day beyond 12: the day may be the first number or the second", inQuotes(*first)),
+        "one of them", "say which: --dates day-first or --dates month-first");
   }
 
   const ForeignRequest& request_;

@@ -7,11 +7,17 @@
 
 namespace tubeplan::app {
 
+bool isBlankField(std::string_view field) {
+  return field.empty() || field == "-" || field == "--" || field == "NaN" || field == "nan" || field == "n/a" ||
+         field == "N/A";
+}
+
 ForeignTable parseForeignTable(std::string_view text, const std::string& file) {
-  ForeignTable table{tubesheets::parseTextTable(text, {isUnitWord}), file};
+  ForeignTable table{tubesheets::parseTextTable(text, {.isUnit = isUnitWord, .statesUnits = statesUnits}), file, {}};
   if (const auto& problem = table.problem)
     throw InputError(problem->line > 0 ? fmt::format("{}:{}", file, problem->line) : file, problem->found,
                      problem->expected, problem->advice);
+  table.units = statedUnits(table.lines_before, file);
   return table;
 }
 

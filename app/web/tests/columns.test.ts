@@ -12,6 +12,7 @@ const document: ColumnsDocument = {
     {quantity: "q2", units: ["deg", "rad"], is_required: true, found: {table: 0, column: 1, unit: "deg"}},
     {quantity: "x", units: ["in", "mm"], is_required: false, found: null},
   ],
+  options: [],
 };
 
 describe("columns of foreign tables", () => {
@@ -31,6 +32,16 @@ describe("columns of foreign tables", () => {
       "q2_deg=log.csv:J2 [deg]",
       "point=points.txt:column 1",
       "x_mm=points.txt:column 2",
+    ]);
+  });
+
+  it("are said with the factor of pulses, with its sign", () => {
+    const choices = guessed(document);
+    choices[0][0] = {quantity: "q1", unit: "deg", factor: "-0.00012"};
+    choices[0][1].factor = "";
+    expect(chosenColumns(document, choices).slice(0, 2)).toEqual([
+      "q1_deg=log.csv:J1*-0.00012",
+      "q2_deg=log.csv:J2 [deg]",
     ]);
   });
 

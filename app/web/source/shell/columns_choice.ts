@@ -10,13 +10,19 @@ export interface ColumnsDocument {
     is_required: boolean;
     found: {table: number; column: number; unit: string} | null;
   }[];
+  /** What else may be said of the tables, by the name that the server takes it under. */
+  options: {name: string; label: string; values: {value: string; words: string}[]}[];
 }
 
-/** Of one column; an empty quantity: nothing is taken of it. */
+/** Of one column; an empty quantity: nothing is taken of it; a factor of its numbers, where it is stated. */
 export interface ColumnChoice {
   quantity: string;
   unit: string;
+  factor?: string;
 }
+
+/** Of the options those that were chosen. */
+export type TableOptions = Record<string, string>;
 
 export function guessed(document: ColumnsDocument): ColumnChoice[][] {
   const choices = document.tables.map((table) => table.columns.map(() => ({quantity: "", unit: ""})));
@@ -42,9 +48,11 @@ export function missingOf(document: ColumnsDocument, choices: ColumnChoice[][]):
 /** As the server takes them: "x_mm=points.txt:X". */
 export function chosenColumns(document: ColumnsDocument, choices: ColumnChoice[][]): string[] {
   return document.tables.flatMap((table, t) =>
-    choices[t].flatMap(({quantity, unit}, c) =>
-      quantity === "" ? [] : [`${quantity}${unit === "" ? "" : `_${unit}`}=${table.name}:${table.columns[c]}`],
-    ),
+    choices[t].flatMap(({quantity, unit, factor}, c) => {
+      if (quantity === "") return [];
+      const name = unit === "" ? quantity : `${quantity}_${unit}`;
+      return [`${name}=${table.name}:${table.columns[c]}${factor ? `*${factor}` : ""}`];
+    }),
   );
 }
 

@@ -13,6 +13,7 @@ import {
   missingOf,
   rememberedChoices,
   rememberChoices,
+  type TableOptions,
 } from "./columns_choice";
 import {Dialog} from "./dialog";
 import {closeDialog, dialog} from "./page_state";
@@ -22,6 +23,7 @@ interface Foreign {
   tables: {name: string; text: string}[];
   document: ColumnsDocument;
   choices: ColumnChoice[][];
+  options: TableOptions;
 }
 
 const foreign = signal<Foreign | null>(null);
@@ -32,7 +34,7 @@ let afterTaking: () => Promise<void> = async () => {};
 /** Opens the dialog where those texts are tables; else says so by throwing. */
 export async function askForColumns(tables: Foreign["tables"], then: () => Promise<void>): Promise<void> {
   const document = await post<ColumnsDocument>("/api/measurements/columns", {tables});
-  foreign.value = {tables, document, choices: rememberedChoices(document) ?? guessed(document)};
+  foreign.value = {tables, document, choices: rememberedChoices(document) ?? guessed(document), options: {}};
   problem.value = null;
   afterTaking = then;
   dialog.value = "columns";
@@ -47,6 +49,19 @@ export function ColumnsDialog() {
   );
 }
 
+/** Says more of the tables: what their columns seem to be may be different then. */
+async function changeOptions(shown: Foreign, options: TableOptions): Promise<void> {
+  problem.value = null;
+  foreign.value = {...shown, options};
+  try {
+    const body = {tables: shown.tables, ...options};
+    const document = await post<ColumnsDocument>("/api/measurements/columns", body);
+    if (foreign.value?.options === options) foreign.value = {...shown, options, document, choices: guessed(document)};
+  } catch (error) {
+    problem.value = asProblem(error);
+  }
+}
+
 /** What no column says: the noise of a coordinate. */
 function noise(): {sigma?: number} {
   return sigma.value.trim() === "" ? {} : {sigma: Number(sigma.value)};
@@ -55,7 +70,8 @@ function noise(): {sigma?: number} {
 async function take(shown: Foreign): Promise<void> {
   try {
     const columns = chosenColumns(shown.document, shown.choices);
-    takeState(await post<WorkbenchState>("/api/measurements/foreign", {tables: shown.tables, columns, ...noise()}));
+    const body = {tables: shown.tables, columns, ...shown.options, ...noise()};
+    takeState(await post<WorkbenchState>("/api/measurements/foreign", body));
   } catch (error) {
     problem.value = asProblem(error);
     return;
@@ -78,6 +94,11 @@ function ColumnsForm({shown}: {shown: Foreign}) {
       {shown.document.tables.map((_, table) => (
         <TablePreview shown={shown} table={table} />
       ))}
+      <div class="row">
+        {shown.document.options.map((option) => (
+          <OptionChoice shown={shown} option={option} />
+        ))}
+      </div>
       {shown.choices.flat().some((choice) => choice.quantity === "sigma") ? null : (
         <label class="field narrow">
           one standard deviation of a coordinate ({cell.value?.units.length})
@@ -102,6 +123,23 @@ function ColumnsForm({shown}: {shown: Foreign}) {
         </button>
       </div>
     </form>
+  );
+}
+
+function OptionChoice({shown, option}: {shown: Foreign; option: ColumnsDocument["options"][number]}) {
+  return (
+    <label class="field narrow">
+      {option.label}
+      <select
+        value={shown.options[option.name] ?? ""}
+        onChange={(event) => void changeOptions(shown, {...shown.options, [option.name]: event.currentTarget.value})}
+      >
+        <option value="">as the columns say</option>
+        {option.values.map(({value, words}) => (
+          <option value={value}>{words}</option>
+        ))}
+      </select>
+    </label>
   );
 }
 
@@ -144,7 +182,8 @@ function TablePreview({shown, table}: {shown: Foreign; table: number}) {
 
 function MeaningOf({shown, table, column, name}: {shown: Foreign; table: number; column: number; name: string}) {
   const choice = shown.choices[table][column];
-  const units = shown.document.targets.find((target) => target.quantity === choice.quantity)?.units ?? [];
+  const target = shown.document.targets.find(({quantity}) => quantity === choice.quantity);
+  const units = target?.units ?? [];
   const change = (next: Partial<ColumnChoice>) => {
     const choices = shown.choices.map((row) => [...row]);
     choices[table][column] = {...choice, ...next};
@@ -156,7 +195,7 @@ function MeaningOf({shown, table, column, name}: {shown: Foreign; table: number;
       <select
         aria-label={`what ${name} is`}
         value={choice.quantity}
-        onChange={(event) => change({quantity: event.currentTarget.value, unit: ""})}
+        onChange={(event) => change({quantity: event.currentTarget.value, unit: "", factor: ""})}
       >
         <option value="">{shown.document.tables[table].names === column ? "the row's name" : "nothing"}</option>
         {shown.document.targets.map((target) => (
@@ -174,6 +213,16 @@ function MeaningOf({shown, table, column, name}: {shown: Foreign; table: number;
             <option value={unit}>{unit}</option>
           ))}
         </select>
+      ) : null}
+      {target?.is_required ? (
+        <input
+          aria-label={`factor of ${name}`}
+          inputMode="decimal"
+          placeholder="factor of pulses"
+          size={12}
+          value={choice.factor ?? ""}
+          onInput={(event) => change({factor: event.currentTarget.value.trim().replace(",", ".")})}
+        />
       ) : null}
     </>
   );

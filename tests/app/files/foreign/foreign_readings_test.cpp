@@ -251,7 +251,7 @@ TEST_F(ForeignReadingsTest, takesRunningNumbersForNames) {
 // Numbers that nobody recognises are no reason to take readings for touches of points that nobody knows.
 TEST_F(ForeignReadingsTest, NumbersThatNobodyKnowsMakeNoTouches) {
   for (const char* points : {
-           "Point;HZ [gon];V [gon];D [mm]\nP1;170,87;95,14;1315,2\nP2;118,76;124,58;1272,4\n",
+           "Point;HZ [gon];V [gon];Q [mm]\nP1;170,87;95,14;1315,2\nP2;118,76;124,58;1272,4\n",
            "Point,Easting,Northing,Depth\nP1,1,2,3\nP2,4,5,6\n",
            "Point,u,v,w\nP1,1,2,3\nP2,4,5,6\n",
            "A,Robot,1,1,2,3\nA,Robot,2,4,5,6\n",  // a running number and a place, or four joints
@@ -338,6 +338,93 @@ TEST_F(ForeignReadingsTest, ClocksPassMidnight) {
                                     [](const std::string& line) { return line.find("midnight") != std::string::npos; });
     EXPECT_EQ(static_cast<std::size_t>(said), shift.midnights) << log;
   }
+}
+
+// Dates of which the day may be the first or the second number, and those of which it cannot.
+TEST_F(ForeignReadingsTest, DatesAreReadWhereTheyAreClear) {
+  struct Dates {
+    std::vector<std::string> clock;
+    double seconds;  ///< from the first to the last; not a number where they are not clear
+    std::string order = {};
+  };
+  for (const Dates& dates : {
+           Dates{{"11/23/2024 11:50:00 AM", "11/24/2024 12:10:00 PM"}, 86400 + 1200},
+           Dates{{"23/11/2024 23:50:00", "1/12/2024 00:10"}, 7 * 86400 + 1200},
+           Dates{{"3.5.2024 11:50:00", "4.5.2024 11:50:00"}, 86400},
+           Dates{{"2024/05/03 11:59:00 PM", "2024/05/04 12:01:00 AM"}, 120},
+           Dates{{"3/5/2024 11:50:00 AM", "3/5/2024 1:50:00 PM"}, 7200},  // the same day in both orders
+           Dates{{"5/5/2024 11:50", "6/6/2024 11:50"}, 32 * 86400},       // and the same days
+           Dates{{"3/5/2024 11:50:00 AM", "4/5/2024 11:50:00 AM"}, NAN},
+           Dates{{"3/5/2024 11:50:00 AM", "4/5/2024 11:50:00 AM"}, 86400, "day-first"},
+           Dates{{"3/5/2024 11:50:00 AM", "4/5/2024 11:50:00 AM"}, 31 * 86400, "month-first"},
+           Dates{{"11:50:00 PM", "12:10:00 AM"}, 1200},
+       }) {
+    std::string log = "J1 [deg],J2 [deg],J3 [deg],J4 [deg],x [mm],y [mm],z [mm],Timestamp\n";
+    for (const auto& clock : dates.clock) log += "10,45,-35,12,1,2,3," + clock + "\n";
+    ForeignRequest request{{parseForeignTable(log, "log")}, {}, ""};
+    request.choice.dates = dates.order;
+    if (std::isnan(dates.seconds)) {
+      const std::string message = messageOf([&] { (void)readForeign(request, cell.arm); });
+      EXPECT_NE(message.find("--dates day-first or --dates month-first"), std::string::npos) << message;
+      continue;
+    }
+    const auto table = parseMeasurementTable(readForeign(request, cell.arm).text, "r", cell.arm).readings;
+    EXPECT_EQ(table.back().time - table.front().time, dates.seconds) << log;
+  }
+}
+
+TEST_F(ForeignReadingsTest, JointsMayBePulses) {
+  const std::string log = "J1,J2,J3,J4,X,Y,Z\n100000,-50000,20000,0,1,2,3\n-300,50,7,9,4,5,6\n";
+  EXPECT_NE(refusal({{"log", log}}, {}, {"mm", "deg"}).find("pulse"), std::string::npos);
+  const auto readings =
+      read({{"log", log}}, {"theta1_deg=J1*0.0001", "theta2_deg=J2*-0.0001", "theta3_deg=log:J3/1000", "theta4=J4*2"},
+           {"mm", "deg"});
+  EXPECT_NE(readings.text.find(",10,5,20,0,1,2,3\n"), std::string::npos) << readings.text;
+  EXPECT_NE(readings.text.find(",-0.03,-0.005,0.007,18,4,5,6\n"), std::string::npos) << readings.text;
+  // Headings that say so are never angles, whatever their size.
+  const std::string named = "J1 [pulse],J2_deg,J3_deg,J4_deg,X,Y,Z\n3,45,-35,12,1,2,3\n";
+  EXPECT_NE(refusal({{"log", named}}, {}, {"mm", "deg"}).find("pulses"), std::string::npos);
+  EXPECT_EQ(read({{"log", named}}, {"theta1_deg=J1 [pulse]*0.5"}, {"mm"}).origins.size(), 1u);
+  EXPECT_NE(refusal({{"log", log}}, {"theta1_deg=J1*0"}, {"mm", "deg"}), "");
+  EXPECT_NE(refusal({{"log", log}}, {"point=J1*2"}, {"mm", "deg"}), "");
+  // Whole degrees are degrees.
+  EXPECT_EQ(read({{"log", "J1,J2,J3,J4,X,Y,Z\n10,45,-35,720,1,2,3\n"}}, {}, {"mm", "deg"}).origins.size(), 1u);
+}
+
+// Yaskawa's letters: T is the last joint there, and no time.
+TEST_F(ForeignReadingsTest, JointsMayBeLetters) {
+  const Cell puma = readCell((shippedCells() / "puma.yaml").string());
+  for (const char* log : {"Name,S,L,U,R,B,T,X,Y,Z\nP1,1,2,3,4,5,6,7,8,9\n", "T,B,R,U,L,S,X,Y,Z\n6,5,4,3,2,1,7,8,9\n",
+                          "Base,Shoulder,Elbow,Wrist 1,Wrist 2,Wrist 3,X,Y,Z\n1,2,3,4,5,6,7,8,9\n"}) {
+    ForeignRequest request{{parseForeignTable(log, "log")}, {}, ""};
+    for (const char* unit : {"mm", "deg"}) request.choice.units.emplace(findUnitWord(unit)->kind, findUnitWord(unit));
+    const auto readings = readForeign(request, puma.arm);
+    EXPECT_NE(readings.text.find("1,2,3,4,5,6,7,8,9\n"), std::string::npos) << readings.text;
+  }
+  const auto timed = read({{"log", "J1,J2,J3,J4,X,Y,Z,T\n1,2,3,4,7,8,9,10:00:00\n"}}, {}, {"mm", "deg"});
+  EXPECT_NE(timed.text.find("time_s"), std::string::npos) << timed.text;
+}
+
+// Lines above the rows state units of columns that state none; --units may not say otherwise.
+TEST_F(ForeignReadingsTest, LinesAboveTheRowsStateUnits) {
+  for (const char* line : {"// Units: Inches", "# units = in", "Length unit: inch, angle: rad", "Units: in and deg"}) {
+    const std::string points = std::string(line) + "\n// X Y Z\nP1 1 2 3\nP2 4 5 6\n";
+    const auto readings = read({{"points", points}, {"log", kLog}}, {}, {"deg"});
+    EXPECT_NE(readings.text.find("x_in"), std::string::npos) << readings.text;
+    const std::string message = refusal({{"points", points}, {"log", kLog}}, {}, {"mm", "deg"});
+    EXPECT_NE(message.find("unit in by"), std::string::npos) << message;
+    EXPECT_NE(message.find("mm"), std::string::npos) << message;
+    EXPECT_EQ(read({{"points", points}, {"log", kLog}}, {}, {"in", "deg"}).origins.size(), 2u);
+  }
+  for (const char* line : {"// Units: as in the drawing", "// United: mm", "// Units mm", "// Units: 2 mm"}) {
+    const std::string points = std::string(line) + "\nP1 1 2 3\nP2 4 5 6\n";
+    EXPECT_NE(refusal({{"points", points}, {"log", kLog}}, {}, {"deg"}).find("no unit"), std::string::npos) << line;
+  }
+  const std::string both = "// Units: mm\n// Units: Inches\nP1 1 2 3\nP2 4 5 6\n";
+  EXPECT_NE(refusal({{"points", both}, {"log", kLog}}, {}, {"deg"}).find("one unit of a kind"), std::string::npos);
+  // A heading goes before the line.
+  const std::string own = "// Units: mm\nName,X [in],Y [in],Z [in]\nP1,1,2,3\nP2,4,5,6\n";
+  EXPECT_NE(read({{"points", own}, {"log", kLog}}, {}, {"deg"}).text.find("x_in"), std::string::npos);
 }
 
 TEST_F(ForeignReadingsTest, LostPointsAreLeftOut) {
