@@ -68,6 +68,7 @@ constexpr Command kCommands[] = {
      configureServe},
     {"arm", "imports arms from URDF, exports them to it, and shows an arm file for checking",
      "tubeplan arm import robot.urdf --out robot-arm.yaml --cell robot.yaml\n"
+     "tubeplan arm export robot-arm.yaml --into robot.urdf --out calibrated.urdf\n"
      "tubeplan arm show app/cells/cobra-arm.yaml --svg arm.svg",
      configureArm},
     {"completion", "writes a shell completion script",

@@ -18,6 +18,7 @@
 #include "app/files/cell_reader.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/text_file.hpp"
+#include "app/files/urdf_edit.hpp"
 #include "app/files/urdf_reader.hpp"
 #include "app/files/urdf_writer.hpp"
 #include "app/files/utf8.hpp"
@@ -29,7 +30,7 @@ namespace tubeplan::app {
 namespace {
 
 struct ArmOptions {
-  std::string action, file, tip, out, cell, svg, json;
+  std::string action, file, tip, out, into, cell, svg, json;
 };
 
 const Units& urdfUnits() {
@@ -91,7 +92,19 @@ int import(const ArmOptions& options) {
   return kDone;
 }
 
+/// The URDF that the arm was imported from, with what the arm has otherwise.
+int exportIntoUrdf(const ArmOptions& options) {
+  const deflection::Arm arm = readAnyArm(options.file, options.tip).arm;
+  const UrdfEdit edit = withArmInUrdf(readTextBytes(options.into), options.into, options.tip, arm);
+  writeFileAtomically(options.out, edit.text, "--out");
+  tell("left out", edit.left_out);
+  for (const auto& what : edit.changed) fmt::print("changed: {}\n", what);
+  if (edit.changed.empty()) fmt::print("nothing changed: {} as it is\n", nameInLine(options.into));
+  return kDone;
+}
+
 int exportUrdf(const ArmOptions& options) {
+  if (!options.into.empty()) return exportIntoUrdf(options);
   const UrdfText urdf = urdfOf(readAnyArm(options.file, options.tip).arm);
   writeFileAtomically(options.out, urdf.text, "--out");
   tell("left out", urdf.left_out);
@@ -114,6 +127,7 @@ void requireOptionsOf(const ArmOptions& options) {
     const std::string& value;
     std::vector<std::string_view> actions;
   } own[] = {{"--out", options.out, {"import", "export"}},
+             {"--into", options.into, {"export"}},
              {"--cell", options.cell, {"import"}},
              {"--svg", options.svg, {"show"}},
              {"--json", options.json, {"show"}}};
@@ -140,6 +154,8 @@ Run configureArm(CLI::App& cli) {
       ->check(CLI::IsMember({"import", "export", "show"}));
   cli.add_option("FILE", options->file, "a URDF file, an arm file or a cell")->required();
   cli.add_option("--out", options->out, "the arm file that import writes, the URDF file that export writes");
+  cli.add_option("--into", options->into,
+                 "export: the URDF file that the arm was imported from; joint origins change, all else stays as it is");
   cli.add_option("--tip", options->tip, "of a URDF: the link at the tool's tip, where the robot has several end links");
   cli.add_option("--cell", options->cell, "import: write a cell with the arm and its solids too");
   cli.add_option("--svg", options->svg, "show: draw the arm from the side and from above");

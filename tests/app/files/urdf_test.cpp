@@ -109,7 +109,9 @@ TEST(Urdf, AnArmsFileReadsBackAsTheArm) {
   std::mt19937_64 random(3);
   for (const auto& robot : kRobots) {
     const deflection::Arm arm = parseUrdf(urdfText(robot), robot).arm;
-    expectSameTips(arm, readArm(parseYaml(armYaml(arm, metres()), robot)).arm, random, 1e-9);
+    const deflection::Arm read = readArm(parseYaml(armYaml(arm, metres()), robot)).arm;
+    expectSameTips(arm, read, random, 1e-9);
+    EXPECT_TRUE(urdfOf(read).left_out.empty()) << robot << urdfOf(read).left_out.front();
   }
   for (const char* name : {"cobra-arm", "tsm-cobra-arm", "column-arm", "puma-arm", "iiwa-arm"}) {
     const auto source = readArm(parseYaml(contentOf(shippedCells() / (std::string(name) + ".yaml")), name));
