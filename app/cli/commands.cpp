@@ -71,6 +71,7 @@ constexpr Command kCommands[] = {
      "tubeplan arm import robot.urdf --out robot-arm.yaml --cell robot.yaml\n"
      "tubeplan arm import calibration.conf --nominal nominal-arm.yaml --out robot-arm.yaml\n"
      "tubeplan arm export app/cells/iiwa-arm.yaml --convention standard --out iiwa-standard.yaml\n"
+     "tubeplan arm export robot-arm.yaml --into robot.urdf --out calibrated.urdf\n"
      "tubeplan arm show app/cells/cobra-arm.yaml --svg arm.svg",
      configureArm},
     {"completion", "writes a shell completion script",

@@ -20,6 +20,7 @@
 #include "app/files/controller_calibration.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/text_file.hpp"
+#include "app/files/urdf_edit.hpp"
 #include "app/files/urdf_reader.hpp"
 #include "app/files/urdf_writer.hpp"
 #include "app/files/utf8.hpp"
@@ -32,7 +33,7 @@ namespace tubeplan::app {
 namespace {
 
 struct ArmOptions {
-  std::string action, file, tip, nominal, convention, out, cell, svg, json;
+  std::string action, file, tip, nominal, convention, out, into, cell, svg, json;
 };
 
 const Units& urdfUnits() {
@@ -129,6 +130,17 @@ int exportRows(const ArmOptions& options) {
   return kDone;
 }
 
+/// The URDF that the arm was imported from, with what the arm has otherwise.
+int exportIntoUrdf(const ArmOptions& options) {
+  const deflection::Arm arm = readAnyArm(options.file, options.tip).arm;
+  const UrdfEdit edit = withArmInUrdf(readTextBytes(options.into), options.into, options.tip, arm);
+  writeFileAtomically(options.out, edit.text, "--out");
+  tell("left out", edit.left_out);
+  for (const auto& what : edit.changed) fmt::print("changed: {}\n", what);
+  if (edit.changed.empty()) fmt::print("nothing changed: {} as it is\n", nameInLine(options.into));
+  return kDone;
+}
+
 int exportUrdf(const ArmOptions& options) {
   const UrdfText urdf = urdfOf(readAnyArm(options.file, options.tip).arm);
   writeFileAtomically(options.out, urdf.text, "--out");
@@ -145,6 +157,14 @@ int show(const ArmOptions& options) {
   return kDone;
 }
 
+int exportArm(const ArmOptions& options) {
+  if (!options.into.empty() && !options.convention.empty())
+    throw InputError("--into", "--convention beside it", "one of them",
+                     "take --into for a URDF file, --convention for an arm file");
+  if (!options.into.empty()) return exportIntoUrdf(options);
+  return options.convention.empty() ? exportUrdf(options) : exportRows(options);
+}
+
 /// An option of another action would do nothing.
 void requireOptionsOf(const ArmOptions& options) {
   const struct {
@@ -152,6 +172,7 @@ void requireOptionsOf(const ArmOptions& options) {
     const std::string& value;
     std::vector<std::string_view> actions;
   } own[] = {{"--out", options.out, {"import", "export"}},
+             {"--into", options.into, {"export"}},
              {"--cell", options.cell, {"import"}},
              {"--nominal", options.nominal, {"import"}},
              {"--convention", options.convention, {"export"}},
@@ -168,7 +189,7 @@ int run(const ArmOptions& options) {
   if (options.action == "show") return show(options);
   if (options.out.empty())
     throw InputError("--out", "nothing", fmt::format("the file that `arm {}` writes", options.action));
-  if (options.action == "export") return options.convention.empty() ? exportUrdf(options) : exportRows(options);
+  if (options.action == "export") return exportArm(options);
   const bool is_calibration = !options.nominal.empty() || options.file.ends_with(".conf");
   return is_calibration ? importCalibration(options) : importUrdf(options);
 }
@@ -192,6 +213,8 @@ Run configureArm(CLI::App& cli) {
       ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
   cli.add_option("--nominal", options->nominal,
                  "import of calibration.conf: the arm file with the model's standard table, to which it adds");
+  cli.add_option("--into", options->into,
+                 "export: the URDF file that the arm was imported from; joint origins change, all else stays as it is");
   cli.add_option("--tip", options->tip, "of a URDF: the link at the tool's tip, where the robot has several end links");
   cli.add_option("--cell", options->cell, "import: write a cell with the arm and its solids too");
   cli.add_option("--svg", options->svg, "show: draw the arm from the side and from above");

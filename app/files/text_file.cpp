@@ -18,6 +18,7 @@ namespace tubeplan::app {
 namespace {
 
 constexpr std::size_t kLargestFile = 64u << 20;
+constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 
 std::string readAtMost(std::ifstream& stream, std::size_t limit) {
   std::string text, block(1u << 16, '\0');
@@ -61,10 +62,17 @@ void refuseText(const std::string& path, const tubesheets::Problem& problem) {
 }
 
 std::string readTextFile(const std::string& path) {
+  std::string text = readTextBytes(path);
+  if (text.starts_with(kUtf8Mark)) text.erase(0, kUtf8Mark.size());
+  return text;
+}
+
+std::string readTextBytes(const std::string& path) {
   std::string text = bytesOfText(path);
   noteInput(path, text);
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  checkText(path, text);
+  std::string_view content = text;
+  if (content.starts_with(kUtf8Mark)) content.remove_prefix(kUtf8Mark.size());
+  checkText(path, content);
   return text;
 }
 

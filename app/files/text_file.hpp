@@ -12,6 +12,9 @@ namespace tubeplan::app {
 /// larger than 64 MB, empty (blanks only) or no text (control characters, bytes that are not UTF-8).
 [[nodiscard]] std::string readTextFile(const std::string& path);
 
+/// The same with its byte order mark, for a text that is written again with some of it changed.
+[[nodiscard]] std::string readTextBytes(const std::string& path);
+
 /// The same of a file that the program itself keeps: no input of a result (origin.hpp).
 [[nodiscard]] std::string readKeptFile(const std::string& path);
 

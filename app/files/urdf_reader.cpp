@@ -105,7 +105,7 @@ class ChainReader {
     for (std::size_t k = 0; k < last_moving_; ++k) addAside(k, *links_[k], X_LK_[k]);
     Isometry3d X_LT = X_LK_.back();
     for (std::size_t k = last_moving_; k < links_.size(); ++k) {
-      X_LT = X_LT * poseOf(links_[k]->parent_joint->parent_to_joint_origin_transform);
+      X_LT = X_LT * addJoint(*links_[k]->parent_joint, Isometry3d::Identity());
       addBody(last_moving_ - 1, *links_[k], X_LT);
       addAside(last_moving_ - 1, *links_[k], X_LT);
     }
@@ -121,10 +121,17 @@ class ChainReader {
     return std::any_of(links_.begin(), links_.end(), [&](const auto& other) { return other->name == link.name; });
   }
 
+  /// Its origin.
+  Isometry3d addJoint(const urdf::Joint& joint, const Isometry3d& X_CL) {
+    const Isometry3d X_PC = poseOf(joint.parent_to_joint_origin_transform);
+    out_.joints.push_back({joint.name, X_PC, X_CL, deflection::fixedAnglesOf(X_PC.linear())});
+    return X_PC;
+  }
+
   void addRow(const urdf::Link& link) {
     const urdf::Joint& joint = *link.parent_joint;
     const Isometry3d X_KL = alignment(joint), before = X_LK_.empty() ? Isometry3d::Identity() : X_LK_.back();
-    const Isometry3d X = before * poseOf(joint.parent_to_joint_origin_transform) * X_KL;
+    const Isometry3d X = before * addJoint(joint, X_KL) * X_KL;
     auto& row = out_.arm.rows.emplace_back();
     row.name = nameOfRow(link.name);
     row.placement = deflection::Origin<double>{X.translation(), deflection::fixedAnglesOf(X.linear())};
@@ -303,7 +310,10 @@ UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::s
   const UrdfTree tree = readUrdfTree(text, file);
   const auto end = findTip(*tree.model, tip, file);
   UrdfArm read = ChainReader(*tree.model, end, file).read();
-  read.remarks = remarksOnTurns(chainTo(*tree.model, end, file), tree.turns);
+  for (auto& joint : read.joints)
+    if (const auto written = tree.turns.find(joint.name); written != tree.turns.end())
+      joint.rpy = Vector3d(written->second.data());
+  read.remarks = remarksOnNumbers(chainTo(*tree.model, end, file), tree.turns);
   read.left_out.insert(read.left_out.begin(), tree.left_out.begin(), tree.left_out.end());
   const auto problems = deflection::findProblems(read.arm);
   if (!problems.empty())

@@ -1,6 +1,7 @@
 // Arms out of URDF, the format that ROS describes robots in.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,18 @@ struct UrdfShape {
   std::string text;  ///< "capsule: {from: [...], to: [...], radius: 0.1}", in m and deg
 };
 
+/// A joint on the way to the tip. P is its parent link, C its child link, L the frame of the row that it is.
+struct UrdfJoint {
+  std::string name;
+  Eigen::Isometry3d X_PC;  ///< at zero reading: the joint's origin
+  Eigen::Isometry3d X_CL;  ///< turns the axis to z; identity where the joint is no row
+  Eigen::Vector3d rpy;     ///< of the origin, as written [rad]
+};
+
 struct UrdfArm {
-  deflection::Arm arm;  ///< rigid: URDF states no stiffness
-  std::string tip;      ///< the link at the end of the chain
+  deflection::Arm arm;            ///< rigid: URDF states no stiffness
+  std::string tip;                ///< the link at the end of the chain
+  std::vector<UrdfJoint> joints;  ///< from the root to the tip: a row each, then fixed ones that carry the tool
   std::vector<UrdfShape> shapes;
   std::vector<std::string> left_out;  ///< what the file says and an arm does not take, a sentence each
   std::vector<std::string> remarks;   ///< on what is taken as it is written and may be meant otherwise

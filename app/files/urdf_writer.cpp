@@ -8,6 +8,7 @@
 
 #include "app/files/units.hpp"
 #include "deflection/chain.hpp"
+#include "deflection/effects/effect.hpp"
 #include "deflection/rotation.hpp"
 #include "deflection/weights.hpp"
 
@@ -21,13 +22,6 @@ using ArmRow = deflection::Row<double>;
 
 std::string triple(const Vector3d& v) { return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z()); }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
-  return out;
-}
-
 /// All that hangs from a row, as one mass [kg] at its centre in the row's frame.
 std::string inertialText(const deflection::RowWeight& row) {
   if (!(row.weight > 0)) return "";
@@ -37,6 +31,13 @@ std::string inertialText(const deflection::RowWeight& row) {
       triple(row.moment_R / row.weight), row.weight / kWeightOfKilogram);
 }
 
+/// To the twelve digits that an arm file has of its angles and of the axis.
+bool keepsToolFrame(const Arm& arm) { return arm.R_LT.col(2).isApprox(arm.tool_axis_L, 1e-10); }
+
+bool hasStiffness(const ArmRow& row) { return row.beam || std::isfinite(row.joint_stiffness.minCoeff()); }
+
+bool isRead(const ArmRow& row) { return row.joint.encoder_sigma > 0; }
+
 class UrdfWriter {
  public:
   explicit UrdfWriter(const Arm& arm) : arm_(arm) {}
@@ -44,25 +45,17 @@ class UrdfWriter {
   UrdfText write() {
     const std::string base = unusedName("base"), tip = unusedName("tip");
     text_ = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"{}\"/>\n",
-                        escaped(arm_.name.empty() ? "arm" : arm_.name), base);
+                        xmlEscaped(arm_.name.empty() ? "arm" : arm_.name), base);
     std::string parent = base;
     for (std::size_t k = 0; k < arm_.rows.size(); ++k) {
       addRow(k, parent);
       parent = arm_.rows[k].name;
     }
     text_ += fmt::format("  <link name=\"{}\"/>\n", tip);
-    addJoint(unusedJoint("tip"), "fixed", parent, tip, arm_.p_LT, toolTurn(), "");
+    addJoint(unusedJoint("tip"), "fixed", parent, tip, arm_.p_LT, urdfTipTurn(arm_), "");
     text_ += "</robot>\n";
-    if (has_stiffness_) left_out_.emplace_back("stiffnesses and beams: URDF's links are rigid");
-    if (!keepsToolFrame())
-      left_out_.emplace_back("the tool frame's turn (rpy): the exported tip's z is the tool's axis");
-    if (!arm_.gravity_W.isApprox(-Vector3d::UnitZ(), 1e-12))
-      left_out_.emplace_back("the direction of gravity: URDF has none, and what is imported falls along -z");
-    const auto isRead = [](const ArmRow& row) { return row.joint.encoder_sigma > 0; };
-    if (std::any_of(arm_.rows.begin(), arm_.rows.end(), isRead))
-      left_out_.emplace_back("the encoders' noise: URDF has no place for it");
-    if (!arm_.side_chains.empty()) left_out_.emplace_back("side chains: only a serial chain can be imported again");
-    if (!arm_.effects.empty()) left_out_.emplace_back("effects: URDF has no place for them");
+    const auto beyond = beyondUrdf(arm_);
+    left_out_.insert(left_out_.end(), beyond.begin(), beyond.end());
     return {std::move(text_), std::move(left_out_)};
   }
 
@@ -78,19 +71,9 @@ class UrdfWriter {
     return name;
   }
 
-  /// Where its z is the tool's axis.
-  [[nodiscard]] bool keepsToolFrame() const { return arm_.R_LT.col(2).isApprox(arm_.tool_axis_L, 1e-12); }
-
-  /// The tool frame, if its z is the tool's axis; else one whose z is.
-  [[nodiscard]] Eigen::Matrix3d toolTurn() const {
-    if (keepsToolFrame()) return arm_.R_LT;
-    return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), arm_.tool_axis_L).toRotationMatrix();
-  }
-
   void addRow(std::size_t k, const std::string& parent) {
     const ArmRow& row = arm_.rows[k];
-    has_stiffness_ = has_stiffness_ || row.beam || std::isfinite(row.joint_stiffness.minCoeff());
-    text_ += fmt::format("  <link name=\"{}\">\n{}  </link>\n", escaped(row.name),
+    text_ += fmt::format("  <link name=\"{}\">\n{}  </link>\n", xmlEscaped(row.name),
                          inertialText(deflection::rowWeightOf(arm_, k)));
     Vector3d position = deflection::offsetInPreviousAxes<double>(row);
     Eigen::Matrix3d turn = deflection::rotationFromPrevious<double>(row);
@@ -124,7 +107,7 @@ class UrdfWriter {
       left_out_.push_back("all but the first of the joints that " + row.joint.name + " follows");
     const auto& first = row.joint.follows.front();
     const auto& leader = arm_.rows[static_cast<std::size_t>(first.row)].joint;
-    return fmt::format("    <mimic joint=\"{}\" multiplier=\"{:.17g}\" offset=\"{:.17g}\"/>\n", escaped(leader.name),
+    return fmt::format("    <mimic joint=\"{}\" multiplier=\"{:.17g}\" offset=\"{:.17g}\"/>\n", xmlEscaped(leader.name),
                        first.ratio, row.joint.offset + first.ratio * leader.offset);
   }
 
@@ -133,17 +116,44 @@ class UrdfWriter {
     text_ += fmt::format(
         "  <joint name=\"{}\" type=\"{}\">\n    <origin xyz=\"{}\" rpy=\"{}\"/>\n    <parent link=\"{}\"/>\n"
         "    <child link=\"{}\"/>\n{}  </joint>\n",
-        escaped(name), type, triple(position), triple(deflection::fixedAnglesOf(turn)), escaped(parent), escaped(child),
-        more);
+        xmlEscaped(name), type, triple(position), triple(deflection::fixedAnglesOf(turn)), xmlEscaped(parent),
+        xmlEscaped(child), more);
   }
 
   const Arm& arm_;
   std::string text_;
   std::vector<std::string> left_out_;
-  bool has_stiffness_ = false;
 };
 
 }  // namespace
+
+std::string xmlEscaped(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
+  return out;
+}
+
+Eigen::Matrix3d urdfTipTurn(const Arm& arm) {
+  if (keepsToolFrame(arm)) return arm.R_LT;
+  return Eigen::Quaterniond::FromTwoVectors(arm.R_LT.col(2), arm.tool_axis_L) * arm.R_LT;
+}
+
+std::vector<std::string> beyondUrdf(const Arm& arm) {
+  std::vector<std::string> sentences;
+  const auto add = [&](bool is_there, const char* sentence) {
+    if (is_there) sentences.emplace_back(sentence);
+  };
+  add(std::ranges::any_of(arm.rows, hasStiffness), "stiffnesses and beams: URDF's links are rigid");
+  add(!keepsToolFrame(arm), "the tool frame's turn (rpy): the exported tip's z is the tool's axis");
+  add(!arm.gravity_W.isApprox(-Vector3d::UnitZ(), 1e-12),
+      "the direction of gravity: URDF has none, and what is imported falls along -z");
+  add(std::ranges::any_of(arm.rows, isRead), "the encoders' noise: URDF has no place for it");
+  add(!arm.side_chains.empty(), "side chains: only a serial chain can be imported again");
+  for (const auto& effect : arm.effects)
+    sentences.push_back(fmt::format("the effect {}: URDF has no place for it", deflection::textOf(arm, effect)));
+  return sentences;
+}
 
 UrdfText urdfOf(const Arm& arm) { return UrdfWriter(arm).write(); }
 

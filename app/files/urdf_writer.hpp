@@ -17,4 +17,14 @@ struct UrdfText {
 /// the tool's axis along its z. m, rad and kg.
 [[nodiscard]] UrdfText urdfOf(const deflection::Arm& arm);
 
+/// What of an arm URDF has no place for whichever way it is written, a sentence each.
+[[nodiscard]] std::vector<std::string> beyondUrdf(const deflection::Arm& arm);
+
+/// The turn of the tip's frame in the last row's: the tool frame, if its z is the tool's axis; else turned the shortest
+/// way so that it is.
+[[nodiscard]] Eigen::Matrix3d urdfTipTurn(const deflection::Arm& arm);
+
+/// Text within an attribute in double quotes.
+[[nodiscard]] std::string xmlEscaped(const std::string& text);
+
 }  // namespace tubeplan::app

@@ -12,6 +12,7 @@
 #include "app/files/measurements_reader.hpp"
 #include "app/files/mesh_reader.hpp"
 #include "app/files/plan_reader.hpp"
+#include "app/files/urdf_edit.hpp"
 #include "app/files/urdf_reader.hpp"
 #include "app/files/workcell.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
@@ -52,7 +53,13 @@ void readForeignText(const std::string& text) {
                                ""};
   (void)parseMeasurementTable(readForeign(request, bench().arm).text, "readings", bench().arm);
 }
-void readUrdfText(const std::string& text) { (void)parseUrdf(text, "robot"); }
+/// And puts the arm back, with its first joint and the tool elsewhere.
+void readUrdfText(const std::string& text) {
+  deflection::Arm arm = parseUrdf(text, "robot").arm;
+  arm.rows.front().joint.offset += 0.1;
+  arm.p_LT.x() += 0.1;
+  (void)withArmInUrdf(text, "robot", "", arm);
+}
 void readHoleMapText(const std::string& text) { (void)tubesheets::parseHoleMap(text); }
 void readWorkListText(const std::string& text) {
   (void)tubesheets::selectTubes(*mockup().sheet, tubesheets::parseWorkListCsv(text));
