@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -18,14 +19,27 @@ constexpr std::size_t kLooked = 20;        // readings
 constexpr std::size_t kMostTogether = 16;  // hypotheses
 constexpr int kMostSigns = 8;              // joints of which all sets of signs are tried
 constexpr double kNearer = 0.25;  // fall of the mean logarithm of the errors that each mend is asked for, at least
+constexpr double kByWeights = 0.5;  // of the same, that weights may bring
 
-/// One hypothesis with what the readings looked at would be.
-struct Looked {
+/// One mistake, or joints with another sign together, with what the readings looked at would be.
+struct TriedQuickly {
   JoinedMends mends;
   std::vector<Measurement> readings;
   std::vector<Vector3d> tips;
   double score = 0;
   bool turns_joints = false;
+};
+
+/// One of those looked at, or two.
+struct Likely {
+  const TriedQuickly *first = nullptr, *then = nullptr;
+  double score = 0;
+
+  [[nodiscard]] JoinedMends mends() const {
+    JoinedMends all = first->mends;
+    if (then) all.insert(all.end(), then->mends.begin(), then->mends.end());
+    return all;
+  }
 };
 
 bool haveSameJoints(const std::vector<Measurement>& a, const std::vector<Measurement>& b) {
@@ -67,22 +81,24 @@ class JoinedSearch {
       lookAlone();
       lookAtPairs();
     }
-    std::ranges::stable_sort(found_, {}, &Looked::score);
+    std::ranges::stable_sort(found_, {}, &Likely::score);
     std::vector<JoinedMends> likely;
     std::set<std::string> keys;
-    for (auto& one : found_)
-      if (likely.size() < kMostTogether && keys.insert(keyOf(one.mends)).second) likely.push_back(std::move(one.mends));
+    for (const Likely& one : found_) {
+      auto mends = one.mends();
+      if (likely.size() < kMostTogether && keys.insert(keyOf(mends)).second) likely.push_back(std::move(mends));
+    }
     return likely;
   }
 
  private:
   /// The readings by these mends, which are made on those of all neighbours.
-  Looked looked(JoinedMends mends) const {
-    Looked one{std::move(mends), near_, {}, 0, false};
+  TriedQuickly looked(JoinedMends mends) {
+    TriedQuickly one{std::move(mends), near_, {}, 0, false};
     for (const Mend& mend : one.mends) mend.change(one.readings);
     std::erase_if(one.readings, [&](const Measurement& reading) { return !ids_.contains(reading.id); });
     one.tips = alignment_.tips(one.readings);
-    one.score = alignment_.score(one.readings, one.tips, freeBase(one.mends));
+    one.score = alignment_.score(one.readings, one.tips, {.frees_base = freeBase(one.mends)});
     one.turns_joints = !haveSameJoints(one.readings, as_is_.readings);
     return one;
   }
@@ -109,11 +125,9 @@ class JoinedSearch {
       JoinedMends mends;
       for (std::size_t j = 0; j < joints.size(); ++j)
         if (set >> j & 1) mends.push_back(*mistakes::joint_sign::mend(checked, joints[j]));
-      if (mends.size() < 2) continue;
-      Looked signs = looked(std::move(mends));
-      found_.push_back(signs);
-      sets_of_signs_.push_back(std::move(signs));
+      if (mends.size() > 1) sets_of_signs_.push_back(looked(std::move(mends)));
     }
+    for (const TriedQuickly& signs : sets_of_signs_) found_.push_back({&signs, nullptr, signs.score});
   }
 
   static bool canJoin(const Mend& first, const Mend& then) {
@@ -131,31 +145,35 @@ class JoinedSearch {
     }
   }
 
-  void lookAtPair(const Looked& first, const Looked& then) {
-    Looked pair{first.mends, first.readings, {}, 0, false};
-    pair.mends.insert(pair.mends.end(), then.mends.begin(), then.mends.end());
-    for (const Mend& mend : then.mends) mend.change(pair.readings);
-    pair.tips = !then.turns_joints    ? first.tips
-                : !first.turns_joints ? then.tips
-                                      : alignment_.tips(pair.readings);
-    if (pair.readings.size() != pair.tips.size()) return;
-    pair.score = alignment_.score(pair.readings, pair.tips, freeBase(pair.mends));
-    if (pair.score > std::min({first.score, then.score, as_is_.score}) - kNearer) return;
-    if (found_.size() > 4 * kKept) {
-      std::ranges::nth_element(found_, found_.begin() + kKept, {}, &Looked::score);
-      found_.resize(kKept);
-    }
-    found_.push_back(std::move(pair));
+  void lookAtPair(const TriedQuickly& first, const TriedQuickly& then) {
+    auto readings = first.readings;
+    for (const Mend& mend : then.mends) mend.change(readings);
+    const bool is_new = first.turns_joints && then.turns_joints;
+    const auto tips = is_new ? alignment_.tips(readings) : std::vector<Vector3d>{};
+    const auto& of_pair = is_new ? tips : then.turns_joints ? then.tips : first.tips;
+    if (readings.size() != of_pair.size()) return;
+    const double least = std::min({first.score, then.score, as_is_.score}) - kNearer;
+    const double promising = std::min(least, worst_kept_) + kByWeights;
+    const double score = alignment_.score(
+        readings, of_pair, {.frees_base = freeBase(first.mends) || freeBase(then.mends), .promising = promising});
+    if (score > std::min(least, worst_kept_)) return;
+    found_.push_back({&first, &then, score});
+    if (found_.size() < 2 * kKept) return;
+    std::ranges::nth_element(found_, found_.begin() + kKept, {}, &Likely::score);
+    worst_kept_ = found_[kKept].score;
+    found_.resize(kKept);
   }
 
-  static constexpr std::ptrdiff_t kKept = 400;
+  static constexpr std::size_t kKept = 200;
 
   const MistakeTrials& trials_;
   QuickAlignment alignment_;
   std::set<std::string> ids_;
   std::vector<Measurement> near_;
-  Looked as_is_;
-  std::vector<Looked> alone_, sets_of_signs_, found_;
+  TriedQuickly as_is_;
+  std::vector<TriedQuickly> alone_, sets_of_signs_;
+  std::vector<Likely> found_;
+  double worst_kept_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace

@@ -40,14 +40,14 @@ class ScaledReadings {
     for (std::size_t k = 0; k < checked.readings.size(); k += stride) readings_.push_back(checked.readings[k]);
   }
 
-  double score(double factor, double blind) const {
+  double score(double factor, double share) {
     auto scaled = readings_;
     for (auto& reading : scaled) reading.q[joint_] *= factor;
-    return alignment_.score(scaled, alignment_.tips(scaled), false, blind);
+    return alignment_.score(scaled, alignment_.tips(scaled), {.share = share});
   }
 
   /// The best of a range of factors, both of one sign, and then the best near it.
-  double best(double from, double to) const {
+  double best(double from, double to) {
     const double ratio = std::pow(to / from, 1. / kScales);
     double best = from, least_score = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= kScales; ++k)
@@ -60,7 +60,7 @@ class ScaledReadings {
 
  private:
   /// Golden section.
-  double finer(double a, double b) const {
+  double finer(double a, double b) {
     constexpr double kGolden = 0.6180339887498949;
     double c = b - kGolden * (b - a), d = a + kGolden * (b - a);
     double at_c = score(c, kFine), at_d = score(d, kFine);
@@ -89,7 +89,7 @@ std::vector<std::string> valuesOf(const CheckedReadings& checked) {
   const double most = std::min(std::max(std::abs(limits.lower), std::abs(limits.upper)), kTurns * turn) / range.largest();
   const double least = kLeastMotion / (range.highest - range.lowest);
   if (!(least < most)) return texts;
-  const ScaledReadings scaled(checked, joint);
+  ScaledReadings scaled(checked, joint);
   for (const int sign : {1, -1})
     texts.push_back(fmt::format("{}:{:.8g}", limits.name, scaled.best(sign * least, sign * most)));
   return texts;

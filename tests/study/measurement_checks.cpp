@@ -77,8 +77,8 @@ void studyMistakes(int count, bool is_verbose, const std::string& only) {
 }
 
 void studyPairs(int count, std::uint64_t seed, bool is_verbose, const std::string& only) {
-  std::array<int, 4> all{};
-  std::map<std::string, std::array<int, 4>> of_kind;
+  std::array<int, 5> all{};
+  std::map<std::string, std::array<int, 5>> of_kind;
   Cost cost;
   int made = 0;
   for (std::uint64_t number = 0; made < count && number < 20u * static_cast<std::uint64_t>(count); ++number) {
@@ -97,10 +97,11 @@ void studyPairs(int count, std::uint64_t seed, bool is_verbose, const std::strin
   for (const char* name : kPairNamings) fmt::print("{:>14}", name);
   fmt::print("\n");
   for (const auto& [kind, counts] : of_kind)
-    fmt::print("{:<24}{:>14}{:>14}{:>14}{:>14}\n", kind, counts[0], counts[1], counts[2], counts[3]);
-  fmt::print("{} pairs: {:.1f} % both named, {:.1f} % one, {:.1f} % another, {:.1f} % none\n", made,
-             100. * all[0] / std::max(1, made), 100. * all[1] / std::max(1, made), 100. * all[2] / std::max(1, made),
-             100. * all[3] / std::max(1, made));
+    fmt::print("{:<24}{:>14}\n", kind, fmt::join(counts, fmt::format("{:>12}", "")));
+  fmt::print("{} pairs:", made);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    fmt::print(" {} {} ({:.1f} %)", kPairNamings[k], all[k], 100. * all[k] / std::max(1, made));
+  fmt::print("\n");
   fmt::print("{:.0f} ms a set, at most {:.0f} ms\n", 1e3 * cost.total / std::max(1, cost.count), 1e3 * cost.most);
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/files/assumptions.hpp"
 #include "app/files/input_error.hpp"
+#include "calibration/measurement_checks/mistake_trials.hpp"
 #include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
 
 namespace tubeplan::calibration {
@@ -53,8 +54,8 @@ inline std::optional<SeededPair> seededPair(std::uint64_t number) {
   return are_one ? std::nullopt : std::optional(std::move(pair));
 }
 
-enum class PairNaming { kBoth, kOne, kOther, kNone };
-inline constexpr const char* kPairNamings[] = {"both", "one", "another", "none"};
+enum class PairNaming { kBoth, kAsGood, kOne, kOther, kNone };
+inline constexpr const char* kPairNamings[] = {"both", "as good", "one", "another", "none"};
 
 /// How far readings that are taken as a check proposes are from the clean ones: joints [rad, modulo a turn] and places
 /// [m], the largest.
@@ -76,8 +77,32 @@ inline double distanceMended(const SeededPair& pair, const std::string& assume) 
   return largest;
 }
 
+/// The readings as a check proposes to take them, as others are that have no mistake.
+inline SeededSet mendedSet(const SeededPair& pair, const std::string& assume) {
+  SeededSet set = pair.set;
+  (void)app::takeAssumptions({assume}, set.table, set.cell);
+  return set;
+}
+
+/// Whether no reading could tell the readings so taken from the clean ones: the drawing fits them as well, with the base
+/// where it is not known, and their noise is the stated one with all that is open.
+inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
+  SeededSet clean = pair.set;
+  clean.table.readings = pair.clean;
+  const SeededSet mended = mendedSet(pair, assume);
+  const CheckOptions options;
+  const auto checkedOf = [](const SeededSet& set) {
+    return CheckedReadings{app::startOf(set.cell, set.table.readings), set.table.readings,
+                           app::freeNumbersOf(set.cell), set.table.units, set.cell.sheet ? &*set.cell.sheet : nullptr};
+  };
+  const CheckedReadings of_clean = checkedOf(clean), of_mended = checkedOf(mended);
+  const MistakeTrials without(of_clean, options), with(of_mended, options);
+  return with.asIs().held_error < 1.5 * without.asIs().held_error &&
+         with.asIs().open_error < 1.5 * without.asIs().open_error;
+}
+
 /// Whether a check names both: the readings taken as it proposes, or as it says would do as well, are the clean ones, but
-/// for a few hundredths in the size of a zero. One: one of the two stands among what it proposes.
+/// for a few hundredths in the size of a zero. As good: others that nobody could tell from them are named first. One: one of the two stands among what it proposes.
 inline PairNaming judgePair(const SeededPair& pair, const MeasurementChecks& checks) {
   constexpr double kSame = 0.05;
   bool is_one = false, is_any = false;
@@ -93,6 +118,10 @@ inline PairNaming judgePair(const SeededPair& pair, const MeasurementChecks& che
                });
     }
   }
+  const auto fits = [&](const MeasurementCheck& check) {
+    return check.severity == CheckSeverity::kMistake && !check.assume.empty() && fitsAsClean(pair, check.assume);
+  };
+  if (std::ranges::any_of(checks.checks, fits)) return PairNaming::kAsGood;
   return is_one ? PairNaming::kOne : is_any ? PairNaming::kOther : PairNaming::kNone;
 }
 
