@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr std::size_t kLooked = 20;        // readings
 constexpr std::size_t kMostTogether = 16;  // hypotheses
 constexpr int kMostSigns = 8;              // joints of which all sets of signs are tried
-constexpr double kNearer = 0.25;  // fall of the mean logarithm of the errors that each mend is asked for, at least
+constexpr double kNearer = 0.25;    // fall of the mean logarithm of the errors that each mend is asked for, at least
 constexpr double kByWeights = 0.5;  // of the same, that weights may bring
 
 /// One mistake, or joints with another sign together, with what the readings looked at would be.
@@ -62,7 +62,8 @@ std::string keyOf(const JoinedMends& mends) {
 
 class JoinedSearch {
  public:
-  explicit JoinedSearch(const MistakeTrials& trials) : trials_(trials), alignment_(trials.checked().start, trials.reach()) {
+  explicit JoinedSearch(const MistakeTrials& trials)
+      : trials_(trials), alignment_(trials.checked().start, trials.reach()) {
     const auto& pool = trials.pool();
     for (const auto& reading : pool.readings)
       if (statesPlace(reading) && pool.counted_quickly.contains(reading.id) && ids_.size() < kLooked)

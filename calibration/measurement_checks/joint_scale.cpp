@@ -26,8 +26,8 @@ struct Range {
 };
 
 Range rangeOf(const CheckedReadings& checked, int joint) {
-  const auto [lowest, highest] = std::ranges::minmax(
-      checked.readings, {}, [joint](const Measurement& reading) { return reading.q[joint]; });
+  const auto [lowest, highest] =
+      std::ranges::minmax(checked.readings, {}, [joint](const Measurement& reading) { return reading.q[joint]; });
   return {lowest.q[joint], highest.q[joint]};
 }
 
@@ -86,7 +86,8 @@ std::vector<std::string> valuesOf(const CheckedReadings& checked) {
   const Range range = rangeOf(checked, joint);
   const auto& limits = checked.start.arm.joint(joint);
   const double turn = 2 * std::numbers::pi;
-  const double most = std::min(std::max(std::abs(limits.lower), std::abs(limits.upper)), kTurns * turn) / range.largest();
+  const double most =
+      std::min(std::max(std::abs(limits.lower), std::abs(limits.upper)), kTurns * turn) / range.largest();
   const double least = kLeastMotion / (range.highest - range.lowest);
   if (!(least < most)) return texts;
   ScaledReadings scaled(checked, joint);
@@ -103,10 +104,11 @@ std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& va
   if (joint < 0 || error != std::errc{} || end != number.data() + number.size() || !std::isfinite(factor) ||
       factor == 0)
     return std::nullopt;
-  Mend mend{"joint-scale", value,
-            fmt::format("the readings of {} are no angles: multiplied by {:.6g} they are, as pulses of an encoder would "
-                        "be ({:.6g} to one {})",
-                        name, factor, 1 / std::abs(factor), checked.units.angles.name)};
+  Mend mend{
+      "joint-scale", value,
+      fmt::format("the readings of {} are no angles: multiplied by {:.6g} they are, as pulses of an encoder would "
+                  "be ({:.6g} to one {})",
+                  name, factor, 1 / std::abs(factor), checked.units.angles.name)};
   mend.change = [joint, factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) reading.q[joint] *= factor;
   };
@@ -131,12 +133,8 @@ std::vector<int> jointsBeyondTurns(const CheckedReadings& checked) {
 }
 
 MistakeKind kind() {
-  return {"joint-scale",
-          "JOINT:FACTOR",
-          "a joint and what its readings are to be multiplied by, such as theta2:0.0123",
-          valuesOf,
-          mendOf,
-          false,
+  return {"joint-scale", "JOINT:FACTOR", "a joint and what its readings are to be multiplied by, such as theta2:0.0123",
+          valuesOf,      mendOf,         false,
           true};
 }
 

@@ -47,9 +47,9 @@ struct Mend {
   std::function<void(std::vector<Measurement>&)> change = [](std::vector<Measurement>&) {};
   /// Mends noise that is in the same wrong unit; empty where none is.
   std::function<void(std::vector<Measurement>&)> change_sigma = {};
-  bool frees_base = false;    ///< the base is taken as not known
-  bool parts_setups = false;  ///< every set-up is taken alone, with a tip of its own
-  bool is_of_part = false;    ///< of some of the readings alone
+  bool frees_base = false;         ///< the base is taken as not known
+  bool parts_setups = false;       ///< every set-up is taken alone, with a tip of its own
+  bool is_of_part = false;         ///< of some of the readings alone
   std::vector<int> zeros_of = {};  ///< joints whose zeros are looked for from the values tried
   int numbers_fitted = 0;          ///< to the readings: zeros and scales
 

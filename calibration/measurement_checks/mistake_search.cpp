@@ -99,8 +99,8 @@ class MistakeSearch {
       const Trial open = trials_.tried(others, TrialDepth::kOpen);
       if (!open.ok) continue;
       const Trial held = trials_.tried(others, TrialDepth::kHeld);
-      const bool falls = held.error >= kLeastFall * suspect.drawn.held_error ||
-                         open.error >= kLeastFall * suspect.open.error;
+      const bool falls =
+          held.error >= kLeastFall * suspect.drawn.held_error || open.error >= kLeastFall * suspect.open.error;
       if (!falls || trials_.gain(suspect.open) - trials_.gain(open) < kOdds) return false;
     }
     return true;
@@ -196,8 +196,7 @@ class MistakeSearch {
         whole != 0 && std::abs(zero - whole) < kNearQuarter)
       zero = whole;
     if (std::abs(zero) < mistakes::joint_zero::kLeast) return std::nullopt;
-    return mistakes::joint_zero::mend(trials_.checked(),
-                                      mistakes::joint_zero::textOf(trials_.checked(), joint, zero));
+    return mistakes::joint_zero::mend(trials_.checked(), mistakes::joint_zero::textOf(trials_.checked(), joint, zero));
   }
 
   std::vector<Suspect> screened() const {

@@ -58,9 +58,10 @@ std::optional<MeasurementCheck> pulses(const CheckedReadings& checked) {
   return MeasurementCheck{
       "joint-scale",
       CheckSeverity::kRemark,
-      fmt::format("the readings of {} go farther than a joint turns: are they an encoder's pulses? State how many {} one "
-                  "is, joint by joint, as --assume joint-scale={}:FACTOR",
-                  listOf(names), unit.name, names.front()),
+      fmt::format(
+          "the readings of {} go farther than a joint turns: are they an encoder's pulses? State how many {} one "
+          "is, joint by joint, as --assume joint-scale={}:FACTOR",
+          listOf(names), unit.name, names.front()),
       kNoFigure,
       kNoFigure,
       "",

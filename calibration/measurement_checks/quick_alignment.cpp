@@ -12,8 +12,8 @@ using Eigen::Matrix3d, Eigen::Matrix4d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kBlindShare = 0.01;  // of the reach: what a rigid drawing may be off by
-constexpr double kRows = 3;           // of a reading
+constexpr double kBlindShare = 0.01;                                 // of the reach: what a rigid drawing may be off by
+constexpr double kRows = 3;                                          // of a reading
 constexpr double kUsualTurnOfBase = 0.05, kUsualShiftOfBase = 0.05;  // rad, of the reach: what bases are off by
 constexpr int kReweighings = 3;
 constexpr std::size_t kLeastPlaces = 6;
@@ -113,8 +113,8 @@ double sumOf(const std::vector<double>& squares, double blind) {
   return sum;
 }
 
-/// The same after the best placing, with weights of Cauchy about the typical square where the sum is promising, and with
-/// what the placing has against it.
+/// The same after the best placing, with weights of Cauchy about the typical square where the sum is promising, and
+/// with what the placing has against it.
 double alignedSum(const Cloud& cloud, const Eigen::Isometry3d& nominal, double blind, double promising) {
   std::vector<double> weights(cloud.tips.size(), 1), squares;
   Placing X = aligned(cloud, weights);

@@ -26,8 +26,8 @@ class QuickAlignment {
   [[nodiscard]] std::vector<Eigen::Vector3d> tips(const std::vector<Measurement>& readings);
 
   /// Mean of half the logarithm of one and the squares of the errors over what counts as none; infinite where too few
-  /// readings state a place. A base that is not known is placed by a closed form, with weights that fall with the errors
-  /// where the score is promising, and what its distance from the nominal place has against it counts.
+  /// readings state a place. A base that is not known is placed by a closed form, with weights that fall with the
+  /// errors where the score is promising, and what its distance from the nominal place has against it counts.
   [[nodiscard]] double score(const std::vector<Measurement>& readings, const std::vector<Eigen::Vector3d>& tips,
                              const QuickAlignmentOptions& options = {}) const;
 

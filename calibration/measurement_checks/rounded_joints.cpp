@@ -14,7 +14,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kDisplayDegrees[] = {1, 0.5, 0.1, 0.05, 0.01};                   // deg, that displays round to
+constexpr double kDisplayDegrees[] = {1, 0.5, 0.1, 0.05, 0.01};                // deg, that displays round to
 constexpr double kDisplayRadians[] = {0.1, 0.05, 0.01, 0.005, 0.001, 0.0005};  // the same in rad
 constexpr double kNearStep = 0.02;  // of a step: a number written with few digits
 constexpr std::size_t kLeastReadings = 8, kLeastStops = 4;
@@ -73,14 +73,15 @@ double motionOfRounding(const std::vector<DisplayStep>& steps, const MistakeTria
     const auto predicted = predictReading(placed.arm, X_WB, reading, request);
     if (!predicted.ok) continue;
     for (std::size_t j = 0; j < steps.size(); ++j)
-      squares += predicted.by_joints.col(static_cast<Eigen::Index>(j)).squaredNorm() * steps[j].size * steps[j].size / 12;
+      squares +=
+          predicted.by_joints.col(static_cast<Eigen::Index>(j)).squaredNorm() * steps[j].size * steps[j].size / 12;
     ++count;
   }
   return std::sqrt(squares / std::max(1, count));
 }
 
-/// "all joint readings are multiples of 0.1 deg", or "the readings of q1 and q2 are multiples of 0.1 deg, of q3 of 0.001
-/// rad".
+/// "all joint readings are multiples of 0.1 deg", or "the readings of q1 and q2 are multiples of 0.1 deg, of q3 of
+/// 0.001 rad".
 std::string stepsText(const CheckedReadings& checked, const std::vector<DisplayStep>& steps) {
   const auto is_alike = [&](const DisplayStep& step) { return step.text == steps.front().text; };
   if (std::ranges::all_of(steps, is_alike)) return "all joint readings are multiples of " + steps.front().text;

@@ -168,7 +168,8 @@ inline Made jointInPulses(SeededSet& s, SeededRandom& random) {
   if (!arePlaces(s)) return std::nullopt;
   const int joint = drawnJoint(s, random);
   const double factor = drawnBetween(200, 5000, random) * (random() % 2 ? 1 : -1);
-  for (auto& m : s.table.readings) m.q[joint] = std::round(m.q[joint] * 180 / std::numbers::pi * factor) * std::numbers::pi / 180;
+  for (auto& m : s.table.readings)
+    m.q[joint] = std::round(m.q[joint] * 180 / std::numbers::pi * factor) * std::numbers::pi / 180;
   return "joint-scale=" + jointName(s, joint);
 }
 /// Two or three joints.

@@ -23,8 +23,8 @@ struct SeededPair {
 /// Mistakes of a whole table that an error shows, of which any two may meet.
 inline const std::vector<std::string>& pairedMistakes() {
   static const std::vector<std::string> kLabels{
-      "coordinates in mm",   "coordinates in m",   "radians under deg", "one joint in radians under deg",
-      "one axis mirrored",   "two axes exchanged", "a joint's sign",    "a zero 90 deg off",
+      "coordinates in mm",    "coordinates in m",     "radians under deg",   "one joint in radians under deg",
+      "one axis mirrored",    "two axes exchanged",   "a joint's sign",      "a zero 90 deg off",
       "a zero 10-60 deg off", "two joints exchanged", "rows shifted by one", "a joint shown with another's"};
   return kLabels;
 }
@@ -33,8 +33,8 @@ inline const SeededMistake& seededMistake(const std::string& label) {
   return *std::ranges::find_if(seededMistakes(), [&](const auto& mistake) { return mistake.label == label; });
 }
 
-/// A pair by its number; nothing where the set has no room for it, or both are one and the same. Zeros of the last joint
-/// are left out, which to tips alone are a tool mounted elsewhere.
+/// A pair by its number; nothing where the set has no room for it, or both are one and the same. Zeros of the last
+/// joint are left out, which to tips alone are a tool mounted elsewhere.
 inline std::optional<SeededPair> seededPair(std::uint64_t number) {
   SeededRandom random(number * 977 + 11);
   const auto& labels = pairedMistakes();
@@ -84,16 +84,16 @@ inline SeededSet mendedSet(const SeededPair& pair, const std::string& assume) {
   return set;
 }
 
-/// Whether no reading could tell the readings so taken from the clean ones: the drawing fits them as well, with the base
-/// where it is not known, and their noise is the stated one with all that is open.
+/// Whether no reading could tell the readings so taken from the clean ones: the drawing fits them as well, with the
+/// base where it is not known, and their noise is the stated one with all that is open.
 inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
   SeededSet clean = pair.set;
   clean.table.readings = pair.clean;
   const SeededSet mended = mendedSet(pair, assume);
   const CheckOptions options;
   const auto checkedOf = [](const SeededSet& set) {
-    return CheckedReadings{app::startOf(set.cell, set.table.readings), set.table.readings,
-                           app::freeNumbersOf(set.cell), set.table.units, set.cell.sheet ? &*set.cell.sheet : nullptr};
+    return CheckedReadings{app::startOf(set.cell, set.table.readings), set.table.readings, app::freeNumbersOf(set.cell),
+                           set.table.units, set.cell.sheet ? &*set.cell.sheet : nullptr};
   };
   const CheckedReadings of_clean = checkedOf(clean), of_mended = checkedOf(mended);
   const MistakeTrials without(of_clean, options), with(of_mended, options);
@@ -101,8 +101,9 @@ inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
          with.asIs().open_error < 1.5 * without.asIs().open_error;
 }
 
-/// Whether a check names both: the readings taken as it proposes, or as it says would do as well, are the clean ones, but
-/// for a few hundredths in the size of a zero. As good: others that nobody could tell from them are named first. One: one of the two stands among what it proposes.
+/// Whether a check names both: the readings taken as it proposes, or as it says would do as well, are the clean ones,
+/// but for a few hundredths in the size of a zero. As good: others that nobody could tell from them are named first.
+/// One: one of the two stands among what it proposes.
 inline PairNaming judgePair(const SeededPair& pair, const MeasurementChecks& checks) {
   constexpr double kSame = 0.05;
   bool is_one = false, is_any = false;
