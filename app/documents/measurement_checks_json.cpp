@@ -42,7 +42,7 @@ std::string checkText(const MeasurementCheck& check, const Units& units) {
     text += fmt::format("; corrected, the error falls from {} to {}", lengthText(check.error_as_is, units),
                         lengthText(check.error_if_mended, units));
   if (!check.assume.empty()) text += fmt::format(" (--assume {})", check.assume);
-  if (!check.equally.empty()) text += fmt::format(", or equally --assume {}", fmt::join(check.equally, ", "));
+  if (!check.equally.empty()) text += fmt::format(", or equally --assume {}", fmt::join(check.equally, " or --assume "));
   return text;
 }
 

@@ -31,6 +31,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-inline MistakeKind kind() { return {"coordinate-unit", "AXIS:UNIT", "x, y or z and a unit of length", values, mend}; }
+inline MistakeKind kind() {
+  return {"coordinate-unit", "AXIS:UNIT", "x, y or z and a unit of length", values, mend, false, true};
+}
 
 }  // namespace tubeplan::calibration::mistakes::coordinate_unit

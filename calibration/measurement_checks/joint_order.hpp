@@ -32,7 +32,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
 }
 
 inline MistakeKind kind() {
-  return {"joint-order", "JOINT:JOINT", "two joints of the arm, such as theta3:theta4", values, mend};
+  return {"joint-order", "JOINT:JOINT", "two joints of the arm, such as theta3:theta4", values, mend, false, true};
 }
 
 }  // namespace tubeplan::calibration::mistakes::joint_order

@@ -22,6 +22,6 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-inline MistakeKind kind() { return {"joint-sign", "JOINT", "a joint of the arm", values, mend}; }
+inline MistakeKind kind() { return {"joint-sign", "JOINT", "a joint of the arm", values, mend, false, true}; }
 
 }  // namespace tubeplan::calibration::mistakes::joint_sign

@@ -38,6 +38,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-inline MistakeKind kind() { return {"joint-unit", "JOINT:UNIT", "a joint and a unit of its own kind", values, mend}; }
+inline MistakeKind kind() {
+  return {"joint-unit", "JOINT:UNIT", "a joint and a unit of its own kind", values, mend, false, true};
+}
 
 }  // namespace tubeplan::calibration::mistakes::joint_unit

@@ -30,6 +30,16 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
+/// Every sixth of a half turn: from one of them the zero is found, whatever it is.
+inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
+  std::vector<std::string> texts;
+  for (int j = 0; j < checked.start.arm.jointCount(); ++j)
+    if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute)
+      for (int part = -5; part <= 6; ++part)
+        if (part != 0) texts.push_back(textOf(checked, j, part * std::numbers::pi / 6));
+  return texts;
+}
+
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
   const auto [name, number] = partedAtColon(value);
   const int joint = jointNamed(checked.start.arm, name);
@@ -44,13 +54,20 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   mend.change = [joint, by = offset * checked.units.angles.factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) reading.q[joint] += by;
   };
-  mend.zero_of = joint;
+  mend.zeros_of = {joint};
+  mend.numbers_fitted = 1;
   return mend;
 }
 
 inline MistakeKind kind() {
-  return {"joint-zero", "JOINT:ANGLE",
-          "a revolute joint and the offset to add to its readings, in their unit, such as theta3:90", values, mend};
+  return {"joint-zero",
+          "JOINT:ANGLE",
+          "a revolute joint and the offset to add to its readings, in their unit, such as theta3:90",
+          values,
+          mend,
+          false,
+          true,
+          valuesBeside};
 }
 
 }  // namespace tubeplan::calibration::mistakes::joint_zero

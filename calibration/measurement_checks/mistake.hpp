@@ -47,10 +47,11 @@ struct Mend {
   std::function<void(std::vector<Measurement>&)> change = [](std::vector<Measurement>&) {};
   /// Mends noise that is in the same wrong unit; empty where none is.
   std::function<void(std::vector<Measurement>&)> change_sigma = {};
-  bool frees_base = false;    ///< the base is taken as not known
-  bool parts_setups = false;  ///< every set-up is taken alone, with a tip of its own
-  bool is_of_part = false;    ///< of some of the readings alone
-  int zero_of = -1;           ///< joint whose zero is looked for from the value tried
+  bool frees_base = false;         ///< the base is taken as not known
+  bool parts_setups = false;       ///< every set-up is taken alone, with a tip of its own
+  bool is_of_part = false;         ///< of some of the readings alone
+  std::vector<int> zeros_of = {};  ///< joints whose zeros are looked for from the values tried
+  int numbers_fitted = 0;          ///< to the readings: zeros and scales
 
   /// Changes the readings, and what they refer to among themselves with them.
   void apply(std::vector<Measurement>& readings) const {
@@ -67,9 +68,16 @@ struct MistakeKind {
   std::vector<std::string> (*values)(const CheckedReadings&);  ///< worth trying
   std::optional<Mend> (*mend)(const CheckedReadings&, const std::string& value);  ///< nothing: no such value
   bool settles_sigma = false;  ///< says of the noise what it is: other mends leave it then
+  bool joins_itself = false;   ///< several of it may be made at once: each is of a joint or a column
+  /// Worth trying beside another mistake, where other forms than alone are; null: the same.
+  std::vector<std::string> (*values_beside)(const CheckedReadings&) = nullptr;
 };
 
+/// In the order in which several are undone.
 const std::vector<MistakeKind>& mistakeKinds();
+
+/// Several mends one after another as one, whose value has the further ones behind commas as `--assume` takes them.
+[[nodiscard]] Mend joined(const std::vector<Mend>& parts);
 
 [[nodiscard]] const MistakeKind* findMistakeKind(const std::string& name);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "calibration/measurement_checks/joined_mistakes.hpp"
 #include "calibration/measurement_checks/joint_zero.hpp"
 #include "calibration/measurements/reading_problems.hpp"
 
@@ -20,6 +21,7 @@ constexpr double kAsGood = 3;         // log of the odds within which another mi
 constexpr double kAsGoodError = 1.5;  // times the error, for the same
 constexpr double kNoisePerRow = 0.6;  // lack of fit of a row by noise alone
 constexpr double kFits = 0.05;        // of the reach: readings with a larger error yet are not mended
+constexpr double kGross = 0.001;      // of the reach: an error that one mistake leaves asks for several
 constexpr std::size_t kFinalists = 8;
 constexpr double kLimitSlack = 0.05;    // rad or m past a joint's limit
 constexpr double kShareOutside = 0.02;  // of readings past limits, that no hypothesis may have
@@ -30,19 +32,15 @@ class MistakeSearch {
 
   [[nodiscard]] std::optional<MeasurementCheck> find() const {
     if (!asksForMistakes()) return std::nullopt;
-    auto suspects = screened();
-    for (auto& suspect : suspects) {
-      const double held_error = suspect.drawn.error;
-      suspect.drawn = trials_.tried(suspect.mend, TrialDepth::kDrawn);
-      suspect.drawn.held_error = held_error;
-      suspect.open = trials_.tried(suspect.mend, TrialDepth::kOpen);
+    auto suspects = examined(screened());
+    std::erase_if(suspects, [&](const Suspect& suspect) { return !explainsError(suspect) && !explainsBase(suspect); });
+    if (isLeftOver(suspects)) {
+      auto joined = examined(screenedTogether());
+      std::erase_if(joined, [&](const Suspect& suspect) { return !explainsError(suspect) || !isAllNeeded(suspect); });
+      std::ranges::move(joined, std::back_inserter(suspects));
     }
-    std::erase_if(suspects, [&](const Suspect& suspect) {
-      return !suspect.open.ok || (!explainsError(suspect) && !explainsBase(suspect));
-    });
     if (suspects.empty()) return std::nullopt;
-    std::stable_sort(suspects.begin(), suspects.end(),
-                     [&](const Suspect& a, const Suspect& b) { return trials_.gain(a.open) > trials_.gain(b.open); });
+    std::ranges::stable_sort(suspects, std::greater{}, [&](const Suspect& suspect) { return merit(suspect); });
     Suspect& best = suspects.front();
     MeasurementCheck check;
     check.name = best.mend.mistake;
@@ -54,7 +52,8 @@ class MistakeSearch {
                      (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(trials_) + ")");
     stateErrors(best, check);
     for (std::size_t k = 1; k < suspects.size(); ++k)
-      if (trials_.gain(suspects[k].open) > trials_.gain(best.open) - kAsGood &&
+      if (suspects[k].parts.size() <= best.parts.size() &&
+          trials_.gain(suspects[k].open) > trials_.gain(best.open) - kAsGood &&
           suspects[k].drawn.error < kAsGoodError * best.drawn.error)
         check.equally.push_back(suspects[k].mend.mistake + "=" + suspects[k].mend.value);
     return check;
@@ -62,9 +61,50 @@ class MistakeSearch {
 
  private:
   struct Suspect {
+    JoinedMends parts;
     Mend mend;
     Trial drawn, open;
   };
+
+  /// The suspects by all that is open, but for those that cannot be fitted so.
+  std::vector<Suspect> examined(std::vector<Suspect> suspects) const {
+    for (auto& suspect : suspects) {
+      const double held_error = suspect.drawn.error;
+      suspect.drawn = trials_.tried(suspect.mend, TrialDepth::kDrawn);
+      suspect.drawn.held_error = held_error;
+      suspect.open = trials_.tried(suspect.mend, TrialDepth::kOpen);
+    }
+    std::erase_if(suspects, [](const Suspect& suspect) { return !suspect.open.ok; });
+    return suspects;
+  }
+
+  /// What a suspect explains, less what each further mistake has against it beforehand.
+  [[nodiscard]] double merit(const Suspect& suspect) const {
+    return trials_.gain(suspect.open) - kOdds * static_cast<double>(suspect.parts.size() - 1);
+  }
+
+  /// Whether no single mistake brings the error near what a model may be off by.
+  [[nodiscard]] bool isLeftOver(const std::vector<Suspect>& suspects) const {
+    double left = trials_.asIs().ok ? trials_.asIs().open_error : std::numeric_limits<double>::infinity();
+    for (const auto& suspect : suspects) left = std::min(left, suspect.open.error);
+    return left > std::max(kGross * trials_.reach(), kLeastFall * trials_.noise({}));
+  }
+
+  /// Whether each of several mistakes does what a single one is asked for, beside the others.
+  [[nodiscard]] bool isAllNeeded(const Suspect& suspect) const {
+    for (std::size_t k = 0; k < suspect.parts.size(); ++k) {
+      auto parts = suspect.parts;
+      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
+      const Mend others = joined(parts);
+      const Trial open = trials_.tried(others, TrialDepth::kOpen);
+      if (!open.ok) continue;
+      const Trial held = trials_.tried(others, TrialDepth::kHeld);
+      const bool falls =
+          held.error >= kLeastFall * suspect.drawn.held_error || open.error >= kLeastFall * suspect.open.error;
+      if (!falls || trials_.gain(suspect.open) - trials_.gain(open) < kOdds) return false;
+    }
+    return true;
+  }
 
   /// Whether there is an error that a mistake could explain, or a base that one could have moved.
   [[nodiscard]] bool asksForMistakes() const {
@@ -113,22 +153,41 @@ class MistakeSearch {
     return !readings.empty() &&
            static_cast<double>(outside(readings)) <=
                kShareOutside * static_cast<double>(readings.size()) +
-                   (mend.zero_of < 0 && outside(trials_.pool().readings) > outside(readings) ? 1e9 : 0);
+                   (mend.zeros_of.empty() && outside(trials_.pool().readings) > outside(readings) ? 1e9 : 0);
   }
 
   /// The zero as the readings have it best, from the value tried; nothing where that is no mistake. The first joint's
   /// zero and a base that is not known are one for the readings: it is looked for with the base where it nominally is.
-  std::optional<Mend> zeroFound(const Mend& from) const {
+  std::optional<JoinedMends> withZerosFound(JoinedMends parts) const {
+    const Mend from = joined(parts);
+    if (from.zeros_of.empty()) return parts;
     PlacedArm start = trials_.startOf(from);
-    if (from.zero_of == 0)
+    if (std::ranges::find(from.zeros_of, 0) != from.zeros_of.end())
       for (auto& base_pose : start.base_poses) base_pose.is_known = true;
-    const int zeroed = deflection::activeRows(trials_.checked().start.arm)[static_cast<std::size_t>(from.zero_of)];
-    const auto& row = trials_.checked().start.arm.rows[static_cast<std::size_t>(zeroed)];
-    const std::string name = row.name + ".joint.offset";
-    const auto best = trials_.fitZero(from, std::move(start), name);
+    std::vector<std::string> names;
+    for (const int joint : from.zeros_of) names.push_back(offsetOf(joint));
+    const auto best = trials_.fitZeros(from, std::move(start), names);
     if (!best.ok) return std::nullopt;
-    const auto before = deflection::findParameter(trials_.checked().start.arm, name),
-               after = deflection::findParameter(best.placed.arm, name);
+    for (Mend& part : parts) {
+      if (part.zeros_of.empty()) continue;
+      auto found = zeroFound(part, best.placed.arm);
+      if (!found) return std::nullopt;
+      part = std::move(*found);
+    }
+    return parts;
+  }
+
+  /// The name of a joint's zero among the numbers of the arm.
+  [[nodiscard]] std::string offsetOf(int joint) const {
+    const auto& arm = trials_.checked().start.arm;
+    const int row = deflection::activeRows(arm)[static_cast<std::size_t>(joint)];
+    return arm.rows[static_cast<std::size_t>(row)].name + ".joint.offset";
+  }
+
+  std::optional<Mend> zeroFound(const Mend& from, const deflection::Arm& fitted) const {
+    const int joint = from.zeros_of.front();
+    const auto before = deflection::findParameter(trials_.checked().start.arm, offsetOf(joint)),
+               after = deflection::findParameter(fitted, offsetOf(joint));
     if (!before || !after) return std::nullopt;
     const double tried = std::stod(partedAtColon(from.value).second) * trials_.checked().units.angles.factor;
     double zero = std::remainder(tried + after->value - before->value, 2 * std::numbers::pi);
@@ -137,8 +196,7 @@ class MistakeSearch {
         whole != 0 && std::abs(zero - whole) < kNearQuarter)
       zero = whole;
     if (std::abs(zero) < mistakes::joint_zero::kLeast) return std::nullopt;
-    return mistakes::joint_zero::mend(trials_.checked(),
-                                      mistakes::joint_zero::textOf(trials_.checked(), from.zero_of, zero));
+    return mistakes::joint_zero::mend(trials_.checked(), mistakes::joint_zero::textOf(trials_.checked(), joint, zero));
   }
 
   std::vector<Suspect> screened() const {
@@ -147,15 +205,36 @@ class MistakeSearch {
       for (const auto& value : kind.values(trials_.checked())) {
         goOn(trials_.options().stop);
         auto mend = kind.mend(trials_.checked(), value);
-        if (mend && mend->zero_of >= 0) mend = zeroFound(*mend);
-        if (!mend || !isWithinLimits(*mend)) continue;
-        if (mend->zero_of >= 0 && std::any_of(suspects.begin(), suspects.end(), [&](const Suspect& other) {
-              return other.mend.mistake == mend->mistake && other.mend.value == mend->value;
-            }))
-          continue;
-        Trial trial = trials_.tried(*mend, TrialDepth::kHeld);
-        if (trial.ok) suspects.push_back({std::move(*mend), std::move(trial), {}});
+        if (mend) screen({std::move(*mend)}, suspects);
       }
+    return foremost(std::move(suspects));
+  }
+
+  std::vector<Suspect> screenedTogether() const {
+    std::vector<Suspect> suspects;
+    for (auto& parts : likelyTogether(trials_)) {
+      goOn(trials_.options().stop);
+      screen(std::move(parts), suspects);
+    }
+    return foremost(std::move(suspects));
+  }
+
+  /// Adds a hypothesis with its trial by the drawing, unless it is none or has been tried.
+  void screen(JoinedMends tried, std::vector<Suspect>& suspects) const {
+    auto parts = withZerosFound(std::move(tried));
+    if (!parts) return;
+    Mend mend = joined(*parts);
+    if (!isWithinLimits(mend)) return;
+    if (!mend.zeros_of.empty() && std::any_of(suspects.begin(), suspects.end(), [&](const Suspect& other) {
+          return other.mend.mistake == mend.mistake && other.mend.value == mend.value;
+        }))
+      return;
+    Trial trial = trials_.tried(mend, TrialDepth::kHeld);
+    if (trial.ok) suspects.push_back({std::move(*parts), std::move(mend), std::move(trial), {}});
+  }
+
+  /// Those by which the drawing fits best.
+  std::vector<Suspect> foremost(std::vector<Suspect> suspects) const {
     const std::size_t kept = std::min(kFinalists, suspects.size());
     std::partial_sort(suspects.begin(), suspects.begin() + static_cast<std::ptrdiff_t>(kept), suspects.end(),
                       [&](const Suspect& a, const Suspect& b) {
@@ -171,7 +250,7 @@ class MistakeSearch {
   }
 
   /// Whether a mend has numbers that are fitted: what others take off the error is no fit.
-  static bool hasNumbers(const Mend& mend) { return mend.frees_base || mend.parts_setups || mend.zero_of >= 0; }
+  static bool hasNumbers(const Mend& mend) { return mend.frees_base || mend.parts_setups || mend.numbers_fitted > 0; }
 
   /// Whether so many readings could contradict a mend that is fitted to them, or that leaves some of them out.
   [[nodiscard]] bool isDetermined(const Mend& mend) const {
@@ -183,7 +262,7 @@ class MistakeSearch {
     const auto start = trials_.startOf(mend);
     const auto bases = std::count_if(start.base_poses.begin(), start.base_poses.end(),
                                      [](const auto& base_pose) { return !base_pose.is_known; });
-    return numbersMeasured(readings) - 6 * static_cast<int>(bases) - (mend.zero_of >= 0 ? 1 : 0) >= kLeastFreedom;
+    return numbersMeasured(readings) - 6 * static_cast<int>(bases) - mend.numbers_fitted >= kLeastFreedom;
   }
 
   [[nodiscard]] bool explainsError(const Suspect& suspect) const {

@@ -145,13 +145,13 @@ const FreeChoice& MistakeTrials::freeAt(TrialDepth depth) const {
 
 /// The drawing with the base free where it is not known, with the tip besides, or with all that is open.
 RobustFit MistakeTrials::fit(PlacedArm start, const std::vector<Measurement>& readings, TrialDepth depth,
-                             const std::string& zero) const {
+                             const std::vector<std::string>& zeros) const {
   RobustFitOptions options;
   options.free = freeAt(depth);
   options.most_steps = depth == TrialDepth::kOpen ? 8 : 5;
   options.judges_noise = depth == TrialDepth::kOpen;
   options.stop = options_.stop;
-  if (!zero.empty()) {
+  for (const auto& zero : zeros) {
     options.free.names.push_back(zero);
     options.free.priors.named[zero] = std::numbers::pi;
   }
@@ -219,15 +219,15 @@ Trial MistakeTrials::triedApart(TrialDepth depth) const {
   return whole;
 }
 
-RobustFit MistakeTrials::fitZero(const Mend& mend, PlacedArm start, const std::string& zero) const {
-  return fit(std::move(start), mended(mend, TrialDepth::kDrawn), TrialDepth::kHeld, zero);
+RobustFit MistakeTrials::fitZeros(const Mend& mend, PlacedArm start, const std::vector<std::string>& zeros) const {
+  return fit(std::move(start), mended(mend, TrialDepth::kDrawn), TrialDepth::kHeld, zeros);
 }
 
 int MistakeTrials::freedom(const Mend& mend, TrialDepth depth) const {
   PlacedArm start = startOf(mend);
   const auto found = chooseUnknowns(start, freeAt(depth)).list.size();
   const auto readings = mended(mend.parts_setups ? Mend{} : mend, depth);
-  return numbersMeasured(readings) - static_cast<int>(found) - (mend.zero_of >= 0 ? 1 : 0);
+  return numbersMeasured(readings) - static_cast<int>(found) - mend.numbers_fitted;
 }
 
 double MistakeTrials::noise(const Mend& mend) const {

@@ -49,8 +49,8 @@ class MistakeTrials {
   /// The readings as they are; its errors are those of all three depths.
   [[nodiscard]] const Trial& asIs() const { return as_is_; }
   [[nodiscard]] Trial tried(const Mend& mend, TrialDepth depth) const;
-  /// By the drawing, one joint's zero free besides.
-  [[nodiscard]] RobustFit fitZero(const Mend& mend, PlacedArm start, const std::string& zero) const;
+  /// By the drawing, some joints' zeros free besides.
+  [[nodiscard]] RobustFit fitZeros(const Mend& mend, PlacedArm start, const std::vector<std::string>& zeros) const;
   /// The cell's, its base as far known as the mistake leaves it.
   [[nodiscard]] PlacedArm startOf(const Mend& mend) const;
 
@@ -75,7 +75,7 @@ class MistakeTrials {
 
  private:
   [[nodiscard]] RobustFit fit(PlacedArm start, const std::vector<Measurement>& readings, TrialDepth depth,
-                              const std::string& zero = "") const;
+                              const std::vector<std::string>& zeros = {}) const;
   [[nodiscard]] const FreeChoice& freeAt(TrialDepth depth) const;
   [[nodiscard]] std::vector<Measurement> mended(const Mend& mend, TrialDepth depth) const;
   [[nodiscard]] Trial judged(const RobustFit& fit, const std::vector<Measurement>& readings) const;

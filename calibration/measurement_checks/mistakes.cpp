@@ -6,7 +6,9 @@
 #include "calibration/measurement_checks/coordinate_unit.hpp"
 #include "calibration/measurement_checks/coordinates_unit.hpp"
 #include "calibration/measurement_checks/holes_off.hpp"
+#include "calibration/measurement_checks/joint_coupling.hpp"
 #include "calibration/measurement_checks/joint_order.hpp"
+#include "calibration/measurement_checks/joint_scale.hpp"
 #include "calibration/measurement_checks/joint_sign.hpp"
 #include "calibration/measurement_checks/joint_unit.hpp"
 #include "calibration/measurement_checks/joint_zero.hpp"
@@ -26,25 +28,13 @@ namespace tubeplan::calibration {
 
 const std::vector<MistakeKind>& mistakeKinds() {
   static const std::vector<MistakeKind> kKinds = {
-      mistakes::coordinates_unit::kind(),
-      mistakes::loads_unit::kind(),
-      mistakes::angles_unit::kind(),
-      mistakes::coordinate_unit::kind(),
-      mistakes::joint_unit::kind(),
-      mistakes::sigma_unit::kind(),
-      mistakes::mirror::kind(),
-      mistakes::axes::kind(),
-      mistakes::joint_sign::kind(),
-      mistakes::joint_zero::kind(),
-      mistakes::joint_order::kind(),
-      mistakes::shifted_rows::kind(),
-      mistakes::holes_off::kind(),
-      mistakes::one_hole::kind(),
-      mistakes::sheet_mirrored::kind(),
-      mistakes::base_elsewhere::kind(),
-      mistakes::setup_alone::kind(),
-      mistakes::without::kind(),
-      mistakes::part_in_unit::coordinates(),
+      mistakes::shifted_rows::kind(),   mistakes::coordinates_unit::kind(), mistakes::loads_unit::kind(),
+      mistakes::angles_unit::kind(),    mistakes::coordinate_unit::kind(),  mistakes::joint_unit::kind(),
+      mistakes::sigma_unit::kind(),     mistakes::mirror::kind(),           mistakes::axes::kind(),
+      mistakes::joint_order::kind(),    mistakes::joint_scale::kind(),      mistakes::joint_sign::kind(),
+      mistakes::joint_coupling::kind(), mistakes::joint_zero::kind(),       mistakes::holes_off::kind(),
+      mistakes::one_hole::kind(),       mistakes::sheet_mirrored::kind(),   mistakes::base_elsewhere::kind(),
+      mistakes::setup_alone::kind(),    mistakes::without::kind(),          mistakes::part_in_unit::coordinates(),
       mistakes::part_in_unit::angles(),
   };
   return kKinds;
@@ -54,6 +44,30 @@ const MistakeKind* findMistakeKind(const std::string& name) {
   for (const MistakeKind& kind : mistakeKinds())
     if (kind.name == name) return &kind;
   return nullptr;
+}
+
+Mend joined(const std::vector<Mend>& parts) {
+  Mend all = parts.front();
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    const Mend& part = parts[k];
+    all.value += "," + part.mistake + "=" + part.value;
+    all.sentence += (k + 1 < parts.size() ? ", " : " and ") + part.sentence;
+    all.frees_base = all.frees_base || part.frees_base;
+    all.parts_setups = all.parts_setups || part.parts_setups;
+    all.is_of_part = all.is_of_part || part.is_of_part;
+    all.zeros_of.insert(all.zeros_of.end(), part.zeros_of.begin(), part.zeros_of.end());
+    all.numbers_fitted += part.numbers_fitted;
+  }
+  all.change = [parts](std::vector<Measurement>& readings) {
+    for (const Mend& part : parts) part.change(readings);
+  };
+  all.change_sigma = {};
+  if (std::ranges::any_of(parts, [](const Mend& part) { return static_cast<bool>(part.change_sigma); }))
+    all.change_sigma = [parts](std::vector<Measurement>& readings) {
+      for (const Mend& part : parts)
+        if (part.change_sigma) part.change_sigma(readings);
+    };
+  return all;
 }
 
 bool isPlacedBySheet(const CheckedReadings& checked, const Measurement& reading) {

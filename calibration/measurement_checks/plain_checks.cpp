@@ -8,6 +8,7 @@
 
 #include "calibration/measurement_checks/check_words.hpp"
 #include "calibration/measurement_checks/copies.hpp"
+#include "calibration/measurement_checks/joint_scale.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/measurements/reading_problems.hpp"
@@ -44,6 +45,26 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
       kNoFigure,
       kNoFigure,
       "angles=rad",
+      {}};
+}
+
+/// Joints that read farther than any turns: their scales are to be stated, or found where it is one.
+std::optional<MeasurementCheck> pulses(const CheckedReadings& checked) {
+  const auto joints = mistakes::joint_scale::jointsBeyondTurns(checked);
+  if (joints.empty()) return std::nullopt;
+  std::vector<std::string> names;
+  for (const int joint : joints) names.push_back(checked.start.arm.joint(joint).name);
+  const auto& unit = checked.units.angles;
+  return MeasurementCheck{
+      "joint-scale",
+      CheckSeverity::kRemark,
+      fmt::format(
+          "the readings of {} go farther than a joint turns: are they an encoder's pulses? State how many {} one "
+          "is, joint by joint, as --assume joint-scale={}:FACTOR",
+          listOf(names), unit.name, names.front()),
+      kNoFigure,
+      kNoFigure,
+      "",
       {}};
 }
 
@@ -142,7 +163,7 @@ std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readin
 std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,
                                           const std::vector<MeasurementCheck>& suspected) {
   std::vector<MeasurementCheck> found;
-  for (const auto& look : {duplicates, smallAngles, heavyLoad, fewSegments, fewReadings})
+  for (const auto& look : {duplicates, smallAngles, pulses, heavyLoad, fewSegments, fewReadings})
     if (auto check = look(checked); check && std::none_of(suspected.begin(), suspected.end(),
                                                           [&](const auto& other) { return other.name == check->name; }))
       found.push_back(std::move(*check));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "calibration/measurements/reading_prediction.hpp"
 
@@ -13,31 +14,54 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kDisplaySteps[] = {1, 0.5, 0.1, 0.05, 0.01};  // deg, that displays round to
-constexpr double kNearStep = 0.02;                             // of a step: a number written with few digits
-constexpr std::size_t kLeastReadings = 8;
+constexpr double kDisplayDegrees[] = {1, 0.5, 0.1, 0.05, 0.01};                // deg, that displays round to
+constexpr double kDisplayRadians[] = {0.1, 0.05, 0.01, 0.005, 0.001, 0.0005};  // the same in rad
+constexpr double kNearStep = 0.02;  // of a step: a number written with few digits
+constexpr std::size_t kLeastReadings = 8, kLeastStops = 4;
 constexpr double kShareOfError = 1. / 3;  // of the error that the rounding makes, at least, and the other way round
 
-/// Turning joints whose encoder is finer than the step.
-std::vector<int> jointsFinerThan(double step, const deflection::Arm& arm) {
-  std::vector<int> joints;
-  for (int j = 0; j < arm.jointCount(); ++j)
-    if (arm.joint(j).type == deflection::JointType::kRevolute && arm.joint(j).encoder_sigma < step / std::sqrt(12))
-      joints.push_back(j);
-  return joints;
+struct DisplayStep {
+  double size = 0;  ///< rad
+  std::string text;
+};
+
+/// The largest first.
+std::vector<DisplayStep> displaySteps() {
+  std::vector<DisplayStep> steps;
+  for (const double degrees : kDisplayDegrees) steps.push_back({degrees * kDegree, fmt::format("{} deg", degrees)});
+  for (const double radians : kDisplayRadians) steps.push_back({radians, fmt::format("{} rad", radians)});
+  std::ranges::sort(steps, std::greater{}, &DisplayStep::size);
+  return steps;
 }
 
-bool areMultiples(const std::vector<Measurement>& readings, const std::vector<int>& joints, double step) {
-  return std::ranges::all_of(readings, [&](const Measurement& reading) {
-    return std::ranges::all_of(joints, [&](int j) {
-      const double steps = reading.q[j] / step;
-      return std::abs(steps - std::round(steps)) < kNearStep;
+/// Whether a joint's readings are whole multiples of a step in several places: a joint that rests is at any.
+bool areMultiples(const std::vector<Measurement>& readings, int joint, double step) {
+  std::set<double> places;
+  for (const auto& reading : readings) {
+    const double steps = reading.q[joint] / step;
+    if (std::abs(steps - std::round(steps)) >= kNearStep) return false;
+    places.insert(std::round(steps));
+  }
+  return places.size() >= kLeastStops;
+}
+
+/// The steps of the joints that are rounded to one coarser than their encoder; without a size those of the others.
+std::vector<DisplayStep> stepsOf(const CheckedReadings& checked) {
+  const auto& arm = checked.start.arm;
+  const auto steps = displaySteps();
+  std::vector<DisplayStep> of_joints(static_cast<std::size_t>(arm.jointCount()));
+  for (int j = 0; j < arm.jointCount(); ++j) {
+    if (arm.joint(j).type != deflection::JointType::kRevolute) continue;
+    const auto found = std::ranges::find_if(steps, [&](const DisplayStep& step) {
+      return arm.joint(j).encoder_sigma < step.size / std::sqrt(12) && areMultiples(checked.readings, j, step.size);
     });
-  });
+    if (found != steps.end()) of_joints[static_cast<std::size_t>(j)] = *found;
+  }
+  return of_joints;
 }
 
 /// Root mean square of what the rounding moves the tips by [m].
-double motionOfRounding(double step, const std::vector<int>& joints, const MistakeTrials& trials) {
+double motionOfRounding(const std::vector<DisplayStep>& steps, const MistakeTrials& trials) {
   const PlacedArm& placed = trials.asIs().placed;
   PredictionRequest request;
   request.by_joints = true;
@@ -48,10 +72,29 @@ double motionOfRounding(double step, const std::vector<int>& joints, const Mista
     const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
     const auto predicted = predictReading(placed.arm, X_WB, reading, request);
     if (!predicted.ok) continue;
-    for (const int j : joints) squares += predicted.by_joints.col(j).squaredNorm() * step * step / 12;
+    for (std::size_t j = 0; j < steps.size(); ++j)
+      squares +=
+          predicted.by_joints.col(static_cast<Eigen::Index>(j)).squaredNorm() * steps[j].size * steps[j].size / 12;
     ++count;
   }
   return std::sqrt(squares / std::max(1, count));
+}
+
+/// "all joint readings are multiples of 0.1 deg", or "the readings of q1 and q2 are multiples of 0.1 deg, of q3 of
+/// 0.001 rad".
+std::string stepsText(const CheckedReadings& checked, const std::vector<DisplayStep>& steps) {
+  const auto is_alike = [&](const DisplayStep& step) { return step.text == steps.front().text; };
+  if (std::ranges::all_of(steps, is_alike)) return "all joint readings are multiples of " + steps.front().text;
+  std::string text;
+  for (const auto& step : displaySteps()) {
+    std::string names;
+    for (std::size_t j = 0; j < steps.size(); ++j)
+      if (steps[j].text == step.text)
+        names += (names.empty() ? "" : ", ") + checked.start.arm.joint(static_cast<Eigen::Index>(j)).name;
+    if (names.empty()) continue;
+    text += (text.empty() ? "the readings of " + names + " are multiples" : ", of " + names) + " of " + step.text;
+  }
+  return text;
 }
 
 }  // namespace
@@ -61,26 +104,22 @@ std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials) {
   const Trial& as_is = trials.asIs();
   constexpr double kMisfit = 2;  // of chi-square for each degree of freedom
   if (checked.readings.size() < kLeastReadings || !(as_is.chi2_per_freedom > kMisfit)) return std::nullopt;
-  for (const double degrees : kDisplaySteps) {
-    const double step = degrees * kDegree;
-    const auto joints = jointsFinerThan(step, checked.start.arm);
-    if (joints.empty() || !areMultiples(checked.readings, joints, step)) continue;
-    const double motion = motionOfRounding(step, joints, trials);
-    const bool is_as_large = motion > kShareOfError * as_is.open_error && as_is.open_error > kShareOfError * motion;
-    if (motion < trials.noise({}) || !is_as_large) return std::nullopt;
-    const auto& unit = checked.units.coordinates;
-    return MeasurementCheck{
-        "rounded-joints",
-        CheckSeverity::kRemark,
-        fmt::format("all joint readings are multiples of {} deg: if they were rounded to it, that alone moves the tip "
-                    "by about {:.2g} {}; take them with all the digits that the controller has",
-                    degrees, motion / unit.factor, unit.name),
-        kNoFigure,
-        kNoFigure,
-        "",
-        {}};
-  }
-  return std::nullopt;
+  const auto steps = stepsOf(checked);
+  if (std::ranges::none_of(steps, [](const DisplayStep& step) { return step.size > 0; })) return std::nullopt;
+  const double motion = motionOfRounding(steps, trials);
+  const bool is_as_large = motion > kShareOfError * as_is.open_error && as_is.open_error > kShareOfError * motion;
+  if (motion < trials.noise({}) || !is_as_large) return std::nullopt;
+  const auto& unit = checked.units.coordinates;
+  return MeasurementCheck{
+      "rounded-joints",
+      CheckSeverity::kRemark,
+      fmt::format("{}: if they were rounded to it, that alone moves the tip by about {:.2g} {}; take them with all the "
+                  "digits that the controller has",
+                  stepsText(checked, steps), motion / unit.factor, unit.name),
+      kNoFigure,
+      kNoFigure,
+      "",
+      {}};
 }
 
 }  // namespace tubeplan::calibration

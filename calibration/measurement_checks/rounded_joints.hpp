@@ -7,8 +7,9 @@
 
 namespace tubeplan::calibration {
 
-/// Returns a remark where all turning joints read whole multiples of a round angle, which moves the tip by more than
-/// the readings' noise and by about as much as they are off; nothing elsewhere: postures may be round and exact.
+/// Returns a remark where turning joints read whole multiples of a round angle, each of its own, which together moves
+/// the tip by more than the readings' noise and by about as much as they are off; nothing elsewhere: postures may be
+/// round and exact.
 [[nodiscard]] std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

@@ -9,7 +9,7 @@
 
 #include "app/files/text_file.hpp"
 #include "deflection/effects/effect.hpp"
-#include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
+#include "tests/calibration/measurement_checks/seeded_pairs.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -76,12 +76,47 @@ void studyMistakes(int count, bool is_verbose, const std::string& only) {
   fmt::print("{:.0f} ms a set, at most {:.0f} ms\n", 1e3 * cost.total / std::max(1, cost.count), 1e3 * cost.most);
 }
 
+void studyPairs(int count, std::uint64_t seed, bool is_verbose, const std::string& only) {
+  std::array<int, 5> all{};
+  std::map<std::string, std::array<int, 5>> of_kind;
+  Cost cost;
+  int made = 0;
+  for (std::uint64_t number = 0; made < count && number < 20u * static_cast<std::uint64_t>(count); ++number) {
+    auto pair = seededPair(seed + number);
+    if (!pair || (!only.empty() && pair->label.find(only) == std::string::npos)) continue;
+    ++made;
+    const auto checks = timed(pair->set, cost);
+    const auto naming = static_cast<std::size_t>(judgePair(*pair, checks));
+    ++all[naming];
+    for (const auto& name : pair->mends) ++of_kind[name.substr(0, name.find('='))][naming];
+    if (is_verbose && naming != 0)
+      fmt::print("  {} {} ({}): {}\n", kPairNamings[naming], fmt::join(pair->mends, ","), pair->set.name,
+                 textOf(checks));
+  }
+  fmt::print("{:<24}", "one of the pair");
+  for (const char* name : kPairNamings) fmt::print("{:>14}", name);
+  fmt::print("\n");
+  for (const auto& [kind, counts] : of_kind)
+    fmt::print("{:<24}{:>14}\n", kind, fmt::join(counts, fmt::format("{:>12}", "")));
+  fmt::print("{} pairs:", made);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    fmt::print(" {} {} ({:.1f} %)", kPairNamings[k], all[k], 100. * all[k] / std::max(1, made));
+  fmt::print("\n");
+  fmt::print("{:.0f} ms a set, at most {:.0f} ms\n", 1e3 * cost.total / std::max(1, cost.count), 1e3 * cost.most);
+}
+
 std::optional<SeededSet> setOfFiles(const fs::path& cell, const fs::path& measurements) {
   SeededSet set{measurements.string(), app::readCell(cell.string()), {}};
   set.table = app::parseMeasurementTable(app::readTextFile(measurements.string()), measurements.string(), set.cell.arm,
                                          set.cell.sheet ? &*set.cell.sheet : nullptr);
   app::stateSigma(set.table.readings, set.cell, set.name, 0);
   return set;
+}
+
+void studyFiles(const fs::path& cell, const fs::path& measurements) {
+  Cost cost;
+  const auto checks = timed(*setOfFiles(cell, measurements), cost);
+  fmt::print("{}\n{:.0f} ms\n", textOf(checks), 1e3 * cost.most);
 }
 
 std::vector<SeededSet> setsBeside() {
@@ -179,14 +214,24 @@ void studyCleanSets(int count, bool is_verbose) {
 
 int main(int argc, char** argv) {
   CLI::App cli{"Mistakes named, and mistakes suspected where there are none"};
-  int mistakes = 500, clean = 300;
+  int mistakes = 500, pairs = 500, clean = 300;
+  std::uint64_t seed = 1;
   bool is_verbose = false;
   std::string only;
+  std::vector<std::string> files;
   cli.add_option("--mistakes", mistakes, "seeded mistakes to name");
+  cli.add_option("--pairs", pairs, "pairs of seeded mistakes to name");
+  cli.add_option("--seed", seed, "of the first pair");
+  cli.add_option("--files", files, "a cell and its readings, to be told of alone")->expected(2);
   cli.add_option("--clean", clean, "sets without a mistake");
   cli.add_option("--only", only, "mistakes whose label holds this");
   cli.add_flag("--verbose", is_verbose, "what was not named first, and what clean sets are told");
   CLI11_PARSE(cli, argc, argv);
+  if (!files.empty()) {
+    tubeplan::calibration::studyFiles(files[0], files[1]);
+    return 0;
+  }
+  if (pairs > 0) tubeplan::calibration::studyPairs(pairs, seed, is_verbose, only);
   if (mistakes > 0) tubeplan::calibration::studyMistakes(mistakes, is_verbose, only);
   if (clean > 0) tubeplan::calibration::studyCleanSets(clean, is_verbose);
   return 0;

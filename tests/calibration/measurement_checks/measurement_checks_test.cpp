@@ -8,7 +8,7 @@
 #include "calibration/measurement_checks/copies.hpp"
 #include "calibration/measurement_checks/shifted_rows.hpp"
 #include "calibration/patterns/comparison.hpp"
-#include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
+#include "tests/calibration/measurement_checks/seeded_pairs.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -148,6 +148,50 @@ TEST(MeasurementChecksOf, BeamsThatBendTooFarForTheirSegmentsAreNamed) {
   for (auto& row : set->cell.arm.rows)
     if (row.beam) row.beam->segments = 32;
   EXPECT_FALSE(has());
+}
+
+// Of every mistake that may meet another some pairs, by their numbers; the study counts five hundred.
+TEST(PairsOfMistakes, AreBothNamed) {
+  constexpr int kPairs = 12;
+  int made = 0, named = 0;
+  std::string found;
+  for (std::uint64_t number = 1; made < kPairs && number < 100; ++number) {
+    const auto pair = seededPair(number);
+    if (!pair) continue;
+    ++made;
+    const auto checks = checksOf(pair->set);
+    const auto naming = judgePair(*pair, checks);
+    named += naming == PairNaming::kBoth || naming == PairNaming::kAsGood;
+    found += fmt::format("{} in {}: {}\n", pair->label, pair->set.name,
+                         checks.checks.empty() ? "nothing" : checks.checks.front().assume);
+  }
+  ASSERT_EQ(made, kPairs);
+  EXPECT_GE(named, 10) << found;
+}
+
+// Of joints that are rounded to steps of their own, each is named with its step.
+TEST(MeasurementChecksOf, JointsRoundedEachByItselfAreRemarkedOn) {
+  auto set = cleanSet(0);
+  ASSERT_TRUE(set);
+  for (auto& m : set->table.readings)
+    for (Eigen::Index j = 0; j < m.q.size(); ++j) {
+      const double step = j % 2 ? 0.005 : 0.5 * std::numbers::pi / 180;
+      m.q[j] = std::round(m.q[j] / step) * step;
+    }
+  const auto checks = checksOf(*set).checks;
+  const auto said = std::ranges::find(checks, std::string("rounded-joints"), &MeasurementCheck::name);
+  ASSERT_NE(said, checks.end());
+  EXPECT_NE(said->sentence.find("0.5 deg"), std::string::npos) << said->sentence;
+  EXPECT_NE(said->sentence.find("0.005 rad"), std::string::npos) << said->sentence;
+}
+
+// Pulses of several joints have scales that nobody can find together: they are asked for.
+TEST(MeasurementChecksOf, PulsesOfSeveralJointsAreAskedFor) {
+  auto set = cleanSet(0);
+  ASSERT_TRUE(set);
+  for (auto& m : set->table.readings) m.q *= 1000;
+  const auto checks = checksOf(*set).checks;
+  EXPECT_NE(std::ranges::find(checks, std::string("joint-scale"), &MeasurementCheck::name), checks.end());
 }
 
 /// Joints as a display shows them, of postures that had more digits.

@@ -155,6 +155,35 @@ inline Made jointSign(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) m.q[joint] *= -1;
   return "joint-sign=" + jointName(s, joint);
 }
+/// A column that contains another joint's reading beside its own: theta3 + theta2 where theta3 belongs.
+inline Made jointCoupling(SeededSet& s, SeededRandom& random) {
+  const int joints = static_cast<int>(s.table.joints.size());
+  const int joint = drawnJoint(s, random), of = (joint + (joint + 1 < joints ? 1 : -1));
+  const int share = random() % 2 ? 1 : -1;
+  for (auto& m : s.table.readings) m.q[joint] -= share * m.q[of];
+  return fmt::format("joint-coupling={}:{}:{}", jointName(s, joint), jointName(s, of), share);
+}
+/// An encoder's pulses, some thousand to a degree.
+inline Made jointInPulses(SeededSet& s, SeededRandom& random) {
+  if (!arePlaces(s)) return std::nullopt;
+  const int joint = drawnJoint(s, random);
+  const double factor = drawnBetween(200, 5000, random) * (random() % 2 ? 1 : -1);
+  for (auto& m : s.table.readings)
+    m.q[joint] = std::round(m.q[joint] * 180 / std::numbers::pi * factor) * std::numbers::pi / 180;
+  return "joint-scale=" + jointName(s, joint);
+}
+/// Two or three joints.
+inline Made severalSigns(SeededSet& s, SeededRandom& random) {
+  const int joints = static_cast<int>(s.table.joints.size());
+  std::string mend;
+  const int spared = drawnBelow(joints, random);
+  for (int joint = 0; joint < joints; ++joint) {
+    if (joint == spared || (joint == (spared + 1) % joints && random() % 2)) continue;
+    for (auto& m : s.table.readings) m.q[joint] *= -1;
+    mend += (mend.empty() ? "joint-sign=" : ",joint-sign=") + jointName(s, joint);
+  }
+  return mend;
+}
 inline Made quarterTurn(SeededSet& s, SeededRandom& random) {
   const int joint = drawnJoint(s, random);
   const double turn = random() % 2 ? 90 : -90;
@@ -312,6 +341,9 @@ inline const std::vector<SeededMistake>& seededMistakes() {
       {"mirror", "one axis mirrored", seeded::mirrored},
       {"axes", "two axes exchanged", seeded::exchangedAxes},
       {"joint-sign", "a joint's sign", seeded::jointSign},
+      {"joint-sign", "the signs of several joints", seeded::severalSigns},
+      {"joint-coupling", "a joint shown with another's", seeded::jointCoupling},
+      {"joint-scale", "a joint in pulses", seeded::jointInPulses},
       {"joint-zero", "a zero 90 deg off", seeded::quarterTurn},
       {"joint-zero", "a zero 10-60 deg off", seeded::partOfATurn},
       {"joint-order", "two joints exchanged", seeded::jointOrder},
@@ -335,7 +367,8 @@ enum class Naming { kRight, kEqually, kWrong, kMissed };
 inline Naming judgeNaming(const SeededMistake& mistake, const std::string& mend, const MeasurementChecks& checks) {
   const auto fits = [&](const std::string& assume) {
     if (mistake.name == std::string("sigma")) return assume.starts_with("sigma=");
-    if (mistake.name == std::string("joint-zero")) return assume.starts_with(mend + ":");
+    if (mistake.name == std::string("joint-zero") || mistake.name == std::string("joint-scale"))
+      return assume.starts_with(mend + ":");
     if (mistake.name == std::string("setup")) return assume.starts_with("setup=");
     return assume == mend || assume.starts_with(mend + ",sigma=");
   };

@@ -1,0 +1,184 @@
+#include "calibration/measurement_checks/joined_mistakes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "calibration/measurement_checks/joint_sign.hpp"
+#include "calibration/measurement_checks/quick_alignment.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::size_t kLooked = 20;        // readings
+constexpr std::size_t kMostTogether = 16;  // hypotheses
+constexpr int kMostSigns = 8;              // joints of which all sets of signs are tried
+constexpr double kNearer = 0.25;    // fall of the mean logarithm of the errors that each mend is asked for, at least
+constexpr double kByWeights = 0.5;  // of the same, that weights may bring
+
+/// One mistake, or joints with another sign together, with what the readings looked at would be.
+struct TriedQuickly {
+  JoinedMends mends;
+  std::vector<Measurement> readings;
+  std::vector<Vector3d> tips;
+  double score = 0;
+  bool turns_joints = false;
+};
+
+/// One of those looked at, or two.
+struct Likely {
+  const TriedQuickly *first = nullptr, *then = nullptr;
+  double score = 0;
+
+  [[nodiscard]] JoinedMends mends() const {
+    JoinedMends all = first->mends;
+    if (then) all.insert(all.end(), then->mends.begin(), then->mends.end());
+    return all;
+  }
+};
+
+bool haveSameJoints(const std::vector<Measurement>& a, const std::vector<Measurement>& b) {
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const auto& one, const auto& other) {
+           return one.id == other.id && one.q == other.q;
+         });
+}
+
+bool freeBase(const JoinedMends& mends) {
+  return std::ranges::any_of(mends, [](const Mend& mend) { return mend.frees_base; });
+}
+
+/// "joint-zero:3" of a zero, whose value is found later; of others what they assume.
+std::string keyOf(const JoinedMends& mends) {
+  std::string key;
+  for (const Mend& mend : mends)
+    key += mend.mistake + "=" + (mend.zeros_of.empty() ? mend.value : std::to_string(mend.zeros_of.front())) + ",";
+  return key;
+}
+
+class JoinedSearch {
+ public:
+  explicit JoinedSearch(const MistakeTrials& trials)
+      : trials_(trials), alignment_(trials.checked().start, trials.reach()) {
+    const auto& pool = trials.pool();
+    for (const auto& reading : pool.readings)
+      if (statesPlace(reading) && pool.counted_quickly.contains(reading.id) && ids_.size() < kLooked)
+        ids_.insert(reading.id);
+    // Neighbours stay until the first mend has been made: it may move what was measured between rows.
+    for (std::size_t k = 0; k < pool.readings.size(); ++k) {
+      const auto is_looked = [&](std::size_t near) {
+        return near < pool.readings.size() && ids_.contains(pool.readings[near].id);
+      };
+      if (is_looked(k - 1) || is_looked(k) || is_looked(k + 1)) near_.push_back(pool.readings[k]);
+    }
+  }
+
+  std::vector<JoinedMends> find() {
+    if (!(as_is_ = looked({})).tips.empty() && std::isfinite(as_is_.score)) {
+      lookAlone();
+      lookAtPairs();
+    }
+    std::ranges::stable_sort(found_, {}, &Likely::score);
+    std::vector<JoinedMends> likely;
+    std::set<std::string> keys;
+    for (const Likely& one : found_) {
+      auto mends = one.mends();
+      if (likely.size() < kMostTogether && keys.insert(keyOf(mends)).second) likely.push_back(std::move(mends));
+    }
+    return likely;
+  }
+
+ private:
+  /// The readings by these mends, which are made on those of all neighbours.
+  TriedQuickly looked(JoinedMends mends) {
+    TriedQuickly one{std::move(mends), near_, {}, 0, false};
+    for (const Mend& mend : one.mends) mend.change(one.readings);
+    std::erase_if(one.readings, [&](const Measurement& reading) { return !ids_.contains(reading.id); });
+    one.tips = alignment_.tips(one.readings);
+    one.score = alignment_.score(one.readings, one.tips, {.frees_base = freeBase(one.mends)});
+    one.turns_joints = !haveSameJoints(one.readings, as_is_.readings);
+    return one;
+  }
+
+  void lookAlone() {
+    const CheckedReadings& checked = trials_.checked();
+    for (const auto& kind : mistakeKinds())
+      for (const auto& value : (kind.values_beside ? kind.values_beside : kind.values)(checked)) {
+        goOn(trials_.options().stop);
+        auto mend = kind.mend(checked, value);
+        if (!mend || mend->parts_setups) continue;
+        alone_.push_back(looked({std::move(*mend)}));
+        if (alone_.back().readings.empty()) alone_.pop_back();
+      }
+    lookAtSigns();
+  }
+
+  /// All sets of two joints and more.
+  void lookAtSigns() {
+    const CheckedReadings& checked = trials_.checked();
+    const auto joints = mistakes::joint_sign::values(checked);
+    if (joints.size() > kMostSigns) return;
+    for (unsigned set = 1; set < 1U << joints.size(); ++set) {
+      JoinedMends mends;
+      for (std::size_t j = 0; j < joints.size(); ++j)
+        if (set >> j & 1) mends.push_back(*mistakes::joint_sign::mend(checked, joints[j]));
+      if (mends.size() > 1) sets_of_signs_.push_back(looked(std::move(mends)));
+    }
+    for (const TriedQuickly& signs : sets_of_signs_) found_.push_back({&signs, nullptr, signs.score});
+  }
+
+  static bool canJoin(const Mend& first, const Mend& then) {
+    if (first.mistake != then.mistake) return true;
+    return findMistakeKind(first.mistake)->joins_itself && (first.zeros_of.empty() || first.zeros_of != then.zeros_of);
+  }
+
+  void lookAtPairs() {
+    for (std::size_t a = 0; a < alone_.size(); ++a) {
+      goOn(trials_.options().stop);
+      for (std::size_t b = a + 1; b < alone_.size(); ++b)
+        if (canJoin(alone_[a].mends.front(), alone_[b].mends.front())) lookAtPair(alone_[a], alone_[b]);
+      if (!alone_[a].turns_joints)
+        for (const auto& signs : sets_of_signs_) lookAtPair(alone_[a], signs);
+    }
+  }
+
+  void lookAtPair(const TriedQuickly& first, const TriedQuickly& then) {
+    auto readings = first.readings;
+    for (const Mend& mend : then.mends) mend.change(readings);
+    const bool is_new = first.turns_joints && then.turns_joints;
+    const auto tips = is_new ? alignment_.tips(readings) : std::vector<Vector3d>{};
+    const auto& of_pair = is_new ? tips : then.turns_joints ? then.tips : first.tips;
+    if (readings.size() != of_pair.size()) return;
+    const double least = std::min({first.score, then.score, as_is_.score}) - kNearer;
+    const double promising = std::min(least, worst_kept_) + kByWeights;
+    const double score = alignment_.score(
+        readings, of_pair, {.frees_base = freeBase(first.mends) || freeBase(then.mends), .promising = promising});
+    if (score > std::min(least, worst_kept_)) return;
+    found_.push_back({&first, &then, score});
+    if (found_.size() < 2 * kKept) return;
+    std::ranges::nth_element(found_, found_.begin() + kKept, {}, &Likely::score);
+    worst_kept_ = found_[kKept].score;
+    found_.resize(kKept);
+  }
+
+  static constexpr std::size_t kKept = 200;
+
+  const MistakeTrials& trials_;
+  QuickAlignment alignment_;
+  std::set<std::string> ids_;
+  std::vector<Measurement> near_;
+  TriedQuickly as_is_;
+  std::vector<TriedQuickly> alone_, sets_of_signs_;
+  std::vector<Likely> found_;
+  double worst_kept_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+std::vector<JoinedMends> likelyTogether(const MistakeTrials& trials) { return JoinedSearch(trials).find(); }
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,59 @@
+// A joint whose reading contains another's: a controller that shows the elbow against the horizontal, or that of a
+// parallel linkage. What the arm's file calls theta3 is then theta3 - theta2 of the readings.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "calibration/measurement_checks/mistake.hpp"
+
+namespace tubeplan::calibration::mistakes::joint_coupling {
+
+/// Whole shares of any other turning joint; of neighbours first.
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  const auto& arm = checked.start.arm;
+  std::vector<std::string> texts;
+  for (int apart = 1; apart < arm.jointCount(); ++apart)
+    for (int j = 0; j < arm.jointCount(); ++j)
+      for (const int of : {j - apart, j + apart}) {
+        if (of < 0 || of >= arm.jointCount() || arm.joint(j).type != deflection::JointType::kRevolute ||
+            arm.joint(of).type != deflection::JointType::kRevolute)
+          continue;
+        for (const int share : {-1, 1})
+          texts.push_back(fmt::format("{}:{}:{}", arm.joint(j).name, arm.joint(of).name, share));
+      }
+  return texts;
+}
+
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+  const auto [joints, number] = partedAtColon(value);
+  const auto [name, of_name] = partedAtColon(joints);
+  const int joint = jointNamed(checked.start.arm, name), of = jointNamed(checked.start.arm, of_name);
+  double share = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), share);
+  if (joint < 0 || of < 0 || joint == of || error != std::errc{} || end != number.data() + number.size() ||
+      !std::isfinite(share) || share == 0)
+    return std::nullopt;
+  const std::string shown = share == -1  ? name + " + " + of_name
+                            : share == 1 ? name + " - " + of_name
+                                         : fmt::format("{} - {:g} {}", name, share, of_name);
+  Mend mend{"joint-coupling", value, "the column of " + name + " contains " + shown + " of the arm's joints"};
+  mend.change = [joint, of, share](std::vector<Measurement>& readings) {
+    for (auto& reading : readings) reading.q[joint] += share * reading.q[of];
+  };
+  return mend;
+}
+
+inline MistakeKind kind() {
+  return {"joint-coupling",
+          "JOINT:JOINT:SHARE",
+          "a joint, another and the share of its reading to add, such as theta3:theta2:-1",
+          values,
+          mend,
+          false,
+          true};
+}
+
+}  // namespace tubeplan::calibration::mistakes::joint_coupling

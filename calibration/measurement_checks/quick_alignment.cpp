@@ -1,0 +1,181 @@
+#include "calibration/measurement_checks/quick_alignment.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+
+#include "calibration/measurements/measurement_posture.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Matrix3d, Eigen::Matrix4d, Eigen::Vector3d;
+
+namespace {
+
+constexpr double kBlindShare = 0.01;                                 // of the reach: what a rigid drawing may be off by
+constexpr double kRows = 3;                                          // of a reading
+constexpr double kUsualTurnOfBase = 0.05, kUsualShiftOfBase = 0.05;  // rad, of the reach: what bases are off by
+constexpr int kReweighings = 3;
+constexpr std::size_t kLeastPlaces = 6;
+
+/// Tips and the places measured of them, of one set-up.
+struct Cloud {
+  std::vector<Vector3d> tips, places;
+};
+
+struct Placing {
+  Matrix3d R = Matrix3d::Identity();
+  Vector3d p = Vector3d::Zero();
+};
+
+void squaresOf(const Cloud& cloud, const Placing& X, std::vector<double>& squares) {
+  squares.resize(cloud.tips.size());
+  for (std::size_t k = 0; k < squares.size(); ++k)
+    squares[k] = (X.R * cloud.tips[k] + X.p - cloud.places[k]).squaredNorm();
+}
+
+/// Largest eigenvalue of the symmetric matrix K without trace, from an upper bound of it, by Newton's method on the
+/// characteristic polynomial.
+double largestEigenvalue(const Matrix4d& K, const Matrix3d& H, double bound) {
+  constexpr int kMostSteps = 30;
+  const double c2 = -2 * H.squaredNorm(), c1 = -8 * H.determinant(), c0 = K.determinant();
+  double value = bound;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double square = value * value;
+    const double slope = 4 * square * value + 2 * c2 * value + c1;
+    const double by = (square * square + c2 * square + c1 * value + c0) / slope;
+    if (!std::isfinite(by)) break;
+    value -= by;
+    if (std::abs(by) < 1e-11 * bound) break;
+  }
+  return value;
+}
+
+/// The turn that takes a to b where H is the sum of a b^T: Horn 1987 by unit quaternions, the eigenvector as Theobald
+/// 2005 and Liu, Agrafiotis and Theobald 2010 find it. `bound`: half the sum of the squares of all a and b.
+Matrix3d turnBetween(const Matrix3d& H, double bound) {
+  Matrix4d K;
+  K << H(0, 0) + H(1, 1) + H(2, 2), H(1, 2) - H(2, 1), H(2, 0) - H(0, 2), H(0, 1) - H(1, 0),  //
+      H(1, 2) - H(2, 1), H(0, 0) - H(1, 1) - H(2, 2), H(0, 1) + H(1, 0), H(2, 0) + H(0, 2),   //
+      H(2, 0) - H(0, 2), H(0, 1) + H(1, 0), H(1, 1) - H(0, 0) - H(2, 2), H(1, 2) + H(2, 1),   //
+      H(0, 1) - H(1, 0), H(2, 0) + H(0, 2), H(1, 2) + H(2, 1), H(2, 2) - H(0, 0) - H(1, 1);
+  const Matrix4d shifted = K - largestEigenvalue(K, H, bound) * Matrix4d::Identity();
+  Eigen::Vector4d best = Eigen::Vector4d::Unit(0);
+  double longest = 0;
+  for (int row = 0; row < 4; ++row) {  // a row of cofactors is the eigenvector, unless it vanishes
+    Eigen::Vector4d cofactors;
+    for (int column = 0; column < 4; ++column) {
+      Matrix3d minor;
+      for (int r = 0, at = 0; r < 4; ++r) {
+        if (r == row) continue;
+        for (int c = 0, to = 0; c < 4; ++c)
+          if (c != column) minor(at, to++) = shifted(r, c);
+        ++at;
+      }
+      cofactors[column] = ((row + column) % 2 ? -1 : 1) * minor.determinant();
+    }
+    if (const double length = cofactors.norm(); length > longest) longest = length, best = cofactors / length;
+  }
+  return Eigen::Quaterniond(best[0], best[1], best[2], best[3]).toRotationMatrix();
+}
+
+/// The placing that leaves least by these weights.
+Placing aligned(const Cloud& cloud, const std::vector<double>& weights) {
+  double sum = 0, squares = 0;
+  Vector3d tip = Vector3d::Zero(), place = Vector3d::Zero();
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    tip += weights[k] * cloud.tips[k], place += weights[k] * cloud.places[k];
+    sum += weights[k];
+  }
+  tip /= sum, place /= sum;
+  Matrix3d H = Matrix3d::Zero();
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    const Vector3d a = cloud.tips[k] - tip, b = cloud.places[k] - place;
+    H += weights[k] * a * b.transpose();
+    squares += weights[k] * (a.squaredNorm() + b.squaredNorm());
+  }
+  const Matrix3d R = turnBetween(H, squares / 2);
+  return {R, place - R * tip};
+}
+
+/// What a base so far from its nominal place has against it, as the log of a probability (mistake_trials.cpp has the
+/// same).
+double oddsAgainst(const Placing& X, const Eigen::Isometry3d& nominal, double reach) {
+  const double shift = (X.p - nominal.translation()).norm() / (kUsualShiftOfBase * reach);
+  const double turn = Eigen::AngleAxisd(X.R * nominal.linear().transpose()).angle() / kUsualTurnOfBase;
+  return 3.5 * std::log1p(shift * shift + turn * turn);
+}
+
+/// Sum of half the logarithms of one and the squares over that of `blind`.
+double sumOf(const std::vector<double>& squares, double blind) {
+  double sum = 0;
+  for (const double square : squares) sum += std::log1p(square / (blind * blind)) / 2;
+  return sum;
+}
+
+/// The same after the best placing, with weights of Cauchy about the typical square where the sum is promising, and
+/// with what the placing has against it.
+double alignedSum(const Cloud& cloud, const Eigen::Isometry3d& nominal, double blind, double promising) {
+  std::vector<double> weights(cloud.tips.size(), 1), squares;
+  Placing X = aligned(cloud, weights);
+  squaresOf(cloud, X, squares);
+  double sum = sumOf(squares, blind);
+  for (int repeat = 0; repeat < kReweighings && sum < promising; ++repeat) {
+    const double typical = blind * blind * std::exp(2 * sum / static_cast<double>(squares.size()));
+    for (std::size_t k = 0; k < weights.size(); ++k) weights[k] = 1 / (1 + squares[k] / typical);
+    const Placing next = aligned(cloud, weights);
+    squaresOf(cloud, next, squares);
+    const double found = sumOf(squares, blind);
+    if (!(found < sum)) break;
+    sum = found, X = next;
+  }
+  return sum + oddsAgainst(X, nominal, blind / kBlindShare) / kRows;
+}
+
+}  // namespace
+
+QuickAlignment::QuickAlignment(const PlacedArm& start, double reach)
+    : rigid_{deflection::rigidCopy(start.arm), start.base_poses}, arm_(rigid_.arm), blind_(kBlindShare * reach) {}
+
+std::vector<Vector3d> QuickAlignment::tips(const std::vector<Measurement>& readings) {
+  std::vector<Vector3d> tips(readings.size(), Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const Measurement& reading = readings[k];
+    if (!statesPlace(reading)) continue;
+    const auto& X_WB = rigid_.base_poses[static_cast<std::size_t>(basePoseOf(rigid_, reading))].X_WB;
+    if (arm_.solve(postureOf(reading, rigid_.arm, X_WB)) != deflection::KinematicsStatus::kConverged) continue;
+    tips[k] = arm_.X_BD().p;
+    if (reading.p_TQ) tips[k] += arm_.X_BD().R * *reading.p_TQ;
+  }
+  return tips;
+}
+
+double QuickAlignment::score(const std::vector<Measurement>& readings, const std::vector<Vector3d>& tips,
+                             const QuickAlignmentOptions& options) const {
+  const double blind = options.share * blind_;
+  double sum = 0;
+  std::size_t count = 0;
+  std::vector<double> squares;
+  for (std::size_t p = 0; p < rigid_.base_poses.size(); ++p) {
+    const BasePose& base_pose = rigid_.base_poses[p];
+    const bool is_known = base_pose.is_known && !options.frees_base;
+    Cloud cloud;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      if (!tips[k].allFinite() || !readings[k].p_W || basePoseOf(rigid_, readings[k]) != static_cast<int>(p)) continue;
+      cloud.tips.push_back(tips[k]);
+      cloud.places.push_back(*readings[k].p_W);
+    }
+    const std::size_t of_this = cloud.tips.size();
+    if (of_this < (is_known ? 1 : kLeastPlaces)) continue;
+    if (is_known) {
+      squaresOf(cloud, {base_pose.X_WB.linear(), base_pose.X_WB.translation()}, squares);
+      sum += sumOf(squares, blind);
+    } else {
+      sum += alignedSum(cloud, base_pose.X_WB, blind, options.promising * static_cast<double>(of_this));
+    }
+    count += of_this;
+  }
+  return count < kLeastPlaces ? std::numeric_limits<double>::infinity() : sum / static_cast<double>(count);
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,129 @@
+// Two ordinary mistakes at once, made in clean readings on purpose, and whether the checks name both.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/files/assumptions.hpp"
+#include "app/files/input_error.hpp"
+#include "calibration/measurement_checks/mistake_trials.hpp"
+#include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
+
+namespace tubeplan::calibration {
+
+struct SeededPair {
+  SeededSet set;
+  std::vector<Measurement> clean;
+  std::vector<std::string> mends;  ///< in the order in which they were made
+  std::string label;
+};
+
+/// Mistakes of a whole table that an error shows, of which any two may meet.
+inline const std::vector<std::string>& pairedMistakes() {
+  static const std::vector<std::string> kLabels{
+      "coordinates in mm",    "coordinates in m",     "radians under deg",   "one joint in radians under deg",
+      "one axis mirrored",    "two axes exchanged",   "a joint's sign",      "a zero 90 deg off",
+      "a zero 10-60 deg off", "two joints exchanged", "rows shifted by one", "a joint shown with another's"};
+  return kLabels;
+}
+
+inline const SeededMistake& seededMistake(const std::string& label) {
+  return *std::ranges::find_if(seededMistakes(), [&](const auto& mistake) { return mistake.label == label; });
+}
+
+/// A pair by its number; nothing where the set has no room for it, or both are one and the same. Zeros of the last
+/// joint are left out, which to tips alone are a tool mounted elsewhere.
+inline std::optional<SeededPair> seededPair(std::uint64_t number) {
+  SeededRandom random(number * 977 + 11);
+  const auto& labels = pairedMistakes();
+  const auto& first = seededMistake(labels[random() % labels.size()]);
+  const auto& then = seededMistake(labels[random() % labels.size()]);
+  auto set = cleanSet(number);
+  if (!set) return std::nullopt;
+  SeededPair pair{*set, set->table.readings, {}, std::string(first.label) + " + " + then.label};
+  for (const auto* mistake : {&first, &then}) {
+    const auto mend = mistake->make(pair.set, random);
+    if (!mend || mend->starts_with("joint-zero=theta4")) return std::nullopt;
+    pair.mends.push_back(*mend);
+  }
+  const auto kind = [](const std::string& mend) { return mend.substr(0, mend.find('=')); };
+  const bool are_one = kind(pair.mends[0]) == kind(pair.mends[1]) &&
+                       (pair.mends[0] == pair.mends[1] || !findMistakeKind(kind(pair.mends[0]))->joins_itself);
+  return are_one ? std::nullopt : std::optional(std::move(pair));
+}
+
+enum class PairNaming { kBoth, kAsGood, kOne, kOther, kNone };
+inline constexpr const char* kPairNamings[] = {"both", "as good", "one", "another", "none"};
+
+/// How far readings that are taken as a check proposes are from the clean ones: joints [rad, modulo a turn] and places
+/// [m], the largest.
+inline double distanceMended(const SeededPair& pair, const std::string& assume) {
+  app::MeasurementTable table = pair.set.table;
+  app::Cell cell = pair.set.cell;
+  try {
+    (void)app::takeAssumptions({assume}, table, cell);
+  } catch (const app::InputError&) {
+    return std::numeric_limits<double>::infinity();
+  }
+  double largest = 0;
+  for (const auto& m : table.readings) {
+    const auto clean = std::ranges::find(pair.clean, m.id, &Measurement::id);
+    for (int j = 0; j < m.q.size(); ++j)
+      largest = std::max(largest, std::abs(std::remainder(m.q[j] - clean->q[j], 2 * std::numbers::pi)));
+    if (m.p_W) largest = std::max(largest, (*m.p_W - *clean->p_W).norm());
+  }
+  return largest;
+}
+
+/// The readings as a check proposes to take them, as others are that have no mistake.
+inline SeededSet mendedSet(const SeededPair& pair, const std::string& assume) {
+  SeededSet set = pair.set;
+  (void)app::takeAssumptions({assume}, set.table, set.cell);
+  return set;
+}
+
+/// Whether no reading could tell the readings so taken from the clean ones: the drawing fits them as well, with the
+/// base where it is not known, and their noise is the stated one with all that is open.
+inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
+  SeededSet clean = pair.set;
+  clean.table.readings = pair.clean;
+  const SeededSet mended = mendedSet(pair, assume);
+  const CheckOptions options;
+  const auto checkedOf = [](const SeededSet& set) {
+    return CheckedReadings{app::startOf(set.cell, set.table.readings), set.table.readings, app::freeNumbersOf(set.cell),
+                           set.table.units, set.cell.sheet ? &*set.cell.sheet : nullptr};
+  };
+  const CheckedReadings of_clean = checkedOf(clean), of_mended = checkedOf(mended);
+  const MistakeTrials without(of_clean, options), with(of_mended, options);
+  return with.asIs().held_error < 1.5 * without.asIs().held_error &&
+         with.asIs().open_error < 1.5 * without.asIs().open_error;
+}
+
+/// Whether a check names both: the readings taken as it proposes, or as it says would do as well, are the clean ones,
+/// but for a few hundredths in the size of a zero. As good: others that nobody could tell from them are named first.
+/// One: one of the two stands among what it proposes.
+inline PairNaming judgePair(const SeededPair& pair, const MeasurementChecks& checks) {
+  constexpr double kSame = 0.05;
+  bool is_one = false, is_any = false;
+  for (const auto& check : checks.checks) {
+    if (check.assume.empty()) continue;
+    is_any = true;
+    auto forms = check.equally;
+    forms.insert(forms.begin(), check.assume);
+    for (const auto& form : forms) {
+      if (distanceMended(pair, form) < kSame) return PairNaming::kBoth;
+      is_one = is_one || std::ranges::any_of(pair.mends, [&](const std::string& mend) {
+                 return ("," + form + ",").find("," + mend) != std::string::npos;
+               });
+    }
+  }
+  const auto fits = [&](const MeasurementCheck& check) {
+    return check.severity == CheckSeverity::kMistake && !check.assume.empty() && fitsAsClean(pair, check.assume);
+  };
+  if (std::ranges::any_of(checks.checks, fits)) return PairNaming::kAsGood;
+  return is_one ? PairNaming::kOne : is_any ? PairNaming::kOther : PairNaming::kNone;
+}
+
+}  // namespace tubeplan::calibration
