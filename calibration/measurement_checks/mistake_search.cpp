@@ -21,7 +21,7 @@ constexpr double kAsGood = 3;         // log of the odds within which another mi
 constexpr double kAsGoodError = 1.5;  // times the error, for the same
 constexpr double kNoisePerRow = 0.6;  // lack of fit of a row by noise alone
 constexpr double kFits = 0.05;        // of the reach: readings with a larger error yet are not mended
-constexpr double kGross = 0.001;      // of the reach: an error that one mistake leaves asks for several
+constexpr double kLeftOver = 0.001;      // of the reach: an error that one mistake leaves asks for several
 constexpr std::size_t kFinalists = 8;
 constexpr double kLimitSlack = 0.05;    // rad or m past a joint's limit
 constexpr double kShareOutside = 0.02;  // of readings past limits, that no hypothesis may have
@@ -87,7 +87,7 @@ class MistakeSearch {
   [[nodiscard]] bool isLeftOver(const std::vector<Suspect>& suspects) const {
     double left = trials_.asIs().ok ? trials_.asIs().open_error : std::numeric_limits<double>::infinity();
     for (const auto& suspect : suspects) left = std::min(left, suspect.open.error);
-    return left > std::max(kGross * trials_.reach(), kLeastFall * trials_.noise({}));
+    return left > std::max(kLeftOver * trials_.reach(), kLeastFall * trials_.noise({}));
   }
 
   /// Whether each of several mistakes does what a single one is asked for, beside the others.
