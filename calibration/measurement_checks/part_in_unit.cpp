@@ -1,94 +1,28 @@
 #include "calibration/measurement_checks/part_in_unit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <set>
 
 #include "calibration/measurement_checks/angles_unit.hpp"
 #include "calibration/measurement_checks/coordinates_unit.hpp"
-#include "calibration/measurement_checks/robust_fit.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurement_checks/row_comparison.hpp"
 
 namespace tubeplan::calibration::mistakes::part_in_unit {
 
 namespace {
 
-constexpr double kBlind = 0.01;   // of the reach: errors below it count as none
-constexpr double kMostOfOne = 3;  // what a single reading speaks for a unit, as the log of a ratio of errors
-constexpr double kLeastMean = 1;  // of a run: other units change numbers by more
-constexpr std::size_t kMostLooked = 2000, kEnd = 20;
+constexpr std::size_t kMostLooked = 2000;
 constexpr std::size_t kShortest = 2;  // a single reading that is off may be so for any reason
 constexpr std::string_view kTo = "..";
-
-/// Where the bases may be: at their nominal places, and where they are not known as the first or the last readings have
-/// them, which are in one unit.
-std::vector<PlacedArm> placings(const CheckedReadings& checked) {
-  std::vector<PlacedArm> placed{checked.start};
-  const auto& bases = checked.start.base_poses;
-  if (std::ranges::all_of(bases, &BasePose::is_known)) return placed;
-  const auto count = static_cast<std::ptrdiff_t>(std::min(kEnd, checked.readings.size()));
-  const auto begin = checked.readings.begin(), end = checked.readings.end();
-  for (const auto& part : {std::vector(begin, begin + count), std::vector(end - count, end)}) {
-    RobustFitOptions options;
-    options.free.priors = checked.free.priors;
-    if (RobustFit fit = fitRobustly(checked.start, part, options); fit.ok) placed.push_back(std::move(fit.placed));
-  }
-  return placed;
-}
-
-/// How far readings are from where an arm would be, each found when it is first asked for.
-class Errors {
- public:
-  Errors(const PlacedArm& placed, const std::vector<Measurement>& readings)
-      : placed_(placed), readings_(readings), predictor_(placed.arm), known_(readings.size()) {}
-
-  /// m; not a number of readings that state no place.
-  double at(std::size_t k) {
-    if (!known_[k]) known_[k] = errorOf(k);
-    return *known_[k];
-  }
-
- private:
-  double errorOf(std::size_t k) {
-    const Measurement& reading = readings_[k];
-    if (!statesPlace(reading)) return std::numeric_limits<double>::quiet_NaN();
-    const auto found =
-        predictor_.predict(placed_.base_poses[static_cast<std::size_t>(basePoseOf(placed_, reading))].X_WB, reading);
-    if (!found.ok || found.value.size() < 3) return std::numeric_limits<double>::quiet_NaN();
-    return (found.value.head<3>() - *reading.p_W).norm();
-  }
-
-  const PlacedArm& placed_;
-  const std::vector<Measurement>& readings_;
-  ReadingPredictor predictor_;
-  std::vector<std::optional<double>> known_;
-};
-
-/// Which of two readings of the same rows an arm fits better, row by row.
-class Comparison {
- public:
-  Comparison(Errors& as_is, Errors& mended, double reach) : as_is_(as_is), mended_(mended), blind_(kBlind * reach) {}
-
-  /// Above zero where the mended one fits better; 0 where neither says anything.
-  double at(std::size_t k) {
-    const double ratio = std::log((as_is_.at(k) + blind_) / (mended_.at(k) + blind_));
-    return std::isfinite(ratio) ? std::clamp(ratio, -kMostOfOne, kMostOfOne) : 0;
-  }
-
- private:
-  Errors &as_is_, &mended_;
-  double blind_;
-};
 
 struct Run {
   std::size_t first = 0, last = 0;
 };
 
 /// The run whose sum is largest (Kadane), of those every so many that were looked at; then row by row at its ends.
-std::optional<Run> bestRun(Comparison& comparison, std::size_t count) {
+std::optional<Run> bestRun(RowComparison& comparison, std::size_t count) {
   const std::size_t stride = (count + kMostLooked - 1) / kMostLooked;
   double best = 0, sum = 0;
   Run run, found;
@@ -98,7 +32,7 @@ std::optional<Run> bestRun(Comparison& comparison, std::size_t count) {
     if (sum > best) best = sum, found = {run.first, k};
   }
   const std::size_t looked = (found.last - found.first) / stride + 1;
-  if (best < kLeastMean * static_cast<double>(looked)) return std::nullopt;
+  if (best < RowComparison::kLeastMean * static_cast<double>(looked)) return std::nullopt;
   for (std::size_t left = stride - 1; left > 0 && found.first > 0 && comparison.at(found.first - 1) > 0; --left)
     --found.first;
   for (std::size_t left = stride - 1; left > 0 && found.last + 1 < count && comparison.at(found.last + 1) > 0; --left)
@@ -128,13 +62,13 @@ std::vector<std::string> valuesOf(const MistakeKind& whole, const CheckedReading
   const auto units = whole.values(checked);
   if (units.empty()) return values;
   const double reach = deflection::reachOf(checked.start.arm);
-  for (const PlacedArm& placed : placings(checked)) {
-    Errors as_is(placed, checked.readings);
+  for (const PlacedArm& placed : likelyPlacings(checked)) {
+    RowErrors as_is(placed, checked.readings);
     for (const auto& unit : units) {
       auto readings = checked.readings;
       whole.mend(checked, unit)->change(readings);
-      Errors mended(placed, readings);
-      Comparison comparison(as_is, mended, reach);
+      RowErrors mended(placed, readings);
+      RowComparison comparison(as_is, mended, reach);
       const auto run = bestRun(comparison, readings.size());
       if (!run) continue;
       auto value = textOf(checked, *run, unit);

@@ -215,6 +215,24 @@ inline Made shiftedRows(SeededSet& s, SeededRandom& random) {
   }
   return "shift=" + std::to_string(by);
 }
+/// A measured point that was lost, or is there twice, shifts all that follow.
+inline Made shiftedFromAPoint(SeededSet& s, SeededRandom& random) {
+  auto& readings = s.table.readings;
+  const int count = static_cast<int>(readings.size());
+  if (!arePlaces(s) || areHoles(s) || count < 12) return std::nullopt;
+  const auto original = readings;
+  const int by = random() % 2 ? 1 : -1, first = 4 + drawnBelow(count - 8, random);
+  for (int k = first; k < count; ++k) {
+    const int from = k - by;
+    if (from >= count) break;
+    auto& to = readings[static_cast<std::size_t>(k)];
+    const auto& measured = original[static_cast<std::size_t>(from)];
+    if (measured.kind != to.kind || measured.setup != to.setup) return std::nullopt;
+    to.point = measured.point, to.p_W = measured.p_W, to.own = measured.own;
+  }
+  if (by < 0) readings.pop_back();
+  return "shift=" + std::to_string(by) + "@" + readings[static_cast<std::size_t>(first)].id;
+}
 /// Of a base that is known: else the base takes it.
 inline Made holesOff(SeededSet& s, SeededRandom& random) {
   if (!areHoles(s) || !s.cell.base_known) return std::nullopt;
@@ -348,6 +366,7 @@ inline const std::vector<SeededMistake>& seededMistakes() {
       {"joint-zero", "a zero 10-60 deg off", seeded::partOfATurn},
       {"joint-order", "two joints exchanged", seeded::jointOrder},
       {"shift", "rows shifted by one", seeded::shiftedRows},
+      {"shift", "rows shifted from a point on", seeded::shiftedFromAPoint},
       {"holes", "holes one off", seeded::holesOff},
       {"sheet-mirrored", "sheet mirrored", seeded::sheetMirrored},
       {"hole", "one hole mistaken", seeded::oneHole},

@@ -1,0 +1,55 @@
+#include "calibration/measurement_checks/row_comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "calibration/measurement_checks/robust_fit.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kBlind = 0.01;   // of the reach: errors below it count as none
+constexpr double kMostOfRow = 3;  // what a single row speaks for a mistake, as the log of a ratio of errors
+constexpr std::size_t kEndRows = 20;
+
+}  // namespace
+
+std::vector<PlacedArm> likelyPlacings(const CheckedReadings& checked) {
+  std::vector<PlacedArm> placed{checked.start};
+  const auto& bases = checked.start.base_poses;
+  if (std::ranges::all_of(bases, &BasePose::is_known)) return placed;
+  const auto count = static_cast<std::ptrdiff_t>(std::min(kEndRows, checked.readings.size()));
+  const auto begin = checked.readings.begin(), end = checked.readings.end();
+  for (const auto& part : {std::vector(begin, begin + count), std::vector(end - count, end)}) {
+    RobustFitOptions options;
+    options.free.priors = checked.free.priors;
+    if (RobustFit fit = fitRobustly(checked.start, part, options); fit.ok) placed.push_back(std::move(fit.placed));
+  }
+  return placed;
+}
+
+double RowErrors::at(std::size_t k) {
+  if (!known_[k]) known_[k] = errorOf(k);
+  return *known_[k];
+}
+
+double RowErrors::errorOf(std::size_t k) {
+  const Measurement& reading = readings_[k];
+  if (!statesPlace(reading)) return std::numeric_limits<double>::quiet_NaN();
+  const auto found =
+      predictor_.predict(placed_.base_poses[static_cast<std::size_t>(basePoseOf(placed_, reading))].X_WB, reading);
+  if (!found.ok || found.value.size() < 3) return std::numeric_limits<double>::quiet_NaN();
+  return (found.value.head<3>() - *reading.p_W).norm();
+}
+
+RowComparison::RowComparison(RowErrors& as_is, RowErrors& mended, double reach)
+    : as_is_(as_is), mended_(mended), blind_(kBlind * reach) {}
+
+double RowComparison::at(std::size_t k) {
+  const double ratio = std::log((as_is_.at(k) + blind_) / (mended_.at(k) + blind_));
+  return std::isfinite(ratio) ? std::clamp(ratio, -kMostOfRow, kMostOfRow) : 0;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,157 @@
+#include "calibration/measurement_checks/shifted_rows.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <optional>
+#include <set>
+
+#include "calibration/measurement_checks/row_comparison.hpp"
+
+namespace tubeplan::calibration::mistakes::shifted_rows {
+
+namespace {
+
+constexpr std::size_t kMostRowsLooked = 2000;
+constexpr std::size_t kFewest = 3;  // rows before and behind a lost point
+constexpr int kTried[] = {-1, 1};   // rows, from one of them on
+constexpr double kFits = 0.03;      // of the reach: what a row may be off by where nothing is shifted
+
+/// Takes over the measured part of a reading.
+void takeMeasured(const Measurement& from, Measurement& to) {
+  to.kind = from.kind;
+  to.point = from.point;
+  to.p_W = from.p_W;
+  to.direction_W = from.direction_W;
+  to.p_TQ = from.p_TQ;
+  to.own = from.own;
+  to.row = from.row;
+  to.reference = from.reference;
+  to.sigma = from.sigma;
+  to.sigma_W = from.sigma_W;
+  to.correlation_W = from.correlation_W;
+  to.turn_sigma = from.turn_sigma;
+}
+
+/// "-1" or "-1@P37": how many rows, and the reading from which on; of the whole table none.
+struct Shift {
+  int by = 0;
+  std::string from;
+};
+
+std::optional<Shift> shiftNamed(const std::string& value) {
+  Shift shift;
+  const std::size_t at = std::min(value.find('@'), value.size());
+  const auto [end, error] = std::from_chars(value.data(), value.data() + at, shift.by);
+  if (error != std::errc{} || end != value.data() + at || shift.by == 0 || std::abs(shift.by) > 1000)
+    return std::nullopt;
+  if (at == value.size()) return shift;
+  shift.from = value.substr(at + 1);
+  return shift.from.empty() ? std::nullopt : std::optional(shift);
+}
+
+/// Every reading with what stands `by` rows further down, in the same rows; without a place where nothing stands.
+std::vector<Measurement> inPlace(int by, const std::vector<Measurement>& readings) {
+  auto moved = readings;
+  const auto count = static_cast<int>(readings.size());
+  for (int k = 0; k < count; ++k) {
+    Measurement& to = moved[static_cast<std::size_t>(k)];
+    if (k + by >= 0 && k + by < count)
+      takeMeasured(readings[static_cast<std::size_t>(k + by)], to);
+    else
+      to.p_W.reset();
+  }
+  return moved;
+}
+
+/// The row from which on the mended rows fit better, by the largest sum to the end, then the first there that does not
+/// fit as it is, errors up to `fits` [m]; nothing where none is.
+std::optional<std::size_t> startOf(RowComparison& comparison, RowErrors& as_is, std::size_t count, double fits) {
+  const std::size_t stride = (count + kMostRowsLooked - 1) / kMostRowsLooked;
+  double sum = 0, best = 0;
+  std::size_t start = count, looked = 0, best_looked = 0;
+  for (std::size_t k = count - count % stride; k >= stride; k -= stride) {
+    sum += comparison.at(k - stride);
+    ++looked;
+    if (sum > best) best = sum, start = k - stride, best_looked = looked;
+  }
+  if (best_looked == 0 || best < RowComparison::kLeastMean * static_cast<double>(best_looked)) return std::nullopt;
+  for (std::size_t left = stride + 1; left > 0 && start > 0 && as_is.at(start - 1) > fits; --left) --start;
+  while (start < count && as_is.at(start) <= fits) ++start;
+  return start >= kFewest && start + kFewest <= count ? std::optional(start) : std::nullopt;
+}
+
+std::vector<std::string> values(const CheckedReadings& checked) {
+  const auto& readings = checked.readings;
+  if (readings.size() <= 3) return {};
+  std::vector<std::string> values{"-1", "1"};
+  const double reach = deflection::reachOf(checked.start.arm);
+  for (const PlacedArm& placed : likelyPlacings(checked)) {
+    RowErrors as_is(placed, readings);
+    for (const int by : kTried) {
+      const auto moved = inPlace(by, readings);
+      RowErrors mended(placed, moved);
+      RowComparison comparison(as_is, mended, reach);
+      const auto start = startOf(comparison, as_is, readings.size(), kFits * reach);
+      if (!start) continue;
+      auto value = std::to_string(by) + "@" + readings[*start].id;
+      if (std::ranges::find(values, value) == values.end()) values.push_back(std::move(value));
+    }
+  }
+  return values;
+}
+
+std::function<void(std::vector<Measurement>&)> changeFrom(int by, std::set<std::string> moved) {
+  return [by, moved = std::move(moved)](std::vector<Measurement>& readings) {
+    const auto first =
+        std::ranges::find_if(readings, [&](const Measurement& reading) { return moved.contains(reading.id); });
+    std::vector<Measurement> rest(std::make_move_iterator(first), std::make_move_iterator(readings.end()));
+    readings.erase(first, readings.end());
+    shift(by, rest);
+    std::ranges::move(rest, std::back_inserter(readings));
+  };
+}
+
+std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& value) {
+  const auto named = shiftNamed(value);
+  if (!named) return std::nullopt;
+  const int by = named->by;
+  const std::string rows = std::to_string(std::abs(by)) + (std::abs(by) == 1 ? " row" : " rows");
+  Mend mend{"shift", value,
+            "the measured values stand " + rows + (by > 0 ? " below" : " above") + " the joint readings it belongs to"};
+  mend.change = [by](std::vector<Measurement>& readings) { shift(by, readings); };
+  if (named->from.empty()) return mend;
+  const auto start = std::ranges::find(checked.readings, named->from, &Measurement::id);
+  if (start == checked.readings.end()) return std::nullopt;
+  std::set<std::string> moved;
+  for (auto reading = start; reading != checked.readings.end(); ++reading) moved.insert(reading->id);
+  mend.sentence = "from reading " + named->from + " on " + mend.sentence +
+                  (by < 0 ? ": a measured point was lost there" : ": a measured point is there twice, or too many");
+  mend.change = changeFrom(by, std::move(moved));
+  mend.is_of_part = true;
+  return mend;
+}
+
+}  // namespace
+
+void shift(int by, std::vector<Measurement>& readings) {
+  std::vector<Measurement> shifted;
+  const auto count = static_cast<int>(readings.size());
+  for (int k = 0; k < count; ++k) {
+    if (k + by < 0 || k + by >= count) continue;
+    const Measurement& measured = readings[static_cast<std::size_t>(k + by)];
+    if (measured.setup != readings[static_cast<std::size_t>(k)].setup) continue;
+    shifted.push_back(readings[static_cast<std::size_t>(k)]);
+    takeMeasured(measured, shifted.back());
+  }
+  readings = std::move(shifted);
+}
+
+MistakeKind kind() {
+  return {"shift", "ROWS[@READING]",
+          "how many rows lower the measured values stand than their joint readings, such as 1 or -1, and from which "
+          "reading on, such as -1@P37",
+          values, mendOf};
+}
+
+}  // namespace tubeplan::calibration::mistakes::shifted_rows
