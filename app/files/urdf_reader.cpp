@@ -313,7 +313,7 @@ UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::s
   for (auto& joint : read.joints)
     if (const auto written = tree.turns.find(joint.name); written != tree.turns.end())
       joint.rpy = Vector3d(written->second.data());
-  read.remarks = remarksOnTurns(chainTo(*tree.model, end, file), tree.turns);
+  read.remarks = remarksOnNumbers(chainTo(*tree.model, end, file), tree.turns);
   read.left_out.insert(read.left_out.begin(), tree.left_out.begin(), tree.left_out.end());
   const auto problems = deflection::findProblems(read.arm);
   if (!problems.empty())

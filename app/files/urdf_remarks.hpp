@@ -1,4 +1,4 @@
-// What looks wrong with the angles of a URDF file and cannot be known to be.
+// What looks wrong with the numbers of a URDF file and cannot be known to be.
 #pragma once
 
 #include <urdf_model/types.h>
@@ -13,9 +13,9 @@ namespace tubeplan::app {
 /// Roll, pitch and yaw of a joint's origin as the file writes them, by the joint's name.
 using WrittenTurns = std::map<std::string, std::array<double, 3>>;
 
-/// Remarks on the joints of a chain, links from the root on: right angles with so few digits that the tip is elsewhere,
-/// and angles beyond a whole turn, which may be degrees. Nothing is changed.
-[[nodiscard]] std::vector<std::string> remarksOnTurns(const std::vector<urdf::LinkConstSharedPtr>& chain,
-                                                      const WrittenTurns& turns);
+/// Remarks on the joints of a chain, links from the root on: round angles with so few digits that the tip is elsewhere,
+/// angles and limits so large that they may be degrees, places so far that they may be millimetres. Nothing is changed.
+[[nodiscard]] std::vector<std::string> remarksOnNumbers(const std::vector<urdf::LinkConstSharedPtr>& chain,
+                                                        const WrittenTurns& turns);
 
 }  // namespace tubeplan::app

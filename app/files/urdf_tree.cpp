@@ -7,14 +7,13 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <optional>
 #include <set>
 #include <string_view>
 
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
+#include "app/files/urdf_checks.hpp"
 #include "app/files/utf8.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -63,11 +62,6 @@ void forget(XMLElement& element, std::initializer_list<const char*> names) {
     for (XMLElement* child : childrenOf(element, name)) element.DeleteChild(child);
 }
 
-std::string attributeOf(const XMLElement* element, const char* name) {
-  const char* value = element ? element->Attribute(name) : nullptr;
-  return value ? value : "";
-}
-
 std::string linkNamedBy(XMLElement& joint, const char* element) {
   return attributeOf(joint.FirstChildElement(element), "link");
 }
@@ -100,13 +94,19 @@ class Preparation {
  public:
   Preparation(const std::string& text, const std::string& file) : file_(file) {
     if (document_.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS)
-      throw InputError(fmt::format("{}:{}", file_, std::max(1, document_.ErrorLineNum())), "no XML", "a URDF robot");
+      throw InputError(
+          fmt::format("{}:{}", file_, std::max(1, document_.ErrorLineNum())),
+          text.find("<robot") == std::string::npos ? "no XML" : "XML that breaks off, or whose tags do not match",
+          "a URDF robot");
     robot_ = document_.FirstChildElement("robot");
+    const XMLElement* root = document_.FirstChildElement();
     if (!robot_)
-      throw InputError(file_, "no robot", "a URDF robot", "a file with another root, as SDF, is to be converted first");
+      throw InputError(file_, "no robot" + (root ? ", but " + inQuotes(root->Name()) : ""), "a URDF robot",
+                       "a file with another root, as SDF, is to be converted first");
     refuseXacro(*robot_);
     settleAttributes(*robot_, file_);
     forget(*robot_, {"material", "gazebo", "transmission"});
+    checkNames(*robot_, file_);
     checkTree();
     for (XMLElement* link : childrenOf(*robot_, "link")) prepareLink(*link);
     for (XMLElement* joint : childrenOf(*robot_, "joint")) prepareJoint(*joint);
@@ -122,14 +122,16 @@ class Preparation {
   [[nodiscard]] WrittenTurns& turns() { return turns_; }
 
  private:
-  [[nodiscard]] std::string at(const char* what, const std::string& name) const {
-    return fmt::format("{} ({} {})", file_, what, nameInLine(name));
+  [[noreturn]] void refuseAsXacro(const XMLElement& element, const char* found) const {
+    throw InputError(fmt::format("{}:{}", file_, element.GetLineNum()), inQuotes(found), "plain URDF",
+                     "convert xacro files first: xacro FILE > robot.urdf");
   }
 
   void refuseXacro(const XMLElement& element) const {
-    if (std::string_view(element.Name()).starts_with("xacro:"))
-      throw InputError(fmt::format("{}:{}", file_, element.GetLineNum()), inQuotes(element.Name()), "plain URDF",
-                       "convert xacro files first: xacro FILE > robot.urdf");
+    if (std::string_view(element.Name()).starts_with("xacro:")) refuseAsXacro(element, element.Name());
+    for (const auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next())
+      if (std::string_view(attribute->Value()).find("${") != std::string_view::npos)
+        refuseAsXacro(element, attribute->Value());
     for (auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) refuseXacro(*child);
   }
 
@@ -143,32 +145,32 @@ class Preparation {
       const std::string name = attributeOf(joint, "name"), child = linkNamedBy(*joint, "child");
       for (const auto& link : {linkNamedBy(*joint, "parent"), child})
         if (!known.contains(link))
-          throw InputError(at("joint", name), "no link " + inQuotes(link), "links of the robot as parent and child",
-                           suggestion(link, links));
+          throw InputError(placeOf(*joint, file_), "no link " + inQuotes(link),
+                           "links of the robot as parent and child", suggestion(link, links));
       if (const auto [first, is_new] = carrier.emplace(child, name); !is_new)
-        throw InputError(at("joint", name),
+        throw InputError(placeOf(*joint, file_),
                          fmt::format("the link {} behind the joint {} too", inQuotes(child), inQuotes(first->second)),
                          "a tree: each link behind one joint", "closed chains cannot be taken");
     }
     std::vector<std::string> roots;
     for (const auto& link : links)
       if (!carrier.contains(link)) roots.push_back(link);
+    if (roots.empty())
+      throw InputError(file_, "links that form a closed loop, each behind a joint", "a tree of links with one root");
     if (roots.size() > 1)
       throw InputError(file_, fmt::format("{} links behind no joint: {}", roots.size(), alternatives(roots)),
                        "one root, with all other links behind it");
   }
 
-  void prepareOrigin(XMLElement* origin, const std::string& where) const {
-    if (origin && origin->Attribute("quat_xyzw"))
-      throw InputError(where, "an origin turned by quat_xyzw", "rpy, its three angles");
-  }
-
   void prepareLink(XMLElement& link) {
     forget(link, {"visual", "sensor"});
     const std::string name = attributeOf(&link, "name");
-    for (XMLElement* inertial : childrenOf(link, "inertial")) prepareInertial(*inertial, at("link", name));
+    for (XMLElement* inertial : childrenOf(link, "inertial")) {
+      checkLinkNumbers(*inertial, link, file_);
+      prepareInertial(*inertial, placeOf(link, file_));
+    }
     for (XMLElement* collision : childrenOf(link, "collision")) {
-      prepareOrigin(collision->FirstChildElement("origin"), at("link", name));
+      checkLinkNumbers(*collision, link, file_);
       XMLElement* geometry = collision->FirstChildElement("geometry");
       const XMLElement* solid = geometry ? geometry->FirstChildElement() : nullptr;
       if (solid && std::set<std::string_view>{"box", "cylinder", "sphere", "mesh"}.contains(solid->Name())) continue;
@@ -182,10 +184,9 @@ class Preparation {
 
   /// Masses count, and where they are; what turns them does not, and need not be there.
   void prepareInertial(XMLElement& inertial, const std::string& where) const {
-    prepareOrigin(inertial.FirstChildElement("origin"), where);
     const std::string mass = attributeOf(inertial.FirstChildElement("mass"), "value");
-    const auto number = tubesheets::parseNumber(mass);
-    if (!number || !(*number >= 0))
+    const auto number = numbersIn(mass);
+    if (!number || number->size() != 1 || number->front() < 0)
       throw InputError(where, mass.empty() ? "an inertial without mass" : "the mass " + inQuotes(mass),
                        "<mass value=\"...\"/>, 0 kg or more");
     XMLElement* inertia = inertial.FirstChildElement("inertia");
@@ -194,32 +195,19 @@ class Preparation {
       if (!tubesheets::parseNumber(attributeOf(inertia, moment))) inertia->SetAttribute(moment, "0");
   }
 
-  /// Where it is three numbers; anything else is for urdfdom to refuse.
-  void noteTurn(const std::string& joint, std::string_view rpy) {
-    std::array<double, 3> angles{};
-    for (double& angle : angles) {
-      rpy = tubesheets::trimBlanks(rpy);
-      const std::size_t end = std::min(rpy.find(' '), rpy.size());
-      const auto number = tubesheets::parseNumber(rpy.substr(0, end));
-      if (!number) return;
-      angle = *number;
-      rpy.remove_prefix(end);
-    }
-    turns_[joint] = angles;
-  }
-
   void prepareJoint(XMLElement& joint) {
     forget(joint, {"safety_controller", "calibration", "dynamics"});
+    checkJointNumbers(joint, file_);
     const std::string name = attributeOf(&joint, "name"), type = attributeOf(&joint, "type");
-    prepareOrigin(joint.FirstChildElement("origin"), at("joint", name));
-    noteTurn(name, attributeOf(joint.FirstChildElement("origin"), "rpy"));
+    if (const auto rpy = numbersIn(attributeOf(joint.FirstChildElement("origin"), "rpy")))
+      turns_[name] = {(*rpy)[0], (*rpy)[1], (*rpy)[2]};
     XMLElement* limit = joint.FirstChildElement("limit");
     if (!limit && (type == "revolute" || type == "prismatic"))
-      throw InputError(at("joint", name), "no <limit>", "the limits of a " + type + " joint",
+      throw InputError(placeOf(joint, file_), "no <limit>", "the limits of a " + type + " joint",
                        type == "revolute" ? "a joint that turns without end is continuous" : "");
     if (!limit) return;
-    for (const char* number : {"effort", "velocity"})
-      if (!limit->Attribute(number)) limit->SetAttribute(number, "0");
+    limit->SetAttribute("effort", "0");
+    if (!limit->Attribute("velocity")) limit->SetAttribute("velocity", "0");
   }
 
   const std::string& file_;

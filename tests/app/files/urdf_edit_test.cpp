@@ -337,7 +337,7 @@ TEST(UrdfEdit, AnArmOfAnotherRobotIsRefused) {
   expectSays(refusal([](Arm& arm) { arm.rows[1].joint.name = "knee"; }), "knee");
   expectSays(refusal([](Arm& arm) { arm.rows.pop_back(); }), "--tip");
   expectSays(refusal([](Arm& arm) { arm.rows[1].joint.type = deflection::JointType::kPrismatic; }), "elbow");
-  expectSays(messageOf([&] { (void)withArmInUrdf("<robot name=\"r\"", "r.urdf", "", plain); }), "no XML");
+  expectSays(messageOf([&] { (void)withArmInUrdf("<robot name=\"r\"", "r.urdf", "", plain); }), "XML");
 }
 
 TEST(UrdfEdit, OfSeveralTipsTheNamedOneMoves) {

@@ -247,11 +247,27 @@ TEST(Urdf, AnglesThatLookWrongAreRemarkedOn) {
   struct Turn {
     std::string rpy, said;  // nothing said: no remark
   };
-  for (const Turn& turn :
-       {Turn{"0 0 3.141", "180 deg rounded"}, Turn{"1.57 0 0", "90 deg rounded"}, Turn{"0 -1.571 0", "-90 deg rounded"},
-        Turn{"0 0 -6.28", "-360 deg rounded"}, Turn{"90 0 0", "degrees"}, Turn{"0 0 -180", "degrees"},
-        Turn{"0 0 3.14159265", ""}, Turn{"1.5707963 0 0", ""}, Turn{"0.785 0.01 -0.3", ""}, Turn{"0 0 0", ""},
-        Turn{"0 1.5 0", ""}, Turn{"1.5711 0 0.0003", ""}, Turn{"0 3.1402571 0", ""}}) {
+  for (const Turn& turn : {Turn{"0 0 3.141", "180 deg rounded"},
+                           Turn{"1.57 0 0", "90 deg rounded"},
+                           Turn{"0 -1.571 0", "-90 deg rounded"},
+                           Turn{"0 0 -6.28", "-360 deg rounded"},
+                           Turn{"90 0 0", "degrees"},
+                           Turn{"0 0 -180", "degrees"},
+                           Turn{"0 0 3.14159265", ""},
+                           Turn{"1.5707963 0 0", ""},
+                           Turn{"0.78 0.01 -0.3", ""},
+                           Turn{"0.785 0.01 -0.3", "45 deg rounded"},
+                           Turn{"0 2.094 0", "120 deg rounded"},
+                           Turn{"0 0 -0.524", "-30 deg rounded"},
+                           Turn{"3.1416 0 0", "turn the tool by up to 0.0073 mrad"},
+                           Turn{"0 1.5708 0", "move its tip by up to 0.0025 mm"},
+                           Turn{"0.7854 -0.7854 0", "up to 0.0037 mrad"},
+                           Turn{"0 0 2.0944", "few digits"},
+                           Turn{"0 0 3.141593", ""},
+                           Turn{"0 0 0", ""},
+                           Turn{"0 1.5 0", ""},
+                           Turn{"1.5711 0 0.0003", ""},
+                           Turn{"0 3.1402571 0", ""}}) {
     const std::string text =
         "<robot name='r'><link name='base'/><link name='a'/><link name='b'/><link name='tool'/>"
         "<joint name='j1' type='continuous'><parent link='base'/><child link='a'/><axis xyz='0 0 1'/></joint>"
@@ -268,10 +284,99 @@ TEST(Urdf, AnglesThatLookWrongAreRemarkedOn) {
   }
 }
 
+// Every joint on the way is looked at, fixed ones of the tool too; what is small is said once, of all together.
+TEST(Urdf, RoundAnglesAreRemarkedOnOfEveryJoint) {
+  const auto joint = [](int k, const char* type, const char* rpy) {
+    return fmt::format(
+        "<link name='l{0}'/><joint name='j{0}' type='{1}'><parent link='l{2}'/><child link='l{0}'/>"
+        "<origin xyz='0 0 0.5' rpy='{3}'/><axis xyz='0 0 1'/></joint>",
+        k, type, k - 1, rpy);
+  };
+  const UrdfArm read = parseUrdf("<robot name='r'><link name='l0'/>" + joint(1, "continuous", "3.141 0 0") +
+                                     joint(2, "fixed", "0 1.571 0") + joint(3, "continuous", "0 0 1.5708") +
+                                     joint(4, "fixed", "-1.57 0 0") + joint(5, "fixed", "3.1416 0 0") + "</robot>",
+                                 "r.urdf");
+  ASSERT_EQ(read.remarks.size(), 4u);
+  for (const auto& [k, said] : {std::pair{0, "j1"}, {1, "j2"}, {2, "j4"}, {3, "joints j3, j5"}})
+    expectSays(read.remarks[static_cast<std::size_t>(k)], said);
+}
+
+TEST(Urdf, NumbersOfOtherUnitsAreRemarkedOn) {
+  const UrdfArm degrees = parseUrdf(flangeUrdf("", "", "<limit lower=\"-170\" upper=\"170\"/>"), "r.urdf");
+  ASSERT_EQ(degrees.remarks.size(), 1u);
+  expectSays(degrees.remarks[0], "degrees");
+  const UrdfArm millimetres = parseUrdf(changed(flangeUrdf(), "xyz=\"1 0 0\"", "xyz=\"1000 0 0\""), "r.urdf");
+  ASSERT_EQ(millimetres.remarks.size(), 1u);
+  expectSays(millimetres.remarks[0], "millimetres");
+  EXPECT_TRUE(parseUrdf(flangeUrdf("", "", "<limit lower=\"-12.566\" upper=\"12.566\"/>"), "r.urdf").remarks.empty());
+}
+
+struct WrongUrdf {
+  std::string text, said;
+};
+
+/// What is written wrong by hand, by a converter or by an editor: each is named with its line and what it should be.
+TEST(Urdf, WhatIsWrongIsNamedWithItsLine) {
+  const std::string good = flangeUrdf();
+  const auto origin = [&](const char* text) { return changed(good, "xyz=\"1 0 0\"", text); };
+  const auto limit = [](const char* text) { return flangeUrdf("", "", text); };
+  const WrongUrdf wrongs[] = {
+      {origin("xyz=\"0 0 ${height}\""), "convert xacro"},
+      {origin("xyz=\"0 0 $(arg h)\""), "convert xacro"},
+      {changed(good, "\"j\"", "\"${prefix}j\""), "convert xacro"},
+      {origin("xyz=\"0 nan 1\""), "three numbers in m"},
+      {origin("xyz=\"0 inf 1\""), "three numbers in m"},
+      {origin("xyz=\"0 1e400 1\""), "three numbers in m"},
+      {origin("xyz=\"0,0,1\""), "decimal point"},
+      {origin("xyz=\"0 0 0,4\""), "decimal point"},
+      {origin("xyz=\"0 1\""), "three numbers in m"},
+      {origin("xyz=\"0 1 2 3\""), "three numbers in m"},
+      {origin("xyz=\"\""), "three numbers in m"},
+      {origin("xyz=\"0 0 400mm\""), "without units"},
+      {origin("xzy=\"0 0 1\""), "did you mean 'xyz'?"},
+      {changed(good, "rpy=\"0 1.5 0.5\"", "rpy=\"0 0 90deg\""), "three numbers in rad"},
+      {changed(good, "xyz=\"0 0 1\"", "xyz=\"0 one 1\""), "a direction"},
+      {changed(good, "xyz=\"0 0 1\"", "xyx=\"0 0 1\""), "did you mean 'xyz'?"},
+      {changed(good, "revolute", "revolut"), "did you mean 'revolute'?"},
+      {changed(good, "revolute", "spherical"), "the type 'spherical'"},
+      {changed(good, " type=\"revolute\"", ""), "without a type"},
+      {changed(good, " name=\"j\"", ""), "a joint without a name"},
+      {changed(good, "<link name=\"flange\"/>", "<link/>"), "a link without a name"},
+      {changed(good, "name=\"f\"", "name=\"j\""), "a second joint 'j'"},
+      {changed(good, "name=\"flange\"", "name=\"arm\""), "a second link 'arm'"},
+      {changed(good, "<parent link=\"arm\"/>", ""), "no parent link"},
+      {limit("<limit lower=\"nan\" upper=\"2\"/>"), "limit lower='nan'"},
+      {limit("<limit lower=\"-pi\" upper=\"2\"/>"), "a number in rad or m"},
+      {limit("<limit lower=\"-2\" upper=\"2\" velocity=\"-1\"/>"), "0 or more"},
+      {limit("<limit lower=\"-2\" upper=\"2\"/><mimic joint=\"k\" multiplier=\"x\"/>"), "mimic multiplier"},
+      {flangeUrdf("<collision><geometry><cylinder radius=\"-1\" length=\"1\"/></geometry></collision>"), "a length"},
+      {flangeUrdf("<inertial><origin rpy=\"0 0\"/><mass value=\"1\"/></inertial>"), "three numbers in rad"},
+      {changed(good, "</joint>", "</jont>"), "tags do not match"},
+      {good.substr(0, good.size() / 2), "breaks off"},
+      {changed(good, "<robot name=\"r\">", "<robot>"), "a robot without a name"},
+  };
+  for (const auto& wrong : wrongs) {
+    const std::string message = refusalOf("<?xml version=\"1.0\"?>\n" + wrong.text);
+    expectSays(message, wrong.said);
+    expectSays(message, "r.urdf:2");
+  }
+  expectSays(refusalOf("<sdf version=\"1.6\"/>"), "no robot, but 'sdf'");
+  expectSays(refusalOf("<robot name=\"r\"/>"), "without links");
+}
+
+/// What of a file is passed over may be written anyhow.
+TEST(Urdf, NumbersOfAControllerArePassedOver) {
+  EXPECT_EQ(
+      parseUrdf(flangeUrdf("", "", "<limit lower=\"-2\" upper=\"+2\" effort=\"inf\"/>"), "r.urdf").arm.joint(0).upper,
+      2);
+}
+
 TEST(Urdf, ClosedChainsAreRefused) {
   const std::string second = "<joint name=\"k\" type=\"fixed\"><parent link=\"base\"/><child link=\"flange\"/></joint>";
   expectSays(refusalOf(flangeUrdf("", second)), "'flange' behind the joint");
   expectSays(refusalOf(flangeUrdf("", "<link name=\"alone\"/>")), "behind no joint");
+  const std::string ring = "<joint name=\"k\" type=\"fixed\"><parent link=\"flange\"/><child link=\"base\"/></joint>";
+  expectSays(refusalOf(flangeUrdf("", ring)), "a closed loop");
 }
 
 TEST(Urdf, LimitsAndAxesAreReadOrRefused) {
