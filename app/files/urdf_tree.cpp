@@ -7,9 +7,7 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <optional>
 #include <set>
 #include <string_view>
 
