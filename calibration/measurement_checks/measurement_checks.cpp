@@ -10,6 +10,7 @@
 #include "calibration/measurement_checks/plain_checks.hpp"
 #include "calibration/measurement_checks/rounded_joints.hpp"
 #include "calibration/measurement_checks/stale_joints.hpp"
+#include "calibration/measurement_checks/standard_rows.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/statistics.hpp"
 
@@ -126,7 +127,9 @@ MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckO
   result.base_shift = as_is.base_shift;
   result.base_turn = as_is.base_turn;
   if (as_is.ok) checkSigma(trials, result.checks);
-  if (auto mistake = findMistake(trials)) result.checks.push_back(std::move(*mistake));
+  auto mistake = standardRows(trials);
+  if (!mistake) mistake = findMistake(trials);
+  if (mistake) result.checks.push_back(std::move(*mistake));
   if (as_is.ok && !grossMistake(result)) {
     checkBase(trials, result.checks);
     if (auto stale = staleJoints(checked, as_is.placed)) result.checks.push_back(std::move(*stale));

@@ -8,7 +8,9 @@
 #include "calibration/measurement_checks/copies.hpp"
 #include "calibration/measurement_checks/shifted_rows.hpp"
 #include "calibration/patterns/comparison.hpp"
+#include "deflection/row_conventions.hpp"
 #include "tests/calibration/measurement_checks/seeded_pairs.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {
 namespace {
@@ -151,6 +153,41 @@ TEST(MeasurementChecksOf, BeamsThatBendTooFarForTheirSegmentsAreNamed) {
 }
 
 // Of every mistake that may meet another some pairs, by their numbers; the study counts five hundred.
+/// An elbow arm of six joints, its numbers as a standard table has them.
+PlacedArm elbowArm() {
+  PlacedArm placed;
+  const double alpha[] = {90, 0, -90, 90, -90, 0}, a[] = {0, 0.43, 0.02, 0, 0, 0}, d[] = {0.6, 0.1, 0.15, 0.43, 0, 0.1};
+  for (int k = 0; k < 6; ++k) {
+    deflection::Row<double> row;
+    row.name = "link" + std::to_string(k + 1);
+    row.placement = deflection::DenavitHartenberg<double>{alpha[k] * kDegree, a[k], d[k], 0};
+    row.joint.name = "q" + std::to_string(k + 1);
+    row.joint.type = deflection::JointType::kRevolute;
+    row.joint.lower = -2.5;
+    row.joint.upper = 2.5;
+    placed.arm.rows.push_back(row);
+  }
+  placed.arm.p_LT = {0.05, 0, 0.1};
+  placed.base_poses = {{"", poseOf({0.3, -0.2, 0.1}, {0, 0, 0.3}), true}};
+  return placed;
+}
+
+TEST(MeasurementChecksOf, RowsByTheStandardConventionAreNamed) {
+  for (const bool is_standard : {true, false}) {
+    PlacedArm real = elbowArm();
+    if (is_standard) deflection::readAsStandard(real.arm.rows);
+    ReadingMaker maker(real, 5, ReadingMaker::Noise::kStated);
+    maker.add(MeasurementKind::kPosition, 40);
+    const auto checks = checkMeasurements({elbowArm(), maker.readings, {{"tool.tip"}, true}, {}});
+    const auto* gross = grossMistake(checks);
+    EXPECT_EQ(gross != nullptr, is_standard);
+    if (is_standard && gross) {
+      EXPECT_EQ(gross->name, "convention");
+      EXPECT_LT(gross->error_if_mended, 1e-3);
+    }
+  }
+}
+
 TEST(PairsOfMistakes, AreBothNamed) {
   constexpr int kPairs = 12;
   int made = 0, named = 0;
