@@ -87,6 +87,9 @@ void print(const Improvement& result, const ImproveOptions& options, const CellR
       fmt::print("  ended ({}): {}\n", nameOf(result.end), reasonText(step, units));
     else
       fmt::print("  added {}: {}\n", fmt::join(step.added, ", "), reasonText(step, units));
+    if (!step.not_needed.empty())
+      fmt::print("  without {}: fitted, they are none within two standard deviations\n",
+                 fmt::join(step.not_needed, ", "));
     if (!step.also.empty())
       fmt::print("  with this tool no reading tells it apart from: {}\n", fmt::join(step.also, ", "));
   }

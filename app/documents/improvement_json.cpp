@@ -122,6 +122,7 @@ nlohmann::json improvementJson(const Improvement& result, const std::vector<cali
                              {"sentence", sentenceOf(step, units)},
                              {"added", step.added},
                              {"also", step.also},
+                             {"not_needed", step.not_needed},
                              {"reason", reasonText(step, units)},
                              {"heldout_rms", pair(step.heldout_before, step.heldout_after)},
                              {"farthest_rms", pair(step.farthest_before, step.farthest_after)}});

@@ -107,6 +107,38 @@ ImprovementStep stepOf(const Diagnosis& diagnosis, const Decision& decision) {
 
 bool isUsable(const calibration::Identification& fit) { return fit.status == IdentificationStatus::kDone; }
 
+/// Whether a fit leaves every size of an effect of its model within two standard deviations of none.
+bool isFoundToBeNone(const calibration::Identification& fit, int effect) {
+  constexpr double kNearNone = 2;
+  const auto& carried = fit.fitted.arm.effects.at(static_cast<std::size_t>(effect));
+  bool is_fitted = false;
+  for (const auto& number : fit.numbers) {
+    if (number.unknown.owner != calibration::Unknown::Owner::kArm || number.unknown.path.effect != effect) continue;
+    const auto& parameter = deflection::numbersOf(carried).at(static_cast<std::size_t>(number.unknown.path.value));
+    if (parameter.is_shape || std::abs(number.value - parameter.neutral) > kNearNone * number.sigma) return false;
+    is_fitted = true;
+  }
+  return is_fitted;
+}
+
+/// Takes out of a cell those of the added effects that its fit found to be none, with their free numbers; returns their
+/// names. Of a cause at several places, some may have nothing of it.
+std::vector<std::string> takeOutNone(const std::vector<std::string>& added, const calibration::Identification& fit,
+                                     CellModel& cell) {
+  std::vector<std::string> none;
+  for (int e = 0; e < static_cast<int>(cell.arm.effects.size()); ++e) {
+    const std::string name = deflection::textOf(cell.arm, cell.arm.effects[static_cast<std::size_t>(e)]);
+    if (std::ranges::count(added, name) > 0 && isFoundToBeNone(fit, e)) none.push_back(name);
+  }
+  if (none.size() == added.size()) none.clear();
+  for (const auto& name : none) {
+    std::erase_if(cell.arm.effects,
+                  [&](const deflection::Effect& effect) { return deflection::textOf(cell.arm, effect) == name; });
+    std::erase_if(cell.identify, [&](const std::string& freed) { return freed.starts_with(name + "."); });
+  }
+  return none;
+}
+
 /// One run of the loop.
 class Improver {
  public:
@@ -196,10 +228,27 @@ class Improver {
       return false;
     }
     step.added = added.names;
+    model = withoutNone(std::move(model), cell, hooks);
     for (const auto& effect : cause.effects)
       for (const auto& [name, at] : effect.also) step.also.push_back(name + "@" + at);
     keep(std::move(model));
     return true;
+  }
+
+  /// The model without those members of a cause at several places that its fit found to be none, if it is no worse.
+  ImprovedModel withoutNone(ImprovedModel model, CellModel cell, const WorkHooks& hooks) {
+    constexpr std::size_t kSeveral = 3;
+    constexpr double kAsLow = 1.01;  // of the held-out error
+    ImprovementStep& step = result_.steps.back();
+    if (step.added.size() < kSeveral) return model;
+    auto none = takeOutNone(step.added, model.fit, cell);
+    if (none.empty()) return model;
+    ImprovedModel smaller = fitted(model.name, cell, model.step, hooks);
+    if (!isUsable(smaller.fit) || !(smaller.fit.heldout.rms <= kAsLow * model.fit.heldout.rms)) return model;
+    std::erase_if(step.added, [&](const std::string& name) { return std::ranges::count(none, name) > 0; });
+    step.not_needed = std::move(none);
+    smaller.name = fmt::format("+ {}", fmt::join(step.added, " + "));
+    return smaller;
   }
 
   const std::vector<Measurement>& readings_;

@@ -64,6 +64,7 @@ struct ImprovementStep {
   double first = std::numeric_limits<double>::quiet_NaN(), second = first;  ///< m, see ImprovementReason
   std::vector<std::string> added;                                           ///< none in the round that ended it
   std::vector<std::string> also;                           ///< what no reading could tell from one of those
+  std::vector<std::string> not_needed;                     ///< members of a cause that the fit found to be none
   calibration::ErrorSize heldout_before, heldout_after;    ///< folds of poses kept out
   calibration::ErrorSize farthest_before, farthest_after;  ///< the quarter of the poses that reach farthest kept out
 };
