@@ -72,10 +72,12 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, HiddenEffect,
                                          Hidden{"encoder-eccentricity", "theta2", {0.0006, 0.0009}},
                                          Hidden{"joint-offset", "theta4", {0.002}},
                                          Hidden{"link-twist", "latch-link", {0.0012}},
+                                         Hidden{"link-lean", "latch-link", {0.0012}},
+                                         Hidden{"link-lean", "forearm", {-0.0015}},
                                          Hidden{"tool-offset", "tool", {0.0004, 0.0003, 0.0011}},
                                          Hidden{"payload-offset", "payload", {0.12, 0, 0.02}}),
                          [](const auto& case_info) {
-                           std::string name = case_info.param.effect;
+                           std::string name = std::string(case_info.param.effect) + case_info.param.at;
                            std::erase(name, '-');
                            return name;
                          });
