@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/measurement_checks/misread_rows.hpp"
 #include "calibration/measurement_checks/mistake_search.hpp"
 #include "calibration/measurement_checks/mistake_trials.hpp"
 #include "calibration/measurement_checks/plain_checks.hpp"
 #include "calibration/measurement_checks/rounded_joints.hpp"
 #include "calibration/measurement_checks/stale_joints.hpp"
-#include "calibration/measurement_checks/standard_rows.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/statistics.hpp"
 
@@ -129,6 +129,8 @@ MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckO
   if (as_is.ok) checkSigma(trials, result.checks);
   auto mistake = standardRows(trials);
   if (!mistake) mistake = findMistake(trials);
+  if (!mistake || mistake->severity != CheckSeverity::kMistake)
+    if (auto twist = negatedTwists(trials)) mistake = std::move(twist);
   if (mistake) result.checks.push_back(std::move(*mistake));
   if (as_is.ok && !grossMistake(result)) {
     checkBase(trials, result.checks);

@@ -40,8 +40,8 @@ TEST_P(MeasurementChecks, NameTheMistake) {
   EXPECT_GE(named, kSets - 1) << found;
 }
 
-/// Chi-square for each degree of freedom of a right model, of readings that are taken as a check offers. Of a zero that
-/// was found with the drawing's stiffnesses a rest is left, which belongs to the model.
+/// Chi-square for each degree of freedom of a right model, of readings that are taken as a check offers. Of a zero or a
+/// scale that was found with the drawing's stiffnesses a rest is left, which belongs to the model.
 double chi2Mended(SeededSet& set, const std::string& assume) {
   (void)app::takeAssumptions({assume}, set.table, set.cell);
   ComparisonOptions options;
@@ -50,6 +50,11 @@ double chi2Mended(SeededSet& set, const std::string& assume) {
   if (assume.starts_with("joint-zero="))
     for (const int row : deflection::activeRows(set.cell.arm))
       options.refit.free.names.push_back(set.cell.arm.rows[static_cast<std::size_t>(row)].name + ".joint.offset");
+  if (assume.starts_with("joint-scale=")) {
+    const std::string joint = assume.substr(assume.find('=') + 1, assume.find(':') - assume.find('=') - 1);
+    set.cell.arm.effects.push_back(deflection::makeEffect(set.cell.arm, "joint-scale", joint).effect);
+    options.refit.free.names.push_back("joint-scale@" + joint + ".scale");
+  }
   const auto comparison = compare(app::startOf(set.cell, set.table.readings), set.table.readings, options);
   return comparison.after_refit.chi2 / comparison.after_refit.degrees_of_freedom;
 }
@@ -186,6 +191,20 @@ TEST(MeasurementChecksOf, RowsByTheStandardConventionAreNamed) {
       EXPECT_LT(gross->error_if_mended, 1e-3);
     }
   }
+}
+
+TEST(MeasurementChecksOf, ATwistWithTheOtherSignIsNamed) {
+  PlacedArm real = elbowArm();
+  auto& alpha = std::get<deflection::DenavitHartenberg<double>>(real.arm.rows[4].placement).alpha;
+  alpha = -alpha;
+  ReadingMaker maker(real, 6, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPosition, 40);
+  const auto checks = checkMeasurements({elbowArm(), maker.readings, {{"tool.tip"}, true}, {}});
+  const auto* gross = grossMistake(checks);
+  ASSERT_NE(gross, nullptr);
+  EXPECT_EQ(gross->name, "twist");
+  EXPECT_NE(gross->sentence.find("link5"), std::string::npos) << gross->sentence;
+  EXPECT_LT(gross->error_if_mended, 1e-3);
 }
 
 TEST(PairsOfMistakes, AreBothNamed) {
