@@ -143,8 +143,15 @@ void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& o
   const bool is_base_alone = std::ranges::none_of(
       fit.numbers, [](const auto& number) { return number.unknown.owner == calibration::Unknown::Owner::kArm; });
   outcome.is_base_refused = is_base_alone;
+  // The stated noise explains it, and repeated readings say that the noise is less.
+  const std::string judge = lack.p_value < calibration::kPatternLevel
+                                ? "the fit leaves more than noise explains"
+                                : fmt::format(
+                                      "repeated readings scatter {:.2g} times as much as stated, and the fit "
+                                      "leaves more than that explains",
+                                      lack.repeats.noise_ratio);
   outcome.warnings.push_back(
-      fmt::format("the fit leaves more than noise explains: chi-square {:.3g} for each of {} degrees of freedom; {}",
+      fmt::format("{}: chi-square {:.3g} for each of {} degrees of freedom by the stated noise; {}", judge,
                   lack.chi2 / std::max(1, lack.degrees_of_freedom), lack.degrees_of_freedom,
                   is_base_alone ? "the base alone was found: free what the drawing leaves open (a list `identify`, or "
                                   "--free), and see `tubeplan compare`"
