@@ -157,6 +157,17 @@ std::string scatterSentence(const Diagnosis& result, const Units& units) {
       errorText(budgetOf(result).remainder, result, units), kFollowsNothing);
 }
 
+/// Of an error that is no larger than the stated noise, and yet not by chance.
+std::string withinNoiseSentence(const Diagnosis& result, const Units& units) {
+  const std::string follows =
+      result.remainder.follows.empty() ? "" : " (it follows " + followsText(result.remainder) + ")";
+  return fmt::format(
+      "The error of {} is within the stated noise of {}, and yet it is not by chance{}: sigma is stated too large, or "
+      "a "
+      "small effect is missing that these readings cannot name.",
+      errorText(budgetOf(result).total, result, units), errorText(result.noise_floor, result, units), follows);
+}
+
 constexpr double kWorthNaming = 0.03;  // probability of something unknown beside the explanations
 
 std::string ambiguousSentence(const Diagnosis& result) {
@@ -197,6 +208,7 @@ std::vector<std::string> sentencesOf(const Diagnosis& result, const Units& units
     case Verdict::kAmbiguous:
       return {ambiguousSentence(result), modesSentence(result.alternatives.front()), fallSentence(result, units)};
     case Verdict::kUnexplained:
+      if (budgetOf(result).remainder == 0) return {withinNoiseSentence(result, units)};
       if (result.isScatterAlone()) return {scatterSentence(result, units)};
       return {"Something is missing, and no known effect is certain to be part of it.",
               remainderSentence(result, units)};
