@@ -28,6 +28,8 @@ constexpr std::array kLegs{Named{Leg::kHot, std::string_view("hot"), std::string
 constexpr std::array kShortLegs{Named{Leg::kHot, std::string_view("hl"), std::string_view()},
                                 Named{Leg::kHot, std::string_view("h"), std::string_view()},
                                 Named{Leg::kHot, std::string_view("hotleg"), std::string_view()},
+                                Named{Leg::kHot, std::string_view("inlet"), std::string_view()},
+                                Named{Leg::kCold, std::string_view("outlet"), std::string_view()},
                                 Named{Leg::kCold, std::string_view("cl"), std::string_view()},
                                 Named{Leg::kCold, std::string_view("c"), std::string_view()},
                                 Named{Leg::kCold, std::string_view("coldleg"), std::string_view()}};
