@@ -5,48 +5,12 @@
 
 #include <Eigen/SVD>
 
-#include "calibration/random_stream.hpp"
 #include "deflection/tip_derivatives.hpp"
+#include "tests/calibration/random_mechanisms.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {
 namespace {
-
-constexpr double kRight = std::numbers::pi / 2;
-
-/// Three to eight joints, each axis parallel, nearly parallel, square or askew to the one before, a sixth of them
-/// slides; rows by Denavit and Hartenberg's numbers.
-PlacedArm mechanism(std::uint64_t seed) {
-  RandomStream random(seed);
-  PlacedArm placed;
-  const int joints = 3 + random.index(6);
-  for (int k = 0; k < joints; ++k) {
-    deflection::Row<double> row;
-    row.name = "link" + std::to_string(k + 1);
-    const double turns[] = {0, 0, 0.002, kRight, -kRight, random.uniform(0.5, 2.5)};
-    deflection::DenavitHartenberg<double> dh{turns[random.index(6)], random.uniform(0.1, 0.5),
-                                             random.index(2) * random.uniform(0.1, 0.4), 0};
-    if (std::abs(dh.alpha) < 0.1 && random.index(2) == 0) dh.beta = random.uniform(-0.005, 0.005);
-    if (random.index(4) == 0) dh.a = 0;  // axes that meet
-    row.placement = dh;
-    row.joint.name = "q" + std::to_string(k + 1);
-    row.joint.type = random.index(6) == 0 ? deflection::JointType::kPrismatic : deflection::JointType::kRevolute;
-    placed.arm.rows.push_back(row);
-  }
-  placed.arm.p_LT = random.vector(0.1);
-  placed.base_poses = {{"", Eigen::Isometry3d::Identity(), random.index(2) == 0}};
-  return placed;
-}
-
-/// The same arm with every row placed as URDF does.
-PlacedArm byOrigins(PlacedArm placed) {
-  for (auto& row : placed.arm.rows) {
-    const Eigen::Vector3d p = deflection::offsetInPreviousAxes<double>(row);
-    row.placement =
-        deflection::Origin<double>{p, deflection::fixedAnglesOf(deflection::rotationFromPrevious<double>(row))};
-  }
-  return placed;
-}
 
 /// How the tool moves by the numbers of these names, then by the base where it is free, at random postures; each column
 /// has length 1.
@@ -145,7 +109,7 @@ TEST(IndependentGeometry, TellsNearlyParallelAxesApartByTheirLean) {
 TEST(IndependentGeometry, IsCompleteWhereFixedAnglesAreSingular) {
   PlacedArm placed = byOrigins(mechanism(5));
   placed.base_poses[0].is_known = false;
-  placed.arm.rows[1].placement = deflection::Origin<double>{{0.2, 0.1, 0.3}, {kRight, kRight, 0}};
+  placed.arm.rows[1].placement = deflection::Origin<double>{{0.2, 0.1, 0.3}, {kRightAngle, kRightAngle, 0}};
   const auto names = chosen(placed);
   EXPECT_TRUE(std::ranges::count(names, "link2.origin.beta"));
   EXPECT_EQ(rankOf(motions(placed, names)), static_cast<Eigen::Index>(names.size()) + 6);

@@ -1,0 +1,51 @@
+// Rigid arms of random axes, by the numbers of Denavit and Hartenberg and as other files write them.
+#pragma once
+
+#include <numbers>
+
+#include "calibration/placed_arm.hpp"
+#include "calibration/random_stream.hpp"
+#include "deflection/chain.hpp"
+
+namespace tubeplan::calibration {
+
+inline constexpr double kRightAngle = std::numbers::pi / 2;
+
+/// Three to eight joints, each axis parallel, nearly parallel, square or askew to the one before, a sixth of them
+/// slides; rows by Denavit and Hartenberg's numbers.
+inline PlacedArm mechanism(std::uint64_t seed) {
+  RandomStream random(seed);
+  PlacedArm placed;
+  const int joints = 3 + random.index(6);
+  for (int k = 0; k < joints; ++k) {
+    deflection::Row<double> row;
+    row.name = "link" + std::to_string(k + 1);
+    const double turns[] = {0, 0, 0.002, kRightAngle, -kRightAngle, random.uniform(0.5, 2.5)};
+    deflection::DenavitHartenberg<double> dh{turns[random.index(6)], random.uniform(0.1, 0.5),
+                                             random.index(2) * random.uniform(0.1, 0.4), 0};
+    if (std::abs(dh.alpha) < 0.1 && random.index(2) == 0) dh.beta = random.uniform(-0.005, 0.005);
+    if (random.index(4) == 0) dh.a = 0;  // axes that meet
+    row.placement = dh;
+    row.joint.name = "q" + std::to_string(k + 1);
+    row.joint.type = random.index(6) == 0 ? deflection::JointType::kPrismatic : deflection::JointType::kRevolute;
+    const bool slides = row.joint.type == deflection::JointType::kPrismatic;
+    row.joint.lower = slides ? 0.1 : -2.8;
+    row.joint.upper = slides ? 0.6 : 2.8;
+    placed.arm.rows.push_back(row);
+  }
+  placed.arm.p_LT = random.vector(0.1);
+  placed.base_poses = {{"", Eigen::Isometry3d::Identity(), random.index(2) == 0}};
+  return placed;
+}
+
+/// The same arm with every row placed as URDF does.
+inline PlacedArm byOrigins(PlacedArm placed) {
+  for (auto& row : placed.arm.rows) {
+    const Eigen::Vector3d p = deflection::offsetInPreviousAxes<double>(row);
+    row.placement =
+        deflection::Origin<double>{p, deflection::fixedAnglesOf(deflection::rotationFromPrevious<double>(row))};
+  }
+  return placed;
+}
+
+}  // namespace tubeplan::calibration
