@@ -1,9 +1,11 @@
 #include "calibration/independent_geometry.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
-#include <cassert>
+#include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "calibration/random_stream.hpp"
 #include "deflection/tip_derivatives.hpp"
@@ -105,6 +107,33 @@ void takeAll(std::vector<Index> columns, Span& span, std::vector<Index>& taken) 
   }
 }
 
+double priorOf(const Parameter& number, const Priors& priors) {
+  if (number.path.row < 0) return priors.tip;
+  return number.quantity == deflection::Quantity::kAngle ? priors.angle : priors.length;
+}
+
+/// Of each column taken, the variance that numbers which are held leave to it: each is a combination of the columns
+/// taken and of those of `beside`, which have priors of their own.
+VectorXd leftByOthers(const MatrixXd& motions, const std::vector<Index>& taken, std::vector<Index> beside,
+                      const std::vector<std::pair<Index, double>>& held) {
+  beside.insert(beside.begin(), taken.begin(), taken.end());
+  const VectorXd lengths = motions.colwise().norm();
+  MatrixXd basis(motions.rows(), static_cast<Index>(beside.size()));
+  for (Index k = 0; k < basis.cols(); ++k) {
+    const Index column = beside[static_cast<std::size_t>(k)];
+    basis.col(k) = motions.col(column) / lengths[column];
+  }
+  const Eigen::ColPivHouseholderQR<MatrixXd> solver(basis);
+  VectorXd variances = VectorXd::Zero(static_cast<Index>(taken.size()));
+  for (const auto& [column, sigma] : held) {
+    if (lengths[column] == 0) continue;
+    const VectorXd shares = solver.solve(motions.col(column));
+    for (Index k = 0; k < variances.size(); ++k)
+      variances[k] += std::pow(shares[k] / lengths[taken[static_cast<std::size_t>(k)]] * sigma, 2);
+  }
+  return variances;
+}
+
 /// Whether nothing but the fit says where the arm stands: one base that is known leaves what leads to the first joint
 /// to be found.
 bool placesEveryBase(const PlacedArm& placed, const std::vector<Unknown>& free) {
@@ -119,31 +148,39 @@ bool isGeometry(const std::string& name) {
          name.ends_with(".joint.offset") || name.starts_with("tool.tip.");
 }
 
-std::vector<std::string> independentGeometry(const PlacedArm& placed, const std::vector<Unknown>& free) {
+std::vector<IndependentNumber> independentGeometry(const PlacedArm& placed, const std::vector<Unknown>& free) {
   const Arm mechanism = mechanismOf(placed.arm);
   std::vector<Parameter> numbers = deflection::parametersOf(mechanism);
   std::erase_if(numbers, [&](const Parameter& number) { return !rankOf(number, mechanism); });
   const MatrixXd motions = motionsBy(mechanism, numbers);
   Span span(motions);
-  const auto isFree = [&](const std::string& name) {
-    return std::ranges::any_of(free, [&](const Unknown& unknown) { return unknown.name == name; });
+  std::vector<Index> taken, beside;
+  const auto takeFree = [&](Index column) {
+    if (span.newnessOf(column) >= kNothingNew) beside.push_back(column);
+    span.take(column);
   };
   if (placesEveryBase(placed, free))
-    for (Index step = 0; step < 6; ++step) span.take(static_cast<Index>(numbers.size()) + step);
+    for (Index step = 0; step < 6; ++step) takeFree(static_cast<Index>(numbers.size()) + step);
   std::vector<std::vector<Index>> ranks(4);
   for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const auto column = static_cast<Index>(k);
-    if (isFree(numbers[k].name))
-      span.take(column);
+    const auto isIt = [&](const Unknown& unknown) { return unknown.name == numbers[k].name; };
+    if (std::ranges::any_of(free, isIt))
+      takeFree(static_cast<Index>(k));
     else
-      ranks[static_cast<std::size_t>(*rankOf(numbers[k], mechanism))].push_back(column);
+      ranks[static_cast<std::size_t>(*rankOf(numbers[k], mechanism))].push_back(static_cast<Index>(k));
   }
-  std::vector<Index> taken;
-  for (auto& columns : ranks) takeAll(std::move(columns), span, taken);
+  for (const auto& columns : ranks) takeAll(columns, span, taken);
   std::ranges::sort(taken);
-  std::vector<std::string> names;
-  for (const Index column : taken) names.push_back(numbers[static_cast<std::size_t>(column)].name);
-  return names;
+  std::vector<std::pair<Index, double>> held;
+  for (const auto& columns : ranks)
+    for (const Index column : columns)
+      if (!std::ranges::binary_search(taken, column))
+        held.emplace_back(column, priorOf(numbers[static_cast<std::size_t>(column)], placed.priors));
+  const VectorXd variances = leftByOthers(motions, taken, beside, held);
+  std::vector<IndependentNumber> chosen;
+  for (std::size_t k = 0; k < taken.size(); ++k)
+    chosen.push_back({numbers[static_cast<std::size_t>(taken[k])].name, std::sqrt(variances[static_cast<Index>(k)])});
+  return chosen;
 }
 
 }  // namespace tubeplan::calibration

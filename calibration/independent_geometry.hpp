@@ -11,14 +11,23 @@ namespace tubeplan::calibration {
 /// Returns whether a parameter of that name says where things are: a row's placement, a joint's zero, the tool's tip.
 [[nodiscard]] bool isGeometry(const std::string& name);
 
-/// Returns the names of a set of geometry that is complete and not redundant beside the unknowns that are free already:
+/// A number of such a set.
+struct IndependentNumber {
+  std::string name;
+  /// What the numbers that it stands for besides may be off by, as a standard deviation of this one.
+  double others_sigma = 0;
+};
+
+/// Returns a set of geometry that is complete and not redundant beside the unknowns that are free already:
 /// every motion of the tool that geometry can make is made by one combination of these, those unknowns and no other.
 /// That is four numbers for a row that turns, two for a slide and those of the tip, less six where no base is known
 /// (Everett 1987); however the rows are written, and whatever readings there are.
 ///
 /// Joint zeros come first, then the tip, then rows that move, then others. Of equals the first in file order is taken;
 /// a number that the ones before nearly replace waits for what they do not, so that of nearly parallel axes beta is
-/// taken and d is not (Hayati and Mirmirani 1985).
-[[nodiscard]] std::vector<std::string> independentGeometry(const PlacedArm& placed, const std::vector<Unknown>& free);
+/// taken and d is not (Hayati and Mirmirani 1985). What is not taken may be off its drawing all the same, by
+/// `placed.priors`: the numbers taken have its part besides their own.
+[[nodiscard]] std::vector<IndependentNumber> independentGeometry(const PlacedArm& placed,
+                                                                 const std::vector<Unknown>& free);
 
 }  // namespace tubeplan::calibration

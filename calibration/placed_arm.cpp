@@ -182,6 +182,22 @@ std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::stri
   return names.empty() && name != "geometry" ? std::vector<std::string>{name} : names;
 }
 
+namespace {
+
+/// Numbers of geometry beside those that are free already; each has the part of those that it stands for besides.
+void addGeometry(const PlacedArm& placed, std::vector<Unknown>& list) {
+  for (const auto& number : independentGeometry(placed, list)) {
+    Unknown unknown = armUnknown(*deflection::findParameter(placed.arm, number.name), placed.arm, false);
+    unknown.is_geometry = true;
+    takePrior(placed.priors, placed.arm, unknown);
+    if (!placed.priors.named.contains(number.name))
+      unknown.prior_sigma = std::hypot(unknown.prior_sigma, number.others_sigma);
+    list.push_back(std::move(unknown));
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> freeableNames(const deflection::Arm& arm) {
   std::vector<std::string> names{"geometry"};
   for (const auto& parameter : deflection::parametersOf(arm)) {
@@ -203,24 +219,22 @@ Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice) {
   };
   if (std::count(choice.names.begin(), choice.names.end(), "geometry") > 1)
     result.problems.push_back({"geometry", "'geometry' again", "every parameter freed once"});
-  for (const bool geometry : {false, true})
-    for (const auto& group : choice.names) {
-      if ((group == "geometry") != geometry) continue;
-      for (const auto& name : geometry ? independentGeometry(placed, result.list) : namesBehind(placed.arm, group)) {
-        const bool softened = soften(placed.arm, name);
-        const auto parameter = deflection::findParameter(placed.arm, name);
-        if (!parameter)
-          result.problems.push_back(
-              {group, "no number '" + name + "' in the arm", "a number of the arm file by its path"});
-        else if (is_free(name))
-          result.problems.push_back({group, "'" + name + "' again", "every parameter freed once"});
-        else {
-          result.list.push_back(armUnknown(*parameter, placed.arm, softened));
-          result.list.back().is_geometry = geometry;
-        }
-      }
+  for (const auto& group : choice.names) {
+    if (group == "geometry") continue;
+    for (const auto& name : namesBehind(placed.arm, group)) {
+      const bool softened = soften(placed.arm, name);
+      const auto parameter = deflection::findParameter(placed.arm, name);
+      if (!parameter)
+        result.problems.push_back(
+            {group, "no number '" + name + "' in the arm", "a number of the arm file by its path"});
+      else if (is_free(name))
+        result.problems.push_back({group, "'" + name + "' again", "every parameter freed once"});
+      else
+        result.list.push_back(armUnknown(*parameter, placed.arm, softened));
     }
+  }
   for (Unknown& unknown : result.list) takePrior(choice.priors, placed.arm, unknown);
+  if (std::ranges::count(choice.names, "geometry") > 0) addGeometry(placed, result.list);
   return result;
 }
 

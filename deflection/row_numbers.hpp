@@ -88,7 +88,7 @@ void visitPlacements(Visit&& visit, R& row, Rest&... rest) {
     visit(named(length, "dh.a"), dh->a, dhOf(rest)->a...);
     visit(named(length, "dh.d"), dh->d, dhOf(rest)->d...);
     RowNumber theta = named(angle, "dh.theta");
-    theta.is_parameter = !moves(row.joint);
+    theta.is_parameter = !turns(row.joint);
     visit(theta, dh->theta, dhOf(rest)->theta...);
     return visit(named(lean, "dh.beta"), dh->beta, dhOf(rest)->beta...);
   }

@@ -151,7 +151,8 @@ bool isFree(const std::vector<Unknown>& free, const std::string& name) {
 /// drawing's geometry as a whole.
 void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, CauseList& list) {
   std::vector<Cause> stiffnesses;
-  Cause geometry{kFreedNumbers, "geometry", {}, independentGeometry(placed, free)};
+  Cause geometry{kFreedNumbers, "geometry", {}, {}};
+  for (const auto& number : independentGeometry(placed, free)) geometry.frees.push_back(number.name);
   for (const auto& parameter : deflection::parametersOf(placed.arm)) {
     if (parameter.path.effect >= 0 || isFree(free, parameter.name)) continue;
     if (deflection::isStiffness(parameter.quantity))

@@ -24,10 +24,13 @@ inline PlacedArm mechanism(std::uint64_t seed) {
     deflection::DenavitHartenberg<double> dh{turns[random.index(6)], random.uniform(0.1, 0.5),
                                              random.index(2) * random.uniform(0.1, 0.4), 0};
     if (std::abs(dh.alpha) < 0.1 && random.index(2) == 0) dh.beta = random.uniform(-0.005, 0.005);
-    if (random.index(4) == 0) dh.a = 0;  // axes that meet
+    const bool is_parallel = std::abs(dh.alpha) < 0.1;
+    if (random.index(4) == 0 && !is_parallel) dh.a = 0;  // axes that meet
     row.placement = dh;
     row.joint.name = "q" + std::to_string(k + 1);
-    row.joint.type = random.index(6) == 0 ? deflection::JointType::kPrismatic : deflection::JointType::kRevolute;
+    const bool follows_slide = k > 0 && placed.arm.rows.back().joint.type == deflection::JointType::kPrismatic;
+    row.joint.type = random.index(6) == 0 && !(follows_slide && is_parallel) ? deflection::JointType::kPrismatic
+                                                                             : deflection::JointType::kRevolute;
     const bool slides = row.joint.type == deflection::JointType::kPrismatic;
     row.joint.lower = slides ? 0.1 : -2.8;
     row.joint.upper = slides ? 0.6 : 2.8;
