@@ -77,13 +77,19 @@ class GivenList {
                [&](const TubeOutcome&) { return std::string(tubesheets::legName(sheet.leg)); });
     addMissing(TubeColumn::kSheet, "sheet", [print = sheet.fingerprint()](const TubeOutcome&) { return print; });
     add(TubeColumn::kVisit, "visit", [](const TubeOutcome& of_tube) { return of_tube.visit; });
-    if (hasStays(outcome_))
-      addMissing(TubeColumn::kDwell, "dwell_s", [](const TubeOutcome& of_tube) { return of_tube.dwell; });
+    if (hasStays(outcome_)) addStays();
     add(TubeColumn::kOutcome, "outcome", [](const TubeOutcome& of_tube) { return of_tube.outcome; });
     return tubesheets::withColumns(list_.text, list_.table.text, columns_);
   }
 
  private:
+  /// Stays that the list does not state, in a column of their own or in the fields that it leaves empty.
+  void addStays() {
+    add(TubeColumn::kDwell, "dwell_s", [](const TubeOutcome& of_tube) { return of_tube.dwell; });
+    for (const auto& item : list_.items)
+      if (item.dwell) columns_.back().fields.erase(item.line);
+  }
+
   void addMissing(TubeColumn column, const char* name, const auto& textOf) {
     if (!list_.table.has(column)) add(column, name, textOf);
   }
