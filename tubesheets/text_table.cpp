@@ -93,7 +93,7 @@ class TableParser {
         refuse({"text", "a zero byte", "text", "save the table as text or CSV", line.number});
       if (line.text.empty()) continue;
       if (words.statesUnits && words.statesUnits(line.text))
-        table_.lines_before.emplace_back(line.text);
+        of_units_.emplace_back(line.text);
       else
         (isCommentLine(line.text) ? comments_ : lines_).push_back(line);
     }
@@ -106,6 +106,7 @@ class TableParser {
       beginBelowHeading();
     else
       beginAtNumbers();
+    std::ranges::move(of_units_, std::back_inserter(table_.lines_before));
     if (!table_.problem) requireEven();
     if (!table_.problem && table_.separator != ',') takeDecimalCommas();
     if (table_.problem) table_.rows.clear();
@@ -338,6 +339,7 @@ class TableParser {
 
   const TableWords& words_;
   std::vector<TextLine> lines_, comments_;
+  std::vector<std::string> of_units_;
   TextTable table_;
 };
 

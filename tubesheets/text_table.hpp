@@ -32,7 +32,7 @@ struct TextTable {
   int units_line = 0;  ///< of a row of units, whose words stand behind the headings in brackets; 0 where there is none
   char separator = ',';  ///< a blank: any number of blanks and tabs
   std::vector<CsvRow> rows;
-  std::vector<std::string> lines_before;  ///< of text before the table, and all comments
+  std::vector<std::string> lines_before;  ///< of text before the table, all comments, then lines of units
   std::optional<Problem> problem;         ///< the first fault; then nothing else is to be used
 };
 
