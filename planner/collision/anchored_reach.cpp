@@ -1,6 +1,7 @@
 #include "planner/collision/anchored_reach.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace tubeplan::planner {
 
@@ -11,6 +12,7 @@ AnchoredReach anchoredReachOf(const deflection::Arm& arm, const Scene& scene, st
     if (isSlid(row)) body_reach[row] = 0;
   for (const Body& body : scene.bodies) {
     const auto row = static_cast<std::size_t>(body.frame_index);
+    assert(row < rows.slid.size() && row < body_reach.size());
     if (!isSlid(row)) continue;
     const Eigen::Vector3d origin = rows.slid[row] * Eigen::Vector3d::UnitZ();
     const double reach = (static_cast<const Solid&>(*body.shape).farthestFrom(origin) - origin).norm();

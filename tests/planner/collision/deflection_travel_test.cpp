@@ -174,6 +174,7 @@ Workcell twoRows(const deflection::Joint<double>& outer, const Vector3d& bends) 
   Workcell cell = testing::mockup();
   cell.arm = {};
   cell.arm.rows = {first, second};
+  cell.scene.bodies.clear();
   cell.arm.p_LT = Vector3d(0.8, 0, 0);
   cell.load = 30;
   return cell;
