@@ -50,7 +50,8 @@ TEST_F(CommandInputs, readTubesFromWordsAndFiles) {
   EXPECT_EQ(readTubes("spread:60", *cell.sheet).tube_indices.size(), 60u);
   EXPECT_EQ(readTubes(write("list.csv", "row,column\n1,57\n10,20\n"), *cell.sheet).tube_indices.size(), 2u);
   expectSays(tubesRefusal("R60C3"), "R60C3");
-  expectSays(tubesRefusal(write("wrong.csv", "row,column\n1,57\n1,57\n")), "wrong.csv:3");
+  EXPECT_EQ(readTubes(write("twice.csv", "row,column\n1,57\n1,57\n"), *cell.sheet).tube_indices.size(), 1u);
+  expectSays(tubesRefusal(write("wrong.csv", "row,column\n1,57\n1,x\n")), "wrong.csv:3");
   expectSays(tubesRefusal((folder / "none.csv").string()), "no such file");
 }
 

@@ -73,7 +73,8 @@ TEST_F(MeasurementsReader, readsOptionalColumnsAndOtherUnits) {
 
 TEST_F(MeasurementsReader, refusesNumbersBeyondAnyQuantity) {
   for (const char* number : {"1e31", "-1e160", "1e300"})
-    expectSays(refusal(std::string(kHeader) + "1,position,,0,0,90,0,0," + number + ",0,0,0.01\n"), "within 1e+30 of zero");
+    expectSays(refusal(std::string(kHeader) + "1,position,,0,0,90,0,0," + number + ",0,0,0.01\n"),
+               "within 1e+30 of zero");
 }
 
 TEST_F(MeasurementsReader, refusesBadHeaders) {

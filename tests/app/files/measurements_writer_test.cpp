@@ -69,7 +69,8 @@ class MeasurementsWriter : public ::testing::Test {
 
   /// One set-up for what refers to one another.
   void addConditions(Measurement& m) {
-    m.setup = "S" + std::to_string(std::stoi(m.id.substr(8)) / 100);
+    const int number = std::stoi(m.id.substr(8));
+    m.setup = "S" + std::to_string((kindOf(m).is_from_reading ? number - 1 : number) / 100);
     for (int k = 0; k < 4; ++k) m.approach_directions.push_back(random.index(3) - 1);
     m.temperature = random.uniform(270, 310);
     m.time = random.uniform(0, 1e5);
