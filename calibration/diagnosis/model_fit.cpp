@@ -30,10 +30,9 @@ constexpr double kOrders = 4.6;          // log of a hundred: over so much the s
 constexpr double kUnknownScatter = 0.5;  // probability that scatter is an unknown effect, not a noise stated too small
 constexpr double kHardlyLeft = 1e-3;     // probability of a remainder
 
-/// The most probable state by one noise.
-LeastSquaresResult minimize(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed,
-                            std::vector<Unknown>& unknowns) {
-  unknowns = work.basis.unknowns;
+/// The numbers that a fit of the model changes: those of the basis, sizes, shapes.
+std::vector<Unknown> unknownsOf(const DiagnosisWork& work, const PlacedModel& placed) {
+  std::vector<Unknown> unknowns = work.basis.unknowns;
   for (Unknown size : placed.sizes) {
     if (size.path.effect >= 0) {
       size.prior_sigma = kFarSize * size.typical;
@@ -43,14 +42,26 @@ LeastSquaresResult minimize(const DiagnosisWork& work, const CompetingModel& mod
     unknowns.push_back(size);
   }
   unknowns.insert(unknowns.end(), placed.shapes.begin(), placed.shapes.end());
+  return unknowns;
+}
+
+/// Where a fit begins: sizes where the linear evidence has them.
+VectorXd startOfFit(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed,
+                    const std::vector<Unknown>& unknowns) {
   const auto fitted = static_cast<Index>(work.basis.unknowns.size());
   VectorXd x = VectorXd::Zero(static_cast<Index>(unknowns.size()));
   for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
-    const Unknown& size = placed.sizes[k];
+    const Unknown& size = unknowns[static_cast<std::size_t>(fitted) + k];
     const double linear = model.sizes.size() > static_cast<Index>(k) ? model.sizes[static_cast<Index>(k)] : 0;
     x[fitted + static_cast<Index>(k)] = std::clamp(linear * size.typical, size.lower, size.upper);
   }
-  const NoiseHypothesis& noise = work.noise[likelyNoise(work, model)];
+  return x;
+}
+
+/// The most probable state by one noise.
+LeastSquaresResult minimize(const DiagnosisWork& work, std::size_t by, const PlacedModel& placed,
+                            const std::vector<Unknown>& unknowns, const VectorXd& x) {
+  const NoiseHypothesis& noise = work.noise[by];
   const double tolerance = std::clamp(kSmallFall / static_cast<double>(noise.weights.rows), 1e-6, 1e-4);
   const LeastSquaresOptions solver{tolerance, kIterations, LeastSquaresMethod::kLevenbergMarquardt, work.basis.stop};
   return minimizeOrUnwind(fitProblem(placed.arm, unknowns, work.basis.readings, noise.weights, x, work.basis.stop),
@@ -250,23 +261,15 @@ void describeFit(const DiagnosisWork& work, const PlacedModel& placed, const std
   fit.criterion = -2 * model.logWeight();
 }
 
-}  // namespace
-
-void fitModel(const DiagnosisWork& work, CompetingModel& model) {
-  model.is_fitted = true;
-  const double linear = model.log_evidence;
-  const PlacedModel placed = placeModel(work, model);
-  std::vector<Unknown> unknowns;
-  const auto solution = minimize(work, model, placed, unknowns);
-  std::vector<AtOptimum> at(work.noise.size());
-  bool ok =
-      solution.status != LeastSquaresStatus::kFailed && !isImpossible(placed, solution.x, work.basis.unknowns.size());
-  for (std::size_t n = 0; ok && n < at.size(); ++n)
-    ok = linearizeAt(work, placed, unknowns, solution.x, work.noise[n], at[n]);
-  if (!ok) {
-    model.log_evidence = -std::numeric_limits<double>::infinity();
-    return;
-  }
+/// Fits the model from `x` by one noise and weighs it there by all; false where that cannot be.
+bool fitByNoise(const DiagnosisWork& work, std::size_t by, const PlacedModel& placed,
+                const std::vector<Unknown>& unknowns, VectorXd& x, std::vector<AtOptimum>& at, CompetingModel& model) {
+  const auto solution = minimize(work, by, placed, unknowns, x);
+  if (solution.status == LeastSquaresStatus::kFailed || isImpossible(placed, solution.x, work.basis.unknowns.size()))
+    return false;
+  x = solution.x;
+  for (std::size_t n = 0; n < at.size(); ++n)
+    if (!linearizeAt(work, placed, unknowns, x, work.noise[n], at[n])) return false;
   const bool has_effects =
       std::any_of(placed.sizes.begin(), placed.sizes.end(), [](const Unknown& size) { return size.path.effect >= 0; });
   blendEvidence(
@@ -275,7 +278,29 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
         return evidenceAt(at[n], noise, priorsOf(placed, scale));
       },
       model);
-  if (saysOneOnly(work, model, placed, solution.x)) {
+  return true;
+}
+
+}  // namespace
+
+void fitModel(const DiagnosisWork& work, CompetingModel& model) {
+  model.is_fitted = true;
+  const double linear = model.log_evidence;
+  const PlacedModel placed = placeModel(work, model);
+  const std::vector<Unknown> unknowns = unknownsOf(work, placed);
+  VectorXd x = startOfFit(work, model, placed, unknowns);
+  std::vector<AtOptimum> at(work.noise.size());
+  // What seemed noise before the model was fitted may be none after it: sizes are fitted by the noise that is left.
+  constexpr int kPasses = 2;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const std::size_t by = likelyNoise(work, model);
+    if (!fitByNoise(work, by, placed, unknowns, x, at, model)) {
+      model.log_evidence = -std::numeric_limits<double>::infinity();
+      return;
+    }
+    if (likelyNoise(work, model) == by) break;
+  }
+  if (saysOneOnly(work, model, placed, x)) {
     model.log_evidence = -std::numeric_limits<double>::infinity();
     return;
   }
@@ -283,7 +308,7 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
   const std::size_t likely = likelyNoise(work, model);
   keepRemainder(work.noise[likely], at[likely], priorsOf(placed, 1), model);
   weighLikenesses(work, placed, at, model);
-  describeFit(work, placed, unknowns, solution.x, at, model);
+  describeFit(work, placed, unknowns, x, at, model);
 }
 
 }  // namespace tubeplan::calibration
