@@ -80,6 +80,15 @@ double motionOfRounding(const std::vector<DisplayStep>& steps, const MistakeTria
   return std::sqrt(squares / std::max(1, count));
 }
 
+/// Returns the share of the squares of any scatter that a fit of all that is open leaves: of few readings it takes
+/// most.
+double shareLeft(const MistakeTrials& trials) {
+  double rows = 0;
+  for (const auto& reading : trials.pool().readings)
+    if (trials.pool().counted.contains(reading.id)) rows += rowsOf(reading);
+  return std::clamp(trials.freedom({}, TrialDepth::kOpen) / std::max(1., rows), 0., 1.);
+}
+
 /// "all joint readings are multiples of 0.1 deg", or "the readings of q1 and q2 are multiples of 0.1 deg, of q3 of
 /// 0.001 rad".
 std::string stepsText(const CheckedReadings& checked, const std::vector<DisplayStep>& steps) {
@@ -107,7 +116,8 @@ std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials) {
   const auto steps = stepsOf(checked);
   if (std::ranges::none_of(steps, [](const DisplayStep& step) { return step.size > 0; })) return std::nullopt;
   const double motion = motionOfRounding(steps, trials);
-  const bool is_as_large = motion > kShareOfError * as_is.open_error && as_is.open_error > kShareOfError * motion;
+  const double left = motion * std::sqrt(shareLeft(trials));
+  const bool is_as_large = motion > kShareOfError * as_is.open_error && as_is.open_error > kShareOfError * left;
   if (motion < trials.noise({}) || !is_as_large) return std::nullopt;
   const auto& unit = checked.units.coordinates;
   return MeasurementCheck{
