@@ -25,6 +25,7 @@ void ReadingBatch::place(const Measurement& reading, double load, const Vector3d
 bool ReadingBatch::solve(const std::vector<BasePose>& base_poses, const std::vector<Measurement>& readings,
                          const std::vector<int>& base_pose_of, std::size_t first, std::size_t count,
                          const std::vector<deflection::Variable>& variables) {
+  if (count == 0) return true;
   std::vector<Vector3d> gravity_B;
   for (const auto& base_pose : base_poses) gravity_B.push_back(deflection::gravityInBase(arm_, base_pose.X_WB));
   from_.assign(count, -1);

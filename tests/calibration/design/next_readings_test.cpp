@@ -231,5 +231,14 @@ TEST(NextReadings, ReadingsThatCannotBeFittedAreCountedWhereTheDrawingStands) {
   EXPECT_GT((estimate.information - MatrixXd::Identity(4, 4)).norm(), 1);
 }
 
+// An arm that cannot bear the load stands nowhere: none of the candidates can be made.
+TEST(NextReadings, AreRefusedWhereNoCandidateCanBeMade) {
+  std::mt19937_64 random(9);
+  std::vector<ReadingCandidate> candidates;
+  for (int k = 0; k < 5; ++k) candidates.push_back({{positionAt(randomJoints(cobraArm(), random), 5e4 * kPound)}});
+  const auto next = proposeReadings(fromNothing(kStiffnesses), candidates, randomWork(5, 3));
+  EXPECT_EQ(next.status, NextReadingsStatus::kTooFewCandidates) << next.reason;
+}
+
 }  // namespace
 }  // namespace tubeplan::calibration
