@@ -52,7 +52,7 @@ describe("tables of other programs", () => {
     assert.equal(await tab.inputValue("select[aria-label='unit of Payload [lb]']"), "lbf");
     await take.click();
     await tab.waitForSelector("dialog[open] >> text=a reading without sigma");
-    await tab.fill("dialog[open] input[inputmode=decimal]", "0.005");
+    await tab.fill("dialog[open] label:has-text('standard deviation') input", "0.005");
     if (process.env.PICTURES) await tab.screenshot({path: `${process.env.PICTURES}/columns.png`});
     await take.click();
     await tab.waitForFunction(() => !document.querySelector("dialog[open]"));
