@@ -17,7 +17,7 @@ constexpr double kPlaceFloor = 1e-4;  ///< of the place's slopes, per reach: wha
 constexpr double kPlaceWeight = 10;   ///< of the place, in reaches, against the lean in rad, where a step is judged
 constexpr double kLimitWeight = 2;    ///< of what is past limits, scaled
 constexpr double kIntoLimits = 1e-3;  ///< scaled; a step into the limits that is shorter ends
-constexpr double kLongestStep = 0.5;  ///< scaled
+constexpr double kLongestScaledStep = 0.5;  ///< scaled
 constexpr double kLeastShare = 0.1;   ///< of a step; a shorter one is not tried
 constexpr int kMostStrikes = 4;       ///< steps that lead no nearer however short, before the start is given up
 constexpr std::size_t kSideBySide = 32;
@@ -151,7 +151,7 @@ class Lead {
     }
     merit_ = meritOf(problem, here_, q_);
     const double longest = step.joints.cwiseAbs().maxCoeff();
-    whole_ = problem.scale().cwiseProduct(step.joints) * (longest > kLongestStep ? kLongestStep / longest : 1);
+    whole_ = problem.scale().cwiseProduct(step.joints) * (longest > kLongestScaledStep ? kLongestScaledStep / longest : 1);
     share_ = 1;
     there_ = q_ + whole_;
     return true;
