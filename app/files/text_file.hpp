@@ -12,7 +12,7 @@ namespace tubeplan::app {
 /// larger than 64 MB, empty (blanks only) or no text (control characters, bytes that are not UTF-8).
 [[nodiscard]] std::string readTextFile(const std::string& path);
 
-/// The same with its byte order mark, for a text that is written again with some of it changed.
+/// Returns the text of a file with its byte order mark, for a text that is written again with some of it changed.
 [[nodiscard]] std::string readTextBytes(const std::string& path);
 
 /// The same of a file that the program itself keeps: no input of a result (origin.hpp).

@@ -26,7 +26,7 @@ namespace tubeplan::app {
 void checkNames(const tinyxml2::XMLElement& robot, const std::string& file);
 void checkJointNumbers(const tinyxml2::XMLElement& joint, const std::string& file);
 
-/// Of an inertial or a collision of a link.
+/// Checks the numbers of an inertial or a collision element of a link; throws InputError for the first that is wrong.
 void checkLinkNumbers(const tinyxml2::XMLElement& part, const tinyxml2::XMLElement& link, const std::string& file);
 
 }  // namespace tubeplan::app

@@ -23,7 +23,7 @@ struct UrdfTags {
   std::string_view robot_end;  ///< </robot>
 };
 
-/// Of a text that readUrdfTree reads. Joints that transmissions and controllers name are none.
+/// Returns the joints of a URDF text that readUrdfTree reads. Joints that transmissions and controllers name are none.
 [[nodiscard]] UrdfTags urdfTagsOf(std::string_view text);
 
 }  // namespace tubeplan::app

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 /// m, rad: what the twelve digits of an arm file leave of a number.
 inline constexpr double kAsWritten = 5e-11;
 
-/// Whether two numbers are one to the digits of an arm file; infinities are where they are equal.
+/// Returns whether two numbers are one to the digits of an arm file; infinities are one where they are equal.
 [[nodiscard]] bool isAsWritten(double a, double b);
 
 /// To twelve decimals, which is less than any instrument sees, without zeros at the end.

@@ -19,7 +19,7 @@ enum class DateOrder { kDayFirst, kMonthFirst };
 /// zones and leap seconds are not known.
 [[nodiscard]] std::optional<double> clockSeconds(std::string_view text, DateOrder order = DateOrder::kMonthFirst);
 
-/// Whether it is a time in either order.
+/// Returns whether a text is a clock time in either order of day and month.
 [[nodiscard]] bool isClockTime(std::string_view text);
 
 /// The orders in which every row that is a time in one of them is one; only the first where both mean the same times.

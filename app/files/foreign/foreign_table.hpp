@@ -18,7 +18,7 @@ struct ForeignTable : tubesheets::TextTable {
   std::map<UnitKind, StatedUnit> units;  ///< stated by lines of their own, for columns whose headings state none
 };
 
-/// Whether a field stands for nothing, in tables that leave none empty: "-", "NaN", "n/a".
+/// Returns whether a field stands for nothing, in tables that leave none empty: "-", "NaN", "n/a".
 [[nodiscard]] bool isBlankField(std::string_view field);
 
 /// Returns a table whose rows are known by their numbers (tubesheets/text_table.hpp), with the units that the lines

@@ -12,7 +12,7 @@
 
 namespace tubeplan::app {
 
-/// Of each table, of each column.
+/// Marks of the columns that nothing has taken yet: one list for each table, one mark for each column.
 using FreeColumns = std::vector<std::vector<bool>>;
 
 /// Where forms are looked for: in the free columns of tables, beside the joints that have none yet.
@@ -24,7 +24,7 @@ struct FormSearch {
   std::vector<const ColumnTarget*> joints;
 };
 
-/// Whether a free column is called as that target.
+/// Returns whether a free column has the name of a target.
 [[nodiscard]] bool hasFreeColumn(const FormSearch& search, const ColumnTarget& target);
 
 /// Returns the kind that is asked for, else those that the rows state.

@@ -15,11 +15,11 @@ struct StatedUnit {
   std::string line;  ///< that states it
 };
 
-/// Whether a line states units and nothing else.
+/// Returns whether a line states units and nothing else.
 [[nodiscard]] bool statesUnits(std::string_view line);
 
-/// Of lines with the word unit or units, a colon or an equals sign, and nothing but units behind it. Throws InputError
-/// where two lines differ.
+/// Returns the units that lines state by the word unit or units, a colon or an equals sign, and nothing but units
+/// behind it. Throws InputError where two lines differ.
 [[nodiscard]] std::map<UnitKind, StatedUnit> statedUnits(const std::vector<std::string>& lines,
                                                          const std::string& file);
 

@@ -27,7 +27,7 @@ struct StatedColumns {
 /// Numbers of one row in internal units; the last of four counts in quaternions alone.
 using FormNumbers = std::array<double, 4>;
 
-/// Whether programs write such numbers in a form.
+/// How likely a program is to write certain numbers in a form.
 enum class FormFit { kUsual, kUnusual, kImpossible };
 
 struct FormNumber {
