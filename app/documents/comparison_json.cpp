@@ -12,6 +12,7 @@
 #include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/identification_json.hpp"
+#include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/pattern_json.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/joint_units.hpp"
@@ -218,7 +219,7 @@ std::string comparisonSentence(const Comparison& result, const Units& units) {
   const std::string error = errorClause(result, units);
   if (result.verdict == Adequacy::kAdequate) return fmt::format("The model is adequate: {}.", error);
   if (result.verdict == Adequacy::kInconclusive)
-    return fmt::format("No verdict is possible: {}; {}.", fmt::join(result.grounds, ", and "), error);
+    return noVerdictSentence(fmt::format("{}; {}", fmt::join(result.grounds, ", and "), error));
   return fmt::format("The model falls short, since {}: {}.", fmt::join(result.grounds, ", and "), error);
 }
 

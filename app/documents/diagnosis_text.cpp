@@ -184,8 +184,7 @@ std::string ambiguousSentence(const Diagnosis& result) {
 }
 
 std::string inconclusiveSentence(const Diagnosis& result) {
-  if (!result.reason.empty())
-    return "No verdict is possible: " + result.reason + (result.reason.ends_with('?') ? "" : ".");
+  if (!result.reason.empty()) return noVerdictSentence(result.reason);
   return fmt::format(
       "The readings suggest that something is missing (probability {:.0f} %), but not enough to say what.",
       100 * (1 - result.nothing_probability));

@@ -54,6 +54,15 @@ std::string checksText(const MeasurementChecks& checks, const Units& units) {
   return text;
 }
 
+std::string mistakeText(const MeasurementChecks& checks, const Units& units) {
+  const auto* mistake = calibration::grossMistake(checks);
+  return mistake ? checkText(*mistake, units) : "";
+}
+
+std::string noVerdictSentence(const std::string& reason) {
+  return "No verdict is possible: " + reason + (reason.ends_with('?') ? "" : ".");
+}
+
 std::vector<std::string> warningsWithChecks(const MeasurementChecks& checks, std::vector<std::string> warnings,
                                             const Units& units) {
   std::vector<std::string> all;

@@ -20,6 +20,16 @@ void addChecks(const calibration::MeasurementChecks& checks, const Units& units,
 /// One line for each check; empty where there is none.
 [[nodiscard]] std::string checksText(const calibration::MeasurementChecks& checks, const Units& units);
 
+/// The mistake that keeps readings from telling anything of the model, by checkText(); empty where there is none. One
+/// rule for all that judge a model or fit it.
+[[nodiscard]] std::string mistakeText(const calibration::MeasurementChecks& checks, const Units& units);
+
+/// The `verdict_words` over such a mistake.
+inline constexpr const char* kMistakeWords = "Inconclusive: a mistake in the readings is to be mended first";
+
+/// "No verdict is possible: REASON."
+[[nodiscard]] std::string noVerdictSentence(const std::string& reason);
+
 /// The sentences of the checks before other warnings.
 [[nodiscard]] std::vector<std::string> warningsWithChecks(const calibration::MeasurementChecks& checks,
                                                           std::vector<std::string> warnings, const Units& units);

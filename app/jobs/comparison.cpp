@@ -39,11 +39,11 @@ bool isAnythingFree(const calibration::PlacedArm& start, const calibration::Iden
   return has_base || !options.free.names.empty();
 }
 
-/// Where readings have a mistake in them no model is adequate for them, however well it fits.
-void withholdVerdict(const CellReadings& input, calibration::Comparison& comparison) {
-  if (comparison.verdict != calibration::Adequacy::kAdequate || !calibration::grossMistake(input.checks)) return;
-  comparison.verdict = calibration::Adequacy::kInconclusive;
-  comparison.grounds.emplace_back("a mistake is suspected in the readings");
+/// Readings with a mistake in them say of no model that it is adequate or falls short, however they fit.
+void withholdVerdict(const std::string& mistake, calibration::Comparison& comparison) {
+  comparison.grounds = {mistake};
+  for (auto* verdict : {&comparison.verdict, &comparison.as_it_stands.adequacy, &comparison.after_refit.adequacy})
+    *verdict = calibration::Adequacy::kInconclusive;
 }
 
 }  // namespace
@@ -77,9 +77,11 @@ ComparisonOutcome compareModel(const CellReadings& input, const ComparisonReques
   outcome.comparison = calibration::compare(startOf(cell, refit.readings), refit.readings, options);
   requireGoingOn(hooks);
   requireCompared(outcome.comparison, input);
-  withholdVerdict(input, outcome.comparison);
+  const std::string mistake = mistakeText(input.checks, cell.units);
+  if (!mistake.empty()) withholdVerdict(mistake, outcome.comparison);
   const auto& readings = outcome.readings;
   outcome.figures = comparisonJson(outcome.comparison, readings, outcome.set_aside.size(), cell.units);
+  if (!mistake.empty()) outcome.figures["verdict_words"] = kMistakeWords;
   if (outcome.comparison.refit.status != calibration::IdentificationStatus::kNotRun)
     outcome.warnings = fitWarnings(outcome.comparison.refit, readings);
   outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);

@@ -31,11 +31,12 @@ void proposeNext(const CellReadings& input, const DiagnosisRequest& request, con
 }
 
 /// No verdict on the model while a mistake with the readings explains its error.
-DiagnosisOutcome undiagnosed(const CellReadings& input, const calibration::MeasurementCheck& mistake) {
+DiagnosisOutcome undiagnosed(const CellReadings& input, const std::string& mistake) {
   DiagnosisOutcome outcome;
   outcome.diagnosis.verdict = calibration::Verdict::kInconclusive;
-  outcome.diagnosis.reason = checkText(mistake, input.cell.units);
+  outcome.diagnosis.reason = mistake;
   outcome.figures = diagnosisJson(outcome.diagnosis, input.readings, input.cell.units);
+  outcome.figures["verdict_words"] = kMistakeWords;
   outcome.figures["warnings"] = nlohmann::json::array();
   addChecks(input.checks, input.cell.units, outcome.figures);
   return outcome;
@@ -65,7 +66,7 @@ DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest
   options.hooks = hooks;
   const auto start = startOf(cell, readings);
   DiagnosisOutcome outcome;
-  if (const auto* mistake = calibration::grossMistake(input.checks)) return undiagnosed(input, *mistake);
+  if (const auto mistake = mistakeText(input.checks, cell.units); !mistake.empty()) return undiagnosed(input, mistake);
   outcome.diagnosis = calibration::diagnose(start, readings, options);
   requireGoingOn(hooks);
   if (outcome.diagnosis.verdict == calibration::Verdict::kNotRun)

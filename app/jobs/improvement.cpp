@@ -6,12 +6,12 @@ namespace tubeplan::app {
 
 namespace {
 
-Improvement notImproved(const calibration::MeasurementCheck& mistake, const Units& units) {
+Improvement notImproved(const std::string& mistake) {
   Improvement result;
   result.end = ImprovementEnd::kMistake;
   ImprovementStep& step = result.steps.emplace_back();
   step.diagnosis.verdict = calibration::Verdict::kInconclusive;
-  step.diagnosis.reason = checkText(mistake, units);
+  step.diagnosis.reason = mistake;
   step.reason = ImprovementReason::kMistakeExplains;
   return result;
 }
@@ -19,7 +19,7 @@ Improvement notImproved(const calibration::MeasurementCheck& mistake, const Unit
 }  // namespace
 
 Improvement improveModel(const CellReadings& input, const ImprovementRequest& request, const WorkHooks& hooks) {
-  if (const auto* mistake = calibration::grossMistake(input.checks)) return notImproved(*mistake, input.cell.units);
+  if (const auto mistake = mistakeText(input.checks, input.cell.units); !mistake.empty()) return notImproved(mistake);
   Improvement result = improveModel(input.cell, input.readings, request, hooks);
   if (result.end == ImprovementEnd::kNotFitted &&
       result.models.front().fit.status == calibration::IdentificationStatus::kRefused)
