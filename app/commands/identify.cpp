@@ -19,6 +19,7 @@
 #include "app/files/cell_places.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/jobs/identification.hpp"
+#include "calibration/diagnosis/verdict.hpp"
 
 namespace tubeplan::app {
 
@@ -42,6 +43,16 @@ void printIteration(std::FILE* out, const calibration::LeastSquaresIteration& no
   std::fflush(out);
 }
 
+/// Says in the words of a diagnosis why nothing is found; negative where a cell should have been written.
+int withheld(const IdentifyOptions& options, const IdentificationOutcome& outcome) {
+  if (printsText(options.json)) {
+    fmt::print("{}\n{}\n{}", nameOf(calibration::Verdict::kInconclusive), noVerdictSentence(outcome.fit.reason),
+               options.out.empty() ? "" : "nothing was written\n");
+    for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warning);
+  }
+  return options.out.empty() ? kDone : kNegativeAnswer;
+}
+
 int run(const IdentifyOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   const auto& [cell, file, readings, checks] = input;
@@ -59,6 +70,7 @@ int run(const IdentifyOptions& options) {
   if (!options.out.empty() && outcome.fit.status == IdentificationStatus::kDone)
     writeFilesTogether(identifiedCell(cell, outcome.fit, outcome.readings, options.out).inOrder(), "--out");
   writeJson(options.json, outcome.figures);
+  if (outcome.fit.status == IdentificationStatus::kNotRun) return withheld(options, outcome);
   if (printsText(options.json)) {
     fmt::print("{}{}{}{}", setAsideText(outcome.set_aside, readings.size()),
                identificationText(outcome.fit, outcome.readings, cell.units),

@@ -15,7 +15,6 @@
 #include "app/files/suggestion.hpp"
 #include "app/jobs/outliers.hpp"
 #include "app/studies/model/cell_fit.hpp"
-#include "calibration/estimation/set_aside.hpp"
 #include "calibration/patterns/comparison.hpp"
 
 namespace tubeplan::app {
@@ -109,6 +108,22 @@ std::vector<calibration::EffectWarning> effectWarnings(const IdentificationReque
                                     result);
 }
 
+/// Nothing is found by readings with a mistake in them: the numbers would make up for it.
+IdentificationOutcome unidentified(const CellReadings& input, const std::string& mistake) {
+  const Units& units = input.cell.units;
+  IdentificationOutcome outcome;
+  outcome.readings = input.readings;
+  outcome.fit.reason = outcome.centring.reason = mistake;
+  outcome.fit.fitted = startOf(input.cell, input.readings);
+  outcome.warnings = fitWarnings(outcome.fit, input.readings);
+  outcome.figures = identificationJson(outcome.fit, outcome.readings, 0, units);
+  outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, units);
+  outcome.figures["set_aside"] = outcome.set_aside;
+  outcome.figures["predicted_centring_error"] = predictedCentringJson(outcome.centring, units);
+  addChecks(input.checks, units, outcome.figures);
+  return outcome;
+}
+
 /// Fits without outliers; stages and robust losses take all readings.
 void fitReadings(const CellReadings& input, const IdentificationRequest& request, const WorkHooks& hooks,
                  IdentificationOutcome& outcome) {
@@ -120,11 +135,10 @@ void fitReadings(const CellReadings& input, const IdentificationRequest& request
     return fit;
   };
   const IdentificationOptions options = identificationOptions(request, cell, withoutProgress(hooks));
-  const bool takes_all =
-      !request.stages.empty() || options.loss != calibration::RobustLoss::kNone || input.checks.is_overruled;
+  const bool takes_all = !request.stages.empty() || options.loss != calibration::RobustLoss::kNone;
   const auto outliers = [&](const Identification& fit) {
     if (takes_all) return std::vector<int>();
-    auto aside = calibration::readingsToSetAside(startOf(cell, input.readings), input.readings, fit, options);
+    auto aside = outliersOf(input, fit, options);
     requireGoingOn(hooks);
     return aside;
   };
@@ -163,6 +177,8 @@ void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& o
 IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
                                     const WorkHooks& hooks) {
   const auto& cell = input.cell;
+  (void)identificationOptions(request, cell, hooks);  // refused at once, if at all
+  if (const auto mistake = mistakeText(input.checks, cell.units); !mistake.empty()) return unidentified(input, mistake);
   beginStep(hooks, "fit");
   IdentificationOutcome outcome;
   fitReadings(input, request, hooks, outcome);

@@ -31,7 +31,7 @@ struct IdentificationRequest {
 };
 
 struct IdentificationOutcome {
-  calibration::Identification fit;
+  calibration::Identification fit;  ///< not run where the readings hold a mistake, which is its reason
   std::vector<calibration::Measurement> readings;  ///< that the fit was given: all but those set aside
   std::vector<std::string> set_aside;              ///< ids of outliers
   std::vector<std::string> warnings;               ///< of the readings

@@ -108,6 +108,8 @@ void finishFit(Workbench& workbench, const Session& began, const std::string& la
 }
 
 void requireFitted(const IdentificationOutcome& outcome, const CellReadings& input) {
+  if (outcome.fit.status == calibration::IdentificationStatus::kNotRun)
+    throw InputError(input.file, outcome.fit.reason, "readings that allow a verdict");
   if (outcome.fit.status != calibration::IdentificationStatus::kDone)
     throw InputError(input.file, "a fit that did not converge: " + outcome.fit.reason,
                      "readings that determine the numbers");

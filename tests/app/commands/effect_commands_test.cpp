@@ -53,7 +53,17 @@ TEST_F(EffectCommands, ReadingsOfAnotherCellGetNoVerdict) {
   EXPECT_EQ(found["checks"][0]["severity"], "mistake");
   expectSays(found["checks"][0]["sentence"], "another cell");
   expectSays(found["checks"][0]["sentence"], "61");
-  EXPECT_EQ(run("compare " + shipped("mockup.yaml") + " set/measurements.csv").exit_code, 1);
+  const auto compared = run("compare " + shipped("mockup.yaml") + " set/measurements.csv");
+  EXPECT_EQ(compared.exit_code, 1);
+  expectSays(compared.out, found["checks"][0]["sentence"].get<std::string>() + "; the error is");
+  EXPECT_EQ(compared.out.find("falls-short"), std::string::npos) << compared.out;
+  const auto identified = run("identify " + shipped("mockup.yaml") + " set/measurements.csv");
+  EXPECT_EQ(identified.exit_code, outcome.exit_code);
+  EXPECT_EQ(identified.out, run("diagnose " + shipped("mockup.yaml") + " set/measurements.csv").out);
+  const auto asked = run("identify " + shipped("mockup.yaml") + " set/measurements.csv --out found.yaml");
+  EXPECT_EQ(asked.exit_code, 1);
+  expectSays(asked.out, "nothing was written");
+  EXPECT_FALSE(std::filesystem::exists(folder / "found.yaml"));
 }
 
 /// A base alone that leaves more than noise explains is no answer; with what is open freed it is one.
