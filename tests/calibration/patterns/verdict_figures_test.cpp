@@ -1,98 +1,26 @@
 // No verdict contradicts the figures that it comes with, whatever was done to the readings.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <random>
 
 #include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/patterns/comparison.hpp"
 #include "calibration/statistics.hpp"
-#include "tests/calibration/campaign.hpp"
+#include "tests/calibration/spoils.hpp"
 
 namespace tubeplan::calibration {
 namespace {
 
-using Readings = std::vector<Measurement>;
-using Random = std::mt19937_64;
-
 constexpr double kSlack = 1.2;  // of an rms by chance
-
-std::size_t drawn(const Readings& readings, Random& random) {
-  return std::uniform_int_distribution<std::size_t>(1, readings.size() - 1)(random);
-}
-void moved(Measurement& reading, double by, Random& random) {
-  std::normal_distribution<double> normal(0, by);
-  for (double& p : *reading.p_W) p += normal(random);
-}
-
-/// One way to spoil readings; the first does nothing.
-struct Spoil {
-  const char* name;
-  int repeats;  ///< of each posture
-  std::function<void(Readings&, Random&)> apply;
-};
-
-const std::vector<Spoil>& spoils() {
-  static const std::vector<Spoil> kSpoils{
-      {"nothing", 1, [](Readings&, Random&) {}},
-      {"nothing, read twice", 2, [](Readings&, Random&) {}},
-      {"the joints of the row before", 1, [](Readings& readings, Random& random) {
-         const std::size_t k = drawn(readings, random);
-         readings[k].q = readings[k - 1].q;
-         readings[k].load = readings[k - 1].load;
-         readings[k].approach_directions = readings[k - 1].approach_directions;
-       }},
-      {"half of the joints of the rows before", 1, [](Readings& readings, Random&) {
-         for (std::size_t k = 1; k < readings.size(); k += 2) {
-           readings[k].q = readings[k - 1].q;
-           readings[k].load = readings[k - 1].load;
-           readings[k].approach_directions = readings[k - 1].approach_directions;
-         }
-       }},
-      {"places in another order", 2, [](Readings& readings, Random& random) {
-         std::vector<Eigen::Vector3d> places;
-         for (const auto& reading : readings) places.push_back(*reading.p_W);
-         std::shuffle(places.begin(), places.end(), random);
-         for (std::size_t k = 0; k < readings.size(); ++k) readings[k].p_W = places[k];
-       }},
-      {"one place 100 sigmas off", 1, [](Readings& readings, Random& random) {
-         moved(readings[drawn(readings, random)], 100 * kReadingSigma, random);
-       }},
-      {"every tenth place 100 sigmas off", 2, [](Readings& readings, Random& random) {
-         for (std::size_t k = 0; k < readings.size(); k += 10) moved(readings[k], 100 * kReadingSigma, random);
-       }},
-      {"places twice as noisy as stated", 2, [](Readings& readings, Random& random) {
-         for (auto& reading : readings) moved(reading, std::sqrt(3.) * kReadingSigma, random);
-       }},
-      {"places thirty times as noisy as stated", 2, [](Readings& readings, Random& random) {
-         for (auto& reading : readings) moved(reading, 30 * kReadingSigma, random);
-       }},
-      {"a joint's sign", 2, [](Readings& readings, Random&) {
-         for (auto& reading : readings) reading.q[2] *= -1;
-       }},
-      {"places 2 % too long", 1, [](Readings& readings, Random&) {
-         for (auto& reading : readings) *reading.p_W *= 1.02;
-       }},
-  };
-  return kSpoils;
-}
 
 class VerdictFigures : public testing::TestWithParam<std::size_t> {
  protected:
   const Spoil& spoil() const { return spoils()[GetParam()]; }
-  Readings readings(std::uint64_t seed) const {
-    Random random(seed);
-    CampaignPlan plan;
-    plan.postures = 40 / spoil().repeats;
-    plan.repeats = spoil().repeats;
-    Readings made = makeCampaign(deflection::cobraArm(), seed, plan);
-    spoil().apply(made, random);
-    return made;
+  std::vector<Measurement> readings(std::uint64_t seed) const {
+    return spoiltCampaign(deflection::cobraArm(), seed, spoil());
   }
-  static PlacedArm start(const Readings& readings) {
+  static PlacedArm start(const std::vector<Measurement>& readings) {
     return placeForReadings(deflection::cobraArm(), Eigen::Isometry3d::Identity(), true, readings);
   }
 };
@@ -104,7 +32,7 @@ bool excuses(const Repeats& repeats) {
 TEST_P(VerdictFigures, OfAComparisonAgree) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed)
     for (const auto& free : std::vector<std::vector<std::string>>{{}, {"tool.joint_stiffness.z"}}) {
-      const Readings made = readings(seed);
+      const std::vector<Measurement> made = readings(seed);
       ComparisonOptions options;
       options.refit.free = {free, true};
       options.refit.folds = 0;
@@ -126,7 +54,7 @@ TEST_P(VerdictFigures, OfAComparisonAgree) {
 }
 
 TEST_P(VerdictFigures, OfADiagnosisAgree) {
-  const Readings made = readings(3);
+  const std::vector<Measurement> made = readings(3);
   DiagnosisOptions options;
   options.baseline.free = {{"tool.joint_stiffness.z"}, true};
   const Diagnosis result = diagnose(start(made), made, options);
