@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -156,11 +157,25 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Cell
   }
 }
 
-nlohmann::json experimentJson(const StepExperiment& experiment, const Units& units) {
-  nlohmann::json json = {{"units", unitsJson(units)},
-                         {"runs", experiment.runs},
-                         {"refused", experiment.refused},
-                         {"mean_touch_error", lengthOf(experiment.mean_touch_error, units)}};
+/// Of what the counts of an experiment are.
+BaseStanding standingOf(const StepExperimentOptions& settings) {
+  return {BasePlacing::kEachRun, static_cast<std::size_t>(settings.calibration_holes)};
+}
+
+std::vector<std::string> warningsOf(const StepExperiment& experiment) {
+  if (experiment.misfits == 0) return {};
+  return {fmt::format(
+      "in {} of {} runs the touches do not fit: `tubeplan calibrate` would say so; their steps are counted as well",
+      experiment.misfits, experiment.runs)};
+}
+
+nlohmann::json experimentJson(const StepExperiment& experiment, const BaseStanding& standing, const Units& units) {
+  nlohmann::json base = standingJson(standing);
+  base["misfits"] = experiment.misfits;
+  nlohmann::json json = {
+      {"units", unitsJson(units)},          {"base", base},
+      {"warnings", warningsOf(experiment)}, {"runs", experiment.runs},
+      {"refused", experiment.refused},      {"mean_touch_error", lengthOf(experiment.mean_touch_error, units)}};
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode)
     json[kModeKeys[mode]] = {{"mean_counts", experiment.mean_counts[mode]},
                              {"counts_by_run", experiment.counts_by_run[mode]},
@@ -168,12 +183,15 @@ nlohmann::json experimentJson(const StepExperiment& experiment, const Units& uni
   return json;
 }
 
-void printExperiment(const StepExperiment& experiment, const Units& units) {
+void printExperiment(const StepExperiment& experiment, const BaseStanding& standing, const Units& units) {
   const double unit = units.factor(dimension::kLength);
-  fmt::print("{} runs of three calibration holes and ten test holes ({} refused{})\n", experiment.runs,
-             experiment.refused.size(), experiment.refused.empty() ? "" : ", first: " + experiment.refused.front());
-  fmt::print("mean residual of a fit to 14 touched holes: {:.{}f} {}\n", experiment.mean_touch_error / unit,
-             lengthDecimals(units), units.length().name);
+  fmt::print("{} runs of three calibration holes and ten test holes ({} refused{}), {}\n", experiment.runs,
+             experiment.refused.size(), experiment.refused.empty() ? "" : ", first: " + experiment.refused.front(),
+             wordsOf(standing));
+  for (const auto& warning : warningsOf(experiment)) fmt::print("warning: {}\n", warning);
+  if (std::isfinite(experiment.mean_touch_error))
+    fmt::print("mean residual of a fit to 14 touched holes: {:.{}f} {}\n", experiment.mean_touch_error / unit,
+               lengthDecimals(units), units.length().name);
   fmt::print("{:<29}", "of ten holes, steps inserted");
   for (std::size_t steps = 0; steps < experiment.mean_counts.front().size(); ++steps) fmt::print("{:6}", steps);
   fmt::print("   mean error, {}\n", units.length().name);
@@ -203,8 +221,9 @@ int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, co
     fmt::print(stderr, "no run was scored: {}\n", experiment.reason);
     return kNegativeAnswer;
   }
-  writeJson(options.json, experimentJson(experiment, units));
-  if (printsText(options.json)) printExperiment(experiment, units);
+  const BaseStanding standing = standingOf(settings);
+  writeJson(options.json, experimentJson(experiment, standing, units));
+  if (printsText(options.json)) printExperiment(experiment, standing, units);
   return experiment.status == StepExperimentStatus::kStopped ? kStoppedExitCode : kDone;
 }
 

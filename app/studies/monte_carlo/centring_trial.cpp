@@ -180,6 +180,7 @@ Trial CentringTrials::runSetting(const Run& run, std::size_t index) const {
   trial.failure = failureOf(base);
   if (trial.failure != TrialFailure::kNone) return trial;
   trial.touch_error = meanResidual(base.flexible);
+  trial.is_misfit = calibration::isFitRefused(base.flexible);
   trial.visits = visit(run, visited, base);
   return trial;
 }

@@ -66,6 +66,7 @@ struct TrialVisit {
 struct Trial {
   TrialFailure failure = TrialFailure::kNone;
   double touch_error = std::numeric_limits<double>::quiet_NaN();  ///< m, mean residual of the touches
+  bool is_misfit = false;  ///< chi-square refuses the touches of the flexible arm
   std::vector<TrialVisit> visits;
 };
 

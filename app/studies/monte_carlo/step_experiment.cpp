@@ -73,10 +73,12 @@ StepExperiment runStepExperiment(const planner::Workcell& model, const planner::
     if (hooks.stop && hooks.stop()) break;
     if (hooks.progress) hooks.progress("runs", run + 1, runs);
     const Trial trial = trials.run(run).front();
-    if (trial.failure == TrialFailure::kNone)
-      addRun(modeScoresOf(trial.visits), steps, experiment);
-    else
+    if (trial.failure != TrialFailure::kNone) {
       experiment.refused.emplace_back(nameOf(trial.failure));
+      continue;
+    }
+    addRun(modeScoresOf(trial.visits), steps, experiment);
+    experiment.misfits += trial.is_misfit ? 1 : 0;
   }
   for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
     for (double& count : experiment.mean_counts[mode]) count /= std::max(1, experiment.runs);

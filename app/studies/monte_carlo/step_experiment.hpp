@@ -27,6 +27,7 @@ struct StepExperiment {
   StepExperimentStatus status = StepExperimentStatus::kNotRun;
   std::string reason;
   int runs = 0;
+  int misfits = 0;                   ///< of them, with touches that do not fit
   std::vector<std::string> refused;  ///< why, for each run that could not be calibrated
   /// Mean number of the test holes that took 0, 1, ... steps, by mode; and the same by run.
   std::array<std::vector<double>, kCompensations.size()> mean_counts;

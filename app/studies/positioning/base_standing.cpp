@@ -27,7 +27,8 @@ constexpr PlacingRow kPlacings[] = {
     {BasePlacing::kMisfit, "misfit", "for the base calibrated from {} that do not fit",
      "the base was calibrated from {} that do not fit: clearance, proofs and steps hold only if it stands there; "
      "`tubeplan calibrate` says what may be wrong",
-     true}};
+     true},
+    {BasePlacing::kEachRun, "each-run", "for the base that each run calibrates from {}", "", true}};
 
 const PlacingRow& rowOf(BasePlacing placing) {
   return *std::ranges::find(kPlacings, placing, [](const PlacingRow& row) { return row.placing; });

@@ -10,7 +10,7 @@
 namespace tubeplan::app {
 
 /// How a base was placed, as the rows of the table have it.
-enum class BasePlacing { kNominal, kStated, kIdentified, kCalibrated, kMisfit };
+enum class BasePlacing { kNominal, kStated, kIdentified, kCalibrated, kMisfit, kEachRun };
 
 struct BaseStanding {
   BasePlacing placing = BasePlacing::kNominal;

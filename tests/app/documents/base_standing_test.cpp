@@ -110,6 +110,27 @@ TEST_F(BaseStandings, AreNamedByScores) {
   }
 }
 
+TEST_F(BaseStandings, AreNamedByRepeatedScores) {
+  struct Repeated {
+    const char* cell;
+    bool is_misfit;  ///< of an arm without uncertainty that errs by far more than its touches' noise
+  };
+  for (const auto& [cell, is_misfit] : {Repeated{"mockup.yaml", false}, Repeated{"exact.yaml", true}}) {
+    SCOPED_TRACE(cell);
+    const std::string question =
+        std::string("score ") + cell + " --truth mockup-true.yaml --runs 4 --unmodelled " + (is_misfit ? "0.03" : "0");
+    const std::string words = "for the base that each run calibrates from 3 touches";
+    expectSays(run(question).out, words);
+    const json document = jsonOf(question), base = document["base"];
+    EXPECT_EQ(base["status"], "each-run");
+    EXPECT_EQ(base["words"], words);
+    EXPECT_EQ(base["placed"], true);
+    EXPECT_EQ(base["touches"], 3);
+    EXPECT_EQ(base["misfits"] > 0, is_misfit) << base;
+    EXPECT_EQ(document["warnings"].empty(), base["misfits"] == 0) << document["warnings"];
+  }
+}
+
 TEST_F(BaseStandings, ARefusedCalibrationLeavesTheNominalBaseAndSaysSo) {
   for (const char* question : {"calibrate mockup.yaml wrong.csv --out placed.yaml",
                                "plan mockup.yaml --tubes spread:3 --touches wrong.csv --out refused"}) {
