@@ -86,17 +86,6 @@ json comparedJointsJson(const Eigen::VectorXd& q, const deflection::Arm& arm, co
   return list;
 }
 
-/// Whether a reading measures nothing but the tool's turn: its error is an angle.
-bool isAngle(const Measurement& reading) { return calibration::measureAnglesAlone({reading}); }
-
-/// Length of a reading's error, an angle of one that measures nothing else, and the name of its unit.
-json sizeJson(const Measurement& reading, const Eigen::Vector3d& error_W, double turn, const Units& units) {
-  return isAngle(reading) ? finiteJson(turn / units.factor(dimension::kAngle)) : lengthJson(error_W.norm(), units);
-}
-std::string sizeUnit(const Measurement& reading, const Units& units) {
-  return std::string(isAngle(reading) ? units.angle().name : units.length().name);
-}
-
 json comparedReadingJson(const ComparedReading& compared, const Measurement& reading, const Comparison& result,
                          const Units& units) {
   json entry = {
@@ -117,9 +106,9 @@ json comparedReadingJson(const ComparedReading& compared, const Measurement& rea
       {"position_after", placeJson(compared.tip_after, units)},
       {"error_before", placeJson(compared.error_before, units)},
       {"error_after", placeJson(compared.error_after, units)},
-      {"size_before", sizeJson(reading, compared.error_before, compared.turn_before, units)},
-      {"size_after", sizeJson(reading, compared.error_after, compared.turn_after, units)},
-      {"size_unit", sizeUnit(reading, units)},
+      {"size_before", errorSizeJson(reading, compared.error_before, compared.turn_before, units)},
+      {"size_after", errorSizeJson(reading, compared.error_after, compared.turn_after, units)},
+      {"size_unit", errorUnitOf(reading, units).name},
       {"sigmas_before", finiteJson(compared.sigmas_before)},
       {"sigmas_after", finiteJson(compared.sigmas_after)}};
   addOwnNumbers(reading, units, entry);
@@ -148,8 +137,8 @@ json worstJson(const Comparison& result, const std::vector<Measurement>& reading
     const auto& compared = result.readings.at(reading);
     list.push_back({{"id", readings.at(reading).id},
                     {"error", placeJson(compared.error_after, units)},
-                    {"size", sizeJson(readings.at(reading), compared.error_after, compared.turn_after, units)},
-                    {"unit", sizeUnit(readings.at(reading), units)},
+                    {"size", errorSizeJson(readings.at(reading), compared.error_after, compared.turn_after, units)},
+                    {"unit", errorUnitOf(readings.at(reading), units).name},
                     {"sigmas", finiteJson(compared.sigmas_after)}});
   }
   return list;
@@ -290,12 +279,11 @@ std::string comparisonText(const Comparison& result, const std::vector<Measureme
   text +=
       fmt::format("  {} patterns tested, {} found\n", result.patterns.tests.size(), result.patterns.findings.size());
   for (std::size_t k = 0; k < std::min<std::size_t>(3, result.worst.size()); ++k) {
-    const auto reading = static_cast<std::size_t>(result.worst[k]);
-    const auto& worst = result.readings.at(reading);
-    const double size = isAngle(readings.at(reading)) ? worst.turn_after / units.factor(dimension::kAngle)
-                                                      : worst.error_after.norm() / units.factor(dimension::kLength);
-    text += fmt::format("  worst: reading {} is off by {} ({:.1f} sigmas)\n", nameInLine(readings.at(reading).id),
-                        figureText(size, sizeUnit(readings.at(reading), units), 3), worst.sigmas_after);
+    const auto& reading = readings.at(static_cast<std::size_t>(result.worst[k]));
+    const auto& worst = result.readings.at(static_cast<std::size_t>(result.worst[k]));
+    const double size = errorSizeOf(reading, worst.error_after, worst.turn_after);
+    text += fmt::format("  worst: reading {} is off by {} ({:.1f} sigmas)\n", nameInLine(reading.id),
+                        errorText(size, errorUnitOf(reading, units), 3), worst.sigmas_after);
   }
   return text + equivalentsText(result, units);
 }

@@ -40,6 +40,11 @@ json viewJson(const ReadingView& view, const Measurement& reading, const deflect
   entry["explained"] = json::array();
   for (const auto& error : view.after) entry["explained"].push_back(briefPlace(error, units));
   entry["after"] = view.after.empty() ? json() : entry["explained"].front();
+  entry["size_before"] = errorSizeJson(reading, view.before, view.turn_before, units);
+  entry["size_explained"] = json::array();
+  for (std::size_t k = 0; k < view.after.size(); ++k)
+    entry["size_explained"].push_back(errorSizeJson(reading, view.after[k], view.turn_after[k], units));
+  entry["size_unit"] = errorUnitOf(reading, units).name;
   return entry;
 }
 

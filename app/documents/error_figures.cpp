@@ -23,6 +23,19 @@ std::string errorText(double error, const ErrorUnit& unit, int digits) {
   return figureText(error / unit.factor, unit.name, digits);
 }
 
+ErrorUnit errorUnitOf(const calibration::Measurement& reading, const Units& units) {
+  return errorUnitOf(calibration::measureAnglesAlone({reading}), units);
+}
+
+double errorSizeOf(const calibration::Measurement& reading, const Eigen::Vector3d& error_W, double turn) {
+  return calibration::measureAnglesAlone({reading}) ? calibration::kTurnLever * turn : error_W.norm();
+}
+
+nlohmann::json errorSizeJson(const calibration::Measurement& reading, const Eigen::Vector3d& error_W, double turn,
+                             const Units& units) {
+  return errorJson(errorSizeOf(reading, error_W, turn), errorUnitOf(reading, units));
+}
+
 ErrorBudget budgetOf(const calibration::Diagnosis& result) {
   return calibration::errorBudget({result.heldout_before, result.heldout_after}, {result.before, result.after},
                                   result.noise_floor);

@@ -26,6 +26,15 @@ struct ErrorUnit {
 /// "0.0123 in" or "0.0123 deg", to so many digits; "none" where it is not finite.
 [[nodiscard]] std::string errorText(double error, const ErrorUnit& unit, int digits = 4);
 
+/// The unit of one reading's error: that of angles where it measures nothing else.
+[[nodiscard]] ErrorUnit errorUnitOf(const calibration::Measurement& reading, const Units& units);
+
+/// Length of one reading's error, as an ErrorSize has it [m], and in its unit. `turn` [rad] is what of its error is
+/// turns, as ComparedReading and ReadingView have it.
+[[nodiscard]] double errorSizeOf(const calibration::Measurement& reading, const Eigen::Vector3d& error_W, double turn);
+[[nodiscard]] nlohmann::json errorSizeJson(const calibration::Measurement& reading, const Eigen::Vector3d& error_W,
+                                           double turn, const Units& units);
+
 /// What the causes of a diagnosis, or a refit, take from the error.
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Diagnosis& result);
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Comparison& result);

@@ -47,6 +47,12 @@ Vector3d missAt(const FittedBasis& basis, std::size_t k, const std::optional<Too
   return -predictedSlope(reading, seen).by_place.transpose() * residual.error.segment(row, rowsOf(reading));
 }
 
+double turnAt(const FittedBasis& basis, std::size_t k, const WhitenedResidual& residual) {
+  if (!residual.ok) return std::numeric_limits<double>::quiet_NaN();
+  const Measurement& reading = basis.readings[k];
+  return turnError(reading, residual.error.segment(basis.weights.first_row[k], rowsOf(reading)));
+}
+
 std::vector<ReadingView> readingViews(const FittedBasis& basis, const std::vector<Explanation>& shown,
                                       const std::vector<int>& given) {
   std::vector<WhitenedResidual> after;
@@ -58,7 +64,11 @@ std::vector<ReadingView> readingViews(const FittedBasis& basis, const std::vecto
     const auto tool = predictedTool(basis, basis.readings[k]);
     view.p_WT = tool ? tool->p_W : Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
     view.before = missAt(basis, k, tool, basis.residual);
-    for (const auto& residual : after) view.after.push_back(missAt(basis, k, tool, residual));
+    view.turn_before = turnAt(basis, k, basis.residual);
+    for (const auto& residual : after) {
+      view.after.push_back(missAt(basis, k, tool, residual));
+      view.turn_after.push_back(turnAt(basis, k, residual));
+    }
     views.push_back(std::move(view));
   }
   return views;

@@ -21,6 +21,9 @@ struct ReadingView {
   Eigen::Vector3d p_WT;                ///< m, the tip by the model without an effect
   Eigen::Vector3d before;              ///< m, by the same
   std::vector<Eigen::Vector3d> after;  ///< m, by each of `explanationsShown`
+  /// Of what a reading measures of the tool's turn, the length of the error [rad]; not numbers where it measures none.
+  double turn_before = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> turn_after;
 };
 
 /// One whitened coordinate, both with what the free numbers can absorb taken off, in noise sigmas.

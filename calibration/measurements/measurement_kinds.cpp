@@ -94,6 +94,11 @@ void linkReferences(std::vector<Measurement>& readings) {
       if (const auto found = by_id.find(reading.reference->id); found != by_id.end()) reading.reference = found->second;
 }
 
+double turnError(const Measurement& reading, const Eigen::Ref<const Eigen::VectorXd>& error) {
+  const int turns = std::min(rowsOf(reading), kindOf(reading).turn_rows);
+  return turns ? error.tail(turns).norm() / kTurnLever : std::numeric_limits<double>::quiet_NaN();
+}
+
 MeasuredValue rowSigmas(const Measurement& reading) {
   const int rows = rowsOf(reading), turns = std::min(rows, kindOf(reading).turn_rows);
   MeasuredValue sigmas = MeasuredValue::Constant(rows, reading.sigma);

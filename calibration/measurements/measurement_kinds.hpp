@@ -54,6 +54,9 @@ namespace tubeplan::calibration {
 /// is.
 void linkReferences(std::vector<Measurement>& readings);
 
+/// Length of what of its rows' error [m] is turns [rad]; not a number where it measures none.
+[[nodiscard]] double turnError(const Measurement& reading, const Eigen::Ref<const Eigen::VectorXd>& error);
+
 /// Of each row [m]: what the reading states; not numbers where it states nothing.
 [[nodiscard]] MeasuredValue rowSigmas(const Measurement& reading);
 

@@ -71,12 +71,9 @@ Vector3d errorInWorld(const Evaluation& model, std::size_t k) {
   return -placeSlope(model.scene, k).transpose() * model.residual.error.segment(row, rowsOf(reading));
 }
 
-/// Length of the error of a reading's rows that are turns [rad]; not a number where it has none.
-double turnError(const Evaluation& model, std::size_t k) {
+double turnOf(const Evaluation& model, std::size_t k) {
   const auto& reading = model.scene.readings[k];
-  const int rows = rowsOf(reading), turns = std::min(rows, kindOf(reading).turn_rows);
-  if (turns == 0) return std::numeric_limits<double>::quiet_NaN();
-  return model.residual.error.segment(model.weights.first_row[k] + rows - turns, turns).norm() / kTurnLever;
+  return turnError(reading, model.residual.error.segment(model.weights.first_row[k], rowsOf(reading)));
 }
 
 double sigmasOf(const Evaluation& model, std::size_t k) {
@@ -91,13 +88,13 @@ void describeReadings(const Evaluation& before, const Evaluation& after, const s
       reading.tip_before = before.scene.tips.col(static_cast<Index>(k));
       reading.error_before = errorInWorld(before, k);
       reading.sigmas_before = sigmasOf(before, k);
-      reading.turn_before = turnError(before, k);
+      reading.turn_before = turnOf(before, k);
     }
     if (!after.ok) continue;
     reading.tip_after = after.scene.tips.col(static_cast<Index>(k));
     reading.error_after = errorInWorld(after, k);
     reading.sigmas_after = sigmasOf(after, k);
-    reading.turn_after = turnError(after, k);
+    reading.turn_after = turnOf(after, k);
   }
 }
 

@@ -7,12 +7,13 @@ import {loudest, multiplesOf, multiplesScale, panelPlaces} from "../../drawing/j
 import {
   commonMost,
   errorsOfExplanation,
+  errorsOfRefit,
   plotted,
   viewOfPair,
   viewOfPatterns,
   viewOfRemainder,
 } from "../../drawing/reading_errors.js";
-import {columnsOf, filtered, rowsOf, sorted, wrongWord} from "../source/error/reading_rows";
+import {columnsOf, filtered, rowsOf, sizeUnitOf, sorted, wrongWord} from "../source/error/reading_rows";
 import {findVariable, variablesOf, variableTitle} from "../../drawing/variables.js";
 import type {EffectAt, ErrorReading, LeverageDocument, MomentsDocument, Vector3} from "../source/server/documents";
 
@@ -278,7 +279,7 @@ describe("the table of readings", () => {
     tip: [0, 0, 0] as Vector3,
     set_aside: k === 4,
   }));
-  const rows = rowsOf(measured, null);
+  const rows = rowsOf(measured, null, "m");
   const columns = columnsOf(
     [
       {name: "theta1", unit: "deg"},
@@ -307,5 +308,41 @@ describe("the table of readings", () => {
   });
   it("says the units", () => {
     expect(columns.map(({unit}) => unit)).toEqual(["", "", "m", "m", "", "N", "deg", "m"]);
+  });
+  // A mere turn has no error in the world: its vector is zero.
+  const turnedErrors = (isTurn: (index: number) => boolean) => ({
+    ...errorsOfRefit(
+      readings,
+      readings.map(() => null),
+      [],
+      readings.map((_, k): Vector3 => (isTurn(k) ? [0, 0, 0] : [0, 0, 1e-3])),
+      readings.map((): Vector3 => [0, 0, 0]),
+    ),
+    sigmas: [readings.map(() => 1), readings.map(() => 1)],
+    sizes: [0.5, 0.25].map((turn) => readings.map((_, k) => (isTurn(k) ? turn : 1e-3))),
+    sizeUnits: readings.map((_, k) => (isTurn(k) ? "deg" : "m")),
+  });
+  it.each(["orientation", "tilt", "direction"])("has the errors of readings of kind %s as angles", (kind) => {
+    const ofAngles = measured.map((row) => ({...row, kind, set_aside: false}));
+    const all = rowsOf(
+      ofAngles,
+      turnedErrors(() => true),
+      "m",
+    );
+    for (const {before, after, sizeUnit} of all) expect([before, after, sizeUnit]).toEqual([0.5, 0.25, "deg"]);
+    expect(sizeUnitOf(all, "m")).toBe("deg");
+    const units = {length: "m", angle: "deg", force: "N"};
+    expect(columnsOf([], units, sizeUnitOf(all, "m")).map(({unit}) => unit)).toEqual(["", "", "deg", "deg", "", "N"]);
+  });
+  it("leaves the unit to the rows where lengths and angles are both measured", () => {
+    const all = rowsOf(
+      measured,
+      turnedErrors((k) => k % 2 === 0),
+      "m",
+    );
+    expect(all[0]).toMatchObject({before: 0.5, sizeUnit: "deg"});
+    expect(all[1]).toMatchObject({before: 1e-3, sizeUnit: "m"});
+    expect(sizeUnitOf(all, "m")).toBe("");
+    expect(sizeUnitOf([], "m")).toBe("m");
   });
 });

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "app/documents/comparison_json.hpp"
+#include "app/documents/diagnosis_json.hpp"
 #include "app/files/cell_reader.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "tests/app/program.hpp"
@@ -102,6 +103,31 @@ TEST_F(ErrorFigures, areInTheUnitOfWhatWasMeasured) {
     EXPECT_NEAR(figures["worst"][0]["size"].get<double>(), 0.5, 0.01);
     EXPECT_NEAR(figures["as_it_stands"]["worst"].get<double>(), 0.5, 0.01);
     EXPECT_NEAR(figures["rms"]["before"].get<double>(), 0.5 / std::sqrt(16), 0.01);
+  }
+}
+
+/// An angle that is off is no error of zero length: of every reading that a diagnosis lists.
+TEST_F(ErrorFigures, ofADiagnosisAreInTheUnitOfWhatWasMeasured) {
+  const Units units = readCell((shippedCells() / "bench.yaml").string()).units;
+  for (const MeasurementKindRow& kind : calibration::measurementKinds()) {
+    if (kind.turn_rows == 0 || kind.turn_rows != kind.rows) continue;
+    SCOPED_TRACE(kind.name);
+    calibration::ReadingMaker maker(calibration::cobra(), 5, calibration::ReadingMaker::Noise::kStated);
+    maker.add(kind.kind, 24);
+    calibration::DiagnosisOptions options;
+    options.most_causes = 1;
+    const auto result = calibration::diagnose(calibration::cobra(), maker.readings, options);
+    const json figures = diagnosisJson(result, maker.readings, units);
+    ASSERT_FALSE(figures["readings"].empty());
+    double square = 0;
+    for (const json& reading : figures["readings"]) {
+      EXPECT_EQ(reading["size_unit"], units.angle().name);
+      EXPECT_EQ(reading["size_explained"].size(), reading["explained"].size());
+      EXPECT_GT(reading["size_before"].get<double>(), 0);
+      square += std::pow(reading["size_before"].get<double>(), 2);
+    }
+    const double rms = figures["rms"]["before"].get<double>();
+    EXPECT_NEAR(std::sqrt(square / static_cast<double>(figures["readings"].size())), rms, 1e-6 * rms);
   }
 }
 

@@ -11,6 +11,8 @@ export interface ReadingRow {
   senses: number[];
   before: number | null;
   after: number | null;
+  /** Of before and after: an angle's where the reading measures nothing else. */
+  sizeUnit: string;
   sigmas: number | null;
   isAside: boolean;
   isHeldOut: boolean;
@@ -30,7 +32,11 @@ function sizeOf(error: Vector3 | null | undefined): number | null {
 }
 
 /** All that were read; those set aside have the error of the model as it stands. */
-export function rowsOf(measured: readonly MeasurementRow[], errors: ReadingErrors | null): ReadingRow[] {
+export function rowsOf(
+  measured: readonly MeasurementRow[],
+  errors: ReadingErrors | null,
+  lengthUnit: string,
+): ReadingRow[] {
   const at = new Map(errors?.readings.map((reading, index) => [reading.id, index]));
   return measured.map((row) => {
     const index = row.set_aside ? undefined : at.get(row.id);
@@ -43,8 +49,9 @@ export function rowsOf(measured: readonly MeasurementRow[], errors: ReadingError
       load: row.load ?? null,
       joints: row.joints,
       senses: row.senses ?? [],
-      before: own ? sizeOf(own.series[0].errors[index!]) : sizeOf(stands),
-      after: own && last > 0 ? sizeOf(own.series[last].errors[index!]) : null,
+      before: own ? own.sizes[0][index!] : sizeOf(stands),
+      after: own && last > 0 ? own.sizes[last][index!] : null,
+      sizeUnit: own?.sizeUnits[index!] ?? lengthUnit,
       sigmas: own ? (own.sigmas[last]?.[index!] ?? own.sigmas[0]?.[index!] ?? null) : null,
       isAside: row.set_aside,
       isHeldOut: row.held_out === true,
@@ -52,13 +59,24 @@ export function rowsOf(measured: readonly MeasurementRow[], errors: ReadingError
   });
 }
 
-export function columnsOf(joints: readonly {name: string; unit: string}[], {length, force}: Units): Column[] {
+/** The unit of all errors; none where lengths and angles stand among each other, so that every row has to say its own. */
+export function sizeUnitOf(rows: readonly ReadingRow[], lengthUnit: string): string {
+  const units = new Set(rows.filter((row) => row.before !== null || row.after !== null).map((row) => row.sizeUnit));
+  return units.size > 1 ? "" : ([...units][0] ?? lengthUnit);
+}
+
+export function columnsOf(
+  joints: readonly {name: string; unit: string}[],
+  {length, force}: Units,
+  sizeUnit = length,
+): Column[] {
+  const width = (plain: string) => (sizeUnit === "" ? "84px" : plain);
   const id = (row: ReadingRow) => (isNumber(Number(row.id)) ? Number(row.id) : row.id);
   return [
     {key: "id", words: "id", unit: "", width: "44px", of: id},
     {key: "sigma", words: "σ", unit: "", width: "60px", of: (row) => row.sigmas},
-    {key: "before", words: "before", unit: length, width: "66px", of: (row) => row.before},
-    {key: "after", words: "after", unit: length, width: "58px", of: (row) => row.after},
+    {key: "before", words: "before", unit: sizeUnit, width: width("66px"), of: (row) => row.before},
+    {key: "after", words: "after", unit: sizeUnit, width: width("58px"), of: (row) => row.after},
     {key: "name", words: "point", unit: "", width: "minmax(56px,1fr)", of: (row) => row.name},
     {key: "load", words: "load", unit: force, width: "56px", of: (row) => row.load},
     ...joints.map(({name, unit}, k) => ({

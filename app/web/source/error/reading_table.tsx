@@ -12,7 +12,7 @@ import {report, state, units} from "../server/workbench";
 import {selectReadings, selectedReadings, pointed} from "./linked";
 import {areChangeable} from "./loop";
 import {markReadings} from "./reading_marks";
-import {columnsOf, filtered, rowsOf, sorted, wrongWord, type Column, type ReadingRow} from "./reading_rows";
+import {columnsOf, filtered, rowsOf, sizeUnitOf, sorted, wrongWord, type Column, type ReadingRow} from "./reading_rows";
 import {readingErrors} from "./residuals";
 import {showReading} from "./show_reading";
 
@@ -47,13 +47,14 @@ export function ReadingTable() {
     return () => (isWanted.value = false);
   }, []);
   const joints = measured.value?.joints ?? [];
-  const columns = useMemo(
-    () => columnsOf(joints, units.value),
-    [joints.map(({name, unit}) => `${name} ${unit}`).join(), units.value],
-  );
   const all = useMemo(
-    () => rowsOf(measured.value?.rows ?? [], readingErrors.value),
-    [measured.value, readingErrors.value],
+    () => rowsOf(measured.value?.rows ?? [], readingErrors.value, units.value.length),
+    [measured.value, readingErrors.value, units.value],
+  );
+  const sizeUnit = useMemo(() => sizeUnitOf(all, units.value.length), [all, units.value]);
+  const columns = useMemo(
+    () => columnsOf(joints, units.value, sizeUnit),
+    [joints.map(({name, unit}) => `${name} ${unit}`).join(), units.value, sizeUnit],
   );
   const rows = useMemo(() => {
     const column = columns.find((entry) => entry.key === order.value.column) ?? columns[0];
@@ -171,6 +172,12 @@ function ColumnHead({column}: {column: Column}) {
   );
 }
 
+/** With its unit, where the column's head has none. */
+function sizeText(size: number | null, row: ReadingRow, columns: readonly Column[]): string {
+  const isOfOneUnit = columns.find(({key}) => key === "before")!.unit !== "";
+  return size === null || isOfOneUnit ? short(size) : `${short(size)} ${row.sizeUnit}`;
+}
+
 interface RowPlace {
   row: ReadingRow;
   columns: readonly Column[];
@@ -209,8 +216,8 @@ function Row({row, columns, top, layout, isBusy}: RowPlace) {
         {row.isHeldOut ? <small title="held out: no fit sees it"> ◇</small> : null}
       </button>
       <span class={`number ${isMany ? "bad" : ""}`}>{row.isAside ? "aside" : text}</span>
-      <span class="number">{short(row.before)}</span>
-      <span class="number">{short(row.after)}</span>
+      <span class="number">{sizeText(row.before, row, columns)}</span>
+      <span class="number">{sizeText(row.after, row, columns)}</span>
       <span class="reading-point">{row.name}</span>
       <span class="number" title={`${exact(row.load)} ${units.value.force}`}>
         {exact(row.load)}

@@ -3,7 +3,14 @@
 import {computed, effect, signal} from "@preact/signals";
 import {AFTER, BEFORE} from "../../../drawing/kinds.js";
 import {errorsOfExplanation, errorsOfRefit, type ErrorPair} from "../../../drawing/reading_errors.js";
-import type {CompareDocument, DiagnoseDocument, ErrorReading, Model, Vector3} from "../server/documents";
+import type {
+  CompareDocument,
+  DiagnosedReading,
+  DiagnoseDocument,
+  ErrorReading,
+  Model,
+  Vector3,
+} from "../server/documents";
 import {get} from "../server/requests";
 import {currentModel, report, state} from "../server/workbench";
 import {compare, currentDiagnosis} from "./loop";
@@ -11,6 +18,9 @@ import {compare, currentDiagnosis} from "./loop";
 export interface ReadingErrors extends ErrorPair<ErrorReading> {
   /** Of how many sigmas each reading's error is, before and after, as far as it is known. */
   sigmas: (number | undefined)[][];
+  /** How large each reading's error is, before and after, in the unit of what it measures: an angle is no length. */
+  sizes: (number | null)[][];
+  sizeUnits: string[];
 }
 
 /** Which of the diagnosis's explanations is drawn. */
@@ -49,6 +59,10 @@ effect(() => {
 
 // ---- the errors
 
+function lengthOf(error: Vector3 | null | undefined): number | null {
+  return error ? Math.hypot(...error) : null;
+}
+
 function ofDiagnosis(document: DiagnoseDocument, index: number): ReadingErrors {
   const compared = compare.value.document;
   const known = new Map(
@@ -59,15 +73,28 @@ function ofDiagnosis(document: DiagnoseDocument, index: number): ReadingErrors {
     ...errorsOfExplanation(document, index),
     sigmas: [
       before,
-      document.readings.map((reading, i) => scaledSigmas(before[i], reading.before, reading.explained[index])),
+      document.readings.map((reading, i) =>
+        scaledSigmas(before[i], sizeBefore(reading), sizeExplained(reading, index)),
+      ),
     ],
+    sizes: [document.readings.map(sizeBefore), document.readings.map((reading) => sizeExplained(reading, index))],
+    sizeUnits: document.readings.map((reading) => reading.size_unit ?? document.units.length),
   };
 }
 
+function sizeBefore(reading: DiagnosedReading): number | null {
+  return reading.size_before === undefined ? lengthOf(reading.before) : reading.size_before;
+}
+
+function sizeExplained(reading: DiagnosedReading, index: number): number | null {
+  return reading.size_explained === undefined
+    ? lengthOf(reading.explained[index])
+    : (reading.size_explained[index] ?? null);
+}
+
 /** Sigmas hang on the direction of the error little, on its size wholly. */
-function scaledSigmas(sigmas: number | undefined, from: Vector3, to: Vector3 | null | undefined): number | undefined {
-  const size = Math.hypot(...from);
-  return sigmas === undefined || !to || !(size > 0) ? undefined : (sigmas * Math.hypot(...to)) / size;
+function scaledSigmas(sigmas: number | undefined, from: number | null, to: number | null): number | undefined {
+  return sigmas === undefined || to === null || !(from! > 0) ? undefined : (sigmas * to) / from!;
 }
 
 function ofTwoModels(before: CompareDocument, now: CompareDocument, model: Model, earlier: Model): ReadingErrors {
@@ -96,6 +123,11 @@ function ofTwoModels(before: CompareDocument, now: CompareDocument, model: Model
       now.readings.map(({id}) => known.get(id)?.sigmas_after),
       now.readings.map((reading) => reading.sigmas_after),
     ],
+    sizes: [
+      now.readings.map(({id}) => known.get(id)?.size_after ?? null),
+      now.readings.map((reading) => reading.size_after),
+    ],
+    sizeUnits: now.readings.map((reading) => reading.size_unit),
   };
 }
 
@@ -113,6 +145,11 @@ function ofComparison(document: CompareDocument): ReadingErrors {
       document.readings.map((reading) => reading.sigmas_before),
       document.readings.map((reading) => reading.sigmas_after),
     ],
+    sizes: [
+      document.readings.map((reading) => reading.size_before),
+      document.readings.map((reading) => reading.size_after),
+    ],
+    sizeUnits: document.readings.map((reading) => reading.size_unit),
   };
 }
 

@@ -30,8 +30,10 @@ export interface ErrorReading {
 export interface ComparedReading extends ErrorReading {
   error_before: Vector3;
   error_after: Vector3;
-  size_before: number;
-  size_after: number;
+  /** Lengths of those errors, an angle where the reading measures nothing else, in their unit. */
+  size_before: number | null;
+  size_after: number | null;
+  size_unit: string;
   sigmas_before?: number;
   sigmas_after?: number;
   /** The error as those of all joints together. */
@@ -104,6 +106,10 @@ export interface DiagnosedReading extends ErrorReading {
   after: Vector3 | null;
   explained: (Vector3 | null)[];
   position: Vector3;
+  /** As of a compared reading, before and with each explanation; not in what an earlier program left in a project. */
+  size_before?: number | null;
+  size_explained?: (number | null)[];
+  size_unit?: string;
 }
 
 /** A reading that would discriminate between explanations, with the posture, load and sense of arrival to take it at. */
