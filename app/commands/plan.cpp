@@ -137,7 +137,8 @@ Run configurePlan(CLI::App& cli) {
   cli.add_option("--dwell", conditions.dwell,
                  "dwell time at each hole in seconds, unless a work list's dwell_s says otherwise")
       ->capture_default_str();
-  cli.add_option("--padding", request.padding, "extra clearance, in standard deviations of the base pose")
+  cli.add_option("--padding", request.padding,
+                 "extra clearance, in standard deviations of the base pose; not of the arm's own numbers")
       ->capture_default_str();
   cli.add_option(
       "--standoff", request.standoff,

@@ -205,7 +205,8 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
   if (!outcome.left_out.empty()) result["left_out"] = outcome.left_out;
   if (request.padding > 0)
     result["padding"] = {{"sigmas", request.padding},
-                         {"added", outcome.padding / outcome.cell.units.factor(dimension::kLength)}};
+                         {"added", outcome.padding / outcome.cell.units.factor(dimension::kLength)},
+                         {"covers", "base"}};
   if (outcome.calibration) result["calibration"] = calibrationJson(outcome.calibration->flexible, outcome.cell);
   return result;
 }

@@ -80,9 +80,10 @@ std::string plannedWayText(const PlanOutcome& outcome) {
   if (std::isfinite(minClearance(outcome)))
     text += fmt::format("clearance at least {} ({} asked for{}), tightest {}; proved {}\n",
                         lengthText(minClearance(outcome), units), lengthText(outcome.model.scene.clearance, units),
-                        outcome.padding > 0 ? fmt::format(", beyond the uncertainty of the base: {} at a tip",
-                                                          lengthText(outcome.padding, units))
-                                            : "",
+                        outcome.padding > 0
+                            ? fmt::format(", beyond what the base may be off, not the arm's numbers: {} at a tip",
+                                          lengthText(outcome.padding, units))
+                            : "",
                         tightestText(outcome), wordsOf(outcome.standing()));
   if (!outcome.play.empty())
     text += fmt::format("{} past the face; the tool's play in a tube at least {}\n",

@@ -66,6 +66,7 @@ TEST_F(PlanConditions, PaddingKeepsTheArmFurtherOff) {
   ASSERT_EQ(run(question + " --padding 3 --out padded").exit_code, 0);
   const json bare = planOf("bare"), padded = planOf("padded");
   const double added = padded["padding"]["added"];
+  EXPECT_EQ(padded["padding"]["covers"], "base") << "what the arm's numbers move of its links is not padded";
   EXPECT_GT(added, 0);
   EXPECT_FALSE(bare.contains("padding"));
   EXPECT_EQ(padded["clearance_required"], bare["clearance_required"]);
