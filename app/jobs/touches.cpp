@@ -11,6 +11,7 @@
 #include "app/files/workcell.hpp"
 #include "app/jobs/cell_estimate.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
+#include "calibration/estimation/arm_uncertainty.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/statistics.hpp"
 
@@ -168,6 +169,11 @@ TouchOutcome proposeTouches(const TouchRequest& asked, const Cell& cell, const s
   learn(request, readings, asked.free.empty() ? cell.path + " (identify)" : "--free", task, outcome);
   settleTask(request, task, outcome);
   static_cast<TouchProposals&>(outcome) = proposeTouches(task);
+  const bool is_arm_exact = calibration::uncertainNumbers(outcome.cell.arm, outcome.cell.uncertainty).unknowns.empty();
+  if (outcome.base && !is_arm_exact)
+    outcome.notes.emplace_back(
+        "sigmas for the base are those of an arm whose numbers are exact: what its file leaves open comes on top, and "
+        "`tubeplan calibrate` says how much");
   if (outcome.holes_unsure > 0)
     outcome.notes.push_back(fmt::format(
         "{} of {} holes are excluded as touches for the base: they may be out of reach if the base stands elsewhere",

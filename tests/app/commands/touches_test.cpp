@@ -49,6 +49,16 @@ class SmallSheet : public LookAhead {
   }
 };
 
+/// Sigmas of a proposal leave the arm's own numbers out, and it says so where there are any.
+TEST_F(SmallSheet, SaysThatSigmasLeaveOutTheArmsNumbers) {
+  writeSheet(3);
+  write("exact.yaml", contentOf(folder / "small.yaml") + "\nuncertainty: none\n");
+  for (const auto& [cell, is_said] : {std::pair{"small.yaml", true}, std::pair{"exact.yaml", false}}) {
+    const std::string notes = jsonOf(std::string("touches ") + cell + " --goal base")["notes"].dump();
+    EXPECT_EQ(notes.find("numbers are exact") != std::string::npos, is_said) << cell << notes;
+  }
+}
+
 TEST_F(SmallSheet, IsWorkedOnWithoutNamingTubes) {
   writeSheet(1);
   const Outcome proposed = run("touches small.yaml");
