@@ -1,0 +1,77 @@
+#include "calibration/measurement_checks/joint_limits.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+#include "calibration/measurements/measurement_kinds.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// The unit of a joint's column, as far as somebody has said it.
+NamedUnit unitOf(const CheckedReadings& checked, int joint) {
+  const auto& units = checked.units;
+  if (static_cast<std::size_t>(joint) < units.joints.size()) return units.joints[static_cast<std::size_t>(joint)];
+  return checked.start.arm.joint(joint).type == deflection::JointType::kRevolute ? units.angles : units.coordinates;
+}
+
+/// The readings past a joint's limits by their places; none unless all of them lie within a turn back.
+std::vector<std::size_t> readingsToUnwind(const CheckedReadings& checked, int j) {
+  const auto& joint = checked.start.arm.joint(j);
+  std::vector<std::size_t> past;
+  for (std::size_t k = 0; k < checked.readings.size(); ++k) {
+    const double q = checked.readings[k].q[j];
+    if (!isPastLimit(joint, q)) continue;
+    if (!oneTurnBack(joint, q)) return {};
+    past.push_back(k);
+  }
+  return past;
+}
+
+}  // namespace
+
+bool isPastLimit(const deflection::Joint<double>& joint, double q) {
+  const double slack = 1e-9 + 5 * joint.encoder_sigma;
+  return !(q >= joint.lower - slack && q <= joint.upper + slack);
+}
+
+std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q) {
+  if (joint.type != deflection::JointType::kRevolute) return std::nullopt;
+  const double back = q > joint.upper ? q - kTurn : q + kTurn;
+  return isPastLimit(joint, back) ? std::nullopt : std::optional(back);
+}
+
+std::optional<MeasurementCheck> unwindJoints(CheckedReadings& checked) {
+  const auto& arm = checked.start.arm;
+  std::vector<std::string> told;
+  for (int j = 0; j < arm.jointCount(); ++j) {
+    const auto past = readingsToUnwind(checked, j);
+    if (past.empty()) continue;
+    const auto unit = unitOf(checked, j);
+    const Measurement& first = checked.readings[past.front()];
+    const double back = *oneTurnBack(arm.joint(j), first.q[j]);
+    told.push_back(fmt::format("{} of {} (reading {}: {:.6g} is {:.6g} {})", past.size(), arm.joint(j).name, first.id,
+                               first.q[j] / unit.factor, back / unit.factor, unit.name));
+    for (const std::size_t k : past) checked.readings[k].q[j] = *oneTurnBack(arm.joint(j), checked.readings[k].q[j]);
+  }
+  if (told.empty()) return std::nullopt;
+  linkReferences(checked.readings);
+  return MeasurementCheck{"whole-turn",
+                          CheckSeverity::kRemark,
+                          fmt::format("joint readings past their limits are taken a whole turn back, which is the same "
+                                      "posture: {}",
+                                      fmt::join(told, ", ")),
+                          kNoFigure,
+                          kNoFigure,
+                          "",
+                          {}};
+}
+
+}  // namespace tubeplan::calibration
