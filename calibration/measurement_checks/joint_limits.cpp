@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 
+#include "calibration/measurement_checks/check_words.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::calibration {
@@ -21,6 +23,14 @@ NamedUnit unitOf(const CheckedReadings& checked, int joint) {
   if (static_cast<std::size_t>(joint) < units.joints.size()) return units.joints[static_cast<std::size_t>(joint)];
   return checked.start.arm.joint(joint).type == deflection::JointType::kRevolute ? units.angles : units.coordinates;
 }
+
+/// How far a reading lies past a limit [rad or m]; below zero: within both.
+double pastLimit(const deflection::Joint<double>& joint, double q) {
+  return std::max(joint.lower - q, q - joint.upper);
+}
+
+/// What a joint's noise accounts for [rad or m].
+double noiseOf(const deflection::Joint<double>& joint) { return 1e-9 + 5 * joint.encoder_sigma; }
 
 /// The readings past a joint's limits by their places; none unless all of them lie within a turn back.
 std::vector<std::size_t> readingsToUnwind(const CheckedReadings& checked, int j) {
@@ -38,8 +48,32 @@ std::vector<std::size_t> readingsToUnwind(const CheckedReadings& checked, int j)
 }  // namespace
 
 bool isPastLimit(const deflection::Joint<double>& joint, double q) {
-  const double slack = 1e-9 + 5 * joint.encoder_sigma;
-  return !(q >= joint.lower - slack && q <= joint.upper + slack);
+  constexpr double kHair = 1e-3;  // of the range
+  const double range = joint.upper - joint.lower;
+  return !(pastLimit(joint, q) <= std::max(noiseOf(joint), std::isfinite(range) ? kHair * range : 0));
+}
+
+std::optional<MeasurementCheck> hairPastLimits(const CheckedReadings& checked) {
+  const auto& arm = checked.start.arm;
+  std::vector<std::string> told;
+  for (const auto& reading : checked.readings)
+    for (int j = 0; j < arm.jointCount(); ++j) {
+      const auto& joint = arm.joint(j);
+      const double past = pastLimit(joint, reading.q[j]);
+      if (!(past > noiseOf(joint)) || isPastLimit(joint, reading.q[j])) continue;
+      const auto unit = unitOf(checked, j);
+      const double limit = reading.q[j] > joint.upper ? joint.upper : joint.lower;
+      told.push_back(fmt::format("{} of reading {} by {:.2g} {} (limit {:.6g})", joint.name, reading.id,
+                                 past / unit.factor, unit.name, limit / unit.factor));
+    }
+  if (told.empty()) return std::nullopt;
+  return MeasurementCheck{"past-limit",
+                          CheckSeverity::kRemark,
+                          "a hair past a joint's limit, and taken as read: " + listOf(told),
+                          kNoFigure,
+                          kNoFigure,
+                          "",
+                          {}};
 }
 
 std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q) {

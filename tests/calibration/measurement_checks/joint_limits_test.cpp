@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "app/files/input_error.hpp"
@@ -36,6 +38,18 @@ TEST(JointLimits, AReadingPastThemIsTakenOneTurnBackWhereThatIsWithin) {
   EXPECT_FALSE(oneTurnBack(slide, 4));
 }
 
+TEST(JointLimits, AHairIsAThousandthOfTheRange) {
+  const struct {
+    double read;  // deg, between limits of -120 and 80
+    bool is_past;
+  } cases[] = {{80.19, false}, {80.21, true}, {-120.19, false}, {-120.21, true}, {std::nan(""), true}};
+  for (const auto& c : cases) EXPECT_EQ(isPastLimit(jointBetween(-120, 80), c.read * kDeg), c.is_past) << c.read;
+  auto endless = jointBetween(-120, 80);
+  endless.upper = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(isPastLimit(endless, 1e6));
+  EXPECT_TRUE(isPastLimit(endless, -120.1 * kDeg));
+}
+
 /// Readings of the bench whose first joint's encoder counts from 0 to 360 deg, as a file.
 app::ReadingsWithChecks readUnwound(SeededSet& set, const std::function<void(std::vector<Measurement>&)>& change) {
   change(set.table.readings);
@@ -61,6 +75,21 @@ TEST(JointLimits, ReadingsOfAnEncoderFromZeroToATurnAreTakenBackAndSaidSo) {
   EXPECT_EQ(said->severity, CheckSeverity::kRemark);
   EXPECT_NE(said->sentence.find(set->cell.arm.joint(0).name), std::string::npos) << said->sentence;
   EXPECT_EQ(grossMistake(read.checks), nullptr);
+}
+
+// A hair past is read and said; three times as much is refused with the limits.
+TEST(JointLimits, AReadingAHairPastIsTakenAndSaidSo) {
+  const auto raised = [](double hair) {
+    return [hair](std::vector<Measurement>& readings) { readings[4].q[1] = (180 + hair) * kDeg; };
+  };
+  auto set = simulatedSet("bench.yaml", "bench", 30, {}, 3), other = set;
+  ASSERT_TRUE(set);
+  const auto read = readUnwound(*set, raised(0.1));
+  EXPECT_NEAR(read.readings[4].q[1], 180.1 * kDeg, 1e-9);
+  const auto said = std::ranges::find(read.checks.checks, std::string("past-limit"), &MeasurementCheck::name);
+  ASSERT_NE(said, read.checks.checks.end());
+  EXPECT_NE(said->sentence.find("theta2 of reading " + read.readings[4].id), std::string::npos) << said->sentence;
+  EXPECT_THROW((void)readUnwound(*other, raised(0.3)), app::InputError);
 }
 
 // One reading that no turn brings back speaks against the encoder's count.
