@@ -15,10 +15,10 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kFullTurn = 2 * std::numbers::pi;
 
 /// The unit of a joint's column, as far as somebody has said it.
-NamedUnit unitOf(const CheckedReadings& checked, int joint) {
+NamedUnit columnUnitOf(const CheckedReadings& checked, int joint) {
   const auto& units = checked.units;
   if (static_cast<std::size_t>(joint) < units.joints.size()) return units.joints[static_cast<std::size_t>(joint)];
   return checked.start.arm.joint(joint).type == deflection::JointType::kRevolute ? units.angles : units.coordinates;
@@ -30,7 +30,7 @@ double pastLimit(const deflection::Joint<double>& joint, double q) {
 }
 
 /// What a joint's noise accounts for [rad or m].
-double noiseOf(const deflection::Joint<double>& joint) { return 1e-9 + 5 * joint.encoder_sigma; }
+double usualNoiseOf(const deflection::Joint<double>& joint) { return 1e-9 + 5 * joint.encoder_sigma; }
 
 /// The readings past a joint's limits by their places; none unless all of them lie within a turn back.
 std::vector<std::size_t> readingsToUnwind(const CheckedReadings& checked, int j) {
@@ -50,7 +50,7 @@ std::vector<std::size_t> readingsToUnwind(const CheckedReadings& checked, int j)
 bool isPastLimit(const deflection::Joint<double>& joint, double q) {
   constexpr double kHair = 1e-3;  // of the range
   const double range = joint.upper - joint.lower;
-  return !(pastLimit(joint, q) <= std::max(noiseOf(joint), std::isfinite(range) ? kHair * range : 0));
+  return !(pastLimit(joint, q) <= std::max(usualNoiseOf(joint), std::isfinite(range) ? kHair * range : 0));
 }
 
 std::optional<MeasurementCheck> hairPastLimits(const CheckedReadings& checked) {
@@ -60,8 +60,8 @@ std::optional<MeasurementCheck> hairPastLimits(const CheckedReadings& checked) {
     for (int j = 0; j < arm.jointCount(); ++j) {
       const auto& joint = arm.joint(j);
       const double past = pastLimit(joint, reading.q[j]);
-      if (!(past > noiseOf(joint)) || isPastLimit(joint, reading.q[j])) continue;
-      const auto unit = unitOf(checked, j);
+      if (!(past > usualNoiseOf(joint)) || isPastLimit(joint, reading.q[j])) continue;
+      const auto unit = columnUnitOf(checked, j);
       const double limit = reading.q[j] > joint.upper ? joint.upper : joint.lower;
       told.push_back(fmt::format("{} of reading {} by {:.2g} {} (limit {:.6g})", joint.name, reading.id,
                                  past / unit.factor, unit.name, limit / unit.factor));
@@ -78,7 +78,7 @@ std::optional<MeasurementCheck> hairPastLimits(const CheckedReadings& checked) {
 
 std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q) {
   if (joint.type != deflection::JointType::kRevolute) return std::nullopt;
-  const double back = q > joint.upper ? q - kTurn : q + kTurn;
+  const double back = q > joint.upper ? q - kFullTurn : q + kFullTurn;
   return isPastLimit(joint, back) ? std::nullopt : std::optional(back);
 }
 
@@ -88,7 +88,7 @@ std::optional<MeasurementCheck> unwindJoints(CheckedReadings& checked) {
   for (int j = 0; j < arm.jointCount(); ++j) {
     const auto past = readingsToUnwind(checked, j);
     if (past.empty()) continue;
-    const auto unit = unitOf(checked, j);
+    const auto unit = columnUnitOf(checked, j);
     const Measurement& first = checked.readings[past.front()];
     const double back = *oneTurnBack(arm.joint(j), first.q[j]);
     told.push_back(fmt::format("{} of {} (reading {}: {:.6g} is {:.6g} {})", past.size(), arm.joint(j).name, first.id,

@@ -14,7 +14,7 @@ namespace tubeplan::app {
 namespace {
 
 /// Runs of letters and of digits, small: "left_arm/J1" is left, arm, j, 1.
-using Words = std::vector<std::string>;
+using NameWords = std::vector<std::string>;
 
 const std::set<std::string> kJointWordsAnywhere{"joint",    "joints",    "axis", "axes",    "angle", "angles",
                                                 "position", "positions", "pos",  "encoder", "theta", "jt"};
@@ -29,8 +29,8 @@ const std::set<std::string> kOtherQuantities{"velocity", "velocities", "vel",   
 bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) > 127; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-Words wordsOf(const std::string& text) {
-  Words words;
+NameWords wordsOf(const std::string& text) {
+  NameWords words;
   char before = ' ';
   for (const char c : text) {
     const bool goes_on =
@@ -48,59 +48,59 @@ Words wordsOf(const std::string& text) {
 }
 
 /// The words of a heading without its unit.
-Words wordsOf(const std::string& column, const ForeignHeading& heading) {
-  Words words = wordsOf(column);
+NameWords wordsOf(const std::string& column, const ForeignHeading& heading) {
+  NameWords words = wordsOf(column);
   if (heading.unit && !words.empty() && isUnitWord(words.back())) words.pop_back();
   return words;
 }
 
 /// The names without the words that all have in front and behind.
-std::vector<Words> withoutShared(std::vector<Words> names) {
+std::vector<NameWords> withoutShared(std::vector<NameWords> names) {
   const auto areAlike = [&](auto word) {
-    return std::ranges::all_of(names,
-                               [&](const Words& name) { return name.size() > 1 && word(name) == word(names.front()); });
+    return std::ranges::all_of(
+        names, [&](const NameWords& name) { return name.size() > 1 && word(name) == word(names.front()); });
   };
-  while (areAlike([](const Words& name) { return name.front(); }))
+  while (areAlike([](const NameWords& name) { return name.front(); }))
     for (auto& name : names) name.erase(name.begin());
-  while (areAlike([](const Words& name) { return name.back(); }))
+  while (areAlike([](const NameWords& name) { return name.back(); }))
     for (auto& name : names) name.pop_back();
   return names;
 }
 
-bool isNumber(const Words& words) { return words.size() == 1 && isDigit(words.front().front()); }
+bool isPlainNumber(const NameWords& words) { return words.size() == 1 && isDigit(words.front().front()); }
 
 /// What the joints may be called, each way a list of one name for each.
-std::vector<std::vector<Words>> waysToCall(const std::vector<const ColumnTarget*>& joints) {
-  std::vector<Words> own, from_one, from_zero;
+std::vector<std::vector<NameWords>> waysToCall(const std::vector<const ColumnTarget*>& joints) {
+  std::vector<NameWords> own, from_one, from_zero;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     own.push_back(wordsOf(joints[k]->quantity));
     from_one.push_back({std::to_string(k + 1)});
     from_zero.push_back({std::to_string(k)});
   }
-  std::vector<std::vector<Words>> ways{from_one, from_zero};
+  std::vector<std::vector<NameWords>> ways{from_one, from_zero};
   for (const auto& names : {own, withoutShared(own)})
-    if (!std::ranges::all_of(names, isNumber)) ways.push_back(names);
+    if (!std::ranges::all_of(names, isPlainNumber)) ways.push_back(names);
   return ways;
 }
 
 /// What stands before and behind a name in a heading.
 struct Around {
-  Words before, behind;
+  NameWords before, behind;
   auto operator<=>(const Around&) const = default;
 };
 
-std::vector<Around> aroundName(const Words& heading, const Words& name) {
+std::vector<Around> aroundName(const NameWords& heading, const NameWords& name) {
   std::vector<Around> found;
   for (std::size_t at = 0; at + name.size() <= heading.size(); ++at)
     if (const auto from = heading.begin() + static_cast<std::ptrdiff_t>(at); std::equal(name.begin(), name.end(), from))
-      found.push_back(
-          {Words(heading.begin(), from), Words(from + static_cast<std::ptrdiff_t>(name.size()), heading.end())});
+      found.push_back({NameWords(heading.begin(), from),
+                       NameWords(from + static_cast<std::ptrdiff_t>(name.size()), heading.end())});
   return found;
 }
 
 /// Whether the words around a joint's name or number leave it a joint's reading.
 bool speaksOfJoints(const Around& around, bool is_number) {
-  Words all = around.before;
+  NameWords all = around.before;
   all.insert(all.end(), around.behind.begin(), around.behind.end());
   const auto isAmong = [&](const auto& set) {
     return std::ranges::any_of(all, [&](const auto& word) { return set.contains(word); });
@@ -126,7 +126,7 @@ std::vector<JointColumns> jointPatterns(const std::vector<ForeignTable>& tables,
     for (const auto& names : waysToCall(joints)) {
       std::map<Around, std::vector<std::vector<std::size_t>>> columns;  // of each joint
       for (std::size_t c = 0; c < headings[t].size(); ++c) {
-        const Words words = wordsOf(tables[t].columns[c], headings[t][c]);
+        const NameWords words = wordsOf(tables[t].columns[c], headings[t][c]);
         for (std::size_t k = 0; k < joints.size(); ++k) {
           const auto& unit = headings[t][c].unit;
           if (unit && unit->kind != joints[k]->unit) continue;
@@ -140,7 +140,7 @@ std::vector<JointColumns> jointPatterns(const std::vector<ForeignTable>& tables,
       for (const auto& [around, of_joints] : columns) {
         const bool are_whole =
             std::ranges::all_of(of_joints, [](const auto& of_joint) { return of_joint.size() == 1; });
-        if (!are_whole || !speaksOfJoints(around, std::ranges::all_of(names, isNumber))) continue;
+        if (!are_whole || !speaksOfJoints(around, std::ranges::all_of(names, isPlainNumber))) continue;
         JointColumns set{t, {}};
         for (const auto& of_joint : of_joints) set.columns.push_back(of_joint.front());
         if (std::ranges::find(found, set) == found.end()) found.push_back(std::move(set));

@@ -12,7 +12,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi, kDeg = std::numbers::pi / 180;
+constexpr double kFullTurn = 2 * std::numbers::pi, kDeg = std::numbers::pi / 180;
 
 deflection::Joint<double> jointBetween(double lower, double upper) {
   deflection::Joint<double> joint;
@@ -59,7 +59,7 @@ app::ReadingsWithChecks readUnwound(SeededSet& set, const std::function<void(std
 
 void countFromZero(std::vector<Measurement>& readings) {
   for (auto& m : readings)
-    if (m.q[0] < 0) m.q[0] += kTurn;
+    if (m.q[0] < 0) m.q[0] += kFullTurn;
 }
 
 TEST(JointLimits, ReadingsOfAnEncoderFromZeroToATurnAreTakenBackAndSaidSo) {
@@ -99,7 +99,7 @@ TEST(JointLimits, AJointWithAReadingThatNoTurnBringsBackIsRefused) {
   EXPECT_THROW((void)readUnwound(*set,
                                  [](std::vector<Measurement>& readings) {
                                    countFromZero(readings);
-                                   readings.front().q[0] = 3 * kTurn;
+                                   readings.front().q[0] = 3 * kFullTurn;
                                  }),
                app::InputError);
 }

@@ -10,10 +10,10 @@
 namespace tubeplan::app {
 namespace {
 
-using Names = std::vector<std::string>;
+using JointNames = std::vector<std::string>;
 
 /// An arm whose joints, in their order, have these names.
-deflection::Arm armWith(const Names& names) {
+deflection::Arm armWith(const JointNames& names) {
   auto arm = readCell((shippedCells() / "bench.yaml").string()).arm;
   std::size_t k = 0;
   for (auto& row : arm.rows)
@@ -21,20 +21,21 @@ deflection::Arm armWith(const Names& names) {
   return arm;
 }
 
-ForeignReadings readColumns(const Names& joints, const std::string& columns, const std::string& row) {
+ForeignReadings readColumns(const JointNames& joints, const std::string& columns, const std::string& row) {
   return readForeign({{parseForeignTable(columns + ",x_mm,y_mm,z_mm\n" + row + ",1,2,3\n", "t")},
                       {{}, {{UnitKind::kAngle, findUnit(UnitKind::kAngle, "deg")}}},
                       ""},
                      armWith(joints));
 }
 
-const Names kNumbered{"theta1", "theta2", "theta3", "theta4"};
-const Names kNamed{"shoulder_pan", "shoulder_lift", "elbow", "wrist_1"};
-const Names kWithArm{"left_shoulder_pan_joint", "left_shoulder_lift_joint", "left_elbow_joint", "left_wrist_1_joint"};
+const JointNames kNumbered{"theta1", "theta2", "theta3", "theta4"};
+const JointNames kCalled{"shoulder_pan", "shoulder_lift", "elbow", "wrist_1"};
+const JointNames kWithArm{"left_shoulder_pan_joint", "left_shoulder_lift_joint", "left_elbow_joint",
+                          "left_wrist_1_joint"};
 
 TEST(JointPatterns, TakeJointsBetweenTheSameWords) {
   const struct {
-    const Names& joints;
+    const JointNames& joints;
     const char* columns;
   } cases[] = {
       {kNumbered, "panda_joint1,panda_joint2,panda_joint3,panda_joint4"},
@@ -43,7 +44,7 @@ TEST(JointPatterns, TakeJointsBetweenTheSameWords) {
        "/joint_states/position[0],/joint_states/position[1],/joint_states/position[2],/joint_states/position[3]"},
       {kNumbered, "left_arm/J1 [deg],left_arm/J2 [deg],left_arm/J3 [deg],left_arm/J4 [deg]"},
       {kNumbered, "J1Position,J2Position,J3Position,J4Position"},
-      {kNamed,
+      {kCalled,
        "right_arm_shoulder_pan_joint [deg],right_arm_shoulder_lift_joint [deg],right_arm_elbow_joint [deg],"
        "right_arm_wrist_1_joint [deg]"},
       {kWithArm, "shoulder_pan,shoulder_lift,elbow,wrist_1"},
