@@ -11,6 +11,7 @@
 #include "app/files/measurement_columns.hpp"
 #include "app/files/measurement_row.hpp"
 #include "app/files/text_file.hpp"
+#include "calibration/measurement_checks/joint_limits.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/value_columns.hpp"
 
@@ -19,12 +20,6 @@ namespace tubeplan::app {
 using calibration::Measurement;
 
 namespace {
-
-// A reading may lie past a limit by its own noise, but not by more.
-bool isPast(const deflection::Joint<double>& joint, double q) {
-  const double slack = 1e-9 + 5 * joint.encoder_sigma;
-  return !(q >= joint.lower - slack && q <= joint.upper + slack);
-}
 
 std::vector<calibration::NamedUnit> unitsOf(UnitKind kind) {
   std::vector<calibration::NamedUnit> units;
@@ -147,9 +142,21 @@ std::vector<Measurement> readMeasurements(const std::string& path, const deflect
 
 bool isPastLimits(const Measurement& reading, const deflection::Arm& arm) {
   for (Eigen::Index i = 0; i < arm.jointCount(); ++i)
-    if (isPast(arm.joint(i), reading.q[i])) return true;
+    if (calibration::isPastLimit(arm.joint(i), reading.q[i])) return true;
   return false;
 }
+
+namespace {
+
+/// "a turn back it is -147.6 deg, within the limits: write that"; empty where it is not.
+std::string turnText(const deflection::Joint<double>& joint, double q, const MeasurementTable::JointColumn& column) {
+  const auto back = calibration::oneTurnBack(joint, q);
+  return back ? fmt::format("a whole turn back it is {} {}, which is within: write that",
+                            formatNumber(*back / column.factor), column.unit)
+              : "";
+}
+
+}  // namespace
 
 void requireWithinLimits(const MeasurementTable& table, const deflection::Arm& arm, const std::string& file,
                          const std::string& advice) {
@@ -158,12 +165,12 @@ void requireWithinLimits(const MeasurementTable& table, const deflection::Arm& a
       const auto& joint = arm.joint(i);
       const auto& column = table.joints[i];
       const double q = reading.q[i];
-      if (!isPast(joint, q)) continue;
+      if (!calibration::isPastLimit(joint, q)) continue;
       throw InputError(
           fmt::format("{}:{} (column {})", file, reading.line, column.name), formatNumber(q / column.factor),
           fmt::format("a reading between the joint's limits, {} and {} {}", formatNumber(joint.lower / column.factor),
                       formatNumber(joint.upper / column.factor), column.unit),
-          advice);
+          advice.empty() ? turnText(joint, q, column) : advice);
     }
 }
 

@@ -17,6 +17,7 @@
 #include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "calibration/measurement_checks/copies.hpp"
+#include "calibration/measurement_checks/joint_limits.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/measurement_posture.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
@@ -152,12 +153,38 @@ calibration::CheckedReadings asChecked(const MeasurementTable& table, const Cell
           cell.sheet ? &*cell.sheet : nullptr};
 }
 
+bool isAnyPastLimits(const MeasurementTable& table, const Cell& cell) {
+  return std::ranges::any_of(table.readings,
+                             [&](const Measurement& reading) { return isPastLimits(reading, cell.arm); });
+}
+
 /// What to do about joint readings past their limits: the mistake that would bring them back, where there is one.
-std::string adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
+struct LimitAdvice {
+  std::string text;
+  bool brings_back = false;  ///< by what it says all readings are within
+};
+LimitAdvice adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
   const auto checks = calibration::checkMeasurements(asChecked(table, cell));
   const auto* mistake = calibration::grossMistake(checks);
-  return mistake && !mistake->assume.empty() ? fmt::format("{}? try --assume {}", mistake->sentence, mistake->assume)
-                                             : "";
+  if (!mistake || mistake->assume.empty()) return {};
+  MeasurementTable mended = table;
+  Cell of_mended = cell;
+  (void)takeAssumptions({mistake->assume}, mended, of_mended);
+  return {fmt::format("{}? try --assume {}", mistake->sentence, mistake->assume), !isAnyPastLimits(mended, of_mended)};
+}
+
+/// Takes readings a whole turn back within their limits, unless a mistake that brings all of them within explains them
+/// otherwise. Throws InputError for those that stay past, with the advice.
+std::optional<calibration::MeasurementCheck> settleLimits(MeasurementTable& table, const std::string& file,
+                                                          const Cell& cell) {
+  if (!isAnyPastLimits(table, cell)) return std::nullopt;
+  const auto advice = adviceOnLimits(table, cell);
+  if (advice.brings_back) requireWithinLimits(table, cell.arm, file, advice.text);
+  auto checked = asChecked(table, cell);
+  auto unwound = calibration::unwindJoints(checked);
+  table.readings = std::move(checked.readings);
+  requireWithinLimits(table, cell.arm, file, advice.text);
+  return unwound;
 }
 
 MeasurementTable tableOf(const std::string& text, const std::string& file, const Cell& cell,
@@ -188,16 +215,15 @@ MeasurementTable tableOfAll(const ReadingFiles& files, const Cell& cell, const M
 ReadingsWithChecks checkTable(MeasurementTable table, const std::string& file, Cell& cell,
                               const MeasurementOptions& options) {
   const bool is_overruled = takeAssumptions(options.assume, table, cell);
-  const bool is_past = std::any_of(table.readings.begin(), table.readings.end(),
-                                   [&](const Measurement& reading) { return isPastLimits(reading, cell.arm); });
-  if (is_past) requireWithinLimits(table, cell.arm, file, adviceOnLimits(table, cell));
+  const auto unwound = settleLimits(table, file, cell);
   requireDefinedFormulas(table.readings, cell, file);
   auto checked = asChecked(table, cell);
   const auto copies = is_overruled ? std::nullopt : calibration::takeCopiesOut(checked);
   auto checks = calibration::checkMeasurements(checked);
   if (is_overruled)
     for (auto& check : checks.checks) check.severity = calibration::CheckSeverity::kRemark;
-  if (copies) checks.checks.push_back(*copies);
+  for (const auto& done : {unwound, copies})
+    if (done) checks.checks.push_back(*done);
   checks.is_overruled = is_overruled;
   return {std::move(checked.readings), std::move(checks)};
 }

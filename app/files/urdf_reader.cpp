@@ -1,6 +1,7 @@
 #include "app/files/urdf_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <urdf_model/model.h>
 
 #include <Eigen/Geometry>
@@ -304,6 +305,29 @@ class ChainReader {
   UrdfArm out_;
 };
 
+/// What is told to the controllers of the chain's joints, a sentence of each sort.
+std::vector<std::string> leftToControllers(const Chain& chain, const UrdfTree& tree) {
+  const struct {
+    std::string ControllerWords::*words;
+    const char *what, *instead;
+  } sorts[] = {
+      {&ControllerWords::soft_limits, "soft limits (safety_controller)", "the arm has the hard ones of <limit>"},
+      {&ControllerWords::reference_marks, "reference marks (calibration)",
+       "readings count from the joint's zero, as the controller shows them"},
+      {&ControllerWords::transmission, "transmissions", "readings are the joint's, not its motor's"},
+  };
+  std::vector<std::string> sentences;
+  for (const auto& [words, what, instead] : sorts) {
+    std::vector<std::string> joints;
+    for (const auto& link : chain)
+      if (const auto found = tree.controllers.find(link->parent_joint->name);
+          found != tree.controllers.end() && !(found->second.*words).empty())
+        joints.push_back(nameInLine(found->first) + found->second.*words);
+    if (!joints.empty()) sentences.push_back(fmt::format("{}: {}; {}", what, fmt::join(joints, ", "), instead));
+  }
+  return sentences;
+}
+
 }  // namespace
 
 UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::string& tip) {
@@ -313,7 +337,9 @@ UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::s
   for (auto& joint : read.joints)
     if (const auto written = tree.turns.find(joint.name); written != tree.turns.end())
       joint.rpy = Vector3d(written->second.data());
-  read.remarks = remarksOnNumbers(chainTo(*tree.model, end, file), tree.turns);
+  const Chain chain = chainTo(*tree.model, end, file);
+  read.remarks = remarksOnNumbers(chain, tree.turns);
+  std::ranges::move(leftToControllers(chain, tree), std::back_inserter(read.left_out));
   read.left_out.insert(read.left_out.begin(), tree.left_out.begin(), tree.left_out.end());
   const auto problems = deflection::findProblems(read.arm);
   if (!problems.empty())

@@ -57,6 +57,11 @@ std::vector<XMLElement*> childrenOf(XMLElement& element, const char* name) {
   return children;
 }
 
+/// " offset 0.2" of an element with a text.
+std::string wordsIn(const XMLElement* element) {
+  return element && element->GetText() ? fmt::format(" {} {}", element->Name(), nameInLine(element->GetText())) : "";
+}
+
 void forget(XMLElement& element, std::initializer_list<const char*> names) {
   for (const char* name : names)
     for (XMLElement* child : childrenOf(element, name)) element.DeleteChild(child);
@@ -105,6 +110,7 @@ class Preparation {
                        "a file with another root, as SDF, is to be converted first");
     refuseXacro(*robot_);
     settleAttributes(*robot_, file_);
+    for (XMLElement* transmission : childrenOf(*robot_, "transmission")) noteTransmission(*transmission);
     forget(*robot_, {"material", "gazebo", "transmission"});
     checkNames(*robot_, file_);
     checkTree();
@@ -120,6 +126,7 @@ class Preparation {
   [[nodiscard]] const std::map<std::string, LinkContent>& links() const { return links_; }
   [[nodiscard]] std::vector<std::string>& leftOut() { return left_out_; }
   [[nodiscard]] WrittenTurns& turns() { return turns_; }
+  [[nodiscard]] std::map<std::string, ControllerWords>& controllers() { return controllers_; }
 
  private:
   [[noreturn]] void refuseAsXacro(const XMLElement& element, const char* found) const {
@@ -195,7 +202,31 @@ class Preparation {
       if (!tubesheets::parseNumber(attributeOf(inertia, moment))) inertia->SetAttribute(moment, "0");
   }
 
+  void noteTransmission(XMLElement& transmission) {
+    std::string words = wordsIn(transmission.FirstChildElement("mechanicalReduction"));
+    for (const char* part : {"joint", "actuator"})
+      for (XMLElement* element : childrenOf(transmission, part))
+        for (const char* number : {"mechanicalReduction", "offset"})
+          words += wordsIn(element->FirstChildElement(number));
+    for (XMLElement* joint : childrenOf(transmission, "joint"))
+      controllers_[attributeOf(joint, "name")].transmission += words;
+  }
+
+  void noteController(XMLElement& joint) {
+    const auto* soft = joint.FirstChildElement("safety_controller");
+    const auto* marks = joint.FirstChildElement("calibration");
+    if (!soft && !marks) return;
+    auto& words = controllers_[attributeOf(&joint, "name")];
+    const std::string lower = attributeOf(soft, "soft_lower_limit"), upper = attributeOf(soft, "soft_upper_limit");
+    if (!lower.empty() || !upper.empty())
+      words.soft_limits = fmt::format(" {} to {}", nameInLine(lower), nameInLine(upper));
+    for (const char* edge : {"rising", "falling", "reference_position"})
+      if (const auto at = attributeOf(marks, edge); !at.empty())
+        words.reference_marks += fmt::format(" {} {}", edge, nameInLine(at));
+  }
+
   void prepareJoint(XMLElement& joint) {
+    noteController(joint);
     forget(joint, {"safety_controller", "calibration", "dynamics"});
     checkJointNumbers(joint, file_);
     const std::string name = attributeOf(&joint, "name"), type = attributeOf(&joint, "type");
@@ -216,6 +247,7 @@ class Preparation {
   std::map<std::string, LinkContent> links_;
   std::vector<std::string> left_out_;
   WrittenTurns turns_;
+  std::map<std::string, ControllerWords> controllers_;
 };
 
 /// The parser leaves a link at the first thing that it cannot read.
@@ -239,7 +271,8 @@ UrdfTree readUrdfTree(const std::string& text, const std::string& file) {
   Preparation prepared(text, file);
   const std::string readable = prepared.text();
   ParserMessages messages(readable);
-  UrdfTree tree{urdf::parseURDF(readable), std::move(prepared.turns()), std::move(prepared.leftOut())};
+  UrdfTree tree{urdf::parseURDF(readable), std::move(prepared.turns()), std::move(prepared.leftOut()),
+                std::move(prepared.controllers())};
   if (!tree.model || !tree.model->getRoot())
     throw InputError(file, messages.first.empty() ? "no robot" : inQuotes(messages.first), "a URDF robot");
   refuseLost(*tree.model, prepared, file, messages.first);

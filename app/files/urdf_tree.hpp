@@ -3,6 +3,7 @@
 
 #include <urdf_world/types.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,16 @@
 
 namespace tubeplan::app {
 
+/// What the file tells a joint's controller and no kinematics has, in its own words; empty where it says nothing.
+struct ControllerWords {
+  std::string soft_limits, reference_marks, transmission;
+};
+
 struct UrdfTree {
-  urdf::ModelInterfaceSharedPtr model;  ///< one root, every link behind it once
-  WrittenTurns turns;                   ///< of the joints' origins, where they are written
-  std::vector<std::string> left_out;    ///< what the file says and the tree has not, a sentence each
+  urdf::ModelInterfaceSharedPtr model;                 ///< one root, every link behind it once
+  WrittenTurns turns;                                  ///< of the joints' origins, where they are written
+  std::vector<std::string> left_out;                   ///< what the file says and the tree has not, a sentence each
+  std::map<std::string, ControllerWords> controllers;  ///< by the joint's name
 };
 
 /// What a description of an arm needs of a URDF: pictures, materials and a controller's numbers are passed over,

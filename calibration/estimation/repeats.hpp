@@ -27,8 +27,8 @@ struct Repeats {
   double lack_of_fit_p_value = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Group of each reading: those of one set-up, point, load and approach, at one posture within what encoders and a hand
-/// repeat. Readings of one point from different postures are no repeats.
+/// Group of each reading: those of one set-up, point, place on the tool, load and approach, at one posture within what
+/// encoders and a hand repeat. Readings of one point from different postures are no repeats.
 [[nodiscard]] std::vector<int> groupRepeats(const std::vector<Measurement>& readings);
 
 /// `error` [m] of the readings by a model whose lack of fit is `chi2` for `freedom` degrees.

@@ -15,6 +15,7 @@ namespace {
 /// All numbers that two rows of one reading have alike.
 auto contentOf(const Measurement& m) {
   const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
+  const Eigen::Vector3d tool = m.p_TQ.value_or(Eigen::Vector3d::Zero());
   const TipWrench wrench = m.wrench.value_or(TipWrench{});
   const auto number = [](double value) { return std::isfinite(value) ? value : 0; };
   return std::tuple{static_cast<int>(m.kind),
@@ -29,6 +30,7 @@ auto contentOf(const Measurement& m) {
                     p.x(),
                     p.y(),
                     p.z(),
+                    std::vector<double>(tool.begin(), tool.end()),
                     number(m.own[0]),
                     number(m.own[1]),
                     number(m.own[2]),

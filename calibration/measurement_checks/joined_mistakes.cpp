@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <string>
 
+#include "calibration/measurement_checks/joint_order.hpp"
 #include "calibration/measurement_checks/joint_sign.hpp"
 #include "calibration/measurement_checks/quick_alignment.hpp"
 
@@ -18,6 +20,7 @@ using Eigen::Vector3d;
 constexpr std::size_t kLooked = 20;        // readings
 constexpr std::size_t kMostTogether = 16;  // hypotheses
 constexpr int kMostSigns = 8;              // joints of which all sets of signs are tried
+constexpr int kMostOrdered = 7;            // joints of which all orders are tried
 constexpr double kNearer = 0.25;    // fall of the mean logarithm of the errors that each mend is asked for, at least
 constexpr double kByWeights = 0.5;  // of the same, that weights may bring
 
@@ -81,6 +84,7 @@ class JoinedSearch {
     if (!(as_is_ = looked({})).tips.empty() && std::isfinite(as_is_.score)) {
       lookAlone();
       lookAtPairs();
+      lookAtOrders();
     }
     std::ranges::stable_sort(found_, {}, &Likely::score);
     std::vector<JoinedMends> likely;
@@ -131,6 +135,35 @@ class JoinedSearch {
     for (const TriedQuickly& signs : sets_of_signs_) found_.push_back({&signs, nullptr, signs.score});
   }
 
+  /// All orders of the joints' columns but two exchanged alone, which is a mistake of one.
+  void lookAtOrders() {
+    const CheckedReadings& checked = trials_.checked();
+    const auto& arm = checked.start.arm;
+    if (arm.jointCount() > kMostOrdered) return;
+    std::vector<int> order(static_cast<std::size_t>(arm.jointCount()));
+    std::iota(order.begin(), order.end(), 0);
+    while (std::ranges::next_permutation(order).found) {
+      goOn(trials_.options().stop);
+      std::size_t moved = 0;
+      bool are_alike = true;
+      for (std::size_t j = 0; j < order.size(); ++j) {
+        moved += order[j] != static_cast<int>(j) ? 1 : 0;
+        are_alike = are_alike && arm.joint(order[j]).type == arm.joint(static_cast<int>(j)).type;
+      }
+      if (moved <= 2 || !are_alike) continue;
+      auto one = looked(mistakes::joint_order::ringsOf(checked, order));
+      if (one.score < as_is_.score - kNearer) orders_.push_back(std::move(one));
+      if (orders_.size() >= 2 * kMostTogether) keepBestOrders();
+    }
+    keepBestOrders();
+    for (const TriedQuickly& one : orders_) found_.push_back({&one, nullptr, one.score});
+  }
+
+  void keepBestOrders() {
+    std::ranges::stable_sort(orders_, {}, &TriedQuickly::score);
+    if (orders_.size() > kMostTogether) orders_.erase(orders_.begin() + kMostTogether, orders_.end());
+  }
+
   static bool canJoin(const Mend& first, const Mend& then) {
     if (first.mistake != then.mistake) return true;
     return findMistakeKind(first.mistake)->joins_itself && (first.zeros_of.empty() || first.zeros_of != then.zeros_of);
@@ -172,7 +205,7 @@ class JoinedSearch {
   std::set<std::string> ids_;
   std::vector<Measurement> near_;
   TriedQuickly as_is_;
-  std::vector<TriedQuickly> alone_, sets_of_signs_;
+  std::vector<TriedQuickly> alone_, sets_of_signs_, orders_;
   std::vector<Likely> found_;
   double worst_kept_ = std::numeric_limits<double>::infinity();
 };

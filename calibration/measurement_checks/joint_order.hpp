@@ -1,10 +1,15 @@
-// The columns of two joints exchanged.
+// The columns of two joints exchanged, or of several in a ring: the column of each contains the next one's readings,
+// that of the last the first one's.
 #pragma once
+
+#include <algorithm>
+#include <utility>
 
 #include "calibration/measurement_checks/mistake.hpp"
 
 namespace tubeplan::calibration::mistakes::joint_order {
 
+/// Two at a time: rings of more are for joined_mistakes.cpp to try.
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   const auto& arm = checked.start.arm;
@@ -15,24 +20,69 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
+/// The joints between colons; empty where one is none of the arm's or there twice, or where they are fewer than two.
+inline std::vector<int> ringOf(const deflection::Arm& arm, const std::string& value) {
+  std::vector<int> ring;
+  for (std::size_t from = 0; from <= value.size();) {
+    const std::size_t to = std::min(value.find(':', from), value.size());
+    const int joint = jointNamed(arm, value.substr(from, to - from));
+    if (joint < 0 || std::ranges::find(ring, joint) != ring.end()) return {};
+    ring.push_back(joint);
+    from = to + 1;
+  }
+  return ring.size() < 2 ? std::vector<int>{} : ring;
+}
+
+/// "the columns of theta2, theta3 and theta4 contain theta3, theta4 and theta2"
+inline std::string sentenceOf(const deflection::Arm& arm, const std::vector<int>& ring) {
+  const auto named = [&](std::size_t first) {
+    std::string text;
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      text += (k == 0 ? "" : k + 1 < ring.size() ? ", " : " and ") + arm.joint(ring[(first + k) % ring.size()]).name;
+    return text;
+  };
+  return "the columns of " + named(0) + (ring.size() == 2 ? " are swapped" : " contain " + named(1) + " in this order");
+}
+
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
-  const auto [first, second] = partedAtColon(value);
-  const int a = jointNamed(checked.start.arm, first), b = jointNamed(checked.start.arm, second);
-  if (a < 0 || b < 0 || a == b) return std::nullopt;
-  Mend mend{"joint-order", value, "the columns of " + first + " and " + second + " are swapped"};
-  mend.change = [a, b](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) {
-      std::swap(reading.q[a], reading.q[b]);
-      if (!reading.approach_directions.empty())
-        std::swap(reading.approach_directions[static_cast<std::size_t>(a)],
-                  reading.approach_directions[static_cast<std::size_t>(b)]);
-    }
+  const auto ring = ringOf(checked.start.arm, value);
+  if (ring.empty()) return std::nullopt;
+  Mend mend{"joint-order", value, sentenceOf(checked.start.arm, ring)};
+  mend.change = [ring](std::vector<Measurement>& readings) {
+    for (auto& reading : readings)
+      for (std::size_t k = ring.size() - 1; k > 0; --k) {
+        std::swap(reading.q[ring[k]], reading.q[ring[k - 1]]);
+        if (!reading.approach_directions.empty())
+          std::swap(reading.approach_directions[static_cast<std::size_t>(ring[k])],
+                    reading.approach_directions[static_cast<std::size_t>(ring[k - 1])]);
+      }
   };
   return mend;
 }
 
+/// The rings of an order of all joints, the column of each of which contains the readings of joint `order[column]`.
+inline std::vector<Mend> ringsOf(const CheckedReadings& checked, const std::vector<int>& order) {
+  std::vector<Mend> rings;
+  std::vector<bool> is_seen(order.size(), false);
+  for (std::size_t first = 0; first < order.size(); ++first) {
+    std::string value;
+    for (std::size_t at = first; !is_seen[at]; at = static_cast<std::size_t>(order[at])) {
+      is_seen[at] = true;
+      value += (value.empty() ? "" : ":") + checked.start.arm.joint(static_cast<int>(at)).name;
+    }
+    if (auto ring = mend(checked, value)) rings.push_back(std::move(*ring));
+  }
+  return rings;
+}
+
 inline MistakeKind kind() {
-  return {"joint-order", "JOINT:JOINT", "two joints of the arm, such as theta3:theta4", values, mend, false, true};
+  return {"joint-order",
+          "JOINT:JOINT",
+          "joints of the arm, such as theta3:theta4; of more the column of each contains the next one's readings",
+          values,
+          mend,
+          false,
+          true};
 }
 
 }  // namespace tubeplan::calibration::mistakes::joint_order

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/measurement_checks/gravity_direction.hpp"
 #include "calibration/measurement_checks/misread_rows.hpp"
 #include "calibration/measurement_checks/mistake_search.hpp"
 #include "calibration/measurement_checks/mistake_trials.hpp"
@@ -131,6 +132,8 @@ MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckO
   if (!mistake) mistake = findMistake(trials);
   if (!mistake || mistake->severity != CheckSeverity::kMistake)
     if (auto twist = negatedTwists(trials)) mistake = std::move(twist);
+  if (!mistake || mistake->severity != CheckSeverity::kMistake)
+    if (auto gravity = gravityElsewhere(trials)) mistake = std::move(gravity);
   if (mistake) result.checks.push_back(std::move(*mistake));
   if (as_is.ok && !grossMistake(result)) {
     checkBase(trials, result.checks);

@@ -92,6 +92,7 @@ class MistakeSearch {
 
   /// Whether each of several mistakes does what a single one is asked for, beside the others.
   [[nodiscard]] bool isAllNeeded(const Suspect& suspect) const {
+    if (suspect.parts.size() == 1) return true;
     for (std::size_t k = 0; k < suspect.parts.size(); ++k) {
       auto parts = suspect.parts;
       parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));

@@ -8,6 +8,7 @@
 
 #include "calibration/measurement_checks/check_words.hpp"
 #include "calibration/measurement_checks/copies.hpp"
+#include "calibration/measurement_checks/joint_limits.hpp"
 #include "calibration/measurement_checks/joint_scale.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
@@ -163,7 +164,7 @@ std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readin
 std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,
                                           const std::vector<MeasurementCheck>& suspected) {
   std::vector<MeasurementCheck> found;
-  for (const auto& look : {duplicates, smallAngles, pulses, heavyLoad, fewSegments, fewReadings})
+  for (const auto& look : {duplicates, hairPastLimits, smallAngles, pulses, heavyLoad, fewSegments, fewReadings})
     if (auto check = look(checked); check && std::none_of(suspected.begin(), suspected.end(),
                                                           [&](const auto& other) { return other.name == check->name; }))
       found.push_back(std::move(*check));

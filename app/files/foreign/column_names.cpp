@@ -122,7 +122,7 @@ std::vector<std::vector<ForeignHeading>> columnNames(const std::vector<ForeignTa
                                                      const std::vector<ColumnTarget>& targets) {
   std::vector<std::vector<ForeignHeading>> headings;
   for (const auto& table : tables) headings.push_back(columnNames(table, targets));
-  settleJoints(headings, targets);
+  settleJoints(tables, headings, targets);
   takeSurveyAxes(headings);
   return headings;
 }

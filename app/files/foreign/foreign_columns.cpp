@@ -12,6 +12,7 @@
 #include "app/files/foreign/clock_time.hpp"
 #include "app/files/foreign/column_names.hpp"
 #include "app/files/foreign/form_columns.hpp"
+#include "app/files/foreign/joint_patterns.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "tubesheets/csv_table.hpp"
@@ -227,7 +228,23 @@ class ColumnTaker {
            !isClock(table, column);
   }
 
+  /// Several sets of columns stand for the joints: none is taken for another.
+  [[noreturn]] void severalPatterns(const std::vector<JointColumns>& patterns) const {
+    std::vector<std::string> sets, columns;
+    for (const auto& [table, of_joints] : patterns)
+      sets.push_back(fmt::format("{} to {}", nameOf(table, of_joints.front()), nameOf(table, of_joints.back())));
+    std::size_t k = 0;
+    for (const auto& target : targets_)
+      if (isNumbered(target))
+        columns.push_back(fmt::format("--column '{}={}'", target.quantity,
+                                      tables_[patterns.front().table].columns[patterns.front().columns[k++]]));
+    throw InputError("the columns", fmt::format("{} for the joints", fmt::join(sets, " and ")), "one set",
+                     fmt::format("say which, such as {}", fmt::join(columns, " ")));
+  }
+
   [[noreturn]] void missingJoint(std::size_t k) const {
+    if (const auto patterns = jointPatterns(tables_, headings_, targets_); patterns.size() > 1)
+      severalPatterns(patterns);
     std::vector<std::string> left;
     for (std::size_t t = 0; t < tables_.size(); ++t)
       for (std::size_t c = 0; c < free_[t].size(); ++c)

@@ -5,13 +5,11 @@
 #include <algorithm>
 
 #include "app/files/foreign/column_names.hpp"
+#include "app/files/foreign/joint_patterns.hpp"
 
 namespace tubeplan::app {
 
 namespace {
-
-/// Whether a joint may be called by its number; those beside the chain to the tip are not counted.
-bool isNumbered(const ColumnTarget& target) { return target.is_joint && target.aliases.size() > 1; }
 
 /// Joints counted from zero are counted from one here: q0 to q5 of six, where there is no q6.
 void countFromOne(std::vector<std::vector<ForeignHeading>>& tables, std::size_t joints) {
@@ -90,13 +88,31 @@ void settleNames(std::vector<std::vector<ForeignHeading>>& tables, const std::ve
   }
 }
 
+/// Joints between the same words, where no heading is a joint's without them and one set of columns stands for all.
+void settlePattern(const std::vector<ForeignTable>& tables, std::vector<std::vector<ForeignHeading>>& headings,
+                   const std::vector<ColumnTarget>& targets) {
+  const auto isJoint = [&](const ForeignHeading& heading) {
+    return std::ranges::any_of(targets,
+                               [&](const auto& target) { return isNumbered(target) && fits(target, heading); });
+  };
+  for (const auto& of_table : headings)
+    if (std::ranges::any_of(of_table, isJoint)) return;
+  const auto patterns = jointPatterns(tables, headings, targets);
+  if (patterns.size() != 1) return;
+  std::size_t k = 0;
+  for (const auto& target : targets)
+    if (isNumbered(target)) headings[patterns.front().table][patterns.front().columns[k++]].name = settledName(target);
+}
+
 }  // namespace
 
 std::string settledName(const ColumnTarget& target) { return "=" + target.quantity; }
 
-void settleJoints(std::vector<std::vector<ForeignHeading>>& tables, const std::vector<ColumnTarget>& targets) {
-  countFromOne(tables, static_cast<std::size_t>(std::ranges::count_if(targets, isNumbered)));
-  settleNames(tables, targets);
+void settleJoints(const std::vector<ForeignTable>& tables, std::vector<std::vector<ForeignHeading>>& headings,
+                  const std::vector<ColumnTarget>& targets) {
+  countFromOne(headings, static_cast<std::size_t>(std::ranges::count_if(targets, isNumbered)));
+  settleNames(headings, targets);
+  settlePattern(tables, headings, targets);
 }
 
 }  // namespace tubeplan::app

@@ -12,7 +12,9 @@ namespace tubeplan::app {
 [[nodiscard]] std::string settledName(const ColumnTarget& target);
 
 /// Counts joints from one where they were counted from zero, and settles those that are called by their own names, by
-/// letters (S, L, U, R, B, T of Yaskawa) or, of those that are left, by numbers.
-void settleJoints(std::vector<std::vector<ForeignHeading>>& tables, const std::vector<ColumnTarget>& targets);
+/// letters (S, L, U, R, B, T of Yaskawa) or, of those that are left, by numbers; else all of them by jointPatterns(),
+/// where that is one set.
+void settleJoints(const std::vector<ForeignTable>& tables, std::vector<std::vector<ForeignHeading>>& headings,
+                  const std::vector<ColumnTarget>& targets);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,5 @@
 // Arms out of URDF and back, beside the transforms that the file itself states, joint by joint.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <urdf_parser/urdf_parser.h>
 
@@ -392,6 +393,24 @@ TEST(Urdf, LimitsAndAxesAreReadOrRefused) {
   expectSays(refusalOf(changed(flangeUrdf(), "0 0 1\"/>", "0 0 0\"/>")), "length zero");
   EXPECT_EQ(parseUrdf(changed(flangeUrdf(), "0 0 1\"/>", "0\n0\t1\"/>"), "r.urdf").arm.jointCount(), 1);
   expectSays(refusalOf(changed(flangeUrdf(), "rpy=\"0 1.5 0.5\"", "quat_xyzw=\"0 0 0 1\"")), "quat_xyzw");
+}
+
+// What a controller is told is no part of the arm, and said; of the limits the hard ones are taken.
+TEST(Urdf, WhatControllersAreToldIsSaid) {
+  const std::string joint =
+      "<limit lower=\"-2\" upper=\"2\" effort=\"1\" velocity=\"1\"/><calibration rising=\"0.25\"/>"
+      "<safety_controller soft_lower_limit=\"-1.75\" soft_upper_limit=\"1.5\" k_velocity=\"1\"/>";
+  const std::string motor =
+      "<transmission name=\"t\"><joint name=\"j\"><offset>0.125</offset></joint>"
+      "<actuator name=\"m\"><mechanicalReduction>-80</mechanicalReduction></actuator></transmission>";
+  const UrdfArm read = parseUrdf(flangeUrdf("", motor, joint), "r.urdf");
+  EXPECT_EQ(read.arm.joint(0).lower, -2);
+  EXPECT_EQ(read.arm.joint(0).upper, 2);
+  ASSERT_EQ(read.left_out.size(), 3U);
+  expectSays(read.left_out[0], "j -1.75 to 1.5");
+  expectSays(read.left_out[1], "j rising 0.25");
+  expectSays(read.left_out[2], "j offset 0.125 mechanicalReduction -80");
+  EXPECT_TRUE(parseUrdf(flangeUrdf(), "r.urdf").left_out.empty());
 }
 
 TEST(Urdf, TheToolFrameIsTheTipLinks) {

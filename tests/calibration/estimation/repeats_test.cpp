@@ -42,6 +42,22 @@ TEST(Repeats, ExcuseAModelUpToTheirBoundOnly) {
     }
 }
 
+// Two reflectors on the tool, each read twice at every posture: as many groups as there are places on the tool.
+TEST(Repeats, AreOfOnePlaceOnTheTool) {
+  auto readings = makeCampaign(deflection::cobraArm(), 4);
+  readings.resize(3);
+  std::vector<Measurement> seen;
+  for (const auto& reading : readings)
+    for (const bool is_tip : {true, false, true, false}) {
+      seen.push_back(reading);
+      seen.back().p_TQ.reset();
+      if (!is_tip) seen.back().p_TQ = Eigen::Vector3d(0, 0, 0.08);
+    }
+  const auto groups = groupRepeats(seen);
+  for (std::size_t a = 0; a < seen.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) EXPECT_EQ(groups[a] == groups[b], a / 4 == b / 4 && a % 2 == b % 2);
+}
+
 // Two readings of one posture a metre apart, and a model that is right of all others.
 TEST(Repeats, AStaleRowIsNotNoise) {
   auto readings = makeCampaign(deflection::cobraArm(), 4);

@@ -202,6 +202,21 @@ inline Made jointOrder(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) std::swap(m.q[a], m.q[b]);
   return "joint-order=" + jointName(s, std::min(a, b)) + ":" + jointName(s, std::max(a, b));
 }
+/// Three joints in a ring, as where the third axis is logged last.
+inline Made jointRing(SeededSet& s, SeededRandom& random) {
+  const int joints = static_cast<int>(s.table.joints.size());
+  if (joints < 3) return std::nullopt;
+  const int spared = drawnBelow(joints, random);
+  std::vector<int> ring;
+  for (int j = 0; j < joints && ring.size() < 3; ++j)
+    if (j != spared) ring.push_back(j);
+  if (random() % 2) std::swap(ring[1], ring[2]);
+  for (auto& m : s.table.readings) {  // the column of ring[k] contains ring[k + 1]
+    const double first = m.q[ring[0]];
+    m.q[ring[0]] = m.q[ring[1]], m.q[ring[1]] = m.q[ring[2]], m.q[ring[2]] = first;
+  }
+  return fmt::format("joint-order={}:{}:{}", jointName(s, ring[0]), jointName(s, ring[1]), jointName(s, ring[2]));
+}
 inline Made shiftedRows(SeededSet& s, SeededRandom& random) {
   if (areHoles(s)) return std::nullopt;
   auto& readings = s.table.readings;
@@ -365,6 +380,7 @@ inline const std::vector<SeededMistake>& seededMistakes() {
       {"joint-zero", "a zero 90 deg off", seeded::quarterTurn},
       {"joint-zero", "a zero 10-60 deg off", seeded::partOfATurn},
       {"joint-order", "two joints exchanged", seeded::jointOrder},
+      {"joint-order", "three joints in a ring", seeded::jointRing},
       {"shift", "rows shifted by one", seeded::shiftedRows},
       {"shift", "rows shifted from a point on", seeded::shiftedFromAPoint},
       {"holes", "holes one off", seeded::holesOff},

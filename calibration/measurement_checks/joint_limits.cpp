@@ -1,0 +1,111 @@
+#include "calibration/measurement_checks/joint_limits.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "calibration/measurement_checks/check_words.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kFullTurn = 2 * std::numbers::pi;
+
+/// The unit of a joint's column, as far as somebody has said it.
+NamedUnit columnUnitOf(const CheckedReadings& checked, int joint) {
+  const auto& units = checked.units;
+  if (static_cast<std::size_t>(joint) < units.joints.size()) return units.joints[static_cast<std::size_t>(joint)];
+  return checked.start.arm.joint(joint).type == deflection::JointType::kRevolute ? units.angles : units.coordinates;
+}
+
+/// How far a reading lies past a limit [rad or m]; below zero: within both.
+double pastLimit(const deflection::Joint<double>& joint, double q) {
+  return std::max(joint.lower - q, q - joint.upper);
+}
+
+/// What a joint's noise accounts for [rad or m].
+double usualNoiseOf(const deflection::Joint<double>& joint) { return 1e-9 + 5 * joint.encoder_sigma; }
+
+/// The readings past a joint's limits by their places; none unless all of them lie within a turn back.
+std::vector<std::size_t> readingsToUnwind(const CheckedReadings& checked, int j) {
+  const auto& joint = checked.start.arm.joint(j);
+  std::vector<std::size_t> past;
+  for (std::size_t k = 0; k < checked.readings.size(); ++k) {
+    const double q = checked.readings[k].q[j];
+    if (!isPastLimit(joint, q)) continue;
+    if (!oneTurnBack(joint, q)) return {};
+    past.push_back(k);
+  }
+  return past;
+}
+
+}  // namespace
+
+bool isPastLimit(const deflection::Joint<double>& joint, double q) {
+  constexpr double kHair = 1e-3;  // of the range
+  const double range = joint.upper - joint.lower;
+  return !(pastLimit(joint, q) <= std::max(usualNoiseOf(joint), std::isfinite(range) ? kHair * range : 0));
+}
+
+std::optional<MeasurementCheck> hairPastLimits(const CheckedReadings& checked) {
+  const auto& arm = checked.start.arm;
+  std::vector<std::string> told;
+  for (const auto& reading : checked.readings)
+    for (int j = 0; j < arm.jointCount(); ++j) {
+      const auto& joint = arm.joint(j);
+      const double past = pastLimit(joint, reading.q[j]);
+      if (!(past > usualNoiseOf(joint)) || isPastLimit(joint, reading.q[j])) continue;
+      const auto unit = columnUnitOf(checked, j);
+      const double limit = reading.q[j] > joint.upper ? joint.upper : joint.lower;
+      told.push_back(fmt::format("{} of reading {} by {:.2g} {} (limit {:.6g})", joint.name, reading.id,
+                                 past / unit.factor, unit.name, limit / unit.factor));
+    }
+  if (told.empty()) return std::nullopt;
+  return MeasurementCheck{"past-limit",
+                          CheckSeverity::kRemark,
+                          "a hair past a joint's limit, and taken as read: " + listOf(told),
+                          kNoFigure,
+                          kNoFigure,
+                          "",
+                          {}};
+}
+
+std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q) {
+  if (joint.type != deflection::JointType::kRevolute) return std::nullopt;
+  const double back = q > joint.upper ? q - kFullTurn : q + kFullTurn;
+  return isPastLimit(joint, back) ? std::nullopt : std::optional(back);
+}
+
+std::optional<MeasurementCheck> unwindJoints(CheckedReadings& checked) {
+  const auto& arm = checked.start.arm;
+  std::vector<std::string> told;
+  for (int j = 0; j < arm.jointCount(); ++j) {
+    const auto past = readingsToUnwind(checked, j);
+    if (past.empty()) continue;
+    const auto unit = columnUnitOf(checked, j);
+    const Measurement& first = checked.readings[past.front()];
+    const double back = *oneTurnBack(arm.joint(j), first.q[j]);
+    told.push_back(fmt::format("{} of {} (reading {}: {:.6g} is {:.6g} {})", past.size(), arm.joint(j).name, first.id,
+                               first.q[j] / unit.factor, back / unit.factor, unit.name));
+    for (const std::size_t k : past) checked.readings[k].q[j] = *oneTurnBack(arm.joint(j), checked.readings[k].q[j]);
+  }
+  if (told.empty()) return std::nullopt;
+  linkReferences(checked.readings);
+  return MeasurementCheck{"whole-turn",
+                          CheckSeverity::kRemark,
+                          fmt::format("joint readings past their limits are taken a whole turn back, which is the same "
+                                      "posture: {}",
+                                      fmt::join(told, ", ")),
+                          kNoFigure,
+                          kNoFigure,
+                          "",
+                          {}};
+}
+
+}  // namespace tubeplan::calibration
