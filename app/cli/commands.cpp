@@ -70,6 +70,7 @@ constexpr Command kCommands[] = {
      "imports arms from URDF or a controller, exports them by any convention, and shows an arm file for checking",
      "tubeplan arm import robot.urdf --out robot-arm.yaml --cell robot.yaml\n"
      "tubeplan arm import calibration.conf --nominal nominal-arm.yaml --out robot-arm.yaml\n"
+     "tubeplan arm import my_robot_calibration.yaml --nominal robot-arm.yaml --out calibrated-arm.yaml\n"
      "tubeplan arm export app/cells/iiwa-arm.yaml --convention standard --out iiwa-standard.yaml\n"
      "tubeplan arm export robot-arm.yaml --into robot.urdf --out calibrated.urdf\n"
      "tubeplan arm show app/cells/cobra-arm.yaml --svg arm.svg",

@@ -19,6 +19,7 @@
 #include "app/files/cell_reader.hpp"
 #include "app/files/controller_calibration.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/robot_kinematics.hpp"
 #include "app/files/text_file.hpp"
 #include "app/files/urdf_edit.hpp"
 #include "app/files/urdf_reader.hpp"
@@ -80,19 +81,42 @@ std::string cellText(const UrdfArm& read, const std::string& arm_file) {
   return text;
 }
 
+/// The nominal arm's file with what was calibrated, and what is to be said of it.
+struct CalibratedText {
+  std::string arm;
+  std::vector<std::string> remarks;
+};
+
+CalibratedText controllersArm(const ArmOptions& options) {
+  const auto calibration = parseControllerCalibration(readTextFile(options.file), options.file);
+  return {withControllerCalibration(readYamlFile(options.nominal), calibration), calibration.remarks};
+}
+
+CalibratedText robotsArm(const ArmOptions& options) {
+  const YamlFile file = readYamlFile(options.file);
+  const RobotKinematics kinematics = readRobotKinematics(file.root);
+  std::vector<std::string> remarks;
+  if (kinematics.hash.empty()) remarks.emplace_back("no hash: which controller's numbers these are is not stated");
+  return {withRobotKinematics(readYamlFile(options.nominal), kinematics), remarks};
+}
+
+bool isYaml(const std::string& file) { return file.ends_with(".yaml") || file.ends_with(".yml"); }
+
 int importCalibration(const ArmOptions& options) {
   if (options.nominal.empty())
-    throw InputError("--nominal", "nothing",
-                     "the arm file with the model's standard table, to which " + options.file + " adds",
-                     "write one with `convention: standard`, and limits and speeds as the maker states them");
+    throw InputError(
+        "--nominal", "nothing",
+        isYaml(options.file) ? "the arm whose joint origins " + options.file + " replaces"
+                             : "the arm file with the model's standard table, to which " + options.file + " adds",
+        isYaml(options.file) ? "make one by `arm import robot.urdf`"
+                             : "write one with `convention: standard`, and limits and speeds as the maker states them");
   for (const auto& [name, value] : {std::pair("--cell", options.cell), std::pair("--tip", options.tip)})
     if (!value.empty())
       throw InputError(name, "an option of URDF files", "a controller's calibration without it", "leave it out");
-  const auto calibration = parseControllerCalibration(readTextFile(options.file), options.file);
-  const std::string text = withControllerCalibration(readYamlFile(options.nominal), calibration);
-  const ArmSource calibrated = readArm(parseYaml(text, options.out));
-  writeFileAtomically(options.out, text, "--out");
-  tell("remark", calibration.remarks);
+  const CalibratedText text = options.file.ends_with(".conf") ? controllersArm(options) : robotsArm(options);
+  const ArmSource calibrated = readArm(parseYaml(text.arm, options.out));
+  writeFileAtomically(options.out, text.arm, "--out");
+  tell("remark", text.remarks);
   fmt::print("{}", armText(calibrated.arm, calibrated.units));
   return kDone;
 }
@@ -190,7 +214,7 @@ int run(const ArmOptions& options) {
   if (options.out.empty())
     throw InputError("--out", "nothing", fmt::format("the file that `arm {}` writes", options.action));
   if (options.action == "export") return exportArm(options);
-  const bool is_calibration = !options.nominal.empty() || options.file.ends_with(".conf");
+  const bool is_calibration = !options.nominal.empty() || options.file.ends_with(".conf") || isYaml(options.file);
   return is_calibration ? importCalibration(options) : importUrdf(options);
 }
 
@@ -198,11 +222,15 @@ int run(const ArmOptions& options) {
 
 Run configureArm(CLI::App& cli) {
   const auto options = std::make_shared<ArmOptions>();
-  cli.add_option("ACTION", options->action,
-                 "import (from URDF or a controller's calibration.conf), export (to URDF or by --convention) or show")
+  cli.add_option(
+         "ACTION", options->action,
+         "import (from URDF, a controller's calibration.conf or ROS's kinematics of a UR), export (to URDF or by "
+         "--convention) or show")
       ->required()
       ->check(CLI::IsMember({"import", "export", "show"}));
-  cli.add_option("FILE", options->file, "a URDF file, an arm file, a cell or a controller's calibration.conf")
+  cli.add_option(
+         "FILE", options->file,
+         "a URDF file, an arm file, a cell, a controller's calibration.conf or a kinematics YAML of ur_calibration")
       ->required();
   cli.add_option("--out", options->out,
                  "the arm file that import writes, the URDF file or arm file that export writes");
@@ -212,7 +240,8 @@ Run configureArm(CLI::App& cli) {
          "export: an arm file with rows by Craig's numbers, the standard ones or origins, instead of a URDF file")
       ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
   cli.add_option("--nominal", options->nominal,
-                 "import of calibration.conf: the arm file with the model's standard table, to which it adds");
+                 "import of calibration.conf: the arm file with the model's standard table, to which it adds; of a "
+                 "kinematics YAML: the arm imported from the robot's URDF, whose origins it replaces");
   cli.add_option("--into", options->into,
                  "export: the URDF file that the arm was imported from; joint origins change, all else stays as it is");
   cli.add_option("--tip", options->tip, "of a URDF: the link at the tool's tip, where the robot has several end links");

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include "app/documents/figures.hpp"
 #include "app/files/units_json.hpp"
@@ -54,6 +55,31 @@ std::string limitsOf(const deflection::Joint<double>& joint, const Units& units)
                      units.nameOf(unit));
 }
 
+/// Three numbers as a file in these units has them: "0, 90, 180".
+std::string numbersInFile(const Vector3d& values, const Units& units, Dimension unit) {
+  return fmt::format("{}, {}, {}", formatNumber(units.toFile(values.x(), unit)),
+                     formatNumber(units.toFile(values.y(), unit)), formatNumber(units.toFile(values.z(), unit)));
+}
+
+/// Where a row by origin is placed by the row before, as its file has it; empty for a row by dh.
+std::string originText(const deflection::Row<double>& row, const Units& units) {
+  const auto* origin = std::get_if<deflection::Origin<double>>(&row.placement);
+  if (!origin) return "";
+  const std::string beta =
+      origin->beta == 0 ? "" : fmt::format(", beta {}", formatNumber(units.toFile(origin->beta, dimension::kAngle)));
+  return fmt::format("position {} {}, rpy {}{} {}", numbersInFile(origin->position, units, dimension::kLength),
+                     units.length().name, numbersInFile(origin->rpy, units, dimension::kAngle), beta,
+                     units.nameOf(dimension::kAngle));
+}
+
+nlohmann::json originJson(const deflection::Row<double>& row, const Units& units) {
+  const auto* origin = std::get_if<deflection::Origin<double>>(&row.placement);
+  if (!origin) return nullptr;
+  return {{"position", vectorJson(origin->position, units, dimension::kLength)},
+          {"rpy", vectorJson(origin->rpy, units, dimension::kAngle)},
+          {"beta", units.toFile(origin->beta, dimension::kAngle)}};
+}
+
 }  // namespace
 
 nlohmann::json armJson(const Arm& arm, const Units& units) {
@@ -67,6 +93,7 @@ nlohmann::json armJson(const Arm& arm, const Units& units) {
                     {"joint", row.joint.name},
                     {"type", typeOf(row.joint)},
                     {"position", vectorJson(frames.rows[k].p, units, dimension::kLength)},
+                    {"origin", originJson(row, units)},
                     {"z_axis", {rounded(z.x()), rounded(z.y()), rounded(z.z())}},
                     {"limits", limitsOf(row.joint, units)},
                     {"compliant", complianceOf(row)},
@@ -98,6 +125,9 @@ std::string armText(const Arm& arm, const Units& units) {
                     fmt::format("{:.4g}, {:.4g}, {:.4g}", p[0].get<double>(), p[1].get<double>(), p[2].get<double>()),
                     row["limits"].get<std::string>(), row["weight"].get<double>(), row["compliant"].get<std::string>());
   }
+  for (const auto& row : arm.rows)
+    if (const std::string origin = originText(row, units); !origin.empty())
+      text += fmt::format("  origin of {}: {}\n", row.name, origin);
   const auto& tip = json["tip"];
   return text + fmt::format("  tip at {:.4g}, {:.4g}, {:.4g} {}\n", tip[0].get<double>(), tip[1].get<double>(),
                             tip[2].get<double>(), length);

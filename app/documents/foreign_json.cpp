@@ -24,6 +24,7 @@ nlohmann::json tableJson(const ForeignTable& table, const std::vector<ColumnTarg
           {"columns", table.columns},
           {"rows", rows},
           {"count", table.rows.size()},
+          {"remarks", table.remarks},
           {"names", names ? nlohmann::json(*names) : nlohmann::json()}};
 }
 

@@ -46,6 +46,13 @@ bool namesCsvFile(const std::string& request) {
   return lowerCase(std::filesystem::path(request).extension().string()) == ".csv";
 }
 
+tubesheets::Selection selectedOrRefused(tubesheets::Selection selection, const std::string& request,
+                                        const std::string& option) {
+  if (selection.status == tubesheets::SelectionStatus::kSelected) return selection;
+  throw InputError(option, inQuotes(request) + " (" + selection.reason + ")", "tubes of this sheet",
+                   "`tubeplan map CELL --csv holes.csv` lists them");
+}
+
 }  // namespace
 
 Eigen::VectorXd parseJoints(const std::string& text, const deflection::Arm& arm, const Units& units,
@@ -78,19 +85,16 @@ std::string tubesOrSpread(const std::string& request, const tubesheets::Sheet& s
   return request.empty() ? tubesheets::spreadRequest(sheet, count) : request;
 }
 
+tubesheets::Selection readWorkList(const std::string& text, const std::string& name, const tubesheets::Sheet& sheet,
+                                   const std::string& option) {
+  auto list = tubesheets::parseWorkListCsv(text);
+  if (list.problem) refuseText(name, *list.problem);
+  return selectedOrRefused(tubesheets::selectTubes(sheet, std::move(list)), name, option);
+}
+
 tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet, const std::string& option) {
-  tubesheets::Selection selection;
-  if (namesCsvFile(request)) {
-    auto list = tubesheets::parseWorkListCsv(readTextFile(request));
-    if (list.problem) refuseText(request, *list.problem);
-    selection = tubesheets::selectTubes(sheet, std::move(list));
-  } else {
-    selection = tubesheets::selectTubes(sheet, request);
-  }
-  if (selection.status != tubesheets::SelectionStatus::kSelected)
-    throw InputError(option, inQuotes(request) + " (" + selection.reason + ")", "tubes of this sheet",
-                     "`tubeplan map CELL --csv holes.csv` lists them");
-  return selection;
+  if (namesCsvFile(request)) return readWorkList(readTextFile(request), request, sheet, option);
+  return selectedOrRefused(tubesheets::selectTubes(sheet, request), request, option);
 }
 
 std::vector<std::string> listNotes(const tubesheets::Selection& selection) {

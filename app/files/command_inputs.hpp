@@ -35,6 +35,10 @@ namespace tubeplan::app {
 [[nodiscard]] tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet,
                                               const std::string& option = "--tubes");
 
+/// The same of a work list's text; `name` is its file's, for messages.
+[[nodiscard]] tubesheets::Selection readWorkList(const std::string& text, const std::string& name,
+                                                 const tubesheets::Sheet& sheet, const std::string& option = "--tubes");
+
 /// What a work list has that is left out of planning or taken once, a sentence each; empty of other selections.
 [[nodiscard]] std::vector<std::string> listNotes(const tubesheets::Selection& selection);
 

@@ -10,6 +10,7 @@
 #include "app/documents/pose_json.hpp"
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
+#include "app/files/text_file.hpp"
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
 #include "app/files/workcell.hpp"
@@ -159,6 +160,26 @@ Answer plan(Workbench& workbench, const Request& request) {
   });
 }
 
+/// What a selection by a work list leaves out, takes nonetheless, or cannot take here, a sentence each.
+std::vector<std::string> listWords(const tubesheets::Sheet& sheet, const tubesheets::Selection& selection) {
+  std::vector<std::string> words = listNotes(selection);
+  if (const std::string left = leftOutText(selection); !left.empty()) words.push_back("left out: " + left);
+  if (const std::string doubtful = doubtfulText(sheet, selection); !doubtful.empty()) words.push_back(doubtful);
+  if (!selection.dwell.empty())
+    words.emplace_back("left out: how long to stay at each tube, which `tubeplan plan --tubes` takes");
+  return words;
+}
+
+/// {"name", "text"}: the tubes of a work list, as `plan --tubes LIST.csv` reads it.
+Answer workList(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const auto& sheet = requireSheet(currentModel(workbench.session()).cell, "read a work list");
+  const std::string name = textOf(body, "name", "list.csv").substr(0, 200), text = textOf(body, "text");
+  checkText(name, text);
+  const auto selection = readWorkList(text, name, sheet, "tubes");
+  return answerOf({{"name", name}, {"tubes", selection.tube_indices}, {"notes", listWords(sheet, selection)}});
+}
+
 Answer noPlan() { return refusal(404, InputError("plan", "none yet", "one that was made")); }
 
 Answer path(Workbench& workbench, const Request&) {
@@ -183,8 +204,9 @@ Answer clearance(Workbench& workbench, const Request& request) {
 }
 
 constexpr Route kPlanRoutes[] = {
-    {"POST", "reach", reach}, {"POST", "field", field},   {"POST", "inverse", inverse},
-    {"POST", "plan", plan},   {"GET", "plan/path", path}, {"GET", "plan/clearance", clearance},
+    {"POST", "reach", reach},    {"POST", "field", field},   {"POST", "inverse", inverse},
+    {"POST", "plan", plan},      {"GET", "plan/path", path}, {"GET", "plan/clearance", clearance},
+    {"POST", "tubes", workList},
 };
 
 }  // namespace

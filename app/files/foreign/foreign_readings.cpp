@@ -112,6 +112,7 @@ class ForeignReader {
         left.push_back(inQuotes(table(t).columns[c]));
         if (areNumbers(t, c)) unknown_numbers_.push_back(fmt::format("{} of {}", left.back(), table(t).file));
       }
+      for (const auto& remark : table(t).remarks) out_.taken.push_back(fmt::format("of {}: {}", table(t).file, remark));
       sayTurnLeftOut(t, used[t]);
       if (!left.empty()) out_.left_out.push_back(fmt::format("of {}: {}", table(t).file, fmt::join(left, ", ")));
     }

@@ -16,7 +16,7 @@ struct ForeignRequest {
 
 struct ForeignReadings {
   std::string text;                   ///< a measurement table: docs/files.md
-  std::vector<std::string> taken;     ///< "x_mm: X [mm] of points.txt"
+  std::vector<std::string> taken;     ///< "x_mm: X [mm] of points.txt", and what was made of it
   std::vector<std::string> left_out;  ///< columns and rows of which nothing is taken, a sentence each
   std::vector<std::string> origins;   ///< of each row: "log.csv:9", or "log.csv:9 and points.txt:4"
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/files/foreign/foreign_heading.hpp"
+#include "app/files/foreign/pointing_table.hpp"
 #include "app/files/input_error.hpp"
 
 namespace tubeplan::app {
@@ -13,7 +14,9 @@ bool isBlankField(std::string_view field) {
 }
 
 ForeignTable parseForeignTable(std::string_view text, const std::string& file) {
-  ForeignTable table{tubesheets::parseTextTable(text, {.isUnit = isUnitWord, .statesUnits = statesUnits}), file, {}};
+  if (isPointingData(text)) return parsePointingData(text, file);
+  ForeignTable table{
+      tubesheets::parseTextTable(text, {.isUnit = isUnitWord, .statesUnits = statesUnits}), file, {}, {}};
   if (const auto& problem = table.problem)
     throw InputError(problem->line > 0 ? fmt::format("{}:{}", file, problem->line) : file, problem->found,
                      problem->expected, problem->advice);

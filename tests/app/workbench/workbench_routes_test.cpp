@@ -368,6 +368,23 @@ TEST_F(WorkbenchRoutes, proposalsReachAndFields) {
   }
 }
 
+TEST_F(WorkbenchRoutes, aWorkListSelectsItsTubesAndSaysWhatItLeavesOut) {
+  serve("mockup.yaml");
+  const auto of = [&](const std::string& text) { return post("/api/tubes", {{"name", "work.csv"}, {"text", text}}); };
+  const auto list = of("Row;Col;Status;Weather\n1;1;;fine\n1;2;PLG;\n1;1;;again\n");
+  ASSERT_EQ(list.status, 200);
+  EXPECT_EQ(list.body["tubes"].size(), 1u);  // named twice, and one that is plugged
+  const std::string notes = list.body["notes"].dump();
+  EXPECT_NE(notes.find("1 plugged"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("Weather"), std::string::npos) << notes;
+  const auto stays = of("row,column,dwell_s\n1,1,30\n");
+  ASSERT_EQ(stays.status, 200);
+  EXPECT_NE(stays.body["notes"].dump().find("how long to stay"), std::string::npos);
+  for (const char* wrong : {"", "a,b\n1,2\n", "row,column\n99,99\n", "row,column\n1\n", "row,column\none,two\n",
+                            "row,column,status\n1,1,PLG\n1,1,open\n", "row,column,status\n1,99,melted\n"})
+    EXPECT_EQ(of(wrong).status, 422) << wrong;
+}
+
 TEST_F(WorkbenchRoutes, aPlanCanBePlayedAndExported) {
   serve("mockup.yaml");
   done("/api/plan", {{"tubes", json::array({3, 40, 41, 77})}, {"seed", 2}});

@@ -3,6 +3,7 @@ import {signal} from "@preact/signals";
 import {plural} from "../../../drawing/numbers.js";
 import {cell, runJob, runningJob} from "../server/workbench";
 import {selection} from "../shell/page_state";
+import {WorkListButton} from "./work_list";
 
 const compensation = signal("via-point");
 const isOnLines = signal(false);
@@ -44,6 +45,7 @@ export function PlanOrder() {
           <input type="checkbox" checked={isParked.value} onChange={() => (isParked.value = !isParked.value)} /> park
         </label>
       ) : null}
+      <WorkListButton />
       <button class="button first" disabled={count === 0 || job !== null} onClick={startPlan}>
         {job ? "Planning …" : `Plan ${plural(count, "tube")}`}
       </button>

@@ -3,7 +3,15 @@ import {keep, keptObject} from "./kept";
 
 export interface ColumnsDocument {
   /** `names`: the column by which rows of several tables go together. */
-  tables: {name: string; columns: string[]; rows: string[][]; count: number; names: number | null}[];
+  tables: {
+    name: string;
+    columns: string[];
+    rows: string[][];
+    count: number;
+    names: number | null;
+    /** What was made of the file's numbers, a sentence each. */
+    remarks?: string[];
+  }[];
   targets: {
     quantity: string;
     units: string[];

@@ -144,7 +144,7 @@ function OptionChoice({shown, option}: {shown: Foreign; option: ColumnsDocument[
 }
 
 function TablePreview({shown, table}: {shown: Foreign; table: number}) {
-  const {name, columns, rows, count} = shown.document.tables[table];
+  const {name, columns, rows, count, remarks = []} = shown.document.tables[table];
   return (
     <section>
       <h2>{name}</h2>
@@ -176,6 +176,9 @@ function TablePreview({shown, table}: {shown: Foreign; table: number}) {
         </table>
       </div>
       <p class="muted">{plural(count, "row")}</p>
+      {remarks.map((remark) => (
+        <p class="muted">{remark}</p>
+      ))}
     </section>
   );
 }

@@ -1,0 +1,105 @@
+#include "app/files/robot_kinematics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <variant>
+
+#include "app/documents/arm_figures.hpp"
+#include "app/files/arm_reader.hpp"
+#include "tests/app/test_files.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+const std::string kKinematics =
+    "kinematics:\n"
+    "  shoulder:\n    x: 0\n    y: 0\n    z: 0.1521\n    roll: -0\n    pitch: 0\n    yaw: -1.5e-05\n"
+    "  upper_arm: {x: -0.0001, y: 0, z: 0, roll: 1.5703, pitch: 0, yaw: 2.0e-05}\n"
+    "  forearm: {x: -0.2441, y: 0, z: 0, roll: 0.002, pitch: -0.001, yaw: 1.0e-05}\n"
+    "  wrist_1: {x: -0.2130, y: -0.0002, z: 0.1312, roll: 0.0015, pitch: 0, yaw: 3.0e-05}\n"
+    "  wrist_2: {x: 0.0001, y: -0.0854, z: 0.0001, roll: 1.5709, pitch: 0, yaw: -2.0e-05}\n"
+    "  wrist_3: {x: 0, y: 0.0921, z: 0, roll: 1.5706, pitch: 3.14159, yaw: -3.1415}\n"
+    "  hash: calib_1234567890\n";
+
+/// An arm of that make, the first row half a turn about z as from the root link of its URDF.
+const std::string kArm =
+    "# drawn\nunits: {length: mm, angle: deg, force: N}\nlinks:\n"
+    "  - {name: s, origin: {position: [0, 0, 151.9], rpy: [0, 0, 180]}, joint: {name: q1, type: revolute}}\n"
+    "  - {name: u, origin: {position: [0, 0, 0], rpy: [90, 0, 0]}, joint: {name: q2, type: revolute}}\n"
+    "  - {name: f, origin: {position: [-243.65, 0, 0], rpy: [0, 0, 0]}, joint: {name: q3, type: revolute}}\n"
+    "  - {name: w1, origin: {position: [-213, 0, 131.05], rpy: [0, 0, 0]}, joint: {name: q4, type: revolute}}\n"
+    "  - {name: w2, origin: {position: [0, -85.35, 0], rpy: [90, 0, 0]}, joint: {name: q5, type: revolute}}\n"
+    "  - {name: w3, origin: {position: [0, 92.1, 0], rpy: [90, 180, 180]}, joint: {name: q6, type: revolute}}\n"
+    "tool: {tip: [0, 0, 100]}  # measured\n";
+
+YamlFile armOf(const std::string& text) { return {"arm.yaml", text, parseYaml(text, "arm.yaml")}; }
+RobotKinematics kinematicsOf(const std::string& text) { return readRobotKinematics(parseYaml(text, "ur.yaml")); }
+
+TEST(RobotKinematics, replacesTheOriginsAndKeepsTheHalfTurnOfTheBase) {
+  const RobotKinematics kinematics = kinematicsOf(kKinematics);
+  EXPECT_EQ(kinematics.hash, "calib_1234567890");
+  const std::string text = withRobotKinematics(armOf(kArm), kinematics);
+  expectSays(text, "# measured");
+  const ArmSource found = readArm(parseYaml(text, "found.yaml"));
+  ASSERT_EQ(found.arm.rows.size(), 6u);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto& origin = std::get<deflection::Origin<double>>(found.arm.rows[k].placement);
+    auto expected = kinematics.origins[k];
+    if (k == 0) expected.rpy.z() += std::numbers::pi;
+    EXPECT_NEAR((origin.position - expected.position).norm(), 0, 1e-12) << k;
+    EXPECT_NEAR((origin.rpy - expected.rpy).norm(), 0, 1e-11) << k;
+  }
+  const std::string as_root = changed(kArm, "rpy: [0, 0, 180]}, joint: {name: q1", "rpy: [0, 0, 0]}, joint: {name: q1");
+  const ArmSource straight = readArm(parseYaml(withRobotKinematics(armOf(as_root), kinematics), "found.yaml"));
+  EXPECT_NEAR(std::get<deflection::Origin<double>>(straight.arm.rows[0].placement).rpy.z(), -1.5e-5, 1e-15);
+}
+
+TEST(RobotKinematics, whatTheFileLacksIsNamed) {
+  const struct {
+    const char *from, *to, *says;
+  } kWrong[] = {{"  wrist_2: {", "  wrist_two: {", "wrist_2"},
+                {"yaw: 1.0e-05}", "yawn: 1.0e-05}", "ur.yaml:10"},
+                {"z: 0.1312, ", "", "'z'"},
+                {"z: 0.1312", "z: 0,1312", "ur.yaml:11"},
+                {"0.1312", "thirteen", "thirteen"},
+                {"kinematics:", "calibration:", "kinematics"}};
+  for (const auto& [from, to, says] : kWrong)
+    expectSays(messageOf([&, &f = from, &t = to] { (void)kinematicsOf(changed(kKinematics, f, t)); }), says);
+  EXPECT_EQ(kinematicsOf(changed(kKinematics, "  hash: calib_1234567890\n", "")).hash, "");
+}
+
+TEST(RobotKinematics, anArmThatItIsNotOfIsRefused) {
+  const auto kinematics = kinematicsOf(kKinematics);
+  const struct {
+    const char *from, *to, *says;
+  } kWrong[] = {
+      {"position: [-243.65, 0, 0]", "position: [-425, 0, 0]", "'f', which would move by 180.9 mm"},
+      {"position: [0, -85.35, 0], rpy: [90, 0, 0]", "position: [0, -85.35, 0], rpy: [-90, 0, 0]", "'w2'"},
+      {"joint: {name: q4, type: revolute}", "joint: {name: q4, type: revolute, offset: 5}", "'w1'"},
+      {"joint: {name: q4, type: revolute}", "joint: {name: q4, type: prismatic}", "'w1'"},
+      {", joint: {name: q4, type: revolute}", "", "found 5 joints"},
+      {"origin: {position: [0, 92.1, 0], rpy: [90, 180, 180]}", "dh: {alpha: 90, a: 0, d: 92.1}", "'w3' by dh"},
+  };
+  for (const auto& [from, to, says] : kWrong)
+    expectSays(
+        messageOf([&, &f = from, &t = to] { (void)withRobotKinematics(armOf(changed(kArm, f, t)), kinematics); }),
+        says);
+  const std::string two = changed(changed(kArm, "-213, 0, 131.05", "-392, 0, 109"), "-243.65, 0", "-425, 0");
+  expectSays(messageOf([&] { (void)withRobotKinematics(armOf(two), kinematics); }), "'f'");
+}
+
+TEST(ArmText, showsOriginsAsTheFileHasThem) {
+  const ArmSource source = readArm(parseYaml(kArm, "arm.yaml"));
+  const std::string text = armText(source.arm, source.units);
+  expectSays(text, "origin of w1: position -213, 0, 131.05 mm, rpy 0, 0, 0 deg");
+  expectSays(text, "origin of w3: position 0, 92.1, 0 mm, rpy 90, 180, 180 deg");
+  EXPECT_EQ(occurrences(text, "origin of "), 6u);
+  const std::string by_dh =
+      changed(kArm, "origin: {position: [0, 92.1, 0], rpy: [90, 180, 180]}", "dh: {alpha: 90, a: 0, d: 92.1}");
+  const ArmSource mixed = readArm(parseYaml(by_dh, "arm.yaml"));
+  EXPECT_EQ(occurrences(armText(mixed.arm, mixed.units), "origin of "), 5u);
+}
+
+}  // namespace
+}  // namespace tubeplan::app
