@@ -20,12 +20,13 @@ using tinyxml2::XMLElement;
 
 constexpr double kAnyNumber = -std::numeric_limits<double>::infinity();
 
-/// So many numbers of an attribute, none below `least`; where the attribute is not there, URDF has zeros or refuses.
+/// So many numbers of an attribute, none below `least`.
 struct NumberRule {
   const char *element, *attribute;
   std::size_t count;
   double least;
   const char* expected;
+  bool is_required = false;  ///< else URDF has numbers where the attribute is not there
 };
 
 constexpr NumberRule kPlaceNumbers[] = {{"origin", "xyz", 3, kAnyNumber, "three numbers in m"},
@@ -36,10 +37,10 @@ constexpr NumberRule kJointNumbers[] = {{"axis", "xyz", 3, kAnyNumber, "three nu
                                         {"limit", "velocity", 1, 0, "a number, 0 or more"},
                                         {"mimic", "multiplier", 1, kAnyNumber, "a number"},
                                         {"mimic", "offset", 1, kAnyNumber, "a number in rad or m"}};
-constexpr NumberRule kSolidNumbers[] = {{"box", "size", 3, 0, "three lengths in m"},
-                                        {"cylinder", "radius", 1, 0, "a length in m"},
-                                        {"cylinder", "length", 1, 0, "a length in m"},
-                                        {"sphere", "radius", 1, 0, "a length in m"}};
+constexpr NumberRule kSolidNumbers[] = {{"box", "size", 3, 0, "three lengths in m", true},
+                                        {"cylinder", "radius", 1, 0, "a length in m", true},
+                                        {"cylinder", "length", 1, 0, "a length in m", true},
+                                        {"sphere", "radius", 1, 0, "a length in m", true}};
 
 /// Why a text may be no number.
 const char* adviceOn(std::string_view text) {
@@ -54,13 +55,20 @@ const char* adviceOn(std::string_view text) {
 void checkNumbers(const XMLElement& parent, std::span<const NumberRule> rules, const std::string& where) {
   for (const auto& rule : rules) {
     const XMLElement* element = parent.FirstChildElement(rule.element);
-    if (!element || !element->Attribute(rule.attribute)) continue;
+    if (!element || (!rule.is_required && !element->Attribute(rule.attribute))) continue;
     const std::string text = attributeOf(element, rule.attribute);
     const auto numbers = numbersIn(text);
     if (!numbers || numbers->size() != rule.count || std::ranges::min(*numbers) < rule.least)
       throw InputError(where, fmt::format("{} {}={}", rule.element, rule.attribute, inQuotes(text)), rule.expected,
                        adviceOn(text));
   }
+}
+
+/// Texts without which an element says nothing.
+void requireText(const XMLElement* element, const char* attribute, const std::string& where) {
+  if (element && attributeOf(element, attribute).empty())
+    throw InputError(where, fmt::format("a {} without a {}", element->Name(), attribute),
+                     fmt::format("<{} {}=\"...\"/>", element->Name(), attribute));
 }
 
 /// A word that is mistyped there would leave a zero in its place.
@@ -129,6 +137,8 @@ std::string placeOf(const XMLElement& named, const std::string& file) {
 void checkNames(const XMLElement& robot, const std::string& file) {
   if (attributeOf(&robot, "name").empty())
     throw InputError(fmt::format("{}:{}", file, robot.GetLineNum()), "a robot without a name", "<robot name=\"...\">");
+  if (const char* version = robot.Attribute("version"); version && std::string_view(version) != "1.0")
+    throw InputError(fmt::format("{}:{}", file, robot.GetLineNum()), "the version " + inQuotes(version), "1.0");
   if (!robot.FirstChildElement("link")) throw InputError(file, "a robot without links", "links and joints");
   for (const char* kind : {"link", "joint"}) checkNamesOf(robot, kind, file);
   for (const auto* joint = robot.FirstChildElement("joint"); joint; joint = joint->NextSiblingElement("joint"))
@@ -140,12 +150,16 @@ void checkJointNumbers(const XMLElement& joint, const std::string& file) {
   checkPlace(joint, where);
   checkAttributes(joint.FirstChildElement("axis"), {"xyz"}, where);
   checkNumbers(joint, kJointNumbers, where);
+  requireText(joint.FirstChildElement("mimic"), "joint", where);
 }
 
 void checkLinkNumbers(const XMLElement& part, const XMLElement& link, const std::string& file) {
   const std::string where = placeOf(link, file);
   checkPlace(part, where);
-  if (const XMLElement* geometry = part.FirstChildElement("geometry")) checkNumbers(*geometry, kSolidNumbers, where);
+  const XMLElement* geometry = part.FirstChildElement("geometry");
+  if (!geometry) return;
+  checkNumbers(*geometry, kSolidNumbers, where);
+  requireText(geometry->FirstChildElement("mesh"), "filename", where);
 }
 
 }  // namespace tubeplan::app

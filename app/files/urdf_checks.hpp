@@ -1,4 +1,4 @@
-// What the elements of a URDF must say, refused by line where they do not: the parser behind names neither.
+// What the elements of a URDF must say, refused by line where they do not.
 #pragma once
 
 #include <optional>

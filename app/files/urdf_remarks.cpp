@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <urdf_model/model.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -25,13 +24,11 @@ constexpr double kManyDigits = 1e-6;  // rad: 3.141593 is off by less
 constexpr double kFarApart = 20;      // m between two joints
 
 /// Where each joint of the chain is at zero readings; the last entry is the tip.
-std::vector<Vector3d> placesOf(const std::vector<urdf::LinkConstSharedPtr>& chain) {
+std::vector<Vector3d> placesOf(const std::vector<const UrdfTree::Link*>& chain) {
   std::vector<Vector3d> places;
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   for (const auto& link : chain) {
-    const auto& pose = link->parent_joint->parent_to_joint_origin_transform;
-    const Eigen::Quaterniond turn(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
-    X = X * Eigen::Translation3d(pose.position.x, pose.position.y, pose.position.z) * turn.normalized();
+    X = X * link->joint->origin.pose();
     places.push_back(X.translation());
   }
   if (!places.empty()) places.push_back(places.back());
@@ -61,17 +58,16 @@ std::optional<RoundedAngle> roundedAngleOf(double angle) {
   return {};
 }
 
-std::string remarkOnPlace(const urdf::Joint& joint) {
-  const auto& at = joint.parent_to_joint_origin_transform.position;
-  const double far = Vector3d(at.x, at.y, at.z).norm();
+std::string remarkOnPlace(const UrdfTree::Joint& joint) {
+  const double far = joint.origin.xyz.norm();
   if (far <= kFarApart) return "";
   return fmt::format("its origin is {:.4g} m from its parent's: millimetres in a file of metres?", far);
 }
 
 /// Of a turning joint.
-std::string remarkOnLimits(const urdf::Joint& joint) {
+std::string remarkOnLimits(const UrdfTree::Joint& joint) {
   constexpr double kTwoTurns = 4 * std::numbers::pi, kTwoTurnsInDegrees = 720;
-  if (joint.type != urdf::Joint::REVOLUTE || !joint.limits) return "";
+  if (joint.type != "revolute" || !joint.limits) return "";
   const double most = std::max(std::abs(joint.limits->lower), std::abs(joint.limits->upper));
   if (most <= kTwoTurns + kRounded || most > kTwoTurnsInDegrees) return "";
   return fmt::format("limits from {:g} to {:g} are more than two turns: degrees in a file of radians?",
@@ -112,22 +108,20 @@ std::string remarkOnAngle(double angle, double lever, const std::string& joint, 
 
 }  // namespace
 
-std::vector<std::string> remarksOnNumbers(const std::vector<urdf::LinkConstSharedPtr>& chain,
-                                          const WrittenTurns& turns) {
+std::vector<std::string> remarksOnNumbers(const std::vector<const UrdfTree::Link*>& chain) {
   std::vector<std::string> remarks;
   SmallRounding small;
   const auto places = placesOf(chain);
   for (std::size_t k = 0; k < chain.size(); ++k) {
-    const urdf::Joint& joint = *chain[k]->parent_joint;
+    const UrdfTree::Joint& joint = *chain[k]->joint;
     const std::string name = nameInLine(joint.name);
     const auto add = [&](const std::string& remark) {
       if (!remark.empty()) remarks.push_back(fmt::format("joint {}: {}", name, remark));
     };
     add(remarkOnPlace(joint));
     add(remarkOnLimits(joint));
-    if (const auto written = turns.find(joint.name); written != turns.end())
-      for (const double angle : written->second)
-        add(remarkOnAngle(angle, (places.back() - places[k]).norm(), name, small));
+    for (const double angle : joint.origin.rpy)
+      add(remarkOnAngle(angle, (places.back() - places[k]).norm(), name, small));
   }
   if (!small.joints.empty()) remarks.push_back(small.remark());
   return remarks;

@@ -1,10 +1,7 @@
 #include "app/files/urdf_tree.hpp"
 
-#include <console_bridge/console.h>
 #include <fmt/format.h>
 #include <tinyxml2.h>
-#include <urdf_model/model.h>
-#include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
 #include <map>
@@ -15,7 +12,7 @@
 #include "app/files/suggestion.hpp"
 #include "app/files/urdf_checks.hpp"
 #include "app/files/utf8.hpp"
-#include "tubesheets/csv_table.hpp"
+#include "deflection/rotation.hpp"
 
 namespace tubeplan::app {
 
@@ -23,35 +20,10 @@ namespace {
 
 using tinyxml2::XMLDocument, tinyxml2::XMLElement;
 
-/// Takes what the parser has to say, in place of the terminal. urdfdom gives pieces of the file to printf as its
-/// format: where they may hold a percent sign, as it stands or as a character by its number, nothing may be said at
-/// all.
-class ParserMessages : public console_bridge::OutputHandler {
- public:
-  explicit ParserMessages(const std::string& text) : level_(console_bridge::getLogLevel()) {
-    console_bridge::useOutputHandler(this);
-    const bool may_format = text.find('%') != std::string::npos || text.find("&#") != std::string::npos;
-    console_bridge::setLogLevel(may_format ? console_bridge::CONSOLE_BRIDGE_LOG_NONE
-                                           : console_bridge::CONSOLE_BRIDGE_LOG_ERROR);
-  }
-  ~ParserMessages() override {
-    console_bridge::setLogLevel(level_);
-    console_bridge::restorePreviousOutputHandler();
-  }
-  ParserMessages(const ParserMessages&) = delete;
-  ParserMessages& operator=(const ParserMessages&) = delete;
-  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first.empty()) first = text;
-  }
-  std::string first;
-
- private:
-  console_bridge::LogLevel level_;
-};
-
 /// The child elements of this name.
-std::vector<XMLElement*> childrenOf(XMLElement& element, const char* name) {
-  std::vector<XMLElement*> children;
+template <typename Element>
+std::vector<Element*> childrenOf(Element& element, const char* name) {
+  std::vector<Element*> children;
   for (auto* child = element.FirstChildElement(name); child; child = child->NextSiblingElement(name))
     children.push_back(child);
   return children;
@@ -62,17 +34,38 @@ std::string wordsIn(const XMLElement* element) {
   return element && element->GetText() ? fmt::format(" {} {}", element->Name(), nameInLine(element->GetText())) : "";
 }
 
-void forget(XMLElement& element, std::initializer_list<const char*> names) {
-  for (const char* name : names)
-    for (XMLElement* child : childrenOf(element, name)) element.DeleteChild(child);
+/// What the `<transmission>`s of the robot say, by their joints' names.
+std::map<std::string, std::string> transmissionsOf(XMLElement& robot) {
+  std::map<std::string, std::string> words_by_joint;
+  for (XMLElement* transmission : childrenOf(robot, "transmission")) {
+    std::string words = wordsIn(transmission->FirstChildElement("mechanicalReduction"));
+    for (const char* part : {"joint", "actuator"})
+      for (XMLElement* element : childrenOf(*transmission, part))
+        for (const char* number : {"mechanicalReduction", "offset"})
+          words += wordsIn(element->FirstChildElement(number));
+    for (XMLElement* joint : childrenOf(*transmission, "joint")) words_by_joint[attributeOf(joint, "name")] += words;
+  }
+  return words_by_joint;
 }
 
-std::string linkNamedBy(XMLElement& joint, const char* element) {
+UrdfTree::ControllerWords controllerWordsOf(const XMLElement& joint) {
+  UrdfTree::ControllerWords words;
+  const auto* soft = joint.FirstChildElement("safety_controller");
+  const std::string lower = attributeOf(soft, "soft_lower_limit"), upper = attributeOf(soft, "soft_upper_limit");
+  if (!lower.empty() || !upper.empty())
+    words.soft_limits = fmt::format(" {} to {}", nameInLine(lower), nameInLine(upper));
+  for (const char* edge : {"rising", "falling", "reference_position"})
+    if (const auto at = attributeOf(joint.FirstChildElement("calibration"), edge); !at.empty())
+      words.reference_marks += fmt::format(" {} {}", edge, nameInLine(at));
+  return words;
+}
+
+std::string linkNamedBy(const XMLElement& joint, const char* element) {
   return attributeOf(joint.FirstChildElement(element), "link");
 }
 
-/// XML lets the numbers of an attribute stand on several lines, urdfdom does not; and lets characters be written by
-/// their numbers that no name has.
+/// Takes breaks of lines within an attribute for blanks, and refuses characters, written by their numbers, that no name
+/// has.
 void settleAttributes(XMLElement& element, const std::string& file) {
   for (auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
     std::string value = attribute->Value();
@@ -88,16 +81,31 @@ void settleAttributes(XMLElement& element, const std::string& file) {
     settleAttributes(*child, file);
 }
 
-/// Of one link, as it is written.
-struct LinkContent {
-  std::size_t solids = 0;
-  bool has_inertial = false;
-};
+/// The numbers of an attribute that were checked before; `otherwise` where it is not there.
+Eigen::Vector3d vectorIn(const XMLElement* element, const char* name, const Eigen::Vector3d& otherwise) {
+  const auto numbers = numbersIn(attributeOf(element, name));
+  return numbers ? Eigen::Vector3d(numbers->data()) : otherwise;
+}
+double numberIn(const XMLElement* element, const char* name, double otherwise) {
+  const auto numbers = numbersIn(attributeOf(element, name));
+  return numbers ? numbers->front() : otherwise;
+}
 
-/// What urdfdom is given, and what each link has there.
-class Preparation {
+UrdfTree::Origin originOf(const XMLElement& parent) {
+  const XMLElement* origin = parent.FirstChildElement("origin");
+  return {vectorIn(origin, "xyz", Eigen::Vector3d::Zero()), vectorIn(origin, "rpy", Eigen::Vector3d::Zero())};
+}
+
+UrdfTree::Solid solidOf(const XMLElement& collision, const XMLElement& solid) {
+  UrdfTree::Solid read{solid.Name(), attributeOf(&solid, "filename"), originOf(collision)};
+  const double radius = numberIn(&solid, "radius", 0);
+  read.size = vectorIn(&solid, "size", {radius, numberIn(&solid, "length", 0), 0});
+  return read;
+}
+
+class TreeReader {
  public:
-  Preparation(const std::string& text, const std::string& file) : file_(file) {
+  TreeReader(const std::string& text, const std::string& file) : file_(file) {
     if (document_.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS)
       throw InputError(
           fmt::format("{}:{}", file_, std::max(1, document_.ErrorLineNum())),
@@ -110,23 +118,28 @@ class Preparation {
                        "a file with another root, as SDF, is to be converted first");
     refuseXacro(*robot_);
     settleAttributes(*robot_, file_);
-    for (XMLElement* transmission : childrenOf(*robot_, "transmission")) noteTransmission(*transmission);
-    forget(*robot_, {"material", "gazebo", "transmission"});
     checkNames(*robot_, file_);
     checkTree();
-    for (XMLElement* link : childrenOf(*robot_, "link")) prepareLink(*link);
-    for (XMLElement* joint : childrenOf(*robot_, "joint")) prepareJoint(*joint);
   }
 
-  [[nodiscard]] std::string text() const {
-    tinyxml2::XMLPrinter printer(nullptr, true);
-    document_.Print(&printer);
-    return printer.CStr();
+  UrdfTree read() {
+    tree_.name = attributeOf(robot_, "name");
+    for (XMLElement* link : childrenOf(*robot_, "link")) readLink(*link);
+    auto transmissions = transmissionsOf(*robot_);
+    std::map<std::string, XMLElement*> joints;
+    for (XMLElement* joint : childrenOf(*robot_, "joint")) joints.emplace(attributeOf(joint, "name"), joint);
+    for (const auto& [name, joint] : joints) {
+      auto &parent = tree_.links.at(linkNamedBy(*joint, "parent")),
+           &child = tree_.links.at(linkNamedBy(*joint, "child"));
+      child.joint = readJoint(*joint);
+      child.joint->controller.transmission = transmissions[name];
+      child.parent = &parent;
+      parent.children.push_back(&child);
+    }
+    for (const auto& [name, link] : tree_.links)
+      if (!link.joint) tree_.root = &link;
+    return std::move(tree_);
   }
-  [[nodiscard]] const std::map<std::string, LinkContent>& links() const { return links_; }
-  [[nodiscard]] std::vector<std::string>& leftOut() { return left_out_; }
-  [[nodiscard]] WrittenTurns& turns() { return turns_; }
-  [[nodiscard]] std::map<std::string, ControllerWords>& controllers() { return controllers_; }
 
  private:
   [[noreturn]] void refuseAsXacro(const XMLElement& element, const char* found) const {
@@ -169,114 +182,74 @@ class Preparation {
                        "one root, with all other links behind it");
   }
 
-  void prepareLink(XMLElement& link) {
-    forget(link, {"visual", "sensor"});
-    const std::string name = attributeOf(&link, "name");
-    for (XMLElement* inertial : childrenOf(link, "inertial")) {
-      checkLinkNumbers(*inertial, link, file_);
-      prepareInertial(*inertial, placeOf(link, file_));
+  void readLink(const XMLElement& element) {
+    const std::string name = attributeOf(&element, "name");
+    auto& link = tree_.links[name];
+    link.name = name;
+    for (const XMLElement* inertial : childrenOf(element, "inertial")) checkInertial(*inertial, element);
+    if (const XMLElement* inertial = element.FirstChildElement("inertial")) {
+      link.mass = numberIn(inertial->FirstChildElement("mass"), "value", 0);
+      link.centre = originOf(*inertial).xyz;
+      link.has_inertia = numberIn(inertial->FirstChildElement("inertia"), "ixx", 0) > 0;
     }
-    for (XMLElement* collision : childrenOf(link, "collision")) {
-      checkLinkNumbers(*collision, link, file_);
-      XMLElement* geometry = collision->FirstChildElement("geometry");
+    for (const XMLElement* collision : childrenOf(element, "collision")) {
+      checkLinkNumbers(*collision, element, file_);
+      const XMLElement* geometry = collision->FirstChildElement("geometry");
       const XMLElement* solid = geometry ? geometry->FirstChildElement() : nullptr;
-      if (solid && std::set<std::string_view>{"box", "cylinder", "sphere", "mesh"}.contains(solid->Name())) continue;
-      left_out_.push_back(solid ? fmt::format("the {} of link {}: write it into the cell's link_shapes",
-                                              nameInLine(solid->Name()), name)
-                                : fmt::format("a collision of link {}: it has no solid", name));
-      link.DeleteChild(collision);
+      if (solid && std::set<std::string_view>{"box", "cylinder", "sphere", "mesh"}.contains(solid->Name()))
+        link.solids.push_back(solidOf(*collision, *solid));
+      else
+        tree_.left_out.push_back(solid ? fmt::format("the {} of link {}: write it into the cell's link_shapes",
+                                                     nameInLine(solid->Name()), name)
+                                       : fmt::format("a collision of link {}: it has no solid", name));
     }
-    links_[name] = {childrenOf(link, "collision").size(), link.FirstChildElement("inertial") != nullptr};
   }
 
   /// Masses count, and where they are; what turns them does not, and need not be there.
-  void prepareInertial(XMLElement& inertial, const std::string& where) const {
+  void checkInertial(const XMLElement& inertial, const XMLElement& link) const {
+    checkLinkNumbers(inertial, link, file_);
     const std::string mass = attributeOf(inertial.FirstChildElement("mass"), "value");
     const auto number = numbersIn(mass);
     if (!number || number->size() != 1 || number->front() < 0)
-      throw InputError(where, mass.empty() ? "an inertial without mass" : "the mass " + inQuotes(mass),
+      throw InputError(placeOf(link, file_), mass.empty() ? "an inertial without mass" : "the mass " + inQuotes(mass),
                        "<mass value=\"...\"/>, 0 kg or more");
-    XMLElement* inertia = inertial.FirstChildElement("inertia");
-    if (!inertia) inertia = inertial.InsertNewChildElement("inertia");
-    for (const char* moment : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"})
-      if (!tubesheets::parseNumber(attributeOf(inertia, moment))) inertia->SetAttribute(moment, "0");
   }
 
-  void noteTransmission(XMLElement& transmission) {
-    std::string words = wordsIn(transmission.FirstChildElement("mechanicalReduction"));
-    for (const char* part : {"joint", "actuator"})
-      for (XMLElement* element : childrenOf(transmission, part))
-        for (const char* number : {"mechanicalReduction", "offset"})
-          words += wordsIn(element->FirstChildElement(number));
-    for (XMLElement* joint : childrenOf(transmission, "joint"))
-      controllers_[attributeOf(joint, "name")].transmission += words;
-  }
-
-  void noteController(XMLElement& joint) {
-    const auto* soft = joint.FirstChildElement("safety_controller");
-    const auto* marks = joint.FirstChildElement("calibration");
-    if (!soft && !marks) return;
-    auto& words = controllers_[attributeOf(&joint, "name")];
-    const std::string lower = attributeOf(soft, "soft_lower_limit"), upper = attributeOf(soft, "soft_upper_limit");
-    if (!lower.empty() || !upper.empty())
-      words.soft_limits = fmt::format(" {} to {}", nameInLine(lower), nameInLine(upper));
-    for (const char* edge : {"rising", "falling", "reference_position"})
-      if (const auto at = attributeOf(marks, edge); !at.empty())
-        words.reference_marks += fmt::format(" {} {}", edge, nameInLine(at));
-  }
-
-  void prepareJoint(XMLElement& joint) {
-    noteController(joint);
-    forget(joint, {"safety_controller", "calibration", "dynamics"});
-    checkJointNumbers(joint, file_);
-    const std::string name = attributeOf(&joint, "name"), type = attributeOf(&joint, "type");
-    if (const auto rpy = numbersIn(attributeOf(joint.FirstChildElement("origin"), "rpy")))
-      turns_[name] = {(*rpy)[0], (*rpy)[1], (*rpy)[2]};
-    XMLElement* limit = joint.FirstChildElement("limit");
-    if (!limit && (type == "revolute" || type == "prismatic"))
-      throw InputError(placeOf(joint, file_), "no <limit>", "the limits of a " + type + " joint",
-                       type == "revolute" ? "a joint that turns without end is continuous" : "");
-    if (!limit) return;
-    limit->SetAttribute("effort", "0");
-    if (!limit->Attribute("velocity")) limit->SetAttribute("velocity", "0");
+  [[nodiscard]] UrdfTree::Joint readJoint(const XMLElement& element) const {
+    checkJointNumbers(element, file_);
+    UrdfTree::Joint joint;
+    joint.name = attributeOf(&element, "name");
+    joint.type = attributeOf(&element, "type");
+    joint.origin = originOf(element);
+    joint.controller = controllerWordsOf(element);
+    if (const XMLElement* axis = element.FirstChildElement("axis"))
+      joint.axis = vectorIn(axis, "xyz", Eigen::Vector3d::Zero());
+    const XMLElement* limit = element.FirstChildElement("limit");
+    if (limit)
+      joint.limits = {numberIn(limit, "lower", 0), numberIn(limit, "upper", 0), numberIn(limit, "velocity", 0)};
+    else if (joint.type == "revolute" || joint.type == "prismatic")
+      throw InputError(placeOf(element, file_), "no <limit>", "the limits of a " + joint.type + " joint",
+                       joint.type == "revolute" ? "a joint that turns without end is continuous" : "");
+    if (const XMLElement* mimic = element.FirstChildElement("mimic"))
+      joint.mimic = {attributeOf(mimic, "joint"), numberIn(mimic, "multiplier", 1), numberIn(mimic, "offset", 0)};
+    return joint;
   }
 
   const std::string& file_;
   XMLDocument document_;
   XMLElement* robot_ = nullptr;
-  std::map<std::string, LinkContent> links_;
-  std::vector<std::string> left_out_;
-  WrittenTurns turns_;
-  std::map<std::string, ControllerWords> controllers_;
+  UrdfTree tree_;
 };
-
-/// The parser leaves a link at the first thing that it cannot read.
-void refuseLost(const urdf::ModelInterface& model, const Preparation& prepared, const std::string& file,
-                const std::string& message) {
-  const auto refuse = [&](const std::string& where) {
-    throw InputError(where, message.empty() ? "something that cannot be read" : inQuotes(message), "a URDF robot");
-  };
-  for (const auto& [name, link] : model.links_) {
-    const auto written = prepared.links().find(name);
-    if (written == prepared.links().end() || written->second.solids != link->collision_array.size() ||
-        written->second.has_inertial != (link->inertial != nullptr))
-      refuse(fmt::format("{} (link {})", file, nameInLine(name)));
-  }
-  if (!message.empty()) refuse(file);
-}
 
 }  // namespace
 
-UrdfTree readUrdfTree(const std::string& text, const std::string& file) {
-  Preparation prepared(text, file);
-  const std::string readable = prepared.text();
-  ParserMessages messages(readable);
-  UrdfTree tree{urdf::parseURDF(readable), std::move(prepared.turns()), std::move(prepared.leftOut()),
-                std::move(prepared.controllers())};
-  if (!tree.model || !tree.model->getRoot())
-    throw InputError(file, messages.first.empty() ? "no robot" : inQuotes(messages.first), "a URDF robot");
-  refuseLost(*tree.model, prepared, file, messages.first);
-  return tree;
+Eigen::Isometry3d UrdfTree::Origin::pose() const {
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.linear() = deflection::rotationFromFixedAngles<double>(rpy);
+  X.translation() = xyz;
+  return X;
 }
+
+UrdfTree readUrdfTree(const std::string& text, const std::string& file) { return TreeReader(text, file).read(); }
 
 }  // namespace tubeplan::app

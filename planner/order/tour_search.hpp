@@ -26,7 +26,6 @@ class TourSearch {
   void kick(long count, std::mt19937_64& random);
 
   [[nodiscard]] std::vector<int> order() const;  ///< visits, first to last
-  [[nodiscard]] const std::vector<int>& postureOfNode() const { return posture_of_node_; }
 
  private:
   struct Change {  // either positions reversed, or a node's posture replaced

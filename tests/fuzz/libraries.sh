@@ -29,7 +29,6 @@ library() {
 
 library yaml-cpp -DYAML_CPP_BUILD_TESTS=OFF -DYAML_CPP_BUILD_TOOLS=OFF -DYAML_BUILD_SHARED_LIBS=ON
 library tinyxml2
-library urdfdom
 library muparser -DENABLE_SAMPLES=OFF -DENABLE_OPENMP=OFF
 library cpp-httplib -DHTTPLIB_COMPILE=ON
 for file in installed/libhttplib.so.*; do ln -sf "${file##*/}" "$(echo "$file" | sed 's/libhttplib/libcpp-httplib/')"; done # as Debian names it

@@ -28,7 +28,6 @@ for reader in $readers; do
   esac
   leaks=1
   case $reader in
-    urdf) leaks=0 ;; # urdfdom itself leaks robots whose links go round in a ring
     call | door | lines) leaks=0 ;; # threads of the server hold memory between texts, and each look for leaks finds none
   esac
   program=files

@@ -138,7 +138,7 @@ TEST(Urdf, WeightsFollowersAndSolidsComeAlong) {
   expectSays(ur5.left_out[0], "moments of inertia");
 }
 
-// urdfdom gives the coordinate that it cannot read to printf as its format: %n would write into memory.
+// A parser that takes what it cannot read for the format of a message would write into memory by %n.
 TEST(Urdf, APercentSignIsNoFormat) {
   for (const char* piece : {"%n%n%n%s%s%s", "&#37;n&#x25;n", "%1000000000d"}) {
     const std::string text = fmt::format(
@@ -218,7 +218,7 @@ TEST(Urdf, SolidsThatStandStillAreLeftOutInWords) {
   expectSays(read.left_out[0], "base, which stands still");
 }
 
-// urdfdom leaves a link at the first thing that it cannot read.
+// A link is read whole or refused.
 TEST(Urdf, NothingOfALinkIsLostUnsaid) {
   for (const std::string& harmless :
        {std::string(kMass) + kBox,
@@ -239,6 +239,9 @@ TEST(Urdf, NothingOfALinkIsLostUnsaid) {
        {"<inertial><inertia ixx=\"1\"/></inertial>", "<inertial><mass value=\"-1\"/></inertial>",
         "<inertial><mass value=\"nan\"/></inertial>", "<inertial><origin xyz=\"a b c\"/><mass value=\"1\"/></inertial>",
         "<collision><geometry><box size=\"1 1\"/></geometry></collision>",
+        "<collision><geometry><box/></geometry></collision>", "<collision><geometry><sphere/></geometry></collision>",
+        "<collision><geometry><cylinder radius=\"1\"/></geometry></collision>",
+        "<collision><geometry><mesh scale=\"1 1 1\"/></geometry></collision>",
         "<collision name=\"50%\"><origin xyz=\"1\"/><geometry><box size=\"1 1 1\"/></geometry></collision>"})
     EXPECT_NE(refusalOf(flangeUrdf(wrong)), "") << wrong;
 }
@@ -350,6 +353,8 @@ TEST(Urdf, WhatIsWrongIsNamedWithItsLine) {
       {limit("<limit lower=\"-pi\" upper=\"2\"/>"), "a number in rad or m"},
       {limit("<limit lower=\"-2\" upper=\"2\" velocity=\"-1\"/>"), "0 or more"},
       {limit("<limit lower=\"-2\" upper=\"2\"/><mimic joint=\"k\" multiplier=\"x\"/>"), "mimic multiplier"},
+      {limit("<limit lower=\"-2\" upper=\"2\"/><mimic multiplier=\"2\"/>"), "a mimic without a joint"},
+      {changed(good, "<robot name=\"r\">", "<robot name=\"r\" version=\"2.0\">"), "the version '2.0'"},
       {flangeUrdf("<collision><geometry><cylinder radius=\"-1\" length=\"1\"/></geometry></collision>"), "a length"},
       {flangeUrdf("<inertial><origin rpy=\"0 0\"/><mass value=\"1\"/></inertial>"), "three numbers in rad"},
       {changed(good, "</joint>", "</jont>"), "tags do not match"},
