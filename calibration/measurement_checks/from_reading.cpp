@@ -1,6 +1,7 @@
 #include "calibration/measurement_checks/from_reading.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace tubeplan::calibration {
 
@@ -14,6 +15,19 @@ std::set<std::string> idsFrom(const std::vector<Measurement>& readings, const st
   std::set<std::string> ids;
   for (auto reading = std::ranges::find(readings, id, &Measurement::id); reading != readings.end(); ++reading)
     ids.insert(reading->id);
+  return ids;
+}
+
+std::set<std::string> idsNamed(const std::vector<Measurement>& readings, const std::string& text) {
+  const auto find = [&](const std::string& id) { return std::ranges::find(readings, id, &Measurement::id); };
+  if (find(text) != readings.end()) return {text};
+  constexpr std::string_view kTo = "..";
+  const std::size_t to = text.find(kTo);
+  if (to == std::string::npos) return {};
+  const auto first = find(text.substr(0, to)), last = find(text.substr(to + kTo.size()));
+  std::set<std::string> ids;
+  if (last == readings.end()) return ids;
+  for (auto reading = first; reading <= last; ++reading) ids.insert(reading->id);
   return ids;
 }
 

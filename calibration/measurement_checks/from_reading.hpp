@@ -1,4 +1,4 @@
-// Mistakes that begin at one of the readings: "VALUE@READING".
+// Mistakes of a part of the readings: from one of them on, "VALUE@READING", or of a run, "FIRST..LAST".
 #pragma once
 
 #include <functional>
@@ -17,6 +17,9 @@ namespace tubeplan::calibration {
 
 /// The ids of a reading and of all that follow; empty where it is none of them.
 [[nodiscard]] std::set<std::string> idsFrom(const std::vector<Measurement>& readings, const std::string& id);
+
+/// The reading of that id alone, or the run that "FIRST..LAST" names; empty where there is none.
+[[nodiscard]] std::set<std::string> idsNamed(const std::vector<Measurement>& readings, const std::string& text);
 
 /// A change of the readings of these ids alone, others as they were. It must not leave readings out.
 [[nodiscard]] std::function<void(std::vector<Measurement>&)> changeOf(
