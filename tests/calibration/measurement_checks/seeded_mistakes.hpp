@@ -411,6 +411,35 @@ inline Made tipFromByFar(SeededSet& s, SeededRandom& random) { return tipFrom(s,
 inline Made baseFromBarely(SeededSet& s, SeededRandom& random) { return baseFrom(s, random, 10); }
 inline Made baseFromByFar(SeededSet& s, SeededRandom& random) { return baseFrom(s, random, drawnTimes(random)); }
 
+/// A run of up to a fifth of the readings that were logged from something that stood still.
+inline std::optional<std::pair<std::size_t, std::size_t>> drawnRun(const SeededSet& s, SeededRandom& random) {
+  const auto& readings = s.table.readings;
+  const int count = static_cast<int>(readings.size());
+  const auto step = drawnStep(s, random, 0);
+  if (!step) return std::nullopt;
+  const auto last = std::min(step->first + static_cast<std::size_t>(1 + drawnBelow(count / 5, random)),
+                             static_cast<std::size_t>(count - 1));
+  for (std::size_t k = step->first; k <= last; ++k)
+    if (readings[k].setup != readings[step->first].setup || (readings[k].q - readings[step->first - 1].q).norm() < 0.3)
+      return std::nullopt;
+  return std::pair(step->first, last);
+}
+inline Made staleRun(SeededSet& s, SeededRandom& random) {
+  const auto run = drawnRun(s, random);
+  if (!run) return std::nullopt;
+  auto& readings = s.table.readings;
+  for (std::size_t k = run->first; k <= run->second; ++k)
+    readings[k].q = readings[run->first - 1].q, readings[k].load = readings[run->first - 1].load;
+  return "without=" + readings[run->first].id + ".." + readings[run->second].id;
+}
+inline Made frozenTracker(SeededSet& s, SeededRandom& random) {
+  const auto run = drawnRun(s, random);
+  if (!run) return std::nullopt;
+  auto& readings = s.table.readings;
+  for (std::size_t k = run->first; k <= run->second; ++k) readings[k].p_W = readings[run->first - 1].p_W;
+  return "without=" + readings[run->first].id + ".." + readings[run->second].id;
+}
+
 }  // namespace seeded
 
 inline const std::vector<SeededMistake>& seededMistakes() {
@@ -459,6 +488,8 @@ inline const std::vector<SeededMistake>& seededMistakes() {
       {"out-of-reach", "a place out of reach", seeded::outOfReach},
       {"duplicates", "a row twice", seeded::duplicate},
       {"stale-joints", "the joints of the row before", seeded::staleJoints},
+      {"stale-joints", "a run of stale joints", seeded::staleRun},
+      {"stale-places", "a tracker that stood still", seeded::frozenTracker},
   };
   return kMistakes;
 }
