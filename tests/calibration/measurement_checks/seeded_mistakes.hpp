@@ -346,6 +346,8 @@ inline std::optional<SeededStep> drawnStep(const SeededSet& s, SeededRandom& ran
   const bool are_positions =
       std::ranges::all_of(readings, [](const auto& m) { return m.kind == MeasurementKind::kPosition; });
   if (!are_positions || count < 24) return std::nullopt;
+  // Of fewer, the thirty numbers that the drawing leaves open take most of so small a step.
+  if (times_noise == 10 && count < 40) return std::nullopt;
   constexpr int kAround = 6;  // readings of the same set-up, before and behind
   const auto first = static_cast<std::size_t>(kAround + drawnBelow(count - 2 * kAround, random));
   for (std::size_t k = first - kAround; k < first + kAround; ++k)
