@@ -7,7 +7,8 @@
 #include <charconv>
 #include <numbers>
 
-#include "calibration/measurement_checks/mistake.hpp"
+#include "calibration/measurement_checks/from_reading.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration::mistakes::joint_zero {
 
@@ -40,7 +41,8 @@ inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
   return texts;
 }
 
-inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& text) {
+  const auto [value, from] = partedAtReading(text);
   const auto [name, number] = partedAtColon(value);
   const int joint = jointNamed(checked.start.arm, name);
   double offset = 0;
@@ -54,20 +56,38 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   mend.change = [joint, by = offset * checked.units.angles.factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) reading.q[joint] += by;
   };
-  mend.zeros_of = {joint};
   mend.numbers_fitted = 1;
+  if (from) {
+    mend.sentence += "; a turn or counts of its encoder were lost there, or it was knocked or homed anew";
+    return fromReading(checked, std::move(mend), *from);
+  }
+  mend.zeros_of = {joint};
   return mend;
+}
+
+inline std::vector<StepForm> steps(const CheckedReadings& checked) {
+  std::vector<StepForm> forms;
+  for (int j = 0; j < checked.start.arm.jointCount(); ++j)
+    if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute)
+      forms.push_back(
+          {.numbers = 1,
+           .slopes = [j](const Prediction& prediction) { return prediction.by_joints.col(j); },
+           .value = [&checked, j](const Eigen::VectorXd& size,
+                                  const std::string& from) { return textOf(checked, j, size[0]) + "@" + from; }});
+  return forms;
 }
 
 inline MistakeKind kind() {
   return {"joint-zero",
-          "JOINT:ANGLE",
-          "a revolute joint and the offset to add to its readings, in their unit, such as theta3:90",
+          "JOINT:ANGLE[@READING]",
+          "a revolute joint and the offset to add to its readings, in their unit, and from which reading on, such as "
+          "theta3:90 or theta3:8@P41",
           values,
           mend,
           false,
           true,
-          valuesBeside};
+          valuesBeside,
+          steps};
 }
 
 }  // namespace tubeplan::calibration::mistakes::joint_zero

@@ -137,7 +137,7 @@ MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckO
   if (mistake) result.checks.push_back(std::move(*mistake));
   if (as_is.ok && !grossMistake(result)) {
     checkBase(trials, result.checks);
-    if (auto stale = staleJoints(checked, as_is.placed)) result.checks.push_back(std::move(*stale));
+    for (auto& stale : staleReadings(checked, as_is.placed)) result.checks.push_back(std::move(stale));
     if (auto rounded = roundedJoints(trials)) result.checks.push_back(std::move(*rounded));
     if (auto far = placesOutOfReach(checked, as_is.placed)) result.checks.push_back(std::move(*far));
     for (auto& hole : mistakenHoles(checked, as_is.placed)) result.checks.push_back(std::move(hole));

@@ -40,6 +40,13 @@ struct CheckedReadings {
   const tubesheets::Sheet* sheet = nullptr;  ///< none: null; must outlive this
 };
 
+struct Prediction;
+
+/// A set-up that begins within another, whose base is found anew.
+struct NewSetup {
+  std::string name, within;
+};
+
 /// The readings as they would be taken if one mistake had been made.
 struct Mend {
   std::string mistake, value;  ///< as `--assume MISTAKE=VALUE` takes them
@@ -52,6 +59,8 @@ struct Mend {
   bool is_of_part = false;         ///< of some of the readings alone
   std::vector<int> zeros_of = {};  ///< joints whose zeros are looked for from the values tried
   int numbers_fitted = 0;          ///< to the readings: zeros and scales
+  std::optional<NewSetup> new_setup = {};
+  double against = 0;  ///< log of the odds that it has against it beside others: for a choice among many readings
 
   /// Changes the readings, and what they refer to among themselves with them.
   void apply(std::vector<Measurement>& readings) const {
@@ -59,6 +68,19 @@ struct Mend {
     if (change_sigma) change_sigma(readings);
     linkReferences(readings);
   }
+};
+
+/// A mistake that may begin at any reading, by numbers that are the same from there on (step_search.hpp).
+struct StepForm {
+  int numbers = 1;
+  /// How a reading changes with them, by its prediction with slopes by the tip's x, y, z, by joints and by the base:
+  /// rows x numbers.
+  std::function<Eigen::MatrixXd(const Prediction&)> slopes;
+  std::function<std::string(const Eigen::VectorXd& size, const std::string& from)> value;
+  std::optional<std::string> setup = {};  ///< whose readings alone it is of
+  /// An effect of the catalogue says the same, for the diagnosis to find: another form has to explain more.
+  bool is_effect = false;
+  bool is_of_tip = false;  ///< as a tool is that was mounted anew for a set-up
 };
 
 struct MistakeKind {
@@ -71,6 +93,8 @@ struct MistakeKind {
   bool joins_itself = false;   ///< several of it may be made at once: each is of a joint or a column
   /// Worth trying beside another mistake, where other forms than alone are; null: the same.
   std::vector<std::string> (*values_beside)(const CheckedReadings&) = nullptr;
+  /// Forms of it that may begin at any reading; null: none.
+  std::vector<StepForm> (*steps)(const CheckedReadings&) = nullptr;
 };
 
 /// In the order in which several are undone.

@@ -8,6 +8,7 @@
 
 #include "calibration/measurement_checks/joined_mistakes.hpp"
 #include "calibration/measurement_checks/joint_zero.hpp"
+#include "calibration/measurement_checks/step_search.hpp"
 #include "calibration/measurements/reading_problems.hpp"
 
 namespace tubeplan::calibration {
@@ -21,7 +22,8 @@ constexpr double kAsGood = 3;         // log of the odds within which another mi
 constexpr double kAsGoodError = 1.5;  // times the error, for the same
 constexpr double kNoisePerRow = 0.6;  // lack of fit of a row by noise alone
 constexpr double kFits = 0.05;        // of the reach: readings with a larger error yet are not mended
-constexpr double kLeftOver = 0.001;      // of the reach: an error that one mistake leaves asks for several
+constexpr double kLeftOver = 0.001;   // of the reach: an error that one mistake leaves asks for several
+constexpr double kMostAtNoise = 2;    // chi-square for each degree of freedom that noise alone may leave
 constexpr std::size_t kFinalists = 8;
 constexpr double kLimitSlack = 0.05;    // rad or m past a joint's limit
 constexpr double kShareOutside = 0.02;  // of readings past limits, that no hypothesis may have
@@ -31,9 +33,15 @@ class MistakeSearch {
   explicit MistakeSearch(const MistakeTrials& trials) : trials_(trials) {}
 
   [[nodiscard]] std::optional<MeasurementCheck> find() const {
-    if (!asksForMistakes()) return std::nullopt;
-    auto suspects = examined(screened());
+    if (!asksForMistakes() && !asksForSteps()) return std::nullopt;
+    auto suspects = asksForMistakes() ? examined(screened()) : std::vector<Suspect>{};
+    const auto tried = suspects;
     std::erase_if(suspects, [&](const Suspect& suspect) { return !explainsError(suspect) && !explainsBase(suspect); });
+    if (std::ranges::none_of(suspects, [](const Suspect& suspect) { return isAtNoise(suspect); })) {
+      auto begun = examined(withSteps(tried, isLeftOver(suspects)));
+      std::erase_if(begun, [&](const Suspect& suspect) { return !explainsError(suspect) || !isAllNeeded(suspect); });
+      std::ranges::move(begun, std::back_inserter(suspects));
+    }
     if (isLeftOver(suspects)) {
       auto joined = examined(screenedTogether());
       std::erase_if(joined, [&](const Suspect& suspect) { return !explainsError(suspect) || !isAllNeeded(suspect); });
@@ -52,8 +60,7 @@ class MistakeSearch {
                      (is_of_error ? "" : ", or the base stands far from its nominal place (" + baseText(trials_) + ")");
     stateErrors(best, check);
     for (std::size_t k = 1; k < suspects.size(); ++k)
-      if (suspects[k].parts.size() <= best.parts.size() &&
-          trials_.gain(suspects[k].open) > trials_.gain(best.open) - kAsGood &&
+      if (suspects[k].parts.size() <= best.parts.size() && gainOf(suspects[k]) > gainOf(best) - kAsGood &&
           suspects[k].drawn.error < kAsGoodError * best.drawn.error)
         check.equally.push_back(suspects[k].mend.mistake + "=" + suspects[k].mend.value);
     return check;
@@ -78,9 +85,36 @@ class MistakeSearch {
     return suspects;
   }
 
-  /// What a suspect explains, less what each further mistake has against it beforehand.
+  /// What a suspect explains, less what a choice among many readings has against it ...
+  [[nodiscard]] double gainOf(const Suspect& suspect) const {
+    return trials_.gain(suspect.open) - suspect.mend.against;
+  }
+  /// ... and less what each further mistake has against it beforehand.
   [[nodiscard]] double merit(const Suspect& suspect) const {
-    return trials_.gain(suspect.open) - kOdds * static_cast<double>(suspect.parts.size() - 1);
+    return gainOf(suspect) - kOdds * static_cast<double>(suspect.parts.size() - 1);
+  }
+
+  /// Whether the readings are left with no more than their noise.
+  [[nodiscard]] static bool isAtNoise(const Suspect& suspect) { return suspect.open.chi2_per_freedom < kMostAtNoise; }
+
+  /// The steps that the readings as they are ask for and, of mistakes with steps beside them, those as each suspect has
+  /// them.
+  std::vector<Suspect> withSteps(const std::vector<Suspect>& suspects, bool beside) const {
+    std::vector<Suspect> begun;
+    const auto add = [&](const JoinedMends& parts, const Mend& before, const PlacedArm& fitted) {
+      for (Mend& step : likelySteps(trials_, before, fitted)) {
+        Suspect suspect{parts, {}, {}, {}};
+        suspect.parts.push_back(std::move(step));
+        suspect.mend = joined(suspect.parts);
+        suspect.drawn = trials_.tried(suspect.mend, TrialDepth::kHeld);
+        begun.push_back(std::move(suspect));
+      }
+    };
+    if (trials_.asIs().ok) add({}, {}, trials_.asIs().placed);
+    if (beside)
+      for (const Suspect& suspect : suspects)
+        if (!suspect.mend.parts_setups) add(suspect.parts, suspect.mend, suspect.open.placed);
+    return begun;
   }
 
   /// Whether no single mistake brings the error near what a model may be off by.
@@ -92,17 +126,16 @@ class MistakeSearch {
 
   /// Whether each of several mistakes does what a single one is asked for, beside the others.
   [[nodiscard]] bool isAllNeeded(const Suspect& suspect) const {
-    if (suspect.parts.size() == 1) return true;
-    for (std::size_t k = 0; k < suspect.parts.size(); ++k) {
+    for (std::size_t k = 0; suspect.parts.size() > 1 && k < suspect.parts.size(); ++k) {
       auto parts = suspect.parts;
       parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
       const Mend others = joined(parts);
       const Trial open = trials_.tried(others, TrialDepth::kOpen);
       if (!open.ok) continue;
       const Trial held = trials_.tried(others, TrialDepth::kHeld);
-      const bool falls =
-          held.error >= kLeastFall * suspect.drawn.held_error || open.error >= kLeastFall * suspect.open.error;
-      if (!falls || trials_.gain(suspect.open) - trials_.gain(open) < kOdds) return false;
+      const bool falls = suspect.parts[k].against > 0 || held.error >= kLeastFall * suspect.drawn.held_error ||
+                         open.error >= kLeastFall * suspect.open.error;
+      if (!falls || trials_.gain(suspect.open) - trials_.gain(open) - suspect.parts[k].against < kOdds) return false;
     }
     return true;
   }
@@ -110,15 +143,24 @@ class MistakeSearch {
   /// Whether there is an error that a mistake could explain, or a base that one could have moved.
   [[nodiscard]] bool asksForMistakes() const {
     if (!trials_.asIs().ok) return true;
-    double rows = 0;
-    for (const auto& reading : trials_.checked().readings)
-      if (trials_.pool().counted.contains(reading.id)) rows += rowsOf(reading);
     const double noise = trials_.noise({});
-    const bool is_lack_of_fit = trials_.asIs().lack_of_fit - kNoisePerRow * rows > kOdds;
     if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // of a part of the readings
     const bool is_bent =
         trials_.asIs().held_error > kDrastic * trials_.asIs().open_error;  // only a drawing bent to them fits
-    return trials_.isBaseFar() || (trials_.asIs().held_error > kLeastFall * noise && (is_lack_of_fit || is_bent));
+    return trials_.isBaseFar() || (trials_.asIs().held_error > kLeastFall * noise && (isLackOfFit() || is_bent));
+  }
+
+  /// Whether there is an error that a step of a few sigmas could make.
+  [[nodiscard]] bool asksForSteps() const {
+    constexpr double kMoreThanNoise = 1.5;  // chi-square for each degree of freedom
+    return isLackOfFit() || trials_.asIs().chi2_per_freedom > kMoreThanNoise;
+  }
+
+  [[nodiscard]] bool isLackOfFit() const {
+    double rows = 0;
+    for (const auto& reading : trials_.checked().readings)
+      if (trials_.pool().counted.contains(reading.id)) rows += rowsOf(reading);
+    return trials_.asIs().lack_of_fit - kNoisePerRow * rows > kOdds;
   }
 
   /// Noise whose column says the same wrong unit is mended with the rest, unless the readings agree better with it as
@@ -271,6 +313,8 @@ class MistakeSearch {
     if (!trials_.asIs().ok) return suspect.drawn.error < kFits * trials_.reach();
     const double shrinks = trials_.shrinkage(suspect.drawn);
     const auto falls = [&](double as_is, double mended) { return as_is >= kLeastFall * mended * shrinks; };
+    // A step that leaves the noise alone, and that no creep explains (step_search.hpp), may be smaller.
+    if (suspect.mend.against > 0 && isAtNoise(suspect) && gainOf(suspect) >= kOdds) return true;
     // A base is one for all readings: one that has slipped is none for those before.
     if (suspect.mend.frees_base && !falls(trials_.asIs().whole_error, suspect.open.whole_error)) return false;
     if (!hasNumbers(suspect.mend) && trials_.gain(suspect.open) > 0 &&
@@ -281,9 +325,9 @@ class MistakeSearch {
         trials_.asIs().whole_error >= kDrastic * suspect.open.whole_error * shrinks &&
         suspect.open.whole_error < kLeastFall * suspect.open.error)
       return true;
-    return trials_.gain(suspect.open) >= kOdds && (falls(trials_.asIs().error, suspect.drawn.error) ||
-                                                   falls(trials_.asIs().held_error, suspect.drawn.held_error) ||
-                                                   falls(trials_.asIs().open_error, suspect.open.error));
+    return gainOf(suspect) >= kOdds && (falls(trials_.asIs().error, suspect.drawn.error) ||
+                                        falls(trials_.asIs().held_error, suspect.drawn.held_error) ||
+                                        falls(trials_.asIs().open_error, suspect.open.error));
   }
 
   [[nodiscard]] bool explainsBase(const Suspect& suspect) const {

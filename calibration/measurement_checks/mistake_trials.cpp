@@ -168,15 +168,22 @@ PlacedArm MistakeTrials::startOf(const Mend& mend) const {
   PlacedArm start = checked_.start;
   if (mend.frees_base)
     for (auto& base_pose : start.base_poses) base_pose.is_known = false;
+  if (mend.new_setup) {
+    const auto within = std::ranges::find(start.base_poses, mend.new_setup->within, &BasePose::setup);
+    start.base_poses.push_back({mend.new_setup->name, within->X_WB, false});
+  }
   return start;
 }
 
 Trial MistakeTrials::tried(const Mend& mend, TrialDepth depth) const {
   if (mend.parts_setups) return triedApart(depth);
-  return judged(fit(startOf(mend), mended(mend, depth), depth), mended(mend, depth));
+  const PlacedArm start = startOf(mend);
+  const auto readings = mended(mend, depth);
+  return judged(fit(start, readings, depth), start, readings);
 }
 
-Trial MistakeTrials::judged(const RobustFit& fit, const std::vector<Measurement>& readings) const {
+Trial MistakeTrials::judged(const RobustFit& fit, const PlacedArm& nominal,
+                            const std::vector<Measurement>& readings) const {
   Trial trial;
   trial.ok = fit.ok;
   if (!fit.ok) return trial;
@@ -186,7 +193,7 @@ Trial MistakeTrials::judged(const RobustFit& fit, const std::vector<Measurement>
   trial.chi2_per_freedom = fit.chi2_per_freedom;
   trial.placed = fit.placed;
   for (std::size_t p = 0; p < fit.placed.base_poses.size(); ++p) {
-    const double shift = shiftOf(fit.placed, checked_.start, p), turn = turnOf(fit.placed, checked_.start, p);
+    const double shift = shiftOf(fit.placed, nominal, p), turn = turnOf(fit.placed, nominal, p);
     trial.lack_of_fit += 3.5 * std::log1p(std::pow(shift / (kUsualShift * reach_), 2) + std::pow(turn / kUsualTurn, 2));
     trial.base_shift = std::max(trial.base_shift, shift);
     trial.base_turn = std::max(trial.base_turn, turn);
@@ -206,7 +213,8 @@ Trial MistakeTrials::triedApart(TrialDepth depth) const {
     auto readings = only(pool_.readings, depth == TrialDepth::kOpen ? pool_.counted : pool_.counted_quickly);
     std::erase_if(readings, [&](const Measurement& reading) { return reading.setup != base_pose.setup; });
     if (readings.empty()) continue;
-    const Trial part = judged(fit({checked_.start.arm, {base_pose}}, readings, depth), readings);
+    const Trial part =
+        judged(fit({checked_.start.arm, {base_pose}}, readings, depth), {checked_.start.arm, {base_pose}}, readings);
     if (!part.ok) return part;
     whole.lack_of_fit += part.lack_of_fit;
     squares += part.error * part.error * static_cast<double>(readings.size());

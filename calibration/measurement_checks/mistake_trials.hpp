@@ -53,6 +53,10 @@ class MistakeTrials {
   [[nodiscard]] RobustFit fitZeros(const Mend& mend, PlacedArm start, const std::vector<std::string>& zeros) const;
   /// The cell's, its base as far known as the mistake leaves it.
   [[nodiscard]] PlacedArm startOf(const Mend& mend) const;
+  /// The readings that count, as a mistake would have them; fewer of them but for the deepest trial.
+  [[nodiscard]] std::vector<Measurement> mended(const Mend& mend, TrialDepth depth) const;
+  /// All that the drawing leaves open.
+  [[nodiscard]] const FreeChoice& open() const { return open_; }
 
   /// How many numbers the readings hold beyond those that a fit of that depth finds; none where it may fit anything.
   [[nodiscard]] int freedom(const Mend& mend, TrialDepth depth) const;
@@ -77,8 +81,8 @@ class MistakeTrials {
   [[nodiscard]] RobustFit fit(PlacedArm start, const std::vector<Measurement>& readings, TrialDepth depth,
                               const std::vector<std::string>& zeros = {}) const;
   [[nodiscard]] const FreeChoice& freeAt(TrialDepth depth) const;
-  [[nodiscard]] std::vector<Measurement> mended(const Mend& mend, TrialDepth depth) const;
-  [[nodiscard]] Trial judged(const RobustFit& fit, const std::vector<Measurement>& readings) const;
+  [[nodiscard]] Trial judged(const RobustFit& fit, const PlacedArm& nominal,
+                             const std::vector<Measurement>& readings) const;
   [[nodiscard]] Trial triedApart(TrialDepth depth) const;
 
   const CheckedReadings& checked_;

@@ -21,6 +21,7 @@
 #include "calibration/measurement_checks/sheet_mirrored.hpp"
 #include "calibration/measurement_checks/shifted_rows.hpp"
 #include "calibration/measurement_checks/sigma_unit.hpp"
+#include "calibration/measurement_checks/tip_elsewhere.hpp"
 #include "calibration/measurement_checks/without.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
@@ -28,13 +29,28 @@ namespace tubeplan::calibration {
 
 const std::vector<MistakeKind>& mistakeKinds() {
   static const std::vector<MistakeKind> kKinds = {
-      mistakes::shifted_rows::kind(),   mistakes::coordinates_unit::kind(), mistakes::loads_unit::kind(),
-      mistakes::angles_unit::kind(),    mistakes::coordinate_unit::kind(),  mistakes::joint_unit::kind(),
-      mistakes::sigma_unit::kind(),     mistakes::mirror::kind(),           mistakes::axes::kind(),
-      mistakes::joint_order::kind(),    mistakes::joint_scale::kind(),      mistakes::joint_sign::kind(),
-      mistakes::joint_coupling::kind(), mistakes::joint_zero::kind(),       mistakes::holes_off::kind(),
-      mistakes::one_hole::kind(),       mistakes::sheet_mirrored::kind(),   mistakes::base_elsewhere::kind(),
-      mistakes::setup_alone::kind(),    mistakes::without::kind(),          mistakes::part_in_unit::coordinates(),
+      mistakes::shifted_rows::kind(),
+      mistakes::coordinates_unit::kind(),
+      mistakes::loads_unit::kind(),
+      mistakes::angles_unit::kind(),
+      mistakes::coordinate_unit::kind(),
+      mistakes::joint_unit::kind(),
+      mistakes::sigma_unit::kind(),
+      mistakes::mirror::kind(),
+      mistakes::axes::kind(),
+      mistakes::joint_order::kind(),
+      mistakes::joint_scale::kind(),
+      mistakes::joint_sign::kind(),
+      mistakes::joint_coupling::kind(),
+      mistakes::joint_zero::kind(),
+      mistakes::holes_off::kind(),
+      mistakes::one_hole::kind(),
+      mistakes::sheet_mirrored::kind(),
+      mistakes::base_elsewhere::kind(),
+      mistakes::tip_elsewhere::kind(),
+      mistakes::setup_alone::kind(),
+      mistakes::without::kind(),
+      mistakes::part_in_unit::coordinates(),
       mistakes::part_in_unit::angles(),
   };
   return kKinds;
@@ -57,6 +73,8 @@ Mend joined(const std::vector<Mend>& parts) {
     all.is_of_part = all.is_of_part || part.is_of_part;
     all.zeros_of.insert(all.zeros_of.end(), part.zeros_of.begin(), part.zeros_of.end());
     all.numbers_fitted += part.numbers_fitted;
+    all.against += part.against;
+    if (part.new_setup) all.new_setup = part.new_setup;
   }
   all.change = [parts](std::vector<Measurement>& readings) {
     for (const Mend& part : parts) part.change(readings);

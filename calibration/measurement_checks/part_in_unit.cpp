@@ -1,12 +1,12 @@
 #include "calibration/measurement_checks/part_in_unit.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <set>
 
 #include "calibration/measurement_checks/angles_unit.hpp"
 #include "calibration/measurement_checks/coordinates_unit.hpp"
+#include "calibration/measurement_checks/from_reading.hpp"
 #include "calibration/measurement_checks/row_comparison.hpp"
 
 namespace tubeplan::calibration::mistakes::part_in_unit {
@@ -89,16 +89,8 @@ std::optional<Mend> mendOf(const MistakeKind& whole, const CheckedReadings& chec
   mend.is_of_part = true;
   std::set<std::string> ids;
   for (std::size_t k = run->first; k <= run->last; ++k) ids.insert(checked.readings[k].id);
-  const auto ofPart = [&ids](std::function<void(std::vector<Measurement>&)> change) {
-    return [change = std::move(change), ids](std::vector<Measurement>& readings) {
-      auto changed = readings;
-      change(changed);
-      for (std::size_t k = 0; k < readings.size(); ++k)
-        if (ids.contains(readings[k].id)) readings[k] = std::move(changed[k]);
-    };
-  };
-  mend.change = ofPart(all->change);
-  if (all->change_sigma) mend.change_sigma = ofPart(all->change_sigma);
+  mend.change = changeOf(ids, all->change);
+  if (all->change_sigma) mend.change_sigma = changeOf(ids, all->change_sigma);
   return mend;
 }
 

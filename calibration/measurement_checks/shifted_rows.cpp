@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "calibration/measurement_checks/from_reading.hpp"
 #include "calibration/measurement_checks/row_comparison.hpp"
 
 namespace tubeplan::calibration::mistakes::shifted_rows {
@@ -121,10 +122,8 @@ std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& va
             "the measured values stand " + rows + (by > 0 ? " below" : " above") + " the joint readings it belongs to"};
   mend.change = [by](std::vector<Measurement>& readings) { shift(by, readings); };
   if (named->from.empty()) return mend;
-  const auto start = std::ranges::find(checked.readings, named->from, &Measurement::id);
-  if (start == checked.readings.end()) return std::nullopt;
-  std::set<std::string> moved;
-  for (auto reading = start; reading != checked.readings.end(); ++reading) moved.insert(reading->id);
+  auto moved = idsFrom(checked.readings, named->from);
+  if (moved.empty()) return std::nullopt;
   mend.sentence = "from reading " + named->from + " on " + mend.sentence +
                   (by < 0 ? ": a measured point was lost there" : ": a measured point is there twice, or too many");
   mend.change = changeFrom(by, std::move(moved));

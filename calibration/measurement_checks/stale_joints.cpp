@@ -21,17 +21,40 @@ namespace {
 
 constexpr double kGross = 10;      // times what most readings are off by, and their noise: no law leaves one reading so
 constexpr std::size_t kLeast = 6;  // readings, by which it is known what most are off by
-constexpr double kMostOfThem = 0.2;  // of the readings: of more, their joints are not what is wrong
+constexpr double kMostOfThem = 0.2;  // of the readings: of more, their joints are not what is wrong ...
+constexpr double kMostOfRun = 0.4;   // ... unless they follow one another
 
-/// Joints, set-up, loads and point: what two readings of one posture have alike.
+/// What two readings have alike, and their set-up.
 using Station = std::pair<std::vector<double>, std::string>;
 
-Station stationOf(const Measurement& reading) {
+/// Joints and load, as of two readings of one posture.
+std::optional<Station> jointsOf(const Measurement& reading) {
   std::vector<double> numbers(reading.q.begin(), reading.q.end());
   numbers.insert(numbers.end(), reading.side_q.begin(), reading.side_q.end());
   numbers.push_back(reading.load);
-  return {std::move(numbers), reading.setup};
+  return Station{std::move(numbers), reading.setup};
 }
+
+/// The place that an instrument measured, number for number; a touched place may well be the same.
+std::optional<Station> placeMeasured(const Measurement& reading) {
+  const auto& kind = kindOf(reading);
+  if (!reading.p_W || !kind.is_place || kind.is_touch || kind.has_anchor) return std::nullopt;
+  return Station{{reading.p_W->begin(), reading.p_W->end()}, reading.setup};
+}
+
+/// A side of a reading that may be that of another.
+struct Side {
+  const char *name, *one, *several, *cause;
+  std::optional<Station> (*of)(const Measurement&);
+};
+
+constexpr Side kSides[] = {
+    {"stale-joints", "a reading states the joints of another reading, and what was measured does not belong there",
+     "readings state the joints of another reading, and what was measured does not belong there",
+     "the joints were logged too early, or copied", jointsOf},
+    {"stale-places", "a reading states the place of another reading, to the last digit, and the arm is not there",
+     "readings state the place of another reading, to the last digit, and the arm is not there",
+     "the tracker stood still while the arm moved on, or the place was copied", placeMeasured}};
 
 /// Length of a reading's error by the model [m], as its kind counts it; not a number of touches of unknown places, and
 /// where the model cannot be evaluated.
@@ -48,14 +71,16 @@ struct Stale {
   std::size_t reading = 0, of = 0;
 };
 
-std::vector<Stale> staleAmong(const std::vector<Measurement>& readings, const std::vector<double>& errors) {
+std::vector<Stale> staleAmong(const std::vector<Measurement>& readings, const std::vector<double>& errors,
+                              const Side& side) {
   std::vector<double> known;
   std::copy_if(errors.begin(), errors.end(), std::back_inserter(known), [](double e) { return std::isfinite(e); });
   if (known.size() < kLeast) return {};
   const double usual = median(std::move(known));
   const auto isGross = [&](std::size_t k) { return errors[k] > kGross * std::max(usual, readings[k].sigma); };
   std::map<Station, std::vector<std::size_t>> stations;
-  for (std::size_t k = 0; k < readings.size(); ++k) stations[stationOf(readings[k])].push_back(k);
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    if (auto station = side.of(readings[k])) stations[std::move(*station)].push_back(k);
   std::vector<Stale> stale;
   for (const auto& [station, members] : stations)
     for (const std::size_t k : members) {
@@ -71,7 +96,7 @@ std::vector<Stale> staleAmong(const std::vector<Measurement>& readings, const st
 
 std::string distanceText(const CheckedReadings& checked, const Stale& stale) {
   const Measurement &reading = checked.readings[stale.reading], &of = checked.readings[stale.of];
-  if (!statesPlace(reading) || !statesPlace(of)) return "";
+  if (!statesPlace(reading) || !statesPlace(of) || *reading.p_W == *of.p_W) return "";
   const auto& unit = checked.units.coordinates;
   return fmt::format(", {:.3g} {} from there", (*reading.p_W - *of.p_W).norm() / unit.factor, unit.name);
 }
@@ -88,29 +113,41 @@ double rmsOf(const std::vector<double>& errors, const std::vector<Stale>& withou
   return std::sqrt(sum / std::max(1, count));
 }
 
-}  // namespace
+bool isRun(const std::vector<Stale>& stale) {
+  return stale.size() > 1 && stale.back().reading - stale.front().reading + 1 == stale.size();
+}
 
-std::optional<MeasurementCheck> staleJoints(const CheckedReadings& checked, const PlacedArm& found) {
-  std::vector<double> errors;
-  for (const auto& reading : checked.readings) errors.push_back(errorOf(found, reading));
-  const auto stale = staleAmong(checked.readings, errors);
-  if (stale.empty() || static_cast<double>(stale.size()) > kMostOfThem * static_cast<double>(checked.readings.size()))
+std::optional<MeasurementCheck> staleOf(const Side& side, const CheckedReadings& checked,
+                                        const std::vector<double>& errors) {
+  const auto stale = staleAmong(checked.readings, errors, side);
+  const double most = isRun(stale) ? kMostOfRun : kMostOfThem;
+  if (stale.empty() || static_cast<double>(stale.size()) > most * static_cast<double>(checked.readings.size()))
     return std::nullopt;
   std::vector<std::string> ids, pairs;
   for (const Stale& one : stale) {
     const std::string &id = checked.readings[one.reading].id, &of = checked.readings[one.of].id;
     ids.push_back(id);
-    pairs.push_back(id + " those of " + of + distanceText(checked, one));
+    pairs.push_back(id + (side.of == jointsOf ? " those of " : " that of ") + of + distanceText(checked, one));
   }
-  return MeasurementCheck{"stale-joints",
-                          CheckSeverity::kMistake,
-                          fmt::format("{} the joints of another reading, and what was measured does not belong there: "
-                                      "{}; the joints were logged too early, or copied",
-                                      ids.size() == 1 ? "a reading states" : "readings state", listOf(pairs)),
-                          rmsOf(errors, {}),
-                          rmsOf(errors, stale),
-                          assumeWithout(ids),
-                          {}};
+  return MeasurementCheck{
+      side.name,
+      CheckSeverity::kMistake,
+      fmt::format("{}: {}; {}", ids.size() == 1 ? side.one : side.several, listOf(pairs), side.cause),
+      rmsOf(errors, {}),
+      rmsOf(errors, stale),
+      isRun(stale) ? "without=" + ids.front() + ".." + ids.back() : assumeWithout(ids),
+      {}};
+}
+
+}  // namespace
+
+std::vector<MeasurementCheck> staleReadings(const CheckedReadings& checked, const PlacedArm& found) {
+  std::vector<double> errors;
+  for (const auto& reading : checked.readings) errors.push_back(errorOf(found, reading));
+  std::vector<MeasurementCheck> checks;
+  for (const Side& side : kSides)
+    if (auto check = staleOf(side, checked, errors)) checks.push_back(std::move(*check));
+  return checks;
 }
 
 }  // namespace tubeplan::calibration

@@ -1,25 +1,27 @@
-// A reading that does not belong there: twice the same, or out of the arm's reach.
+// Readings that do not belong there: twice the same, out of the arm's reach, or a run that was logged from something
+// that stood still.
 #pragma once
 
-#include <algorithm>
-
-#include "calibration/measurement_checks/mistake.hpp"
+#include "calibration/measurement_checks/from_reading.hpp"
 
 namespace tubeplan::calibration::mistakes::without {
 
 inline std::vector<std::string> values(const CheckedReadings&) { return {}; }
 
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
-  if (std::none_of(checked.readings.begin(), checked.readings.end(),
-                   [&](const Measurement& reading) { return reading.id == value; }))
-    return std::nullopt;
-  Mend mend{"without", value, "reading " + value + " is left out"};
-  mend.change = [value](std::vector<Measurement>& readings) {
-    std::erase_if(readings, [&](const Measurement& reading) { return reading.id == value; });
+  const auto ids = idsNamed(checked.readings, value);
+  if (ids.empty()) return std::nullopt;
+  Mend mend{"without", value,
+            ids.size() == 1 ? "reading " + value + " is left out" : "the readings " + value + " are left out"};
+  mend.change = [ids](std::vector<Measurement>& readings) {
+    std::erase_if(readings, [&](const Measurement& reading) { return ids.contains(reading.id); });
   };
   return mend;
 }
 
-inline MistakeKind kind() { return {"without", "ID", "the id of a reading", values, mend}; }
+inline MistakeKind kind() {
+  return {"without", "ID[..ID]", "the id of a reading, or of the first and last of a run, such as 81..95", values,
+          mend};
+}
 
 }  // namespace tubeplan::calibration::mistakes::without

@@ -348,6 +348,115 @@ inline Made staleJoints(SeededSet& s, SeededRandom& random) {
   return "without=" + readings[k].id;
 }
 
+/// One of the readings within a table, and how far what is measured moves from there on: ten times the noise to a
+/// tenth of the reach.
+struct SeededStep {
+  std::size_t first = 0;
+  double motion = 0;  // m
+  std::string from;
+};
+inline std::optional<SeededStep> drawnStep(const SeededSet& s, SeededRandom& random, double times_noise) {
+  const auto& readings = s.table.readings;
+  const int count = static_cast<int>(readings.size());
+  const bool are_positions =
+      std::ranges::all_of(readings, [](const auto& m) { return m.kind == MeasurementKind::kPosition; });
+  if (!are_positions || count < 24) return std::nullopt;
+  // Of fewer, the thirty numbers that the drawing leaves open take most of so small a step.
+  if (times_noise == 10 && count < 40) return std::nullopt;
+  constexpr int kAround = 6;  // readings of the same set-up, before and behind
+  const auto first = static_cast<std::size_t>(kAround + drawnBelow(count - 2 * kAround, random));
+  for (std::size_t k = first - kAround; k < first + kAround; ++k)
+    if (readings[k].setup != readings[first].setup) return std::nullopt;
+  return SeededStep{first, times_noise * readings[first].sigma, readings[first].id};
+}
+inline double drawnTimes(SeededRandom& random) { return 10 * std::pow(10., drawnBetween(0, 2, random)); }
+
+/// Lost counts of an encoder: so much is missing of a joint's readings from there on that the tip moves so far, as a
+/// mean. Of the last joint it would be a tool mounted elsewhere.
+inline Made zeroFrom(SeededSet& s, SeededRandom& random, double times_noise) {
+  const auto step = drawnStep(s, random, times_noise);
+  if (!step) return std::nullopt;
+  const int joint = drawnBelow(static_cast<int>(s.table.joints.size()) - 1, random);
+  const PlacedArm placed = app::startOf(s.cell, s.table.readings);
+  double lever = 0;
+  for (const auto& m : s.table.readings)
+    lever += predictReading(placed.arm, placed.base_poses.front().X_WB, m, {.numbers = {}, .by_joints = true})
+                 .by_joints.col(joint)
+                 .norm() /
+             static_cast<double>(s.table.readings.size());
+  const double lost = step->motion / lever * (random() % 2 ? 1 : -1);
+  for (std::size_t k = step->first; k < s.table.readings.size(); ++k) s.table.readings[k].q[joint] -= lost;
+  return fmt::format("joint-zero={}:{:.6g}@{}", jointName(s, joint), lost / s.table.units.angles.factor, step->from);
+}
+/// A reflector in another place of the last link.
+inline Made tipFrom(SeededSet& s, SeededRandom& random, double times_noise) {
+  const auto step = drawnStep(s, random, times_noise);
+  if (!step) return std::nullopt;
+  Eigen::Vector3d by;
+  for (double& b : by) b = drawnBetween(-1, 1, random);
+  by *= step->motion / by.norm();
+  const PlacedArm placed = app::startOf(s.cell, s.table.readings);
+  const auto& X_WB = placed.base_poses.front().X_WB;
+  for (std::size_t k = step->first; k < s.table.readings.size(); ++k) {
+    auto& m = s.table.readings[k];
+    *m.p_W +=
+        X_WB.linear() * deflection::solveFlexibleKinematics(placed.arm, postureOf(m, placed.arm, X_WB)).X_BD.R * by;
+  }
+  by /= s.table.units.coordinates.factor;
+  return fmt::format("tip={:.5g}:{:.5g}:{:.5g}@{}", by[0], by[1], by[2], step->from);
+}
+/// A tracker that was bumped, whose readings have no time: else it is an effect of the catalogue.
+inline Made baseFrom(SeededSet& s, SeededRandom& random, double times_noise) {
+  const auto step = drawnStep(s, random, times_noise);
+  if (!step) return std::nullopt;
+  Eigen::Vector3d by;
+  for (double& b : by) b = drawnBetween(-1, 1, random);
+  by *= step->motion / by.norm();
+  const Eigen::AngleAxisd turn(step->motion / deflection::reachOf(s.cell.arm), s.cell.arm.gravity_W.normalized());
+  const std::string setup = s.table.readings[step->first].setup;
+  for (std::size_t k = 0; k < s.table.readings.size(); ++k) {
+    auto& m = s.table.readings[k];
+    m.time = std::numeric_limits<double>::quiet_NaN();
+    if (k >= step->first && m.setup == setup) *m.p_W = turn * *m.p_W + by;
+  }
+  return "base=unknown@" + step->from;
+}
+inline Made zeroFromBarely(SeededSet& s, SeededRandom& random) { return zeroFrom(s, random, 10); }
+inline Made zeroFromByFar(SeededSet& s, SeededRandom& random) { return zeroFrom(s, random, drawnTimes(random)); }
+inline Made tipFromBarely(SeededSet& s, SeededRandom& random) { return tipFrom(s, random, 10); }
+inline Made tipFromByFar(SeededSet& s, SeededRandom& random) { return tipFrom(s, random, drawnTimes(random)); }
+inline Made baseFromBarely(SeededSet& s, SeededRandom& random) { return baseFrom(s, random, 10); }
+inline Made baseFromByFar(SeededSet& s, SeededRandom& random) { return baseFrom(s, random, drawnTimes(random)); }
+
+/// A run of up to a fifth of the readings that were logged from something that stood still.
+inline std::optional<std::pair<std::size_t, std::size_t>> drawnRun(const SeededSet& s, SeededRandom& random) {
+  const auto& readings = s.table.readings;
+  const int count = static_cast<int>(readings.size());
+  const auto step = drawnStep(s, random, 0);
+  if (!step) return std::nullopt;
+  const auto last = std::min(step->first + static_cast<std::size_t>(1 + drawnBelow(count / 5, random)),
+                             static_cast<std::size_t>(count - 1));
+  for (std::size_t k = step->first; k <= last; ++k)
+    if (readings[k].setup != readings[step->first].setup || (readings[k].q - readings[step->first - 1].q).norm() < 0.3)
+      return std::nullopt;
+  return std::pair(step->first, last);
+}
+inline Made staleRun(SeededSet& s, SeededRandom& random) {
+  const auto run = drawnRun(s, random);
+  if (!run) return std::nullopt;
+  auto& readings = s.table.readings;
+  for (std::size_t k = run->first; k <= run->second; ++k)
+    readings[k].q = readings[run->first - 1].q, readings[k].load = readings[run->first - 1].load;
+  return "without=" + readings[run->first].id + ".." + readings[run->second].id;
+}
+inline Made frozenTracker(SeededSet& s, SeededRandom& random) {
+  const auto run = drawnRun(s, random);
+  if (!run) return std::nullopt;
+  auto& readings = s.table.readings;
+  for (std::size_t k = run->first; k <= run->second; ++k) readings[k].p_W = readings[run->first - 1].p_W;
+  return "without=" + readings[run->first].id + ".." + readings[run->second].id;
+}
+
 }  // namespace seeded
 
 inline const std::vector<SeededMistake>& seededMistakes() {
@@ -383,6 +492,12 @@ inline const std::vector<SeededMistake>& seededMistakes() {
       {"joint-order", "three joints in a ring", seeded::jointRing},
       {"shift", "rows shifted by one", seeded::shiftedRows},
       {"shift", "rows shifted from a point on", seeded::shiftedFromAPoint},
+      {"joint-zero", "counts lost midway, 10 sigma", seeded::zeroFromBarely},
+      {"joint-zero", "counts lost midway", seeded::zeroFromByFar},
+      {"tip", "another target midway, 10 sigma", seeded::tipFromBarely},
+      {"tip", "another target midway", seeded::tipFromByFar},
+      {"base", "tracker bumped midway, 10 sigma", seeded::baseFromBarely},
+      {"base", "tracker bumped midway", seeded::baseFromByFar},
       {"holes", "holes one off", seeded::holesOff},
       {"sheet-mirrored", "sheet mirrored", seeded::sheetMirrored},
       {"hole", "one hole mistaken", seeded::oneHole},
@@ -391,8 +506,42 @@ inline const std::vector<SeededMistake>& seededMistakes() {
       {"out-of-reach", "a place out of reach", seeded::outOfReach},
       {"duplicates", "a row twice", seeded::duplicate},
       {"stale-joints", "the joints of the row before", seeded::staleJoints},
+      {"stale-joints", "a run of stale joints", seeded::staleRun},
+      {"stale-places", "a tracker that stood still", seeded::frozenTracker},
   };
   return kMistakes;
+}
+
+/// Whether two texts name a step of the same kind and joint, within a third of its size, and within two rows: of a row
+/// that hardly moves nobody can say on which side it is.
+inline bool isSameStep(const std::string& a, const std::string& b) {
+  constexpr double kRows = 2, kShare = 0.3;
+  const auto at = [](const std::string& text) { return std::min(text.find('@'), text.size()); };
+  const auto numberOf = [](const std::string& id) {
+    return std::atof(id.substr(std::min(id.find_first_of("0123456789"), id.size())).c_str());
+  };
+  if (at(a) == a.size() || at(b) == b.size()) return false;
+  if (std::abs(numberOf(a.substr(at(a))) - numberOf(b.substr(at(b)))) > kRows) return false;
+  const auto partsOf = [&](const std::string& text) {
+    std::vector<std::string> parts(1);
+    for (const char c : text.substr(0, at(text)))
+      if (c == ':' || c == '=')
+        parts.emplace_back();
+      else
+        parts.back() += c;
+    return parts;
+  };
+  const auto of_a = partsOf(a), of_b = partsOf(b);
+  if (of_a.size() != of_b.size()) return false;
+  double apart = 0, size = 0;
+  for (std::size_t k = 0; k < of_a.size(); ++k) {
+    const bool is_number = of_a[k].find_first_not_of("+-.0123456789e") == std::string::npos;
+    if (!is_number && of_a[k] != of_b[k]) return false;
+    if (!is_number) continue;
+    apart += std::pow(std::atof(of_a[k].c_str()) - std::atof(of_b[k].c_str()), 2);
+    size += std::pow(std::atof(of_b[k].c_str()), 2);
+  }
+  return apart <= kShare * kShare * size;
 }
 
 enum class Naming { kRight, kEqually, kWrong, kMissed };
@@ -401,6 +550,7 @@ enum class Naming { kRight, kEqually, kWrong, kMissed };
 /// value is estimated, a sigma's unit a matter of what real instruments have: their kind and place count.
 inline Naming judgeNaming(const SeededMistake& mistake, const std::string& mend, const MeasurementChecks& checks) {
   const auto fits = [&](const std::string& assume) {
+    if (mend.find('@') != std::string::npos && !mend.starts_with("shift=")) return isSameStep(assume, mend);
     if (mistake.name == std::string("sigma")) return assume.starts_with("sigma=");
     if (mistake.name == std::string("joint-zero") || mistake.name == std::string("joint-scale"))
       return assume.starts_with(mend + ":");

@@ -1,0 +1,144 @@
+#include "calibration/measurement_checks/step_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "calibration/measurement_checks/from_reading.hpp"
+#include "calibration/measurement_checks/row_comparison.hpp"
+#include "calibration/measurement_checks/step_scan.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr std::size_t kMostSteps = 3;  // forms that are fitted, of readings as they are
+constexpr int kTurns = 4;              // of fitting the size and finding the reading
+constexpr double kBeyondCreep = 5;     // log of the odds of a step against what creeps
+constexpr double kDrasticFall = 8;     // of the error, that no creep makes
+
+class StepSearch {
+ public:
+  StepSearch(const MistakeTrials& trials, const Mend& before) : trials_(trials), before_(before) {
+    for (const auto& kind : mistakeKinds())
+      if (kind.steps)
+        for (auto& form : kind.steps(trials.checked())) {
+          forms_.push_back(std::move(form));
+          kinds_.push_back(&kind);
+        }
+    all_ = trials.checked().readings;
+    before_.apply(all_);
+  }
+
+  std::vector<Mend> find(const PlacedArm& fitted) {
+    const auto readings = trials_.mended(before_, TrialDepth::kOpen);
+    const StepScan scan(fitted, trials_.open(), readings, forms_);
+    if (!scan.ok()) return {};
+    const double creep = scan.bestCreep();
+    double rival = creep;
+    std::vector<Mend> found;
+    for (const FoundStep& step : scan.steps()) {
+      if (found.size() == (before_.mistake.empty() ? kMostSteps : 1) || step.merit <= 0) break;
+      if (forms_[step.form].is_effect) {
+        rival = std::max(rival, step.merit);
+        continue;
+      }
+      auto mend = refined(step, readings[step.reading].id);
+      if (!mend) continue;
+      if (step.merit < rival + kBeyondCreep && !isDrastic(*mend)) continue;
+      found.push_back(std::move(*mend));
+    }
+    return found;
+  }
+
+ private:
+  [[nodiscard]] bool isDrastic(const Mend& mend) const {
+    const Trial with = trials_.tried(joined({before_, mend}), TrialDepth::kOpen);
+    const Trial without = trials_.tried(before_, TrialDepth::kOpen);
+    return with.ok && without.ok && without.whole_error >= kDrasticFall * with.whole_error;
+  }
+
+  [[nodiscard]] std::optional<Mend> mendOf(std::size_t form, const VectorXd& size, const std::string& from) const {
+    auto mend = kinds_[form]->mend(trials_.checked(), forms_[form].value(size, from));
+    if (mend) mend->against = priceOfStep(forms_[form].numbers, trials_.mended(before_, TrialDepth::kOpen));
+    return mend;
+  }
+
+  /// Fits the size, and finds the reading, by turns.
+  [[nodiscard]] std::optional<Mend> refined(const FoundStep& step, std::string from) const {
+    VectorXd size = step.size;
+    auto mend = mendOf(step.form, size, from);
+    for (int turn = 0; turn < kTurns && mend; ++turn) {
+      goOn(trials_.options().stop);
+      const Mend both = joined({before_, *mend});
+      const Trial fit = trials_.tried(both, TrialDepth::kOpen);
+      if (!fit.ok) return std::nullopt;
+      const auto readings = trials_.mended(both, TrialDepth::kOpen);
+      if (!mend->new_setup) size += change(step.form, size, fit.placed, readings, from);
+      const std::string there = beginning(step.form, size, from, fit);
+      const bool rests = there == from && turn > 0;
+      from = there;
+      mend = mendOf(step.form, size, from);
+      if (rests) break;
+    }
+    return mend;
+  }
+
+  /// By how much the size is to be changed, all that is open along with it.
+  [[nodiscard]] VectorXd change(std::size_t form, const VectorXd& size, const PlacedArm& placed,
+                                const std::vector<Measurement>& readings, const std::string& from) const {
+    const auto ids = idsFrom(all_, from);
+    const std::vector<StepForm> one{forms_[form]};
+    const StepScan scan(placed, trials_.open(), readings, one);
+    const auto first = std::ranges::find_if(readings, [&](const auto& m) { return ids.contains(m.id); });
+    if (!scan.ok() || first == readings.end()) return VectorXd::Zero(size.size());
+    return scan.sizeAt(0, static_cast<std::size_t>(first - readings.begin()));
+  }
+
+  /// The reading from which on the errors are least with the step, and before it without.
+  [[nodiscard]] std::string beginning(std::size_t form, const VectorXd& size, const std::string& from,
+                                      const Trial& fit) const {
+    std::vector<std::size_t> members;
+    for (std::size_t k = 0; k < all_.size(); ++k)
+      if (!forms_[form].setup || *forms_[form].setup == all_[k].setup) members.push_back(k);
+    if (members.size() < 2 * kFewestOfStep) return from;
+    const auto whole = mendOf(form, size, all_[members.front()].id);
+    auto stepped = all_;
+    PlacedArm placed = fit.placed;
+    if (whole) {
+      whole->change(stepped);
+      // The set-up that begins with the step has the same base by whatever name.
+      if (whole->new_setup && !placed.base_poses.empty()) placed.base_poses.back().setup = whole->new_setup->name;
+    }
+    RowErrors without(placed, all_), with(placed, stepped);
+    const double scale = fit.open_error / std::sqrt(3.);
+    const auto cost = [&](double error) { return std::log1p(error * error / (4 * scale * scale)); };
+    double sum = 0, least = std::numeric_limits<double>::infinity();
+    std::string best = from;
+    for (std::size_t m = members.size(); m-- > kFewestOfStep;) {
+      const std::size_t k = members[m];
+      const double by_step = cost(with.at(k)) - cost(without.at(k));
+      if (std::isfinite(by_step)) sum += by_step;
+      if (members.size() - m >= kFewestOfStep && sum < least) least = sum, best = all_[k].id;
+    }
+    return best;
+  }
+
+  const MistakeTrials& trials_;
+  Mend before_;
+  std::vector<StepForm> forms_;
+  std::vector<const MistakeKind*> kinds_;
+  std::vector<Measurement> all_;
+};
+
+}  // namespace
+
+std::vector<Mend> likelySteps(const MistakeTrials& trials, const Mend& before, const PlacedArm& fitted) {
+  return StepSearch(trials, before).find(fitted);
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,69 @@
+// A tool or target that was changed within a set-up: what is measured is elsewhere on the tool from a reading on.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "calibration/measurement_checks/from_reading.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+
+namespace tubeplan::calibration::mistakes::tip_elsewhere {
+
+inline std::vector<std::string> values(const CheckedReadings&) { return {}; }
+
+/// "X:Y:Z" in the unit of the coordinates [m].
+inline std::optional<Eigen::Vector3d> offsetNamed(const std::string& text, double unit) {
+  Eigen::Vector3d offset;
+  const char *at = text.data(), *end = at + text.size();
+  for (int k = 0; k < 3; ++k) {
+    const auto [next, error] = std::from_chars(at, end, offset[k]);
+    const bool is_parted = k < 2 ? next != end && *next == ':' : next == end;
+    if (error != std::errc{} || !is_parted || !std::isfinite(offset[k])) return std::nullopt;
+    at = next + (k < 2);
+  }
+  return offset * unit;
+}
+
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& text) {
+  const auto [value, from] = partedAtReading(text);
+  const auto& unit = checked.units.coordinates;
+  const auto offset = offsetNamed(value, unit.factor);
+  if (!offset || !from) return std::nullopt;
+  Mend mend{"tip", value,
+            "what is measured is elsewhere on the tool, by " + value + " " + unit.name +
+                " along its axes: the tool or target was changed there without a set-up of its own"};
+  mend.change = [by = *offset](std::vector<Measurement>& readings) {
+    for (auto& reading : readings)
+      if (!kindOf(reading).is_displacement && !reading.row)
+        reading.p_TQ = reading.p_TQ.value_or(Eigen::Vector3d::Zero()) + by;
+  };
+  mend.numbers_fitted = 3;
+  return fromReading(checked, std::move(mend), *from);
+}
+
+inline std::vector<StepForm> steps(const CheckedReadings& checked) {
+  StepForm form;
+  form.numbers = 3;
+  form.slopes = [](const Prediction& prediction) { return prediction.by_numbers; };
+  form.value = [&checked](const Eigen::VectorXd& size, const std::string& from) {
+    const Eigen::VectorXd shown = size / checked.units.coordinates.factor;
+    return fmt::format("{:.5g}:{:.5g}:{:.5g}@{}", shown[0], shown[1], shown[2], from);
+  };
+  form.is_of_tip = true;
+  return {form};
+}
+
+inline MistakeKind kind() {
+  return {.name = "tip",
+          .value = "X:Y:Z@READING",
+          .expected =
+              "how far the measured point is along the tool's axes, in the unit of the coordinates, and from "
+              "which reading on, such as 0:0.5:0@P41",
+          .values = values,
+          .mend = mend,
+          .steps = steps};
+}
+
+}  // namespace tubeplan::calibration::mistakes::tip_elsewhere
