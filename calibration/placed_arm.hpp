@@ -66,6 +66,7 @@ struct Priors {
   double length = 0.005;                ///< m
   double angle = 0.02;                  ///< rad
   double tip = 0.05;                    ///< m, of the tool's tip, which is mounted and measured by hand
+  double turn = 0.1;                    ///< rad, of the tool's frame, which is mounted by hand too
   double weak = 10;                     ///< of the typical size of all others
   std::map<std::string, double> named;  ///< of single numbers, in internal units; stiffnesses by their compliance
 };
@@ -73,10 +74,11 @@ struct Priors {
 struct PlacedArm {
   deflection::Arm arm;
   std::vector<BasePose> base_poses;
-  Priors priors = {};  ///< of the choice of numbers that was made last: those freed beside them have the same
+  Priors priors = {};            ///< of the choice of numbers that was made last: those freed beside them have the same
+  bool shows_tool_turn = false;  ///< whether the tool's turn reaches a reading: without, its numbers are no geometry
 };
 
-/// The arm placed at X_WB for every set-up that the readings name, in their order.
+/// The arm placed at X_WB for every set-up that the readings name, in their order, for fits to those readings.
 [[nodiscard]] PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool is_known,
                                          const std::vector<Measurement>& readings);
 

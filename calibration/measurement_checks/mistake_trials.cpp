@@ -206,7 +206,9 @@ Trial MistakeTrials::triedApart(TrialDepth depth) const {
     auto readings = only(pool_.readings, depth == TrialDepth::kOpen ? pool_.counted : pool_.counted_quickly);
     std::erase_if(readings, [&](const Measurement& reading) { return reading.setup != base_pose.setup; });
     if (readings.empty()) continue;
-    const Trial part = judged(fit({checked_.start.arm, {base_pose}}, readings, depth), readings);
+    PlacedArm alone = checked_.start;
+    alone.base_poses = {base_pose};
+    const Trial part = judged(fit(std::move(alone), readings, depth), readings);
     if (!part.ok) return part;
     whole.lack_of_fit += part.lack_of_fit;
     squares += part.error * part.error * static_cast<double>(readings.size());

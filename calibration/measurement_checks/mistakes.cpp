@@ -21,6 +21,7 @@
 #include "calibration/measurement_checks/sheet_mirrored.hpp"
 #include "calibration/measurement_checks/shifted_rows.hpp"
 #include "calibration/measurement_checks/sigma_unit.hpp"
+#include "calibration/measurement_checks/tool_frame.hpp"
 #include "calibration/measurement_checks/without.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
@@ -35,7 +36,7 @@ const std::vector<MistakeKind>& mistakeKinds() {
       mistakes::joint_coupling::kind(), mistakes::joint_zero::kind(),       mistakes::holes_off::kind(),
       mistakes::one_hole::kind(),       mistakes::sheet_mirrored::kind(),   mistakes::base_elsewhere::kind(),
       mistakes::setup_alone::kind(),    mistakes::without::kind(),          mistakes::part_in_unit::coordinates(),
-      mistakes::part_in_unit::angles(),
+      mistakes::part_in_unit::angles(), mistakes::tool_frame::kind(),
   };
   return kKinds;
 }
