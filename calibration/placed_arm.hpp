@@ -59,9 +59,9 @@ void takeSizePrior(const deflection::EffectParameter& parameter, Unknown& unknow
 }
 
 /// What is known of the numbers beforehand, as standard deviations about the values of the arm's file: a drawing is
-/// knowledge. Lengths and angles of frames, joint offsets and the tip have a prior of their own; sizes of effects are
-/// none, give or take the largest that real machines have; all others have a weak prior, a multiple of what a number
-/// may well be off by (Unknown::typical), which data soon outweigh.
+/// knowledge. Lengths and angles of frames, joint offsets, the tip and the tool's turn have a prior of their own; sizes
+/// of effects are none, give or take the largest that real machines have; all others have a weak prior, a multiple of
+/// what a number may well be off by (Unknown::typical), which data soon outweigh.
 struct Priors {
   double length = 0.005;                ///< m
   double angle = 0.02;                  ///< rad
