@@ -22,6 +22,8 @@ constexpr double kNothingNew = 1e-6;  // of a column's length, beyond those take
 constexpr double kNearlyAsNew = 0.3;  // of the newest: the first in order is taken among such
 constexpr std::uint64_t kPosturesSeed = 7;
 
+bool isToolTurn(const std::string& name) { return name.starts_with("tool.turn."); }
+
 /// The arm as a mechanism alone: rigid, with neither effects nor what only weighs.
 Arm mechanismOf(const Arm& arm) {
   Arm mechanism = deflection::rigidCopy(arm);
@@ -86,11 +88,12 @@ class Span {
 };
 
 /// The order in which numbers are asked; nothing of those that a mechanism has not.
-std::optional<int> rankOf(const Parameter& number, const Arm& arm) {
+std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   if (number.path.side_chain >= 0 || number.path.effect >= 0 || !isGeometry(number.name)) return std::nullopt;
+  if (isToolTurn(number.name) && !placed.shows_tool_turn) return std::nullopt;
   if (number.path.row < 0) return 1;
   if (number.name.ends_with(".joint.offset")) return 0;
-  return moves(arm.rows[static_cast<std::size_t>(number.path.row)].joint) ? 2 : 3;
+  return moves(placed.arm.rows[static_cast<std::size_t>(number.path.row)].joint) ? 2 : 3;
 }
 
 /// Takes the numbers of one rank, as long as any says something new.
@@ -108,6 +111,7 @@ void takeAll(std::vector<Index> columns, Span& span, std::vector<Index>& taken) 
 }
 
 double priorOf(const Parameter& number, const Priors& priors) {
+  if (isToolTurn(number.name)) return priors.turn;
   if (number.path.row < 0) return priors.tip;
   return number.quantity == deflection::Quantity::kAngle ? priors.angle : priors.length;
 }
@@ -145,13 +149,13 @@ bool placesEveryBase(const PlacedArm& placed, const std::vector<Unknown>& free) 
 
 bool isGeometry(const std::string& name) {
   return name.find(".dh.") != std::string::npos || name.find(".origin.") != std::string::npos ||
-         name.ends_with(".joint.offset") || name.starts_with("tool.tip.");
+         name.ends_with(".joint.offset") || name.starts_with("tool.tip.") || isToolTurn(name);
 }
 
 std::vector<IndependentNumber> independentGeometry(const PlacedArm& placed, const std::vector<Unknown>& free) {
   const Arm mechanism = mechanismOf(placed.arm);
   std::vector<Parameter> numbers = deflection::parametersOf(mechanism);
-  std::erase_if(numbers, [&](const Parameter& number) { return !rankOf(number, mechanism); });
+  std::erase_if(numbers, [&](const Parameter& number) { return !rankOf(number, placed); });
   const MatrixXd motions = motionsBy(mechanism, numbers);
   Span span(motions);
   std::vector<Index> taken, beside;
@@ -167,7 +171,7 @@ std::vector<IndependentNumber> independentGeometry(const PlacedArm& placed, cons
     if (std::ranges::any_of(free, isIt))
       takeFree(static_cast<Index>(k));
     else
-      ranks[static_cast<std::size_t>(*rankOf(numbers[k], mechanism))].push_back(static_cast<Index>(k));
+      ranks[static_cast<std::size_t>(*rankOf(numbers[k], placed))].push_back(static_cast<Index>(k));
   }
   for (const auto& columns : ranks) takeAll(columns, span, taken);
   std::ranges::sort(taken);

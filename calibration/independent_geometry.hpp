@@ -8,7 +8,8 @@
 
 namespace tubeplan::calibration {
 
-/// Returns whether a parameter of that name says where things are: a row's placement, a joint's zero, the tool's tip.
+/// Returns whether a parameter of that name says where things are: a row's placement, a joint's zero, the tool's tip
+/// and turn.
 [[nodiscard]] bool isGeometry(const std::string& name);
 
 /// A number of such a set.
@@ -20,8 +21,9 @@ struct IndependentNumber {
 
 /// Returns a set of geometry that is complete and not redundant beside the unknowns that are free already:
 /// every motion of the tool that geometry can make is made by one combination of these, those unknowns and no other.
-/// That is four numbers for a row that turns, two for a slide and those of the tip, less six where no base is known
-/// (Everett 1987); however the rows are written, and whatever readings there are.
+/// That is four numbers for a row that turns, two for a slide and six of the tool, less six where no base is known
+/// (Everett 1987); however the rows are written, and whatever readings there are. But where the tool's turn reaches no
+/// reading (`placed.shows_tool_turn`), the tool's three are those of the tip.
 ///
 /// Joint zeros come first, then the tip, then rows that move, then others. Of equals the first in file order is taken;
 /// a number that the ones before nearly replace waits for what they do not, so that of nearly parallel axes beta is

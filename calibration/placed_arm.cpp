@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calibration/independent_geometry.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "deflection/effects/effect.hpp"
 #include "deflection/rotation.hpp"
 #include "deflection/weights.hpp"
@@ -110,6 +111,8 @@ void takePrior(const Priors& priors, const deflection::Arm& arm, Unknown& unknow
     unknown.prior_sigma = priors.weak * unknown.typical;
   } else if (unknown.name.starts_with("tool.tip.")) {
     unknown.prior_sigma = priors.tip;
+  } else if (unknown.name.starts_with("tool.turn.")) {
+    unknown.prior_sigma = priors.turn;
   } else {
     unknown.prior_sigma = unknown.quantity == Quantity::kAngle ? priors.angle : priors.length;
   }
@@ -162,6 +165,7 @@ PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& 
     if (!is_there) placed.base_poses.push_back({reading.setup, X_WB, is_known});
   }
   if (placed.base_poses.empty()) placed.base_poses.push_back({"", X_WB, is_known});
+  placed.shows_tool_turn = std::ranges::any_of(readings, seesToolTurn);
   return placed;
 }
 

@@ -59,13 +59,14 @@ void takeSizePrior(const deflection::EffectParameter& parameter, Unknown& unknow
 }
 
 /// What is known of the numbers beforehand, as standard deviations about the values of the arm's file: a drawing is
-/// knowledge. Lengths and angles of frames, joint offsets and the tip have a prior of their own; sizes of effects are
-/// none, give or take the largest that real machines have; all others have a weak prior, a multiple of what a number
-/// may well be off by (Unknown::typical), which data soon outweigh.
+/// knowledge. Lengths and angles of frames, joint offsets, the tip and the tool's turn have a prior of their own; sizes
+/// of effects are none, give or take the largest that real machines have; all others have a weak prior, a multiple of
+/// what a number may well be off by (Unknown::typical), which data soon outweigh.
 struct Priors {
   double length = 0.005;                ///< m
   double angle = 0.02;                  ///< rad
   double tip = 0.05;                    ///< m, of the tool's tip, which is mounted and measured by hand
+  double turn = 0.1;                    ///< rad, of the tool's frame, which is mounted by hand too
   double weak = 10;                     ///< of the typical size of all others
   std::map<std::string, double> named;  ///< of single numbers, in internal units; stiffnesses by their compliance
 };
@@ -73,10 +74,11 @@ struct Priors {
 struct PlacedArm {
   deflection::Arm arm;
   std::vector<BasePose> base_poses;
-  Priors priors = {};  ///< of the choice of numbers that was made last: those freed beside them have the same
+  Priors priors = {};            ///< of the choice of numbers that was made last: those freed beside them have the same
+  bool shows_tool_turn = false;  ///< whether the tool's turn reaches a reading: without, its numbers are no geometry
 };
 
-/// The arm placed at X_WB for every set-up that the readings name, in their order.
+/// The arm placed at X_WB for every set-up that the readings name, in their order, for fits to those readings.
 [[nodiscard]] PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool is_known,
                                          const std::vector<Measurement>& readings);
 

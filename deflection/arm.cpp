@@ -9,6 +9,8 @@
 
 namespace tubeplan::deflection {
 
+Eigen::Matrix3d toolFrame(const Arm& arm) { return rotationFromVector<double>(arm.tool_turn_L) * arm.R_LT; }
+
 std::vector<int> activeRows(const Arm& arm) {
   std::vector<int> active;
   for (int i = 0; i < static_cast<int>(arm.rows.size()); ++i)

@@ -167,7 +167,8 @@ struct ArmOf {
   std::vector<Row<S>> rows;
   Vector3<S> p_LT = Vector3<S>::Zero();          ///< the tip in the last row's frame
   Vector3<S> tool_axis_L = Vector3<S>::UnitZ();  ///< the direction the tool enters a hole, in the last row's frame
-  Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();  ///< the tool frame's axes there, in which readings state turns
+  Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();  ///< the tool frame's axes there as drawn: see toolFrame()
+  Vector3<S> tool_turn_L = Vector3<S>::Zero();         ///< rotation vector from those to the true ones [rad], there too
   double reference_temperature = 293.15;               ///< K, where lengths are nominal
   std::vector<EffectOf<S>> effects;                    ///< what the arm does beyond the model above
   std::vector<SideChain<S>> side_chains;               ///< what only weighs
@@ -190,6 +191,10 @@ struct ArmOf {
 };
 
 using Arm = ArmOf<double>;
+
+/// The tool frame's axes in the last row's, in which readings state turns: as drawn, then turned. The tool's own axis
+/// does not follow it.
+Eigen::Matrix3d toolFrame(const Arm& arm);
 
 /// Indices of the rows of `joints()`.
 std::vector<int> activeRows(const Arm& arm);

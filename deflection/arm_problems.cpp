@@ -142,6 +142,7 @@ std::vector<ArmProblem> findProblems(const Arm& arm) {
     out.push_back({"tool.axis", "a direction of length zero", "three numbers, not all zero"});
   if (!((arm.R_LT.transpose() * arm.R_LT - Eigen::Matrix3d::Identity()).norm() < 1e-9))
     out.push_back({"tool.rpy", "axes that are no frame", "three finite angles"});
+  if (!arm.tool_turn_L.allFinite()) out.push_back({"tool.turn", "a number that is not finite", "three finite angles"});
   for (auto& problem : findEffectProblems(arm)) out.push_back(std::move(problem));
   return out;
 }

@@ -54,6 +54,10 @@ void addMotion(const PoseOf<Dual>& frame, const Vector3d& p, TipColumns& tip) {
   tip.bottomRows<3>() += spin;
 }
 
+void addToolTurn(const Vector3<Dual>& turn_L, const Matrix3d& R_BL, TipColumns& tip) {
+  if (changes(turn_L)) tip.bottomRows<3>() += R_BL * spinOf(rotationFromVector<Dual>(turn_L));
+}
+
 void DirectChanges::begin() {
   first_link_.clear();
   first_element_.clear();

@@ -19,6 +19,9 @@ bool changes(const Vector3<Dual>& v);
 /// Adds what a moving frame does to a tip at p in it (turned into the outer axes).
 void addMotion(const PoseOf<Dual>& frame, const Eigen::Vector3d& p, TipColumns& tip);
 
+/// Adds how the tool frame turns on the last row, whose axes are R_BL at the tip.
+void addToolTurn(const Vector3<Dual>& turn_L, const Eigen::Matrix3d& R_BL, TipColumns& tip);
+
 class DirectChanges {
  public:
   /// About the shape that `arm` has solved last and that `sensitivity` was found at; both must outlive this, and are

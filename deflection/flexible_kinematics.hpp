@@ -99,8 +99,9 @@ struct FlexibleKinematics {
   int iterations = 0;
   std::vector<RowState> rows;
   std::vector<ComponentState> components;
-  PoseOf<double> X_BT;  ///< tool frame at the tip, rigid
-  PoseOf<double> X_BD;  ///< tool frame at the tip, deflected
+  PoseOf<double> X_BT;                                 ///< last row's axes at the tip, rigid
+  PoseOf<double> X_BD;                                 ///< last row's axes at the tip, deflected
+  Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();  ///< axes of the tool frame in those, effects included
 };
 
 /// Solves the deflected shape: loads resolved down the chain on the deflected shape, components deflected, chain put

@@ -57,6 +57,8 @@ const std::vector<ParameterField>& parameterFields() {
     std::vector<ParameterField> fields = rowFields();
     for (const char* tip : {"tip.x", "tip.y", "tip.z"})
       fields.push_back({tip, Quantity::kLength, -kInfinity, kInfinity, true, false});
+    for (const char* turn : {"turn.x", "turn.y", "turn.z"})
+      fields.push_back({turn, Quantity::kAngle, -kFullTurn, kFullTurn, true, false});
     return fields;
   }();
   return kFields;
@@ -67,7 +69,11 @@ Dual* findNumber(Row<Dual>& row, const ParameterField& field, int lump) { return
 
 namespace {
 
-int toolAxis(const ParameterField& f) { return f.name[4] - 'x'; }
+/// The tip's or the turn's.
+template <class S>
+S& locateInTool(ArmOf<S>& arm, const ParameterField& f) {
+  return (f.quantity == Quantity::kLength ? arm.p_LT : arm.tool_turn_L)[f.name.back() - 'x'];
+}
 
 /// Those of the arm, or of a side chain.
 template <class S>
@@ -79,7 +85,7 @@ template <class S>
 S& locateIn(ArmOf<S>& arm, const ParameterPath& path) {
   if (path.effect >= 0) return arm.effects.at(path.effect).values.at(path.value);
   const ParameterField& f = parameterFields().at(path.field);
-  if (f.of_tool) return arm.p_LT[toolAxis(f)];
+  if (f.of_tool) return locateInTool(arm, f);
   Row<S>& row = rowsOf(arm, path.side_chain).at(path.row);
   S* found = findNumber(row, f, path.lump);
   assert(found);
@@ -188,6 +194,7 @@ ArmOf<To> castArm(const ArmOf<From>& arm) {
   out.p_LT = castVector<To>(arm.p_LT);
   out.tool_axis_L = castVector<To>(arm.tool_axis_L);
   out.R_LT = arm.R_LT;
+  out.tool_turn_L = castVector<To>(arm.tool_turn_L);
   out.reference_temperature = arm.reference_temperature;
   for (const auto& effect : arm.effects) out.effects.push_back(castEffect<To>(effect));
   for (const auto& chain : arm.side_chains) {

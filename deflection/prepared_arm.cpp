@@ -312,6 +312,7 @@ FlexibleKinematics PreparedArm::shape() const {
   result.reason = reason();
   result.rows.resize(arm_.rows.size());
   result.X_BT = result.X_BD = X_BD_;
+  result.R_LT = toolFrame(effective());
   if (status_ == KinematicsStatus::kUndefined) return result;
   result.iterations = iterations_;
   std::vector<PoseOf<double>> rigid, deflected;

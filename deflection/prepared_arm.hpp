@@ -50,7 +50,7 @@ class PreparedArm {
   [[nodiscard]] KinematicsStatus status() const { return status_; }
   [[nodiscard]] std::string reason() const;
 
-  /// The tool frame at the deflected tip, in the base as named; not numbers where an effect is undefined.
+  /// The last row's axes at the deflected tip, in the base as named; not numbers where an effect is undefined.
   [[nodiscard]] const PoseOf<double>& X_BD() const { return X_BD_; }
 
   /// A row's frame as deflected, in the base as named.

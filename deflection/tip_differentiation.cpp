@@ -135,6 +135,7 @@ void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>
     differentiateFollowers(index, tip);
     direct_.addTipLoad(dual_posture_.load, {}, tip);
     direct_.addGravity(gravity_turn_.cross(dual_posture_.gravity_B), tip);
+    if (sensitivity_.isOfTool()) addToolTurn(dual_arm_.tool_turn_L, sensitivity_.frame().R, tip);
     for (int slot = 0; slot < count; ++slot) seed(variables[block[slot]], slot, 0);
     store(block, count, tip);
     first += static_cast<std::size_t>(count);
@@ -148,13 +149,17 @@ void TipDifferentiation::differentiateInContext(TipColumns& tip) {
   applyEffects(*context_);
   ArmOf<Dual>& arm = context_->arm;
   for (std::size_t i = 0; i < arm.rows.size(); ++i) setValues(arm.rows[i], values.rows[i]);
-  for (int axis = 0; axis < 3; ++axis) setValue(arm.p_LT[axis], values.p_LT[axis]);
+  for (int axis = 0; axis < 3; ++axis) {
+    setValue(arm.p_LT[axis], values.p_LT[axis]);
+    setValue(arm.tool_turn_L[axis], values.tool_turn_L[axis]);
+  }
   for (Eigen::Index j = 0; j < posture.q.size(); ++j) setValue(context_->posture.q[j], posture.q[j]);
   bool leads_elsewhere = changes(arm.p_LT);
   for (std::size_t i = arm.rows.size(); i-- > 0;)
     leads_elsewhere = differentiateRow(i, arm, readingOf(i, context_->posture.q), leads_elsewhere, tip);
   direct_.addTipLoad(context_->posture.load, arm.tip_load, tip);
   direct_.addGravity(context_->posture.gravity_B, tip);
+  if (sensitivity_.isOfTool()) addToolTurn(arm.tool_turn_L, sensitivity_.frame().R, tip);
 }
 
 /// What is fixed in the world, by as much as the base turns against it.

@@ -37,6 +37,7 @@ class TipSensitivity {
   [[nodiscard]] const std::vector<PoseOf<double>>& frames() const { return frames_; }  ///< near ones, the tip's last
   /// The frame whose answers these are.
   [[nodiscard]] const PoseOf<double>& frame() const { return frames_[answering_]; }
+  [[nodiscard]] bool isOfTool() const { return answering_ + 1 == frames_.size(); }
   [[nodiscard]] const ElementSensitivity& element(std::size_t e) const { return elements_[e]; }
   /// Answer to a change of gravity's direction.
   [[nodiscard]] const TipRows& gravity() const { return gravity_; }

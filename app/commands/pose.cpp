@@ -95,7 +95,7 @@ int run(const PoseOptions& options) {
     fmt::print(stderr, "{}\n", shape.reason);
     return kNegativeAnswer;
   }
-  nlohmann::json json = poseFiguresJson(cell.arm, shape, cell.units);
+  nlohmann::json json = poseFiguresJson(shape, cell.units);
   json["load"] = cell.units.toFile(posture.load, dimension::kForce);
   json["units"] = unitsJson(cell.units);
   json["segments"] = segmentsJson(cell, posture, shape);
@@ -103,9 +103,9 @@ int run(const PoseOptions& options) {
   writeJson(options.json, json);
   if (!printsText(options.json)) return kDone;
   fmt::print("tip in the arm's base frame: position, fixed angles (gamma, beta, alpha)\n");
-  const PoseFigures change = poseChange(cell.arm, shape);
-  print("rigid", toolFiguresOf(cell.arm, shape.X_BT), cell.units);
-  print("flexible", toolFiguresOf(cell.arm, shape.X_BD), cell.units);
+  const PoseFigures change = poseChange(shape);
+  print("rigid", rigidToolOf(shape), cell.units);
+  print("flexible", flexibleToolOf(shape), cell.units);
   print("change", change, cell.units);
   fmt::print("deflection {:.{}f} {}, converged in {} iterations\n",
              change.position.norm() / cell.units.factor(dimension::kLength), lengthDecimals(cell.units),

@@ -16,12 +16,16 @@ namespace tubeplan::app {
 
 PoseFigures poseFiguresOf(const deflection::PoseOf<double>& X) { return {X.p, deflection::fixedAnglesOf(X.R)}; }
 
-PoseFigures toolFiguresOf(const deflection::Arm& arm, const deflection::PoseOf<double>& X) {
-  return {X.p, deflection::fixedAnglesOf(X.R * arm.R_LT)};
+PoseFigures rigidToolOf(const deflection::FlexibleKinematics& shape) {
+  return {shape.X_BT.p, deflection::fixedAnglesOf(shape.X_BT.R * shape.R_LT)};
 }
 
-PoseFigures poseChange(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape) {
-  const PoseFigures rigid = toolFiguresOf(arm, shape.X_BT), flexible = toolFiguresOf(arm, shape.X_BD);
+PoseFigures flexibleToolOf(const deflection::FlexibleKinematics& shape) {
+  return {shape.X_BD.p, deflection::fixedAnglesOf(shape.X_BD.R * shape.R_LT)};
+}
+
+PoseFigures poseChange(const deflection::FlexibleKinematics& shape) {
+  const PoseFigures rigid = rigidToolOf(shape), flexible = flexibleToolOf(shape);
   PoseFigures change{flexible.position - rigid.position, flexible.angles - rigid.angles};
   for (int k = 0; k < 3; ++k) change.angles[k] = std::remainder(change.angles[k], 2 * std::numbers::pi);
   return change;
@@ -32,11 +36,10 @@ nlohmann::json figuresJson(const PoseFigures& figures, const Units& units) {
           {"fixed_angles", vectorJson(figures.angles, units, dimension::kAngle)}};
 }
 
-nlohmann::json poseFiguresJson(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape,
-                               const Units& units) {
-  return {{"rigid", figuresJson(toolFiguresOf(arm, shape.X_BT), units)},
-          {"flexible", figuresJson(toolFiguresOf(arm, shape.X_BD), units)},
-          {"change", figuresJson(poseChange(arm, shape), units)},
+nlohmann::json poseFiguresJson(const deflection::FlexibleKinematics& shape, const Units& units) {
+  return {{"rigid", figuresJson(rigidToolOf(shape), units)},
+          {"flexible", figuresJson(flexibleToolOf(shape), units)},
+          {"change", figuresJson(poseChange(shape), units)},
           {"iterations", shape.iterations}};
 }
 

@@ -16,18 +16,18 @@ struct PoseFigures {
 
 [[nodiscard]] PoseFigures poseFiguresOf(const deflection::PoseOf<double>& X);
 
-/// Of the tool frame at the tip; `X` is the last row's frame moved there.
-[[nodiscard]] PoseFigures toolFiguresOf(const deflection::Arm& arm, const deflection::PoseOf<double>& X);
+/// Of the tool frame at the tip, without and with deflection.
+[[nodiscard]] PoseFigures rigidToolOf(const deflection::FlexibleKinematics& shape);
+[[nodiscard]] PoseFigures flexibleToolOf(const deflection::FlexibleKinematics& shape);
 
 /// Deflected less rigid; angles to half a turn.
-[[nodiscard]] PoseFigures poseChange(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape);
+[[nodiscard]] PoseFigures poseChange(const deflection::FlexibleKinematics& shape);
 
 /// {position: [3], fixed_angles: [3]}.
 [[nodiscard]] nlohmann::json figuresJson(const PoseFigures& figures, const Units& units);
 
 /// {rigid, flexible, change, iterations}, each tip in the arm's base frame.
-[[nodiscard]] nlohmann::json poseFiguresJson(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape,
-                                             const Units& units);
+[[nodiscard]] nlohmann::json poseFiguresJson(const deflection::FlexibleKinematics& shape, const Units& units);
 
 /// {tip_error, needed, warning}: what too few segments of the beams leave of the tip at that posture, how many leave
 /// less than a hundredth of the deflection, and a sentence where those stated leave more, else empty.

@@ -216,13 +216,18 @@ void takeAsStandard(const YamlNode& node, Arm& arm) {
 }
 
 void readTool(const YamlNode& node, ArmSource& source) {
-  node.expectKeys({"tip"}, {"axis", "rpy"});
+  node.expectKeys({"tip"}, {"axis", "rpy", "turn"});
   source.arm.p_LT = readVector(node.at("tip"), source.units, dimension::kLength);
   const YamlNode* axis = node.find("axis");
   source.names_tool_axis = axis != nullptr;
   if (axis) source.arm.tool_axis_L = readDirection(*axis);
   if (const YamlNode* rpy = node.find("rpy"))
     source.arm.R_LT = deflection::rotationFromFixedAngles<double>(readVector(*rpy, source.units, dimension::kAngle));
+  if (const YamlNode* turn = node.find("turn")) {
+    turn->expectKeys({}, {"x", "y", "z"});
+    for (const char* axis_name : {"x", "y", "z"})
+      source.arm.tool_turn_L[*axis_name - 'x'] = readQuantityOr(*turn, axis_name, source.units, dimension::kAngle, 0);
+  }
 }
 
 /// The library speaks in internal units; the user's own number, or numbers, say more.
@@ -257,7 +262,7 @@ const YamlNode* findRow(const YamlNode& node, std::string_view name) {
   return nullptr;
 }
 
-bool isToolKey(std::string_view rest) { return rest.starts_with("tip") || rest == "axis"; }
+bool isToolKey(std::string_view rest) { return rest.starts_with("tip") || rest.starts_with("turn") || rest == "axis"; }
 
 // A parameter's path below its row or tool: list components become [i], a lump its weight.
 std::string pathBelow(std::string_view rest) {
@@ -315,7 +320,7 @@ std::string armPath(const YamlNode& arm, std::string_view name) {
   const std::size_t dot = name.find('.');
   const std::string_view first = name.substr(0, dot);
   const std::string_view rest = dot == std::string_view::npos ? "" : name.substr(dot + 1);
-  // The last row may be called `tool` too: only the tip and the axis are the tool's own.
+  // The last row may be called `tool` too: only the tip, the turn and the axis are the tool's own.
   const YamlNode* row = first == "tool" && isToolKey(rest) ? nullptr : findRow(arm, first);
   if (row) return rest.empty() ? row->path : row->path + "." + pathBelow(rest);
   return arm.find(first) ? prefix + std::string(first) + (rest.empty() ? "" : "." + pathBelow(rest)) : "";

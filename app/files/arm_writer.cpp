@@ -171,9 +171,15 @@ std::string armYaml(const Arm& arm, const Units& units, ToolAxis tool_axis) {
   }
   const std::string turned =
       arm.R_LT.isIdentity(1e-15) ? "" : ", rpy: " + map.listOf(deflection::fixedAnglesOf(arm.R_LT), dimension::kAngle);
+  FlowMap turn(units);
+  for (int k = 0; k < 3; ++k)
+    turn.addUnless(0, std::string_view("xyz").substr(static_cast<std::size_t>(k), 1), arm.tool_turn_L[k],
+                   dimension::kAngle);
+  const std::string turned_further = turn.empty() ? "" : ", turn: " + turn.text();
   const std::string axis =
       tool_axis == ToolAxis::kLeftOut ? "" : ", axis: " + map.listOf(arm.tool_axis_L, dimension::kNone);
-  return text + fmt::format("tool: {{tip: {}{}{}}}\n", map.listOf(arm.p_LT, dimension::kLength), axis, turned);
+  return text + fmt::format("tool: {{tip: {}{}{}{}}}\n", map.listOf(arm.p_LT, dimension::kLength), axis, turned,
+                            turned_further);
 }
 
 }  // namespace tubeplan::app

@@ -21,7 +21,8 @@ struct GroupOfNumbers {
 
 constexpr GroupOfNumbers kGroups[] = {{"length", dimension::kLength, &calibration::Priors::length},
                                       {"angle", dimension::kAngle, &calibration::Priors::angle},
-                                      {"tip", dimension::kLength, &calibration::Priors::tip}};
+                                      {"tip", dimension::kLength, &calibration::Priors::tip},
+                                      {"turn", dimension::kAngle, &calibration::Priors::turn}};
 
 std::vector<std::string> namesFor(const Cell& cell) {
   std::vector<std::string> names;
@@ -71,7 +72,7 @@ void takePriors(const std::vector<std::string>& texts, Cell& cell) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   for (const auto& text : texts) {
     if (text == "none") {
-      cell.priors = {kNone, kNone, kNone, kNone, {}};
+      cell.priors = {kNone, kNone, kNone, kNone, kNone, {}};
       continue;
     }
     const std::size_t equals = text.find('=');

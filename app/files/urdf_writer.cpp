@@ -31,7 +31,7 @@ std::string inertialText(const deflection::RowWeight& row) {
       triple(row.moment_R / row.weight), row.weight / kWeightOfKilogram);
 }
 
-/// To the twelve digits that an arm file has of its angles and of the axis.
+/// By the drawing; to the twelve digits that an arm file has of its angles and of the axis.
 bool keepsToolFrame(const Arm& arm) { return arm.R_LT.col(2).isApprox(arm.tool_axis_L, 1e-10); }
 
 bool hasStiffness(const ArmRow& row) { return row.beam || std::isfinite(row.joint_stiffness.minCoeff()); }
@@ -135,7 +135,7 @@ std::string xmlEscaped(const std::string& text) {
 }
 
 Eigen::Matrix3d urdfTipTurn(const Arm& arm) {
-  if (keepsToolFrame(arm)) return arm.R_LT;
+  if (keepsToolFrame(arm)) return toolFrame(arm);
   return Eigen::Quaterniond::FromTwoVectors(arm.R_LT.col(2), arm.tool_axis_L) * arm.R_LT;
 }
 
@@ -146,6 +146,8 @@ std::vector<std::string> beyondUrdf(const Arm& arm) {
   };
   add(std::ranges::any_of(arm.rows, hasStiffness), "stiffnesses and beams: URDF's links are rigid");
   add(!keepsToolFrame(arm), "the tool frame's turn (rpy): the exported tip's z is the tool's axis");
+  add(keepsToolFrame(arm) && !arm.tool_turn_L.isZero(0),
+      "the tool's axis beside its frame: the exported tip's z is that of the frame, by `turn`");
   add(!arm.gravity_W.isApprox(-Vector3d::UnitZ(), 1e-12),
       "the direction of gravity: URDF has none, and what is imported falls along -z");
   add(std::ranges::any_of(arm.rows, isRead), "the encoders' noise: URDF has no place for it");

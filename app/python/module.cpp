@@ -114,7 +114,7 @@ class PythonCell {
     for (Eigen::Index k = 0; k < q.rows(); ++k) {
       const auto X_BD = tips.X_BD(k);
       places.row(k) = (cell_.X_WB * X_BD.p).transpose();
-      turns.emplace_back(cell_.X_WB.linear() * X_BD.R * cell_.arm.R_LT);
+      turns.emplace_back(cell_.X_WB.linear() * X_BD.R * toolFrame(cell_.arm));
       converged.push_back(tips.status[static_cast<std::size_t>(k)] == deflection::KinematicsStatus::kConverged);
     }
     return py::make_tuple(places, stacked(turns), py::array(py::cast(converged)));

@@ -113,7 +113,7 @@ json answerPosture(const Model& model, const AskedPosture& question) {
   const auto bent = planner::bodyFrames(posed, question.q, &bow);
   const Isometry3d X_WT = cell.X_WB * deflection::toIsometry(shape.X_BT),
                    X_WD = cell.X_WB * deflection::toIsometry(shape.X_BD);
-  json answer = poseFiguresJson(cell.arm, shape, cell.units);
+  json answer = poseFiguresJson(shape, cell.units);
   answer["load"] = cell.units.toFile(question.load, dimension::kForce);
   answer["units"] = unitsJson(cell.units);
   answer["segments"] = segmentsJson(cell, posture, shape);

@@ -26,7 +26,8 @@ bool hasWeights(const deflection::Arm& arm) {
 }
 
 /// What the readings and the arm lack for an effect to be seen; empty where nothing.
-std::string lackOf(const EffectKind& kind, const deflection::Arm& arm, const std::vector<Measurement>& readings) {
+std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings) {
+  const deflection::Arm& arm = placed.arm;
   const auto any = [&](auto&& holds) { return std::any_of(readings.begin(), readings.end(), holds); };
   const bool has_load = any([](const Measurement& m) { return m.load > 0; });
   const bool is_loaded = has_load || any([](const Measurement& m) { return m.wrench.has_value(); });
@@ -42,6 +43,8 @@ std::string lackOf(const EffectKind& kind, const deflection::Arm& arm, const std
   if (kind.needs.moments && !is_loaded && !hasWeights(arm))
     return "the arm file states no weights and no reading is under a load";
   if (kind.needs.no_weights && hasWeights(arm)) return "the arm file states weights: compliances cover it";
+  if (kind.needs.tool_turn && !placed.shows_tool_turn)
+    return "no reading states the tool's turn, or a point beside its tip";
   if (*kind.place_needs && kind.places(arm).empty()) return deflection::lackOfPlace(kind);
   return "";
 }
@@ -263,7 +266,7 @@ CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& re
   for (const auto& kind : deflection::effectKinds()) {
     goOn(hooks.stop);
     if (kind.odds <= 0) continue;
-    if (const std::string lack = lackOf(kind, placed.arm, readings); !lack.empty())
+    if (const std::string lack = lackOf(kind, placed, readings); !lack.empty())
       list.not_tried.push_back(std::string(kind.name) + ": " + lack);
     else
       addKind(kind, placed, readings, options, list);

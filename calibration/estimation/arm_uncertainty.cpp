@@ -27,6 +27,7 @@ double priorSigma(const Parameter& parameter, const deflection::Arm& arm, const 
   if (parameter.path.effect >= 0) return by.stiffness * size;
   if (isPlacement(parameter) && parameter.path.row <= firstJointRow(arm)) return 0;
   if (parameter.name.starts_with("tool.tip.")) return by.tip;
+  if (parameter.name.starts_with("tool.turn.")) return 0;  // moves no tip
   switch (parameter.quantity) {
     case Quantity::kTorquePerAngle:
     case Quantity::kLengthToTheFourth:

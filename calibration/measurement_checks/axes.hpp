@@ -45,19 +45,27 @@ inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& read
   }
 }
 
-inline std::vector<std::string> values(const CheckedReadings& checked) {
+/// All signed orders of x, y and z.
+inline std::vector<std::string> signedOrders() {
   std::vector<std::string> texts;
-  if (!areWritten(checked)) return texts;
   std::string order = "xyz";
   do {
     for (int signs = 0; signs < 8; ++signs) {
       std::string text;
       for (int k = 0; k < 3; ++k)
         text += (signs >> k & 1 ? "-" : "") + std::string(1, order[static_cast<std::size_t>(k)]);
-      const bool is_mirror = order == "xyz" && (signs == 0 || signs == 1 || signs == 2 || signs == 4);
-      if (!is_mirror) texts.push_back(text);
+      texts.push_back(text);
     }
   } while (std::next_permutation(order.begin(), order.end()));
+  return texts;
+}
+
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  if (!areWritten(checked)) return {};
+  std::vector<std::string> texts = signedOrders();
+  std::erase_if(texts, [](const std::string& text) {
+    return text == "xyz" || text == "-xyz" || text == "x-yz" || text == "xy-z";  // the file's own, and mirrored ones
+  });
   return texts;
 }
 

@@ -213,8 +213,9 @@ Trial MistakeTrials::triedApart(TrialDepth depth) const {
     auto readings = only(pool_.readings, depth == TrialDepth::kOpen ? pool_.counted : pool_.counted_quickly);
     std::erase_if(readings, [&](const Measurement& reading) { return reading.setup != base_pose.setup; });
     if (readings.empty()) continue;
-    const Trial part =
-        judged(fit({checked_.start.arm, {base_pose}}, readings, depth), {checked_.start.arm, {base_pose}}, readings);
+    PlacedArm alone = checked_.start;
+    alone.base_poses = {base_pose};
+    const Trial part = judged(fit(alone, readings, depth), alone, readings);
     if (!part.ok) return part;
     whole.lack_of_fit += part.lack_of_fit;
     squares += part.error * part.error * static_cast<double>(readings.size());

@@ -22,6 +22,7 @@
 #include "calibration/measurement_checks/shifted_rows.hpp"
 #include "calibration/measurement_checks/sigma_unit.hpp"
 #include "calibration/measurement_checks/tip_elsewhere.hpp"
+#include "calibration/measurement_checks/tool_frame.hpp"
 #include "calibration/measurement_checks/without.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
@@ -52,6 +53,7 @@ const std::vector<MistakeKind>& mistakeKinds() {
       mistakes::without::kind(),
       mistakes::part_in_unit::coordinates(),
       mistakes::part_in_unit::angles(),
+      mistakes::tool_frame::kind(),
   };
   return kKinds;
 }

@@ -43,7 +43,7 @@ class ReadingBatch {
 
   /// The tool frame as seen from the base, and how it turns [rad], base axes; not of a deflection.
   [[nodiscard]] Eigen::Matrix3d turn(std::size_t k) const {
-    return tips_.X_BD(static_cast<Eigen::Index>(k)).R * arm_.R_LT;
+    return tips_.X_BD(static_cast<Eigen::Index>(k)).R * toolFrame(arm_);
   }
   [[nodiscard]] Eigen::Vector3d turnColumn(std::size_t k, std::size_t variable) const {
     return tips_.jacobian.col(static_cast<Eigen::Index>(k)).segment<3>(6 * static_cast<Eigen::Index>(variable) + 3);

@@ -113,7 +113,8 @@ std::optional<ToolPose> poseAt(const deflection::Arm& arm, const Eigen::Isometry
   const auto shape = deflection::solveFlexibleKinematics(arm, postureOf(reading, arm, X_WB), options);
   if (shape.status != deflection::KinematicsStatus::kConverged) return std::nullopt;
   const auto& X_BF = row ? shape.rows.at(static_cast<std::size_t>(*row)).X_BL : shape.X_BD;
-  return ToolPose{X_WB * X_BF.p, row ? Matrix3d(X_WB.linear() * X_BF.R) : Matrix3d(X_WB.linear() * X_BF.R * arm.R_LT)};
+  return ToolPose{X_WB * X_BF.p,
+                  row ? Matrix3d(X_WB.linear() * X_BF.R) : Matrix3d(X_WB.linear() * X_BF.R * shape.R_LT)};
 }
 
 }  // namespace
@@ -140,7 +141,7 @@ Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X
 Prediction ReadingPredictor::predict(const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                      const PredictionRequest& request) {
   ToolPrediction tool = predictTool(*tip_, X_WB, postureOf(reading, arm_, X_WB), request, reading.row);
-  if (!reading.row) tool.pose.R_WT *= arm_.R_LT;
+  if (!reading.row) tool.pose.R_WT *= toolFrame(tip_->arm().effective());
   if (const auto from = referencePostureOf(reading, arm_, X_WB))
     subtract(tool, predictTool(*tip_, X_WB, *from, request), !referenceOf(reading));
   Prediction prediction = measured(reading, tool);

@@ -39,10 +39,10 @@ enum class EffectStage { kReading, kGeometry, kLoad, kFlexibility, kBase, kMeasu
 enum class PlaceRule { kJoint, kJointPair, kLink, kRowAxis, kSetup, kWord };
 
 /// What there must be for an effect to be seen: columns of the measurements, a hung load, moments at all (weights of
-/// the arm, or a load), or an arm whose weights nobody stated.
+/// the arm, or a load), an arm whose weights nobody stated, or readings that the tool's turn reaches.
 struct EffectNeeds {
   bool approach_directions = false, temperature = false, time = false, load = false, moments = false,
-       no_weights = false;
+       no_weights = false, tool_turn = false;
 };
 
 /// One row of the effect table.

@@ -30,6 +30,7 @@
 #include "deflection/effects/thermal_growth.hpp"
 #include "deflection/effects/tool_offset.hpp"
 #include "deflection/effects/tool_remount.hpp"
+#include "deflection/effects/tool_turn.hpp"
 #include "deflection/effects/tool_weight.hpp"
 #include "deflection/effects/transmission_error.hpp"
 #include "deflection/effects/user_formula.hpp"
@@ -48,7 +49,7 @@ const std::vector<EffectKind>& effectKinds() {
       stiffening::kind(),         backlash::kind(),      base_slip::kind(),
       base_drift::kind(),         scale_error::kind(),   gravity_sag::kind(),
       slide_bending::kind(),      cable_stretch::kind(), gear_wave::kind(),
-      tool_remount::kind(),       user_formula::kind(),
+      tool_remount::kind(),       tool_turn::kind(),     user_formula::kind(),
   };
   return kKinds;
 }

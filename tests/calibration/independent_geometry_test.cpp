@@ -47,7 +47,8 @@ Eigen::Index rankOf(const Eigen::MatrixXd& columns) {
 std::vector<std::string> allGeometry(const PlacedArm& placed) {
   std::vector<std::string> names;
   for (const auto& parameter : deflection::parametersOf(placed.arm))
-    if (isGeometry(parameter.name)) names.push_back(parameter.name);
+    if (isGeometry(parameter.name) && (placed.shows_tool_turn || !parameter.name.starts_with("tool.turn")))
+      names.push_back(parameter.name);
   return names;
 }
 
@@ -62,7 +63,8 @@ TEST(IndependentGeometry, IsCompleteAndNotRedundantHoweverRowsAreWritten) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const PlacedArm by_dh = mechanism(seed), by_origins = byOrigins(by_dh);
     Eigen::Index made = 0;
-    for (const PlacedArm& placed : {by_dh, by_origins}) {
+    for (PlacedArm placed : {by_dh, by_origins}) {
+      placed.shows_tool_turn = seed % 2 == 0;
       const auto names = chosen(placed);
       const Eigen::MatrixXd columns = motions(placed, names);
       const Eigen::Index rank = rankOf(columns);
@@ -89,6 +91,26 @@ TEST(IndependentGeometry, HoldsAsManyNumbersAsMechanismsHave) {
     }
   }
   EXPECT_GT(open, 30);
+}
+
+/// Everett's whole count, once readings state the tool's turn.
+TEST(IndependentGeometry, HoldsTheToolsTurnWhereReadingsShowIt) {
+  int whole = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    PlacedArm placed = mechanism(seed);
+    placed.base_poses[0].is_known = false;
+    int turns = 0, slides = 0;
+    for (const auto& joint : placed.arm.joints()) ++(joint.type == deflection::JointType::kPrismatic ? slides : turns);
+    const auto isTurn = [](const std::string& name) { return name.starts_with("tool.turn"); };
+    EXPECT_TRUE(std::ranges::none_of(chosen(placed), isTurn)) << seed;
+    placed.shows_tool_turn = true;
+    const auto names = chosen(placed);
+    EXPECT_TRUE(std::ranges::any_of(names, isTurn)) << seed;
+    if (slides > 0) continue;
+    ++whole;
+    EXPECT_EQ(rankOf(motions(placed, names)), 4 * turns + 6) << seed;
+  }
+  EXPECT_GT(whole, 20);
 }
 
 TEST(IndependentGeometry, TellsNearlyParallelAxesApartByTheirLean) {

@@ -32,6 +32,7 @@ TEST(ArmProblems, EachIsFoundByName) {
       {"forearm", [](Arm& a) { a.rows[5].name = "forearm"; }},
       {"tool.joint.name", [](Arm& a) { a.rows[5].joint.name = "theta1"; }},
       {"tool.tip", [nan](Arm& a) { a.p_LT[1] = nan; }},
+      {"tool.turn", [nan](Arm& a) { a.tool_turn_L[1] = nan; }},
       {"gravity", [](Arm& a) { a.gravity_W.setZero(); }},
       {"links", [](Arm& a) { a.rows.clear(); }},
   };

@@ -32,7 +32,8 @@ inline void step(Arm& arm, Posture& posture, const Variable& variable, double h)
 inline PoseOf<double> frameAt(Arm arm, Posture posture, const Variable& variable, double h, int row) {
   step(arm, posture, variable, h);
   const auto shape = solveFlexibleKinematics(arm, posture, kTight);
-  return row == kTool ? shape.X_BD : shape.rows[static_cast<std::size_t>(row)].X_BL;
+  return row == kTool ? PoseOf<double>{shape.X_BD.R * shape.R_LT, shape.X_BD.p}
+                      : shape.rows[static_cast<std::size_t>(row)].X_BL;
 }
 
 struct Difference {

@@ -5,6 +5,7 @@
 
 #include "app/jobs/diagnosis.hpp"
 #include "app/studies/monte_carlo/random_draw.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "deflection/effects/effect.hpp"
 
 namespace tubeplan::app {
@@ -110,13 +111,16 @@ std::optional<DiagnosisTrial> DiagnosisTrials::run(std::uint64_t index, const ca
 }
 
 std::vector<int> hideableKinds(const Cell& cell, const DiagnosisTrialOptions& options) {
-  const auto loads = prepareSimulation(cell, options.readings).design.loads;
-  const bool is_loaded = std::any_of(loads.begin(), loads.end(), [](double load) { return load > 0; });
+  const auto design = prepareSimulation(cell, options.readings).design;
+  const bool is_loaded = std::any_of(design.loads.begin(), design.loads.end(), [](double load) { return load > 0; });
+  calibration::Measurement reading;
+  reading.kind = design.kind;
+  const bool shows_tool_turn = calibration::seesToolTurn(reading);
   std::vector<int> kinds;
   const auto& table = deflection::effectKinds();
   for (std::size_t k = 0; k < table.size(); ++k)
     if (!table[k].parameters.empty() && table[k].places && !table[k].places(cell.arm).empty() &&
-        (is_loaded || !table[k].needs.load))
+        (is_loaded || !table[k].needs.load) && (shows_tool_turn || !table[k].needs.tool_turn))
       kinds.push_back(static_cast<int>(k));
   return kinds;
 }

@@ -68,7 +68,7 @@ TEST(ArmReader, readsOriginsPrismaticJointsLumpsAndTheAxis) {
                        "    joint: {name: s, type: prismatic, offset: 10, limits: [0, 500], max_speed: 50}\n"
                        "    beam: {E: 70000, Ix: 500, G: 26000, J: 900, segments: 4}\n"
                        "    weight: {lumps: [{weight: 3, at: [1, 2, 3]}]}\n"
-                       "tool: {tip: [100, 0, 0], axis: [0, 3, 4]}\nreference_temperature: 25\n")
+                       "tool: {tip: [100, 0, 0], axis: [0, 3, 4], turn: {y: 0.5}}\nreference_temperature: 25\n")
                        .arm;
   EXPECT_DOUBLE_EQ(arm.rows[0].joint.offset, 0.01);
   EXPECT_DOUBLE_EQ(arm.rows[0].joint.upper, 0.5);
@@ -77,6 +77,7 @@ TEST(ArmReader, readsOriginsPrismaticJointsLumpsAndTheAxis) {
   EXPECT_EQ(arm.rows[0].beam->segments, 4);
   EXPECT_DOUBLE_EQ(arm.rows[0].weight.lumps.at(0).at.z(), 0.003);
   EXPECT_TRUE(arm.tool_axis_L.isApprox(Eigen::Vector3d(0, 0.6, 0.8)));
+  EXPECT_TRUE(arm.tool_turn_L.isApprox(Eigen::Vector3d(0, 0.5 * std::numbers::pi / 180, 0)));
   EXPECT_DOUBLE_EQ(arm.reference_temperature, 298.15);
 }
 

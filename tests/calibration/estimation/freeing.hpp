@@ -21,7 +21,7 @@ inline IdentificationOptions freeing(const std::vector<std::string>& names) {
 inline IdentificationOptions freeingBlindly(const std::vector<std::string>& names) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   IdentificationOptions options = freeing(names);
-  options.free.priors = {kNone, kNone, kNone, kNone, {}};
+  options.free.priors = {kNone, kNone, kNone, kNone, kNone, {}};
   return options;
 }
 

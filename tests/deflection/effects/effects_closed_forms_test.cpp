@@ -153,6 +153,19 @@ void toolOffset() {
   EXPECT_LE((tip - Vector3d(kLength + 0.01, -0.02, 0.03)).norm(), 1e-15);
 }
 
+/// The frame that readings state is turned about the last row's x and then lies as drawn; tip and axis stay.
+void toolTurn() {
+  Arm arm = boom();
+  arm.R_LT = rotationZ<double>(0.7);
+  const auto turned = solve(withEffect(arm, "tool-turn", "tool", {0.02, 0, 0}), at({0.4}, 0)),
+             drawn = solve(arm, at({0.4}, 0));
+  EXPECT_LE((turned.R_LT - rotationX<double>(0.02) * rotationZ<double>(0.7)).norm(), 1e-15);
+  EXPECT_LE((turned.X_BD.R - drawn.X_BD.R).norm() + (turned.X_BD.p - drawn.X_BD.p).norm(), 1e-15);
+  Arm by_number = arm;
+  by_number.tool_turn_L.x() = 0.02;
+  EXPECT_LE((toolFrame(by_number) - turned.R_LT).norm(), 1e-15);
+}
+
 void thermalGrowth() {
   Arm arm = elbow();
   arm.rows[0].placement = DenavitHartenberg<double>{0, 0.5, 0, 0};
@@ -391,6 +404,7 @@ const std::map<std::string, void (*)()>& closedForms() {
                                                         {"link-twist", linkTwist},
                                                         {"link-lean", linkLean},
                                                         {"tool-offset", toolOffset},
+                                                        {"tool-turn", toolTurn},
                                                         {"thermal-growth", thermalGrowth},
                                                         {"link-weight", linkWeight},
                                                         {"tool-weight", toolWeight},

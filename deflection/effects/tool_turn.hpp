@@ -1,0 +1,40 @@
+// A tool frame that is turned in the last row's frame: a probe or a tracker's target, mounted on the tool by hand.
+//
+// Law: axes of the tool frame = exp(turn drawn + v) times those drawn, in the last row's frame. The tip stays.
+// Symbols: v [rad], a rotation vector.
+// Validity: geometry only; what readings state of the tool's turn, and of points of the tool beside its tip. The axis
+//           along which the tool enters a hole is the tool's own and does not follow.
+// Source: Everett 1987 (a mechanism's six numbers of the tool, of which the tip has three).
+#pragma once
+
+#include "deflection/effects/places.hpp"
+
+namespace tubeplan::deflection::tool_turn {
+
+template <class S>
+void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
+  for (int k = 0; k < 3; ++k) context.arm.tool_turn_L[k] += effect.values[k];
+}
+
+inline EffectKind kind() {
+  return {.name = "tool-turn",
+          .words = "the tool frame is turned in the last row's frame",
+          .law = "tool frame = as drawn, turned by the rotation vector (x, y, z) in the last row's frame",
+          .validity = "geometry only; seen by readings of the tool's turn and of points beside its tip",
+          .source = "Everett 1987",
+          .stage = EffectStage::kGeometry,
+          .at = PlaceRule::kWord,
+          .word = "tool",
+          .odds = 2,
+          .odds_reason = "what is measured of the tool's turn is mounted by hand",
+          .varies_with = {EffectVariable::kJoint},
+          .needs = {.tool_turn = true},
+          .parameters = {{"x", Quantity::kAngle, 0, -kFullTurn, kFullTurn, 0.1},
+                         {"y", Quantity::kAngle, 0, -kFullTurn, kFullTurn, 0.1},
+                         {"z", Quantity::kAngle, 0, -kFullTurn, kFullTurn, 0.1}},
+          .places = places::theOnly,
+          .apply = apply<double>,
+          .applyDual = apply<Dual>};
+}
+
+}  // namespace tubeplan::deflection::tool_turn

@@ -1,0 +1,72 @@
+// A tool frame that is turned on the arm: fitted, diagnosed, and told from another convention of its axes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/estimation/identification.hpp"
+#include "calibration/measurement_checks/measurement_checks.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+const Eigen::Vector3d kHiddenTurn = Eigen::Vector3d(0.4, -0.3, 0.0) * kDegree;
+
+std::vector<Measurement> turnedReadings(const Eigen::Vector3d& turn_L, MeasurementKind kind, int count) {
+  PlacedArm truth = cobra();
+  truth.arm.tool_turn_L = turn_L;
+  ReadingMaker maker(truth, 5, ReadingMaker::Noise::kStated);
+  maker.add(kind, count);
+  return maker.readings;
+}
+
+TEST(ToolTurn, IsIdentifiedFromPosesWithinItsSigma) {
+  const auto readings = turnedReadings(kHiddenTurn, MeasurementKind::kPose, 60);
+  IdentificationOptions options;
+  options.free = {{"tool.turn"}, false};
+  const auto found = identify(cobra().arm, cobra().base_poses[0].X_WB, true, readings, options);
+  ASSERT_EQ(found.numbers.size(), 3U);
+  for (int k = 0; k < 3; ++k) {
+    const auto& number = found.numbers[static_cast<std::size_t>(k)];
+    EXPECT_NEAR(number.value, kHiddenTurn[k], 4 * number.sigma) << number.unknown.name;
+    EXPECT_LT(number.sigma, 0.1 * kHiddenTurn.norm()) << number.unknown.name;
+  }
+}
+
+TEST(ToolTurn, IsNoGeometryOfReadingsThatDoNotShowIt) {
+  for (const auto kind : {MeasurementKind::kPosition, MeasurementKind::kPose}) {
+    PlacedArm placed = placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, true,
+                                        turnedReadings(Eigen::Vector3d::Zero(), kind, 3));
+    const auto free = chooseUnknowns(placed, {{"geometry"}, false}).list;
+    const bool has_turn =
+        std::ranges::any_of(free, [](const Unknown& unknown) { return unknown.name.starts_with("tool.turn."); });
+    EXPECT_EQ(has_turn, kind == MeasurementKind::kPose);
+  }
+}
+
+TEST(ToolTurn, IsNamedAloneByPoses) {
+  const auto readings = turnedReadings(kHiddenTurn, MeasurementKind::kPose, 90);
+  DiagnosisOptions options;
+  options.baseline.free = {{"tool.joint_stiffness.z"}, false};
+  const auto start = placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, true, readings);
+  const auto found = diagnose(start, readings, options);
+  ASSERT_EQ(found.alternatives.size(), 1U);
+  ASSERT_EQ(found.alternatives[0].effects.size(), 1U);
+  EXPECT_EQ(found.alternatives[0].effects[0].effect, "tool-turn");
+}
+
+TEST(ToolTurn, AnotherConventionOfTheAxesIsAMistake) {
+  const Eigen::Matrix3d R_TM = (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();  // x along the tool's y
+  auto readings = turnedReadings(Eigen::Vector3d::Zero(), MeasurementKind::kPose, 40);
+  for (auto& reading : readings)
+    reading.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(reading.own) * R_TM);
+  const auto start = placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, true, readings);
+  const auto checks = checkMeasurements({start, readings, {{"tool.tip"}, false}, {}});
+  const auto* gross = grossMistake(checks);
+  ASSERT_NE(gross, nullptr);
+  EXPECT_EQ(gross->assume, "tool-frame=yzx");
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
