@@ -1,5 +1,6 @@
 # make demo   installs what is missing, builds, finds the mock-up's stiffnesses by a campaign, and plans its tubes
-# make test   the same, and runs every test
+# make test   the same with the packages of the tests, and runs every test
+# make everything  compiles all that is in the tree: tests, benchmarks and studies too
 # make package  the same as demo's build, and a Debian package of it in build/
 # make site   the documents, every command and the catalogue of effects as a site in build/site/html
 # make sanitize  every test under the address, undefined-behaviour and thread sanitizers (clang; long): sanitize-libraries,
@@ -20,7 +21,7 @@ BUILD := build
 BENCH := build-bench
 SUDO  := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: demo test sanitize sanitize-libraries sanitize-program sanitize-threads coverage mutants clean-root bench package site pictures program packages format clean
+.PHONY: demo test everything sanitize sanitize-libraries sanitize-program sanitize-threads coverage mutants clean-root bench package site pictures program packages format clean
 .DEFAULT_GOAL := demo
 
 # Two stages, as in the thesis: the stiffnesses from a campaign of touched holes, then the base from three touches. An arm
@@ -32,14 +33,18 @@ demo: program
 	$(BUILD)/tubeplan identify app/cells/mockup.yaml $(OUT)/campaign/measurements.csv --free $(STIFFNESSES) --out $(OUT)/campaign/identified.yaml
 	$(BUILD)/tubeplan plan $(OUT)/campaign/identified.yaml --tubes $(TUBES) --touches $(TOUCHES) --truth app/cells/mockup-true.yaml --seed $(SEED) --out $(OUT)
 
-test: $(BUILD)/build.ninja
+test: $(BUILD)/.tests
 	cmake --build $(BUILD) -j $(JOBS)
 	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j $(JOBS); \
 	  code=$$?; python3 tests/skipped.py $(BUILD); exit $$code
 
-pictures: $(BUILD)/build.ninja
+pictures: $(BUILD)/.tests
 	cmake --build $(BUILD) -j $(JOBS)
 	TUBEPLAN=$(BUILD)/tubeplan TUBEPLAN_WEB=$(BUILD)/web node tests/web/docs_pictures.mjs
+
+everything: $(BUILD)/.tests $(BENCH)/.packages
+	cmake --preset release -DTUBEPLAN_TESTS=ON -DTUBEPLAN_BENCHMARKS=ON -DTUBEPLAN_STUDIES=ON
+	cmake --build $(BUILD) -j $(JOBS)
 
 bench: $(BENCH)/build.ninja
 	@cmake --build $(BENCH) -j $(JOBS) --target bench
@@ -81,7 +86,7 @@ coverage: $(BUILD)/.packages-sanitize
 	LLVM_PROFILE_FILE=$(CURDIR)/build-coverage/profiles/%4m.profraw ctest --test-dir build-coverage -LE web -E "^faults" --output-on-failure --no-tests=error -j $(JOBS)
 	python3 tests/coverage.py build-coverage
 
-mutants: $(BUILD)/build.ninja
+mutants: $(BUILD)/.tests
 	cmake --build $(BUILD) -j $(JOBS)
 	python3 tests/mutation/mutants.py $(BUILD)
 
@@ -95,7 +100,12 @@ program: $(BUILD)/build.ninja
 	@cmake --build $(BUILD) -j $(JOBS) --target installed
 
 $(BUILD)/build.ninja: $(BUILD)/.packages CMakePresets.json
-	cmake --preset release
+	cmake --preset release -DTUBEPLAN_TESTS=OFF
+	@touch $@
+
+# The tests in the same build folder; what they alone need is installed with them.
+$(BUILD)/.tests: $(BUILD)/build.ninja $(BUILD)/.packages-test
+	cmake --preset release -DTUBEPLAN_TESTS=ON
 	@touch $@
 
 $(BENCH)/build.ninja: $(BENCH)/.packages CMakePresets.json
@@ -105,14 +115,15 @@ $(BENCH)/build.ninja: $(BENCH)/.packages CMakePresets.json
 packages: $(BUILD)/.packages
 
 $(BUILD)/.packages: packages.txt
+$(BUILD)/.packages-test: packages-test.txt
 $(BENCH)/.packages: packages.txt packages-bench.txt
 $(BUILD)/.packages-deb: packages-deb.txt
 $(BUILD)/.packages-docs: packages-docs.txt
-$(BUILD)/.packages-sanitize: packages.txt packages-sanitize.txt
+$(BUILD)/.packages-sanitize: packages.txt packages-test.txt packages-sanitize.txt
 
 # The stamp stands for "all of its lists is installed"; only what is missing is fetched. A package whose command is there
 # from elsewhere counts as installed: Node.js's own packages bring npm and do not go with Debian's.
-$(BUILD)/.packages $(BENCH)/.packages $(BUILD)/.packages-deb $(BUILD)/.packages-docs $(BUILD)/.packages-sanitize:
+$(BUILD)/.packages $(BUILD)/.packages-test $(BENCH)/.packages $(BUILD)/.packages-deb $(BUILD)/.packages-docs $(BUILD)/.packages-sanitize:
 	@missing=; for package in $$(grep -hv '^#' $^); do \
 	  dpkg-query -W -f '$${Status}' $$package 2>/dev/null | grep -q 'ok installed' || command -v $$package >/dev/null || missing="$$missing $$package"; \
 	done; \
