@@ -1,43 +1,105 @@
-// Turns of another frame than the arm file's tool frame: another convention of the flange, whose axes are the tool's in
-// another order. "yzx": the x, y and z of the frame that was measured are the tool's y, z and x.
+// Turns of another frame than the arm file's tool frame. "yzx": another convention of the flange, whose x, y and z are
+// the tool's y, z and x. "90:0:35": a tracked body that is mounted with this roll, pitch and yaw on the tool.
 #pragma once
 
 #include <fmt/format.h>
 
+#include <Eigen/SVD>
+
 #include "calibration/measurement_checks/axes.hpp"
+#include "calibration/measurement_checks/robust_fit.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
 #include "deflection/rotation.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::calibration::mistakes::tool_frame {
 
 inline bool statesFrame(const Measurement& reading) { return std::isfinite(ownNumber(reading, "roll")); }
 
-/// The measured frame's axes in the tool's; nothing where the text is no right-handed order of them.
-inline std::optional<Eigen::Matrix3d> turnOf(const std::string& value) {
-  const auto R_TM = axes::matrixOf(value);
-  return R_TM && R_TM->determinant() > 0 ? R_TM : std::nullopt;
+inline double angleOf(const Eigen::Matrix3d& R) { return Eigen::AngleAxisd(R).angle(); }
+
+/// Roll, pitch and yaw parted by colons, in the unit of the file's angles.
+inline std::optional<Eigen::Matrix3d> mountingOf(const CheckedReadings& checked, const std::string& value) {
+  Eigen::Vector3d rpy;
+  std::string rest = value;
+  for (int k = 0; k < 3; ++k) {
+    const auto colon = rest.find(':');
+    const auto number = tubesheets::parseNumber(std::string_view(rest).substr(0, colon));
+    if (!number || (colon == std::string::npos) != (k == 2)) return std::nullopt;
+    rpy[k] = *number * checked.units.angles.factor;
+    rest.erase(0, colon == std::string::npos ? colon : colon + 1);
+  }
+  return deflection::rotationFromFixedAngles<double>(rpy);
+}
+
+/// The measured frame's axes in the tool's; nothing where the text says no such turn.
+inline std::optional<Eigen::Matrix3d> turnOf(const CheckedReadings& checked, const std::string& value) {
+  if (const auto R_TM = axes::matrixOf(value)) return R_TM->determinant() > 0 ? R_TM : std::nullopt;
+  return mountingOf(checked, value);
+}
+
+/// Roll, pitch and yaw in the unit of the file's angles.
+inline Eigen::Vector3d fixedAngles(const CheckedReadings& checked, const Eigen::Matrix3d& R) {
+  return deflection::fixedAnglesOf(R) / checked.units.angles.factor + Eigen::Vector3d::Zero();
+}
+
+/// The mean turn of the measured frame in the tool's, by a fit of the places alone; nothing where too few have both.
+inline std::optional<Eigen::Matrix3d> meanTurn(const CheckedReadings& checked) {
+  constexpr std::size_t kLeast = 6;
+  std::vector<Measurement> places;
+  for (Measurement reading : checked.readings)
+    if (statesFrame(reading) && reading.p_W && !reading.row) {
+      reading.kind = MeasurementKind::kPosition;
+      places.push_back(std::move(reading));
+    }
+  if (places.size() < kLeast) return std::nullopt;
+  const RobustFit fit = fitRobustly(checked.start, places, {{{"tool.tip"}, true, checked.free.priors}});
+  if (!fit.ok) return std::nullopt;
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const Measurement& reading : places)
+    if (const auto tool =
+            toolAt(fit.placed.arm,
+                   fit.placed.base_poses[static_cast<std::size_t>(basePoseOf(fit.placed, reading))].X_WB, reading))
+      sum += tool->R_WT.transpose() * deflection::rotationFromFixedAngles<double>(reading.own);
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  if (svd.singularValues().z() <= 0) return std::nullopt;
+  const double hand = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+  return Eigen::Matrix3d(svd.matrixU() * Eigen::Vector3d(1, 1, hand).asDiagonal() * svd.matrixV().transpose());
 }
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
+  constexpr double kSmall = 0.1;  // rad: the prior of a mounting (`tool.turn`), for the fit to find
   std::vector<std::string> texts;
   if (std::ranges::none_of(checked.readings, statesFrame)) return texts;
+  const auto mean = meanTurn(checked);
+  bool is_order = !mean || angleOf(*mean) < kSmall;
   for (const std::string& text : axes::signedOrders())
-    if (text != "xyz" && turnOf(text)) texts.push_back(text);
+    if (const auto R_TM = turnOf(checked, text); text != "xyz" && R_TM) {
+      texts.push_back(text);
+      is_order = is_order || angleOf(R_TM->transpose() * *mean) < kSmall;
+    }
+  if (is_order) return texts;
+  const Eigen::Vector3d rpy = fixedAngles(checked, *mean);
+  texts.push_back(fmt::format("{:.6g}:{:.6g}:{:.6g}", rpy.x(), rpy.y(), rpy.z()));
   return texts;
 }
 
 /// The tool's `rpy` by which the arm file would have that frame.
 inline std::string rpyText(const CheckedReadings& checked, const Eigen::Matrix3d& R_TM) {
-  const NamedUnit& unit = checked.units.angles;
-  const Eigen::Vector3d rpy = deflection::fixedAnglesOf(checked.start.arm.R_LT * R_TM) / unit.factor;
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}] {}", rpy.x() + 0., rpy.y() + 0., rpy.z() + 0., unit.name);
+  const Eigen::Vector3d rpy = fixedAngles(checked, checked.start.arm.R_LT * R_TM);
+  return fmt::format("[{:.6g}, {:.6g}, {:.6g}] {}", rpy.x(), rpy.y(), rpy.z(), checked.units.angles.name);
 }
 
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
-  const auto R_TM = turnOf(value);
+  const auto R_TM = turnOf(checked, value);
   if (!R_TM) return std::nullopt;
+  const bool is_order = axes::matrixOf(value).has_value();
   Mend mend{"tool-frame", value,
-            "the turns are of a frame whose x, y and z are " + value + " of the tool's: `rpy` of the tool is " +
-                rpyText(checked, *R_TM)};
+            is_order ? "the turns are of a frame whose x, y and z are " + value + " of the tool's"
+                     : "the turns are of a body that sits on the tool with roll, pitch and yaw " + value + " " +
+                           checked.units.angles.name};
+  mend.sentence += ": `rpy` of the tool is " + rpyText(checked, *R_TM);
+  mend.numbers_fitted = is_order ? 0 : 3;
   mend.change = [R_MT = Eigen::Matrix3d(R_TM->transpose())](std::vector<Measurement>& readings) {
     for (auto& reading : readings)
       if (statesFrame(reading))
@@ -52,7 +114,9 @@ inline std::vector<std::string> noValues(const CheckedReadings&) { return {}; }
 inline MistakeKind kind() {
   return {.name = "tool-frame",
           .value = "ORDER",
-          .expected = "the tool frame's axes that x, y, z of the measured frame are, right-handed, such as yzx or -yxz",
+          .expected =
+              "the tool frame's axes that x, y, z of the measured frame are, right-handed, such as yzx or -yxz; or "
+              "roll, pitch and yaw of a mounted body on the tool, such as 90:0:35",
           .values = values,
           .mend = mend,
           .values_beside = noValues};

@@ -6,6 +6,7 @@
 #include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/estimation/identification.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
+#include "calibration/measurement_checks/tool_frame.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {
@@ -66,6 +67,25 @@ TEST(ToolTurn, AnotherConventionOfTheAxesIsAMistake) {
   const auto* gross = grossMistake(checks);
   ASSERT_NE(gross, nullptr);
   EXPECT_EQ(gross->assume, "tool-frame=yzx");
+}
+
+TEST(ToolTurn, AMountedBodyIsAMistakeWithItsAngles) {
+  for (const Eigen::Vector3d& rpy :
+       {Eigen::Vector3d(90, 0, 35), Eigen::Vector3d(-140, 20, 15), Eigen::Vector3d(12, -6, 0)}) {
+    const Eigen::Matrix3d R_TM = deflection::rotationFromFixedAngles<double>((rpy * kDegree).eval());
+    auto readings = turnedReadings(Eigen::Vector3d::Zero(), MeasurementKind::kPose, 40);
+    for (auto& reading : readings)
+      reading.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(reading.own) * R_TM);
+    const auto start = placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, true, readings);
+    const CheckedReadings checked{start, readings, {{"tool.tip"}, false}, {}};
+    const auto checks = checkMeasurements(checked);
+    const auto* gross = grossMistake(checks);
+    ASSERT_NE(gross, nullptr);
+    ASSERT_EQ(gross->name, "tool-frame");
+    const auto named = mistakes::tool_frame::turnOf(checked, gross->assume.substr(gross->assume.find('=') + 1));
+    ASSERT_TRUE(named);
+    EXPECT_LT(mistakes::tool_frame::angleOf(named->transpose() * R_TM), 0.3 * kDegree) << gross->assume;
+  }
 }
 
 }  // namespace
