@@ -8,6 +8,7 @@
 #include "calibration/diagnosis/explanation_model.hpp"
 #include "calibration/diagnosis/linear_evidence.hpp"
 #include "calibration/diagnosis/signatures.hpp"
+#include "calibration/measurements/reading_placement.hpp"
 #include "tests/calibration/bench_readings.hpp"
 
 namespace tubeplan::benchmarks {

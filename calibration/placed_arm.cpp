@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "calibration/independent_geometry.hpp"
-#include "calibration/measurements/measurement_kinds.hpp"
 #include "deflection/effects/effect.hpp"
 #include "deflection/rotation.hpp"
 #include "deflection/weights.hpp"
@@ -155,19 +154,6 @@ bool soften(deflection::Arm& arm, const std::string& name) {
 }
 
 }  // namespace
-
-PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool is_known,
-                           const std::vector<Measurement>& readings) {
-  PlacedArm placed{arm, {}};
-  for (const auto& reading : readings) {
-    const bool is_there = std::any_of(placed.base_poses.begin(), placed.base_poses.end(),
-                                      [&](const BasePose& p) { return p.setup == reading.setup; });
-    if (!is_there) placed.base_poses.push_back({reading.setup, X_WB, is_known});
-  }
-  if (placed.base_poses.empty()) placed.base_poses.push_back({"", X_WB, is_known});
-  placed.shows_tool_turn = std::ranges::any_of(readings, seesToolTurn);
-  return placed;
-}
 
 int basePoseOf(const PlacedArm& placed, const Measurement& reading) {
   const auto found = std::find_if(placed.base_poses.begin(), placed.base_poses.end(),

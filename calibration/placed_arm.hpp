@@ -78,10 +78,6 @@ struct PlacedArm {
   bool shows_tool_turn = false;  ///< whether the tool's turn reaches a reading: without, its numbers are no geometry
 };
 
-/// The arm placed at X_WB for every set-up that the readings name, in their order, for fits to those readings.
-[[nodiscard]] PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool is_known,
-                                         const std::vector<Measurement>& readings);
-
 /// Index of the placing a reading was made at; the set-up must be one of them.
 [[nodiscard]] int basePoseOf(const PlacedArm& placed, const Measurement& reading);
 

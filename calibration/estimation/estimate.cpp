@@ -6,6 +6,7 @@
 
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/identification.hpp"
+#include "calibration/measurements/reading_placement.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration {

@@ -11,6 +11,7 @@
 #include "calibration/estimation/identified_numbers.hpp"
 #include "calibration/estimation/outliers.hpp"
 #include "calibration/estimation/widened_sizes.hpp"
+#include "calibration/measurements/reading_placement.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/measurements/reading_problems.hpp"
 #include "calibration/random_stream.hpp"

@@ -5,6 +5,7 @@
 
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/prior.hpp"
+#include "calibration/measurements/reading_placement.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 #include "deflection/rotation.hpp"

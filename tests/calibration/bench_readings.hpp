@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/files/cell_reader.hpp"
+#include "calibration/measurements/reading_placement.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/placed_arm.hpp"
 #include "deflection/effects/effect.hpp"

@@ -71,7 +71,7 @@ TEST(IndependentGeometry, IsCompleteAndNotRedundantHoweverRowsAreWritten) {
       EXPECT_EQ(rank, columns.cols()) << seed << ": redundant";
       EXPECT_EQ(rank, rankOf(motions(placed, allGeometry(placed)))) << seed << ": not complete";
       made = made == 0 ? rank : made;
-      EXPECT_EQ(rank, made) << seed << ": as many numbers whichever way";
+      EXPECT_EQ(rank, made) << seed << ": as many numbers whichever way, base known: " << placed.base_poses[0].is_known;
     }
   }
 }

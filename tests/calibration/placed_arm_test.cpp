@@ -1,4 +1,5 @@
 // The numbers that may be freed, what a variable means, and the base pose of bases in closed form.
+#include "calibration/measurements/reading_placement.hpp"
 #include "calibration/placed_arm.hpp"
 
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include "calibration/estimation/identification.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
 #include "calibration/measurement_checks/tool_frame.hpp"
+#include "calibration/measurements/reading_placement.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {

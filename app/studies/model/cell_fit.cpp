@@ -1,6 +1,7 @@
 #include "app/studies/model/cell_fit.hpp"
 
 #include "calibration/estimation/fit.hpp"
+#include "calibration/measurements/reading_placement.hpp"
 
 namespace tubeplan::app {
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "calibration/measurements/reading_placement.hpp"
 #include "tests/calibration/bench_readings.hpp"
 
 namespace tubeplan::calibration {

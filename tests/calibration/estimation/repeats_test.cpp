@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "calibration/measurements/reading_placement.hpp"
 #include "calibration/patterns/comparison.hpp"
 #include "tests/calibration/campaign.hpp"
 

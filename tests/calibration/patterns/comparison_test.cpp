@@ -1,4 +1,5 @@
 // What a residual follows is found where it was planted, and nowhere else more often than promised.
+#include "calibration/measurements/reading_placement.hpp"
 #include "calibration/patterns/comparison.hpp"
 
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 
 #include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/estimation/fit.hpp"
+#include "calibration/measurements/reading_placement.hpp"
 #include "calibration/patterns/comparison.hpp"
 #include "calibration/statistics.hpp"
 #include "tests/calibration/spoils.hpp"

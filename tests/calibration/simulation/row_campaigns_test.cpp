@@ -5,6 +5,7 @@
 
 #include "app/studies/measurements/discrimination_candidates.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/measurements/reading_placement.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "deflection/effects/effect.hpp"
 #include "tests/calibration/bench_campaign.hpp"

@@ -157,9 +157,9 @@ TEST(Effects, AwayFromNeutralEachDoesSomething) {
       double most = std::abs(measurementScale(one) - 1);
       for (int n = 0; n < 10; ++n) {
         const Posture posture = randomPosture(arm, random);
-        most = std::max(most, (solveFlexibleKinematics(one, posture, kTight).X_BD.p -
-                               solveFlexibleKinematics(arm, posture, kTight).X_BD.p)
-                                  .norm());
+        const auto with = solveFlexibleKinematics(one, posture, kTight),
+                   without = solveFlexibleKinematics(arm, posture, kTight);
+        most = std::max({most, (with.X_BD.p - without.X_BD.p).norm(), (with.R_LT - without.R_LT).norm()});
       }
       EXPECT_GT(most, 1e-6) << arm.name << " " << textOf(arm, neutral);
     }

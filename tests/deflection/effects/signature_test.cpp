@@ -65,7 +65,9 @@ TEST(Signature, HysteresisHasTwoLevelsAndASlipAStep) {
 TEST(Signature, EveryEffectThatMovesTheTipOfTheCobraHasOne) {
   const Arm arm = cobraArm();
   for (const EffectKind& kind : effectKinds()) {
-    if (kind.parameters.empty() || kind.stage == EffectStage::kMeasurement || kind.at == PlaceRule::kSetup) continue;
+    if (kind.parameters.empty() || kind.stage == EffectStage::kMeasurement || kind.at == PlaceRule::kSetup ||
+        kind.needs.tool_turn)
+      continue;
     const auto places = placeTexts(arm, kind);
     const bool has_any = std::any_of(places.begin(), places.end(),
                                      [&](const auto& at) { return signatureAt(kind.name, at).kind != std::nullopt; });

@@ -1,0 +1,15 @@
+// An arm placed for fits to readings: a base pose for every set-up that they name.
+#pragma once
+
+#include <vector>
+
+#include "calibration/measurement.hpp"
+#include "calibration/placed_arm.hpp"
+
+namespace tubeplan::calibration {
+
+/// Returns the arm placed at `X_WB` for every set-up that the readings name, in their order.
+[[nodiscard]] PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool is_known,
+                                         const std::vector<Measurement>& readings);
+
+}  // namespace tubeplan::calibration
