@@ -13,8 +13,9 @@ ReadingsWithChecks readingsMade(const std::string& file, Cell& cell, double sigm
 }
 
 calibration::Estimate estimateOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,
-                                 const calibration::FreeChoice& free, const std::string& where) {
-  auto estimate = calibration::estimateFrom(cell.arm, cell.X_WB, cell.base_known, readings, free);
+                                 const calibration::FreeChoice& free, const std::string& where,
+                                 const calibration::DoubtBeside& doubt) {
+  auto estimate = calibration::estimateFrom(cell.arm, cell.X_WB, cell.base_known, readings, free, doubt);
   if (estimate.problems.empty()) return estimate;
   const auto& problem = estimate.problems.front();
   const auto known = calibration::freeableNames(cell.arm);

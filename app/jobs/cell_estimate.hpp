@@ -19,7 +19,8 @@ namespace tubeplan::app {
 /// What the readings determine of the free numbers. `where` names what they were asked by, for the InputError about a
 /// name that is no number of the arm.
 [[nodiscard]] calibration::Estimate estimateOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,
-                                               const calibration::FreeChoice& free, const std::string& where);
+                                               const calibration::FreeChoice& free, const std::string& where,
+                                               const calibration::DoubtBeside& doubt = {});
 
 /// The cell with arm and base as known.
 [[nodiscard]] Cell cellAsEstimated(Cell cell, const calibration::Estimate& estimate);

@@ -11,7 +11,6 @@
 #include "app/files/workcell.hpp"
 #include "app/jobs/cell_estimate.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
-#include "calibration/estimation/arm_uncertainty.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/statistics.hpp"
 
@@ -62,10 +61,11 @@ std::vector<double> loadsOf(const TouchRequest& request, const Cell& cell, const
 /// New readings are made where the arm stands now.
 std::string lastSetup(const Estimate& estimate) { return estimate.start.base_poses.back().setup; }
 
-void noteEstimate(const Estimate& estimate, const Units& units, std::vector<std::string>& notes) {
+/// `known`: the model error that the cell states [m].
+void noteEstimate(const Estimate& estimate, double known, const Units& units, std::vector<std::string>& notes) {
   if (!estimate.note.empty())
     notes.push_back("the readings could not be fitted (" + estimate.note + "): the cell's values are used instead");
-  if (estimate.model_error > 0)
+  if (estimate.model_error > known)
     notes.push_back(
         fmt::format("lack of fit: the model error is {:.4g} {} in each coordinate beyond the stated noise; it is added "
                     "to the noise of every reading",
@@ -80,17 +80,20 @@ void learn(const TouchRequest& request, const std::vector<Measurement>& readings
   if (wants(request, "parameters")) {
     task.of_numbers =
         estimateOf(outcome.cell, readings, {request.free, !outcome.cell.base_known, outcome.cell.priors}, named_by);
-    noteEstimate(*task.of_numbers, outcome.cell.units, outcome.notes);
+    noteEstimate(*task.of_numbers, 0, outcome.cell.units, outcome.notes);
     outcome.setup = lastSetup(*task.of_numbers);
     outcome.cell = cellAsEstimated(outcome.cell, *task.of_numbers);
   }
   if (!wants(request, "base")) return;
   Cell unplaced = outcome.cell;
   unplaced.base_known = false;
-  task.of_base = estimateOf(unplaced, readings, {{}, true}, named_by);
+  if (!readings.empty() && !wants(request, "parameters")) unplaced.arm = unplaced.filedArm();
+  const auto known = unplaced.knownModelError();
+  const calibration::DoubtBeside doubt{unplaced.uncertainty, known ? known->sigma : 0};
+  task.of_base = estimateOf(unplaced, readings, {{}, true}, named_by, doubt);
   if (wants(request, "parameters")) return;
   outcome.setup = lastSetup(*task.of_base);
-  noteEstimate(*task.of_base, outcome.cell.units, outcome.notes);
+  noteEstimate(*task.of_base, doubt.model_error, outcome.cell.units, outcome.notes);
   outcome.cell = cellAsEstimated(outcome.cell, *task.of_base);
 }
 
@@ -169,11 +172,6 @@ TouchOutcome proposeTouches(const TouchRequest& asked, const Cell& cell, const s
   learn(request, readings, asked.free.empty() ? cell.path + " (identify)" : "--free", task, outcome);
   settleTask(request, task, outcome);
   static_cast<TouchProposals&>(outcome) = proposeTouches(task);
-  const bool is_arm_exact = calibration::uncertainNumbers(outcome.cell.arm, outcome.cell.uncertainty).unknowns.empty();
-  if (outcome.base && !is_arm_exact)
-    outcome.notes.emplace_back(
-        "sigmas for the base are those of an arm whose numbers are exact: what its file leaves open comes on top, and "
-        "`tubeplan calibrate` says how much");
   if (outcome.holes_unsure > 0)
     outcome.notes.push_back(fmt::format(
         "{} of {} holes are excluded as touches for the base: they may be out of reach if the base stands elsewhere",

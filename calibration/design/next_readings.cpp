@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/estimation/whitened_residual.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/statistics.hpp"
 
@@ -69,6 +68,7 @@ NumberForecast forecast(const Estimate& estimate, std::size_t index, const Matri
 PosedDesign poseDesign(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates, const Work& work) {
   PosedDesign posed;
   posed.problem.information = estimate.information;
+  posed.problem.beside = static_cast<int>(estimate.beside.root.cols());
   posed.problem.work = tipSensitivities(estimate, work.postures, work.load);
   const PlacedArm placed = placedAsEstimated(estimate);
   const auto expected = expectedReadings(placed, candidates);
@@ -80,15 +80,14 @@ PosedDesign poseDesign(const Estimate& estimate, const std::vector<ReadingCandid
   }
   const auto weights = weighReadings(placed, readings, {}, estimate.model_error);
   if (!weights) return posed;
-  auto residual = whitenedResidual(estimate.start, estimate.unknowns, readings, *weights, estimate.x, true);
-  for (Index k = 0; k < residual.jacobian.cols(); ++k)
-    residual.jacobian.col(k) *= estimate.unknowns[static_cast<std::size_t>(k)].typical;
+  const auto by_variables = sensitivityOf(estimate, readings, *weights);
+  if (!by_variables) return posed;
   std::size_t first = 0;
   for (const int k : posed.candidates) {
     const std::size_t count = candidates[static_cast<std::size_t>(k)].readings.size();
     Index rows = 0;
     for (std::size_t i = first; i < first + count; ++i) rows += rowsOf(readings[i]);
-    posed.problem.candidates.push_back(residual.jacobian.middleRows(weights->first_row[first], rows));
+    posed.problem.candidates.push_back(by_variables->middleRows(weights->first_row[first], rows));
     first += count;
   }
   return posed;

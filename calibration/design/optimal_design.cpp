@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "calibration/random_stream.hpp"
@@ -36,14 +37,30 @@ TipSigma sigmaOf(const VectorXd& variances) {
   return {std::sqrt(variances.mean() / 3), std::sqrt(variances.maxCoeff() / 3)};
 }
 
+/// ln det of I + H C H^T, the covariance of a whitened reading H by its noise and by that of the variables.
+double logDetOf(const MatrixXd& H, const MatrixXd& covariance) {
+  const Eigen::LLT<MatrixXd> S(MatrixXd::Identity(H.rows(), H.rows()) + H * covariance * H.transpose());
+  const MatrixXd L = S.matrixL();
+  return 2 * L.diagonal().array().log().sum();
+}
+
+/// Mean of J^T J over the work postures: the tip's mean variance is the trace of this against the covariance.
+MatrixXd meanOfSquares(const std::vector<MatrixXd>& work, Index variables) {
+  MatrixXd mean = MatrixXd::Zero(variables, variables);
+  for (const auto& J : work) mean += J.transpose() * J / static_cast<double>(work.size());
+  return mean;
+}
+
 /// A choice under way, and what one more reading H would make of it, by the rank of its rows alone:
-/// det(M + H^T H) = det M det S and (M + H^T H)^-1 = C - C H^T S^-1 H C, with C = M^-1 and S = I + H C H^T.
+/// (M + H^T H)^-1 = C - C H^T S^-1 H C, with C = M^-1 and S = I + H C H^T. The determinant of C falls by det S; that of
+/// its part which is not beside by det S / det S_b, S_b = I + H_b M_bb^-1 H_b^T what is left of S were that part known.
 class Choice {
  public:
   static constexpr int kVacant = -1;
 
   Choice(const DesignProblem& problem, Optimality optimality)
       : problem_(problem), optimality_(optimality), is_chosen_(problem.candidates.size(), false) {
+    mean_work_ = meanOfSquares(problem.work, problem.information.cols());
     update();
   }
 
@@ -63,18 +80,26 @@ class Choice {
     update();
   }
 
+  /// By how much the candidate adds to the logarithm of the information's determinant, but of the variables beside.
+  [[nodiscard]] double gainOf(int candidate) const {
+    const MatrixXd& H = problem_.candidates[static_cast<std::size_t>(candidate)];
+    const double all = logDetOf(H, covariance_);
+    return problem_.beside == 0 ? all : all - logDetOf(H.rightCols(problem_.beside), beside_);
+  }
+
   /// The score with the candidate added: less is better; log det is negated.
   [[nodiscard]] double scoreWith(int candidate) const {
+    if (optimality_ == Optimality::kDeterminant) return -gainOf(candidate);
     const MatrixXd& H = problem_.candidates[static_cast<std::size_t>(candidate)];
     const MatrixXd CHt = covariance_ * H.transpose();
     const Eigen::LLT<MatrixXd> S(MatrixXd::Identity(H.rows(), H.rows()) + H * CHt);
-    const MatrixXd L = S.matrixL();
-    if (optimality_ == Optimality::kDeterminant) return -2 * L.diagonal().array().log().sum();
+    if (optimality_ == Optimality::kMeanTip)
+      return variances_.mean() - S.solve(CHt.transpose() * (mean_work_ * CHt)).trace();
     // Each column of `fall` is one coordinate of one work posture.
     const MatrixXd fall = S.matrixL().solve((stacked_work_ * CHt).transpose());
     VectorXd variances = variances_;
     for (Index w = 0; w < variances.size(); ++w) variances[w] -= fall.middleCols(3 * w, 3).squaredNorm();
-    return optimality_ == Optimality::kWorstTip ? variances.maxCoeff() : variances.mean();
+    return variances.maxCoeff();
   }
 
   /// The score as it is, of the tip's variance.
@@ -107,6 +132,7 @@ class Choice {
       information += H.transpose() * H;
     }
     covariance_ = inverseOf(information);
+    if (problem_.beside > 0) beside_ = inverseOf(information.bottomRightCorner(problem_.beside, problem_.beside));
     variances_ = tipVariances(problem_.work, covariance_);
     if (stacked_work_.size()) return;
     stacked_work_.resize(3 * static_cast<Index>(problem_.work.size()), information.cols());
@@ -118,7 +144,8 @@ class Choice {
   Optimality optimality_;
   std::vector<int> chosen_;
   std::vector<bool> is_chosen_;
-  MatrixXd covariance_, stacked_work_;
+  MatrixXd covariance_, stacked_work_, mean_work_;
+  MatrixXd beside_;  ///< covariance of the variables beside, were the others known
   VectorXd variances_;
 };
 
@@ -159,26 +186,18 @@ std::vector<int> bestChoice(const DesignProblem& problem, const DesignOptions& o
   return other.chosen();
 }
 
-/// What one more reading did to the covariance.
-DesignStep designStep(int candidate, const DesignProblem& problem, const MatrixXd& before, const MatrixXd& after) {
-  DesignStep step;
-  step.candidate = candidate;
-  const MatrixXd& H = problem.candidates[static_cast<std::size_t>(candidate)];
-  const Eigen::LLT<MatrixXd> S(MatrixXd::Identity(H.rows(), H.rows()) + H * before * H.transpose());
-  const MatrixXd L = S.matrixL();
-  step.bits = L.diagonal().array().log2().sum();
-  step.tip = tipSigma(problem.work, after);
-  const VectorXd ratio = (after.diagonal().array() / before.diagonal().array()).sqrt();
-  Index most = 0;
-  step.helped_by = ratio.minCoeff(&most);
-  step.most_helped = static_cast<int>(most);
-  return step;
-}
-
+/// Adds a reading, and what it did to the covariance.
 void take(Choice& choice, int candidate, const DesignProblem& problem, Design& design) {
-  const MatrixXd before = choice.covariance();
+  DesignStep& step = design.steps.emplace_back();
+  step.candidate = candidate;
+  step.bits = choice.gainOf(candidate) / (2 * std::numbers::ln2);
+  const VectorXd before = choice.covariance().diagonal();
   choice.add(candidate);
-  design.steps.push_back(designStep(candidate, problem, before, choice.covariance()));
+  step.tip = tipSigma(problem.work, choice.covariance());
+  const VectorXd ratio = (choice.covariance().diagonal().array() / before.array()).sqrt();
+  Index most = 0;
+  step.helped_by = ratio.head(ratio.size() - problem.beside).minCoeff(&most);
+  step.most_helped = static_cast<int>(most);
 }
 
 }  // namespace

@@ -10,16 +10,18 @@
 
 namespace tubeplan::calibration {
 
-/// Variables are unknowns over their typical sizes, n of them.
+/// Variables are unknowns over their typical sizes, n of them. The last `beside` are uncertain beside the others: the
+/// tip hangs on them too, but what readings tell of them is no goal.
 struct DesignProblem {
   Eigen::MatrixXd information;              ///< n x n, what is known already; positive definite
   std::vector<Eigen::MatrixXd> candidates;  ///< of each possible reading: whitened sensitivity, its rows x n
   std::vector<Eigen::MatrixXd> work;        ///< of the tip at each work posture: 3 x n [m]
+  int beside = 0;
 };
 
 /// What a choice is to be best in.
 enum class Optimality {
-  kDeterminant,  ///< D: the largest determinant of the information, the smallest volume of doubt
+  kDeterminant,  ///< D: the smallest determinant of the covariance but for the variables beside, that is of doubt
   kWorstTip,     ///< G: the least variance of the tip at the worst of the work postures
   kMeanTip,      ///< V: the least mean variance of the tip over the work postures
 };
@@ -40,9 +42,10 @@ struct TipSigma {
 
 struct DesignStep {
   int candidate = -1;
-  double bits = std::numeric_limits<double>::quiet_NaN();  ///< of information that it adds to what stands before it
-  TipSigma tip;                                            ///< after it
-  int most_helped = -1;                                    ///< the variable whose sigma falls by the largest factor
+  double bits =
+      std::numeric_limits<double>::quiet_NaN();  ///< that it adds to what is known, but of the variables beside
+  TipSigma tip;                                  ///< after it
+  int most_helped = -1;                          ///< the variable, none beside, whose sigma falls most
   double helped_by = std::numeric_limits<double>::quiet_NaN();  ///< that factor, at most 1
 };
 

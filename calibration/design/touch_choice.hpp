@@ -1,9 +1,15 @@
-// Which holes to touch so that the base is known best where the work is.
+// Which holes to touch so that the base is known best where the work is, beside an arm whose numbers are uncertain.
+//
+// With B and Z the whitened slopes of all rows of some touches by base and numbers (independent standard normals), what
+// the touches tell of the base is F = B^T V^-1 B with V = I + Z Z^T. The errors of a tip with slopes T and U are
+//     (T - U Z^T V^-1 B) F^-1 (T - U Z^T V^-1 B)^T + U (I - Z^T V^-1 Z) U^T:
+// matrices of three rows a touch, put together of blocks that are made once for every pair of holes.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "calibration/design/optimal_design.hpp"
 #include "calibration/simulation/simulated_touch.hpp"
 
 namespace tubeplan::calibration {
@@ -24,7 +30,11 @@ struct TouchChoice {
 };
 
 /// The best triple of all (least mean variance of the tip over the work postures), then the best further hole one by
-/// one.
+/// one. The problem's variables are the base's six, then those beside it as independent standard normals of which no
+/// reading tells anything yet; every candidate has three rows.
+[[nodiscard]] TouchChoice chooseTouches(const DesignProblem& problem, int count);
+
+/// The same for an arm whose numbers are exact.
 [[nodiscard]] TouchChoice chooseTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                         const std::vector<TouchPlan>& candidates,
                                         const std::vector<Eigen::VectorXd>& work,

@@ -4,10 +4,11 @@
 #include <cassert>
 #include <cmath>
 
+#include "calibration/estimation/base_calibration.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/identification.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_placement.hpp"
-#include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration {
 
@@ -23,62 +24,111 @@ void takeFit(const Identification& fit, Estimate& estimate) {
     estimate.x[static_cast<Index>(estimate.unknowns.size())] = variableAt(number.unknown, number.value);
     estimate.unknowns.push_back(number.unknown);
   }
-  estimate.model_error = fit.model_error;
+  estimate.model_error = std::max(fit.model_error, estimate.model_error);
 }
 
-/// J^T J of the readings, by variables over their typical sizes; nothing where the model cannot be evaluated.
+/// J^T J of the readings; zero where the model cannot be evaluated.
 MatrixXd informationOf(const Estimate& estimate, const std::vector<Measurement>& readings) {
-  const auto n = static_cast<Index>(estimate.unknowns.size());
   const auto weights = weighReadings(placedAsEstimated(estimate), readings, {}, estimate.model_error);
-  if (!weights) return MatrixXd::Zero(n, n);
-  auto residual = whitenedResidual(estimate.start, estimate.unknowns, readings, *weights, estimate.x, true);
-  if (!residual.ok) return MatrixXd::Zero(n, n);
-  for (Index k = 0; k < n; ++k) residual.jacobian.col(k) *= estimate.unknowns[static_cast<std::size_t>(k)].typical;
-  return residual.jacobian.transpose() * residual.jacobian;
+  const auto by_variables = weights ? sensitivityOf(estimate, readings, *weights) : std::nullopt;
+  if (!by_variables) return MatrixXd::Zero(estimate.information.rows(), estimate.information.cols());
+  return by_variables->transpose() * *by_variables;
 }
 
-/// Each variable is known to its typical size, or better by a prior of its own.
-VectorXd informationBeforehand(const std::vector<Unknown>& unknowns) {
-  VectorXd information(static_cast<Index>(unknowns.size()));
-  for (Index k = 0; k < information.size(); ++k) {
-    const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
+/// Each variable is known to its typical size, or better by a prior of its own; each normal of `beside` to 1.
+VectorXd informationBeforehand(const Estimate& estimate) {
+  const auto n = static_cast<Index>(estimate.unknowns.size());
+  VectorXd information = VectorXd::Ones(n + estimate.beside.root.cols());
+  for (Index k = 0; k < n; ++k) {
+    const Unknown& unknown = estimate.unknowns[static_cast<std::size_t>(k)];
     information[k] = std::max(1., std::pow(unknown.typical / unknown.prior_sigma, 2));
   }
   return information;
 }
 
+/// Whether a base alone is to be found, by touches that calibrateBase() takes.
+bool placesByTouches(const Estimate& estimate, const std::vector<Measurement>& readings) {
+  const bool is_base_alone = std::all_of(estimate.unknowns.begin(), estimate.unknowns.end(),
+                                         [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
+  return is_base_alone && estimate.start.base_poses.size() == 1 &&
+         std::all_of(readings.begin(), readings.end(), touchesKnownPoint) && findTouchProblem(readings).empty();
+}
+
+/// Fits the base and the numbers beside it; false where the search ends without them.
+bool fitBaseByTouches(const std::vector<Measurement>& touches, Estimate& estimate) {
+  BasePose& base = estimate.start.base_poses.front();
+  const TouchFit fit =
+      fitTouches(estimate.start.arm, estimate.beside, touches, base.X_WB, {.model_error = estimate.model_error});
+  estimate.note = fit.reason;
+  if (fit.status != LeastSquaresStatus::kConverged) return false;
+  estimate.note.clear();
+  base.X_WB = fit.X_WB;
+  estimate.start.arm = fit.arm;
+  estimate.beside.unknowns = fit.uncertainty.numbers;
+  estimate.model_error = fit.model_error;
+  return true;
+}
+
+/// Fits the free numbers, all others exact; false where the readings do not allow it.
+bool fitFreeNumbers(const PlacedArm& placed, const std::vector<Measurement>& readings, const FreeChoice& free,
+                    Estimate& estimate) {
+  IdentificationOptions options;
+  options.free = free;
+  options.folds = 0;
+  options.intervals_by_profile = false;
+  const Identification fit = identify(placed, readings, options);
+  estimate.note = fit.reason;
+  if (fit.status != IdentificationStatus::kDone) return false;
+  estimate.note.clear();
+  takeFit(fit, estimate);
+  return true;
+}
+
 }  // namespace
 
 Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
-                      const std::vector<Measurement>& readings, const FreeChoice& free) {
+                      const std::vector<Measurement>& readings, const FreeChoice& free, const DoubtBeside& doubt) {
   std::vector<Measurement> used;
   std::copy_if(readings.begin(), readings.end(), std::back_inserter(used),
                [](const Measurement& reading) { return !reading.is_held_out; });
   Estimate estimate;
-  estimate.start = placeForReadings(arm, X_WB, base_known, used);
+  const PlacedArm placed = placeForReadings(arm, X_WB, base_known, used);
+  estimate.start = placed;
   auto unknowns = chooseUnknowns(estimate.start, free);
   estimate.problems = unknowns.problems;
   estimate.unknowns = std::move(unknowns.list);
   if (!estimate.problems.empty()) return estimate;
   estimate.x = VectorXd::Zero(static_cast<Index>(estimate.unknowns.size()));
-  estimate.information = informationBeforehand(estimate.unknowns).asDiagonal();
+  estimate.beside = uncertainNumbers(arm, doubt.arm);
+  estimate.model_error = doubt.model_error;
+  estimate.information = informationBeforehand(estimate).asDiagonal();
   if (used.empty() || estimate.unknowns.empty()) return estimate;
-  IdentificationOptions options;
-  options.free = free;
-  options.folds = 0;
-  options.intervals_by_profile = false;
-  const Identification fit = identify(arm, X_WB, base_known, used, options);
-  if (fit.status == IdentificationStatus::kDone) {
-    takeFit(fit, estimate);
-  } else {
-    estimate.note = fit.reason;
-    alignBases(estimate.start, used);
-  }
+  const bool is_fitted = !estimate.beside.unknowns.empty() && placesByTouches(estimate, used)
+                             ? fitBaseByTouches(used, estimate)
+                             : fitFreeNumbers(placed, used, free, estimate);
+  if (!is_fitted) alignBases(estimate.start, used);
   estimate.information += informationOf(estimate, used);
   return estimate;
 }
 
 PlacedArm placedAsEstimated(const Estimate& estimate) { return applied(estimate.start, estimate.unknowns, estimate.x); }
+
+std::optional<MatrixXd> sensitivityOf(const Estimate& estimate, const std::vector<Measurement>& readings,
+                                      const ReadingWeights& weights) {
+  const auto& [numbers, root] = estimate.beside;
+  const auto free = static_cast<Index>(estimate.unknowns.size()), beside = static_cast<Index>(numbers.size());
+  std::vector<Unknown> all = estimate.unknowns;
+  all.insert(all.end(), numbers.begin(), numbers.end());
+  VectorXd x = VectorXd::Zero(free + beside);
+  x.head(free) = estimate.x;
+  const auto residual = whitenedResidual(estimate.start, all, readings, weights, x, true);
+  if (!residual.ok) return std::nullopt;
+  MatrixXd by_variables(residual.jacobian.rows(), free + root.cols());
+  for (Index k = 0; k < free; ++k)
+    by_variables.col(k) = residual.jacobian.col(k) * all[static_cast<std::size_t>(k)].typical;
+  by_variables.rightCols(root.cols()) = residual.jacobian.rightCols(beside) * root;
+  return by_variables;
+}
 
 std::vector<MatrixXd> tipSensitivities(const Estimate& estimate, const std::vector<VectorXd>& postures, double load) {
   std::vector<Measurement> tips;
@@ -94,15 +144,11 @@ std::vector<MatrixXd> tipSensitivities(const Estimate& estimate, const std::vect
     weights.whitener.push_back(MatrixXd::Identity(3, 3));
     weights.rows += 3;
   }
-  const auto residual = whitenedResidual(estimate.start, estimate.unknowns, tips, weights, estimate.x, true);
-  assert(residual.ok);
+  const auto by_variables = sensitivityOf(estimate, tips, weights);
+  assert(by_variables);
   std::vector<MatrixXd> sensitivities;
-  for (std::size_t k = 0; k < postures.size(); ++k) {
-    MatrixXd by_variables = residual.jacobian.middleRows(3 * static_cast<Index>(k), 3);
-    for (Index j = 0; j < by_variables.cols(); ++j)
-      by_variables.col(j) *= estimate.unknowns[static_cast<std::size_t>(j)].typical;
-    sensitivities.push_back(by_variables);
-  }
+  for (std::size_t k = 0; k < postures.size(); ++k)
+    sensitivities.emplace_back(by_variables->middleRows(3 * static_cast<Index>(k), 3));
   return sensitivities;
 }
 

@@ -97,15 +97,10 @@ class TouchSearch {
   }
 
   /// The best three (and more) of all, where no reading determines anything yet.
-  [[nodiscard]] calibration::Design exhaustiveChoice(const std::vector<ReachedHole>& holes,
-                                                     const calibration::PosedDesign& posed, int count) const {
-    std::vector<calibration::TouchPlan> plans;
-    for (const int k : posed.candidates) plans.push_back({"", "", {}, holes[static_cast<std::size_t>(k)].q});
-    const auto placed = calibration::placedAsEstimated(*task_.of_base);
-    const auto choice = calibration::chooseTouches(placed.arm, placed.base_poses.back().X_WB, plans, work_.postures,
-                                                   {count, task_.base_sigma});
+  [[nodiscard]] static calibration::Design exhaustiveChoice(const calibration::DesignProblem& problem, int count) {
+    const auto choice = calibration::chooseTouches(problem, count);
     if (choice.status == calibration::TouchChoiceStatus::kDone)
-      return calibration::judgeReadings(posed.problem, choice.chosen);
+      return calibration::judgeReadings(problem, choice.chosen);
     calibration::Design none;
     none.status = calibration::DesignStatus::kTooFewCandidates;
     none.reason = choice.reason;
@@ -135,7 +130,7 @@ class TouchSearch {
     options.design.count = count;
     options.design.optimality = calibration::Optimality::kMeanTip;
     auto design = task_.is_first && holes.size() <= kExhaustive
-                      ? exhaustiveChoice(holes, posed, count)
+                      ? exhaustiveChoice(posed.problem, count)
                       : calibration::chooseReadings(posed.problem, options.design);
     proposal.next = calibration::forecastReadings(*task_.of_base, posed, std::move(design), options);
     proposal.reason = proposal.next.reason;

@@ -11,7 +11,9 @@
 
 #include "app/documents/touch_outcome.hpp"
 #include "app/files/workcell.hpp"
+#include "app/jobs/calibration.hpp"
 #include "calibration/design/touch_reserve.hpp"
+#include "calibration/simulation/simulated_touch.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/test_files.hpp"
 #include "tubesheets/csv_table.hpp"
@@ -48,16 +50,6 @@ class SmallSheet : public LookAhead {
     writeMappedMockup("small.yaml", map);
   }
 };
-
-/// Sigmas of a proposal leave the arm's own numbers out, and it says so where there are any.
-TEST_F(SmallSheet, SaysThatSigmasLeaveOutTheArmsNumbers) {
-  writeSheet(3);
-  write("exact.yaml", contentOf(folder / "small.yaml") + "\nuncertainty: none\n");
-  for (const auto& [cell, is_said] : {std::pair{"small.yaml", true}, std::pair{"exact.yaml", false}}) {
-    const std::string notes = jsonOf(std::string("touches ") + cell + " --goal base")["notes"].dump();
-    EXPECT_EQ(notes.find("numbers are exact") != std::string::npos, is_said) << cell << notes;
-  }
-}
 
 TEST_F(SmallSheet, IsWorkedOnWithoutNamingTubes) {
   writeSheet(1);
@@ -111,6 +103,38 @@ TEST_F(LookAhead, touchesForTheBaseAreInReachWhereItStandsOtherwise) {
   ASSERT_EQ(plans.size(), 3U);
   EXPECT_EQ(calibration::keepTouchable(cell.arm, cell.X_WB, plans).size(), 3U);
   EXPECT_TRUE(std::ranges::any_of(found.notes, [](const auto& note) { return note.find("excluded") != note.npos; }));
+}
+
+/// What is foretold is what the calibration by touches of the proposed holes states, whatever the arm.
+TEST_F(LookAhead, touchesForetellsWhatCalibrateStates) {
+  for (const char* name : {"mockup.yaml", "puma.yaml", "column.yaml"}) {
+    TouchRequest request;
+    request.cell = (shippedCells() / name).string();
+    request.tubes = "spread:12";
+    request.candidates = 14;
+    request.goal = "base";
+    const TouchOutcome found = proposeTouches(request);
+    std::vector<calibration::TouchPlan> plans;
+    for (const auto& step : found.base.value().next.design.steps) {
+      const auto& reading = found.base->chosen(step).readings.front();
+      plans.push_back({reading.point, reading.point, reading.known_W.value(), reading.q});
+    }
+    calibration::TouchSimulationOptions simulation;
+    simulation.sigma = found.base_noise.sigma;
+    calibration::BaseStep off;
+    off << 0.002, -0.003, 0.001, 0.001, 0.0005, -0.001;
+    const auto touches =
+        calibration::simulateTouches(found.cell.arm, calibration::moved(found.cell.X_WB, off), plans, simulation)
+            .touches;
+    const auto stated = calibrateCell(found.cell, touches, "simulated").calibration;
+    ASSERT_EQ(stated.status, calibration::CalibrationStatus::kDone) << name << stated.reason;
+    ASSERT_EQ(stated.model_error, 0) << name;
+    ASSERT_EQ(found.base->next.numbers.size(), 6U) << name;
+    for (Eigen::Index k = 0; k < 6; ++k) {
+      const double sigma = std::sqrt(stated.covariance(k, k));
+      EXPECT_NEAR(found.base->next.numbers[static_cast<std::size_t>(k)].after, sigma, 0.05 * sigma) << name << k;
+    }
+  }
 }
 
 /// A run sheet of touches where the joints stood as they were foreseen.

@@ -1,0 +1,186 @@
+// Touches that are chosen and foretold beside an arm whose numbers are uncertain, as a calibration finds them.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+#include "calibration/design/next_readings.hpp"
+#include "calibration/design/touch_choice.hpp"
+#include "tests/calibration/estimation/cobra_touches.hpp"
+#include "tests/deflection/cobra.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr double kTouchSigma = 0.005 * kInch;
+
+/// An arm, where it stands, what it may touch and where it works: postures at random.
+struct DoubtedCell {
+  deflection::Arm arm;
+  Eigen::Isometry3d X_WB;
+  std::vector<ReadingCandidate> candidates;
+  Work work;
+};
+
+DoubtedCell doubtedCell(const std::string& name, int candidates = 8) {
+  const app::Cell cell = app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/" + name);
+  DoubtedCell doubted{cell.arm, cell.X_WB, {}, {}};
+  std::mt19937_64 random(7);
+  for (int k = 0; k < candidates; ++k) {
+    ProposedMeasurement touch;
+    touch.kind = MeasurementKind::kTouch;
+    touch.point = "H" + std::to_string(k);
+    touch.q = deflection::randomJoints(cell.arm, random);
+    touch.sigma = kTouchSigma;
+    touch.known_W = predictTip(cell.arm, cell.X_WB, touch.q, 0).value;
+    doubted.candidates.push_back({{touch}});
+  }
+  for (int k = 0; k < 6; ++k) doubted.work.postures.push_back(deflection::randomJoints(cell.arm, random));
+  return doubted;
+}
+
+Estimate nothingTouched(const DoubtedCell& cell, const ArmUncertainty& doubt, double model_error = 0) {
+  return estimateFrom(cell.arm, cell.X_WB, false, {}, {{}, true}, {doubt, model_error});
+}
+
+/// Touches of these candidates with the noise that they are said to have.
+std::vector<Measurement> noisyTouches(const DoubtedCell& cell, const std::vector<int>& candidates, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal(0, 1);
+  std::vector<Measurement> touches;
+  for (const int k : candidates) {
+    const auto& proposed = cell.candidates[static_cast<std::size_t>(k)].readings.front();
+    Measurement& touch = touches.emplace_back(conditionsOf(proposed));
+    touch.id = touch.point;
+    touch.p_W = *proposed.known_W;
+    for (double& x : *touch.p_W) x += kTouchSigma * normal(random);
+  }
+  return touches;
+}
+
+/// Root mean square of a coordinate of the tip at work, by what a calibration leaves uncertain of base and numbers.
+double tipSigmaBy(const BaseCalibration& base, const Work& work) {
+  const auto& [numbers, covariance] = base.uncertainty;
+  PredictionRequest request;
+  request.by_base = true;
+  for (const auto& number : numbers) request.numbers.push_back(deflection::Variable::number(number.path));
+  double sum = 0;
+  for (const auto& q : work.postures) {
+    Measurement at;
+    at.q = q;
+    const Prediction tip = predictReading(base.arm, base.X_WB, at, request);
+    MatrixXd slopes(3, 6 + static_cast<Index>(numbers.size()));
+    slopes.leftCols(6) = tip.by_base;
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      slopes.col(6 + static_cast<Index>(k)) = tip.by_numbers.col(static_cast<Index>(k)) * slopeAt(numbers[k], 0);
+    sum += (slopes * covariance * slopes.transpose()).trace();
+  }
+  return std::sqrt(sum / (3. * static_cast<double>(work.postures.size())));
+}
+
+class TouchDoubt : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Cells, TouchDoubt, ::testing::Values("mockup.yaml", "puma.yaml", "iiwa.yaml", "column.yaml"));
+
+/// Three touches and five, beside the usual doubt and beside more, with and without an error of the model.
+TEST_P(TouchDoubt, SigmasForetoldAreThoseOfTheCalibration) {
+  const auto cell = doubtedCell(GetParam());
+  ArmUncertainty more;
+  more.stiffness = 0.3;
+  more.length *= 2;
+  const std::pair<ArmUncertainty, double> doubts[]{
+      {ArmUncertainty{}, 0}, {more, 0}, {ArmUncertainty{}, 4 * kTouchSigma}, {ArmUncertainty::none(), 0}};
+  for (const int count : {3, 5})
+    for (const auto& [doubt, model_error] : doubts) {
+      const auto estimate = nothingTouched(cell, doubt, model_error);
+      const auto posed = poseDesign(estimate, cell.candidates, cell.work);
+      const auto choice = chooseTouches(posed.problem, count);
+      const auto next = forecastReadings(estimate, posed, judgeReadings(posed.problem, choice.chosen));
+      BaseCalibrationOptions options;
+      options.arm = doubt;
+      options.model_error = model_error;
+      options.finds_model_error = false;
+      const auto base = calibrateBase(cell.arm, noisyTouches(cell, choice.chosen, 3), cell.X_WB, options);
+      ASSERT_EQ(base.status, CalibrationStatus::kDone) << base.reason;
+      ASSERT_EQ(next.numbers.size(), 6U);
+      for (Index k = 0; k < 6; ++k) {
+        const double stated = std::sqrt(base.covariance(k, k));
+        EXPECT_NEAR(next.numbers[static_cast<std::size_t>(k)].after, stated, 0.03 * stated) << count << " " << k;
+      }
+      EXPECT_NEAR(next.tip_after.rms, tipSigmaBy(base, cell.work), 0.03 * next.tip_after.rms) << count;
+      EXPECT_NEAR(choice.mean_sigma, next.tip_after.rms, 1e-6 * choice.mean_sigma) << count;
+      for (const auto& step : next.design.steps) EXPECT_LT(step.most_helped, 6);
+    }
+}
+
+/// No triple is better than the one that is chosen, by the plain inverse of everything's information.
+TEST_P(TouchDoubt, TheBestTripleIsBestBesideTheDoubt) {
+  const auto cell = doubtedCell(GetParam());
+  const auto problem = poseDesign(nothingTouched(cell, ArmUncertainty{}), cell.candidates, cell.work).problem;
+  const double best = chooseTouches(problem, 3).mean_sigma;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 8; ++i)
+    for (int j = i + 1; j < 8; ++j)
+      for (int k = j + 1; k < 8; ++k)
+        least = std::min(least, tipSigma(problem.work, judgeReadings(problem, {i, j, k}).covariance).rms);
+  EXPECT_NEAR(best, least, 1e-6 * least);
+}
+
+TEST_P(TouchDoubt, MoreDoubtOfStiffnessesLowersNoSigma) {
+  const auto cell = doubtedCell(GetParam());
+  VectorXd before = VectorXd::Zero(7);
+  for (const double stiffness : {0., 0.02, 0.1, 0.3}) {
+    ArmUncertainty doubt = ArmUncertainty::none();
+    doubt.stiffness = stiffness;
+    const auto estimate = nothingTouched(cell, doubt);
+    const auto posed = poseDesign(estimate, cell.candidates, cell.work);
+    const auto next = forecastReadings(estimate, posed, judgeReadings(posed.problem, {0, 1, 2, 3}));
+    VectorXd now(7);
+    for (Index k = 0; k < 6; ++k) now[k] = next.numbers[static_cast<std::size_t>(k)].after;
+    now[6] = next.tip_after.rms;
+    EXPECT_TRUE((now.array() >= before.array() * (1 - 1e-6)).all()) << stiffness << "\n" << now - before;
+    before = now;
+  }
+}
+
+TEST_P(TouchDoubt, WithoutDoubtTheChoiceIsThatOfAnExactArm) {
+  const auto cell = doubtedCell(GetParam());
+  const auto posed = poseDesign(nothingTouched(cell, ArmUncertainty::none()), cell.candidates, cell.work);
+  std::vector<TouchPlan> plans;
+  for (const auto& candidate : cell.candidates) plans.push_back({"", "", {}, candidate.readings.front().q});
+  for (const int count : {3, 5}) {
+    const auto by_problem = chooseTouches(posed.problem, count);
+    const auto by_arm = chooseTouches(cell.arm, cell.X_WB, plans, cell.work.postures, {count, kTouchSigma});
+    EXPECT_EQ(by_problem.chosen, by_arm.chosen);
+    EXPECT_NEAR(by_problem.mean_sigma, by_arm.mean_sigma, 1e-4 * by_arm.mean_sigma);
+  }
+}
+
+/// Touches of an arm whose numbers are off as they may be show no lack of fit, and leave what a calibration states.
+TEST_P(TouchDoubt, TouchesMadeCountAsACalibrationCountsThem) {
+  const auto cell = doubtedCell(GetParam());
+  int lacking = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    auto touches = noisyTouches(cell, {0, 1, 2, 3, 4}, seed);
+    const deflection::Arm drawn = drawnArm(cell.arm, ArmUncertainty{}, seed);
+    for (auto& touch : touches)
+      *touch.p_W += predictTip(drawn, cell.X_WB, touch.q, 0).value - predictTip(cell.arm, cell.X_WB, touch.q, 0).value;
+    const auto base = calibrateBase(cell.arm, touches, cell.X_WB);
+    ASSERT_EQ(base.status, CalibrationStatus::kDone) << base.reason;
+    const auto estimate = estimateFrom(cell.arm, cell.X_WB, false, touches, {{}, true}, {ArmUncertainty{}, 0});
+    lacking += estimate.model_error > 0 ? 1 : 0;
+    EXPECT_DOUBLE_EQ(estimate.model_error, base.model_error);
+    EXPECT_TRUE(placedAsEstimated(estimate).base_poses.front().X_WB.isApprox(base.X_WB, 1e-9));
+    const MatrixXd covariance = estimate.information.inverse();
+    for (Index k = 0; k < 6; ++k) {
+      const double stated = std::sqrt(base.covariance(k, k));
+      EXPECT_NEAR(std::sqrt(covariance(k, k)) * estimate.unknowns[static_cast<std::size_t>(k)].typical, stated,
+                  0.03 * stated);
+    }
+  }
+  EXPECT_LE(lacking, 1);
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
