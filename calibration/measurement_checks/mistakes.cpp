@@ -8,6 +8,7 @@
 #include "calibration/measurement_checks/holes_off.hpp"
 #include "calibration/measurement_checks/joint_coupling.hpp"
 #include "calibration/measurement_checks/joint_order.hpp"
+#include "calibration/measurement_checks/joint_pair.hpp"
 #include "calibration/measurement_checks/joint_scale.hpp"
 #include "calibration/measurement_checks/joint_sign.hpp"
 #include "calibration/measurement_checks/joint_unit.hpp"
@@ -43,6 +44,7 @@ const std::vector<MistakeKind>& mistakeKinds() {
       mistakes::joint_scale::kind(),
       mistakes::joint_sign::kind(),
       mistakes::joint_coupling::kind(),
+      mistakes::joint_pair::kind(),
       mistakes::joint_zero::kind(),
       mistakes::holes_off::kind(),
       mistakes::one_hole::kind(),
