@@ -24,6 +24,7 @@
 #include "calibration/measurement_checks/sigma_unit.hpp"
 #include "calibration/measurement_checks/tip_elsewhere.hpp"
 #include "calibration/measurement_checks/tool_frame.hpp"
+#include "calibration/measurement_checks/turns_as.hpp"
 #include "calibration/measurement_checks/without.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
@@ -55,6 +56,7 @@ const std::vector<MistakeKind>& mistakeKinds() {
       mistakes::without::kind(),
       mistakes::part_in_unit::coordinates(),
       mistakes::part_in_unit::angles(),
+      mistakes::turns_as::kind(),
       mistakes::tool_frame::kind(),
   };
   return kKinds;
