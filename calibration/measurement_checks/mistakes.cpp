@@ -8,6 +8,7 @@
 #include "calibration/measurement_checks/holes_off.hpp"
 #include "calibration/measurement_checks/joint_coupling.hpp"
 #include "calibration/measurement_checks/joint_order.hpp"
+#include "calibration/measurement_checks/joint_pair.hpp"
 #include "calibration/measurement_checks/joint_scale.hpp"
 #include "calibration/measurement_checks/joint_sign.hpp"
 #include "calibration/measurement_checks/joint_unit.hpp"
@@ -23,6 +24,7 @@
 #include "calibration/measurement_checks/sigma_unit.hpp"
 #include "calibration/measurement_checks/tip_elsewhere.hpp"
 #include "calibration/measurement_checks/tool_frame.hpp"
+#include "calibration/measurement_checks/turns_as.hpp"
 #include "calibration/measurement_checks/without.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
@@ -43,6 +45,7 @@ const std::vector<MistakeKind>& mistakeKinds() {
       mistakes::joint_scale::kind(),
       mistakes::joint_sign::kind(),
       mistakes::joint_coupling::kind(),
+      mistakes::joint_pair::kind(),
       mistakes::joint_zero::kind(),
       mistakes::holes_off::kind(),
       mistakes::one_hole::kind(),
@@ -53,6 +56,7 @@ const std::vector<MistakeKind>& mistakeKinds() {
       mistakes::without::kind(),
       mistakes::part_in_unit::coordinates(),
       mistakes::part_in_unit::angles(),
+      mistakes::turns_as::kind(),
       mistakes::tool_frame::kind(),
   };
   return kKinds;

@@ -4,38 +4,23 @@
 #include <cmath>
 #include <numbers>
 
-#include "deflection/rotation.hpp"
+#include "deflection/turn_forms.hpp"
 
 namespace tubeplan::app {
 
 namespace {
 
-using deflection::rotationX, deflection::rotationY, deflection::rotationZ;
 using std::numbers::pi;
 
 constexpr double kRounded = 1e-3;            // rad: angles are written with as few decimals as this
 constexpr double kQuaternionRounded = 2e-3;  // of the length of a quaternion with three decimals
 
-Eigen::Matrix3d fixedAnglesTurn(const FormNumbers& n) {
-  return deflection::rotationFromFixedAngles<double>({n[0], n[1], n[2]});
+template <const deflection::TurnForm& form>
+Eigen::Vector3d rollPitchYaw(const FormNumbers& n) {
+  return deflection::fixedAnglesOf(form.turn({n[0], n[1], n[2]}));
 }
-Eigen::Matrix3d eulerZyxTurn(const FormNumbers& n) {
-  return rotationZ<double>(n[0]) * rotationY<double>(n[1]) * rotationX<double>(n[2]);
-}
-Eigen::Matrix3d eulerXyzTurn(const FormNumbers& n) {
-  return rotationX<double>(n[0]) * rotationY<double>(n[1]) * rotationZ<double>(n[2]);
-}
-Eigen::Matrix3d eulerZyzTurn(const FormNumbers& n) {
-  return rotationZ<double>(n[0]) * rotationY<double>(n[1]) * rotationZ<double>(n[2]);
-}
-Eigen::Matrix3d vectorTurn(const FormNumbers& n) { return deflection::rotationFromVector<double>({n[0], n[1], n[2]}); }
-Eigen::Matrix3d quaternionTurn(const FormNumbers& n) {
-  return Eigen::Quaterniond(n[0], n[1], n[2], n[3]).normalized().toRotationMatrix();
-}
-
-template <Eigen::Matrix3d (*turn)(const FormNumbers&)>
-Eigen::Vector3d rollPitchYaw(const FormNumbers& numbers) {
-  return deflection::fixedAnglesOf(turn(numbers));
+Eigen::Vector3d rollPitchYawOfQuaternion(const FormNumbers& n) {
+  return deflection::fixedAnglesOf(Eigen::Quaterniond(n[0], n[1], n[2], n[3]).normalized().toRotationMatrix());
 }
 
 Eigen::Vector3d placeFromX(const FormNumbers& n) {
@@ -109,40 +94,40 @@ const StatedColumns& columnsOf(Stated stated) {
 
 std::span<const WrittenForm> writtenForms() {
   static const std::vector<WrittenForm> kForms{
-      {"fixed-angles",
-       "about the fixed axes x, y, z: W, P, R of FANUC, Rx, Ry, Rz of Yaskawa and Denso, A, B, C of Mitsubishi",
+      {deflection::kFixedAngles.name,
+       deflection::kFixedAngles.words,
        Stated::kTurn,
        angles("x", "y", "z"),
        {{{"w", "p", "r"}}, {{"rx", "ry", "rz"}, "l"}, {{"rotx", "roty", "rotz"}}, {{"a", "b", "c"}}},
-       rollPitchYaw<fixedAnglesTurn>,
+       rollPitchYaw<deflection::kFixedAngles>,
        fitOfMiddle,
        kMiddle},
-      {"euler-zyx",
-       "about z, the turned y, the turned x: A, B, C of KUKA, U, V, W of Epson",
+      {deflection::kEulerZyx.name,
+       deflection::kEulerZyx.words,
        Stated::kTurn,
        angles("z", "y", "x"),
        {{{"a", "b", "c"}, "a1"}, {{"u", "v", "w"}}},
-       rollPitchYaw<eulerZyxTurn>,
+       rollPitchYaw<deflection::kEulerZyx>,
        fitOfMiddle,
        kMiddle},
-      {"euler-xyz",
-       "about x, the turned y, the turned z: rx, ry, rz of Staubli",
+      {deflection::kEulerXyz.name,
+       deflection::kEulerXyz.words,
        Stated::kTurn,
        angles("x", "y", "z"),
        {{{"rx", "ry", "rz"}}, {{"rotx", "roty", "rotz"}}},
-       rollPitchYaw<eulerXyzTurn>,
+       rollPitchYaw<deflection::kEulerXyz>,
        fitOfMiddle,
        kMiddle},
-      {"euler-zyz",
-       "about z, the turned y, the turned z: O, A, T of Kawasaki and Adept, A, E, R of Comau",
+      {deflection::kEulerZyz.name,
+       deflection::kEulerZyz.words,
        Stated::kTurn,
        angles("o", "a", "t"),
        {{{"o", "a", "t"}}, {{"a", "e", "r"}}},
-       rollPitchYaw<eulerZyzTurn>,
+       rollPitchYaw<deflection::kEulerZyz>,
        fitOfAny,
        ""},
-      {"rotation-vector",
-       "the axis times the angle: rx, ry, rz of Universal Robots",
+      {deflection::kRotationVector.name,
+       deflection::kRotationVector.words,
        Stated::kTurn,
        angles("x", "y", "z"),
        {{{"rx", "ry", "rz"}, "wrist1"},
@@ -150,7 +135,7 @@ std::span<const WrittenForm> writtenForms() {
         {{"rvx", "rvy", "rvz"}},
         {{"rotvecx", "rotvecy", "rotvecz"}},
         {{"actualtcppose3", "actualtcppose4", "actualtcppose5"}}},
-       rollPitchYaw<vectorTurn>,
+       rollPitchYaw<deflection::kRotationVector>,
        fitOfVector,
        "which is no longer than half a turn"},
       {"quaternion",
@@ -158,7 +143,7 @@ std::span<const WrittenForm> writtenForms() {
        Stated::kTurn,
        {{"w", std::nullopt}, {"x", std::nullopt}, {"y", std::nullopt}, {"z", std::nullopt}},
        quaternionHeadings(),
-       rollPitchYaw<quaternionTurn>,
+       rollPitchYawOfQuaternion,
        fitOfQuaternion,
        "whose length is 1"},
       polarForm("polar", "the horizontal angle from x to y, the angle from z, the slope distance: trackers",

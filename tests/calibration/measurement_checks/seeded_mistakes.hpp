@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <numbers>
 #include <optional>
@@ -162,6 +163,22 @@ inline Made jointCoupling(SeededSet& s, SeededRandom& random) {
   const int share = random() % 2 ? 1 : -1;
   for (auto& m : s.table.readings) m.q[joint] -= share * m.q[of];
   return fmt::format("joint-coupling={}:{}:{}", jointName(s, joint), jointName(s, of), share);
+}
+/// The motors of a differential in the columns of two joints that follow each other, by either joint's sum and either
+/// order of the difference, which turn by the sum of the joints or by half of it.
+inline Made jointPair(SeededSet& s, SeededRandom& random) {
+  const int a = drawnBelow(static_cast<int>(s.table.joints.size()) - 1, random), b = a + 1;
+  const double size = random() % 2 ? 0.5 : 1;
+  const int negative = drawnBelow(4, random);
+  Eigen::Matrix2d shares = Eigen::Matrix2d::Constant(size);
+  shares(negative / 2, negative % 2) *= -1;
+  const Eigen::Matrix2d to_motors = shares.inverse();
+  for (auto& m : s.table.readings) {
+    const Eigen::Vector2d motors = to_motors * Eigen::Vector2d(m.q[a], m.q[b]);
+    m.q[a] = motors[0], m.q[b] = motors[1];
+  }
+  return fmt::format("joint-pair={}:{}:{:g}:{:g}:{:g}:{:g}", jointName(s, a), jointName(s, b), shares(0, 0),
+                     shares(0, 1), shares(1, 0), shares(1, 1));
 }
 /// An encoder's pulses, some thousand to a degree.
 inline Made jointInPulses(SeededSet& s, SeededRandom& random) {
@@ -485,6 +502,7 @@ inline const std::vector<SeededMistake>& seededMistakes() {
       {"joint-sign", "a joint's sign", seeded::jointSign},
       {"joint-sign", "the signs of several joints", seeded::severalSigns},
       {"joint-coupling", "a joint shown with another's", seeded::jointCoupling},
+      {"joint-pair", "a differential's motors for two joints", seeded::jointPair},
       {"joint-scale", "a joint in pulses", seeded::jointInPulses},
       {"joint-zero", "a zero 90 deg off", seeded::quarterTurn},
       {"joint-zero", "a zero 10-60 deg off", seeded::partOfATurn},

@@ -1,0 +1,116 @@
+// The motors of a differential logged where two joints belong: each column is a mixture of both joints, as their sum
+// and their difference.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "calibration/measurement_checks/mistake.hpp"
+
+namespace tubeplan::calibration::mistakes::joint_pair {
+
+/// The two joints' readings are `shares` times those of their columns.
+struct Pair {
+  int first = -1, second = -1;
+  Eigen::Matrix2d shares = Eigen::Matrix2d::Zero();
+};
+
+/// The joints and the four shares between colons, row by row; nothing where the text is none of that.
+inline std::optional<Pair> pairOf(const deflection::Arm& arm, const std::string& value) {
+  Pair pair;
+  std::string rest = value;
+  for (int k = 3; k >= 0; --k) {
+    const auto [before, number] = partedAtColon(rest);
+    double& share = pair.shares(k / 2, k % 2);
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), share);
+    if (error != std::errc{} || end != number.data() + number.size() || !std::isfinite(share)) return std::nullopt;
+    rest = before;
+  }
+  const auto [first, second] = partedAtColon(rest);
+  pair.first = jointNamed(arm, first);
+  pair.second = jointNamed(arm, second);
+  const bool is_pair = pair.first >= 0 && pair.second >= 0 && pair.first != pair.second &&
+                       arm.joint(pair.first).type == arm.joint(pair.second).type;
+  return is_pair && std::abs(pair.shares.determinant()) > 1e-9 ? std::optional(pair) : std::nullopt;
+}
+
+/// Of neighbours that turn: sum and difference, by which either joint may be the sum and either motor come first in the
+/// difference. `sizes` are the shares worth trying: halves of motors that turn by the sum of the joints, wholes of
+/// those that turn by half of it.
+inline std::vector<std::string> valuesOf(const CheckedReadings& checked, const std::vector<double>& sizes) {
+  static constexpr std::array<std::array<int, 4>, 4> kSigns{
+      {{1, 1, 1, -1}, {1, 1, -1, 1}, {1, -1, 1, 1}, {-1, 1, 1, 1}}};
+  const auto& arm = checked.start.arm;
+  const auto turns = [&](int j) { return arm.joint(j).type == deflection::JointType::kRevolute; };
+  std::vector<std::string> texts;
+  for (int j = 0; j + 1 < arm.jointCount(); ++j)
+    for (const double size : sizes)
+      for (const auto& s : kSigns)
+        if (turns(j) && turns(j + 1))
+          texts.push_back(fmt::format("{}:{}:{:g}:{:g}:{:g}:{:g}", arm.joint(j).name, arm.joint(j + 1).name,
+                                      s[0] * size, s[1] * size, s[2] * size, s[3] * size));
+  return texts;
+}
+inline std::vector<std::string> values(const CheckedReadings& checked) { return valuesOf(checked, {0.5, 1}); }
+inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) { return valuesOf(checked, {0.5}); }
+
+/// "0.5 J5 - 0.5 J6", "J5 - J6"
+inline std::string mixtureText(const Eigen::RowVector2d& shares, const std::string& first, const std::string& second) {
+  const auto term = [](double size, const std::string& name) {
+    return size == 1 ? name : fmt::format("{:g} {}", size, name);
+  };
+  return (shares[0] == -1 ? "-" + first : term(shares[0], first)) + (shares[1] < 0 ? " - " : " + ") +
+         term(std::abs(shares[1]), second);
+}
+
+/// The sense of a mixture's last motion: known where all that moves it goes one way.
+inline int senseOf(const Eigen::RowVector2d& shares, int first, int second) {
+  const auto sign = [](double number) { return (number > 0) - (number < 0); };
+  const int a = sign(shares[0]) * first, b = sign(shares[1]) * second;
+  return a == b || shares[1] == 0 ? a : shares[0] == 0 ? b : 0;
+}
+
+inline void unmix(const Pair& pair, Measurement& reading) {
+  const Eigen::Vector2d q = pair.shares * Eigen::Vector2d(reading.q[pair.first], reading.q[pair.second]);
+  reading.q[pair.first] = q[0];
+  reading.q[pair.second] = q[1];
+  if (reading.approach_directions.empty()) return;
+  int& first = reading.approach_directions[static_cast<std::size_t>(pair.first)];
+  int& second = reading.approach_directions[static_cast<std::size_t>(pair.second)];
+  const int sense = senseOf(pair.shares.row(0), first, second);
+  second = senseOf(pair.shares.row(1), first, second);
+  first = sense;
+}
+
+inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
+  const auto& arm = checked.start.arm;
+  const auto pair = pairOf(arm, value);
+  if (!pair) return std::nullopt;
+  const std::string &first = arm.joint(pair->first).name, &second = arm.joint(pair->second).name;
+  Mend mend{
+      "joint-pair", value,
+      fmt::format("the columns of {0} and {1} contain the motors of a differential: {0} is {2} of them, {1} is {3}",
+                  first, second, mixtureText(pair->shares.row(0), first, second),
+                  mixtureText(pair->shares.row(1), first, second))};
+  mend.change = [pair = *pair](std::vector<Measurement>& readings) {
+    for (auto& reading : readings) unmix(pair, reading);
+  };
+  return mend;
+}
+
+inline MistakeKind kind() {
+  return {.name = "joint-pair",
+          .value = "JOINT:JOINT:SHARES",
+          .expected =
+              "two joints and the shares of both columns in the first and in the second, such as "
+              "theta3:theta4:0.5:0.5:0.5:-0.5",
+          .values = values,
+          .mend = mend,
+          .values_beside = valuesBeside};
+}
+
+}  // namespace tubeplan::calibration::mistakes::joint_pair

@@ -1,0 +1,41 @@
+// Turns under roll, pitch, yaw that were written in another form: Euler angles of a controller, or a rotation vector.
+#pragma once
+
+#include <algorithm>
+
+#include "calibration/measurement_checks/tool_frame.hpp"
+#include "deflection/turn_forms.hpp"
+
+namespace tubeplan::calibration::mistakes::turns_as {
+
+inline std::vector<std::string> values(const CheckedReadings& checked) {
+  std::vector<std::string> texts;
+  if (std::ranges::none_of(checked.readings, tool_frame::statesFrame)) return texts;
+  for (const auto& form : deflection::kTurnForms)
+    if (form.name != std::string(deflection::kFixedAngles.name)) texts.emplace_back(form.name);
+  return texts;
+}
+
+inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value) {
+  const auto form = std::ranges::find(deflection::kTurnForms, value, &deflection::TurnForm::name);
+  if (form == deflection::kTurnForms.end() || form == deflection::kTurnForms.begin()) return std::nullopt;
+  Mend mend{"turns-as", value,
+            "the numbers under roll, pitch, yaw are turns in the form " + value + " (" + form->words +
+                "), as `readings --orientation " + value + "` takes them"};
+  mend.change = [turn = form->turn](std::vector<Measurement>& readings) {
+    for (auto& reading : readings)
+      if (tool_frame::statesFrame(reading)) reading.own = deflection::fixedAnglesOf(turn(reading.own));
+  };
+  return mend;
+}
+
+inline MistakeKind kind() {
+  return {.name = "turns-as",
+          .value = "FORM",
+          .expected = "the form of the turns under roll, pitch, yaw, such as euler-zyz",
+          .values = values,
+          .mend = mend,
+          .values_beside = tool_frame::noValues};
+}
+
+}  // namespace tubeplan::calibration::mistakes::turns_as

@@ -1,0 +1,79 @@
+// Motors of a differential in the columns of two joints: mended, named beside another mistake, and nothing else taken
+// for one.
+#include "calibration/measurement_checks/joint_pair.hpp"
+
+#include <gtest/gtest.h>
+
+#include "app/files/assumptions.hpp"
+#include "tests/calibration/measurement_checks/seeded_pairs.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+CheckedReadings checkedOf(const SeededSet& set) {
+  return {app::startOf(set.cell, set.table.readings), set.table.readings, app::freeNumbersOf(set.cell), set.table.units,
+          nullptr};
+}
+
+TEST(JointPair, IsOfTwoJointsAndSharesThatPartThem) {
+  const auto set = cleanSet(0);
+  ASSERT_TRUE(set);
+  const auto checked = checkedOf(*set);
+  for (const char* value : {"theta3:theta4:0.5:0.5:0.5:-0.5", "theta4:theta3:1:1:-1:1", "theta1:theta4:2:0:1:1"})
+    EXPECT_TRUE(mistakes::joint_pair::mend(checked, value)) << value;
+  for (const char* value :
+       {"", "theta3:theta4", "theta3:theta4:0.5:0.5:0.5", "theta3:theta3:0.5:0.5:0.5:-0.5", "theta3:theta4:1:1:1:1",
+        "theta3:theta4:1:1:1:x", "theta3:theta4:1:1:1:nan", "theta3:theta9:1:1:1:-1", "theta3:theta4:0:0:0:0"})
+    EXPECT_FALSE(mistakes::joint_pair::mend(checked, value)) << value;
+}
+
+TEST(JointPair, TakesSensesOfMotionThatTheMotorsTell) {
+  struct Row {
+    int first, second, sum, difference;
+  };
+  for (const Row& row :
+       {Row{1, 1, 1, 0}, Row{-1, -1, -1, 0}, Row{1, -1, 0, 1}, Row{-1, 1, 0, -1}, Row{0, 1, 0, 0}, Row{0, 0, 0, 0}}) {
+    auto set = cleanSet(0);
+    ASSERT_TRUE(set);
+    set->table.readings.resize(1);
+    auto& reading = set->table.readings.front();
+    reading.q << 0.1, 0.2, 0.7, 0.3;
+    reading.approach_directions = {1, 1, row.first, row.second};
+    const auto mend = mistakes::joint_pair::mend(checkedOf(*set), "theta3:theta4:0.5:0.5:0.5:-0.5");
+    ASSERT_TRUE(mend);
+    mend->apply(set->table.readings);
+    EXPECT_NEAR(reading.q[2], 0.5, 1e-12);
+    EXPECT_NEAR(reading.q[3], 0.2, 1e-12);
+    EXPECT_EQ(reading.approach_directions, (std::vector<int>{1, 1, row.sum, row.difference}));
+  }
+}
+
+// Each beside another mistake, of a unit, a sign or the coordinates' axes: the readings come back as they were.
+TEST(JointPair, IsNamedBesideAnotherMistake) {
+  int made = 0, mended = 0;
+  std::string found;
+  for (const char* other : {"coordinates in mm", "two axes exchanged", "a joint's sign"})
+    for (const std::uint64_t number : {0, 2, 3}) {
+      auto set = cleanSet(number);
+      ASSERT_TRUE(set);
+      SeededRandom random(number + 7);
+      SeededPair pair{*set, set->table.readings, {}, other};
+      for (auto& m : pair.set.table.readings) {
+        const double bend = m.q[2], turn = m.q[3];
+        m.q[2] = bend + turn, m.q[3] = bend - turn;
+      }
+      if (!seededMistake(other).make(pair.set, random)) continue;
+      ++made;
+      const auto checks = checksOf(pair.set);
+      const auto* gross = grossMistake(checks);
+      if (gross && distanceMended(pair, gross->assume) < 1e-6)
+        ++mended;
+      else
+        found += fmt::format("{} in {}: {}\n", other, pair.set.name, gross ? gross->assume : "nothing");
+    }
+  EXPECT_GE(made, 6);
+  EXPECT_GE(mended, made - 1) << found;
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

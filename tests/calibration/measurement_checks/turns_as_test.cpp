@@ -1,0 +1,95 @@
+// Turns under roll, pitch, yaw that were written in another form are named, and mended they are the turns that they
+// were. The forms are written here by other code than reads them.
+#include "calibration/measurement_checks/turns_as.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <map>
+
+#include "calibration/measurement_checks/measurement_checks.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+using WriteTurn = std::function<Eigen::Vector3d(const Eigen::Matrix3d&)>;
+
+const std::map<std::string, WriteTurn>& turnWriters() {
+  static const std::map<std::string, WriteTurn> kWriters{
+      {"euler-zyx", [](const Eigen::Matrix3d& R) { return R.eulerAngles(2, 1, 0); }},
+      {"euler-xyz", [](const Eigen::Matrix3d& R) { return R.eulerAngles(0, 1, 2); }},
+      {"euler-zyz", [](const Eigen::Matrix3d& R) { return R.eulerAngles(2, 1, 2); }},
+      {"rotation-vector", [](const Eigen::Matrix3d& R) -> Eigen::Vector3d {
+         const Eigen::AngleAxisd turn(R);
+         return turn.angle() * turn.axis();
+       }}};
+  return kWriters;
+}
+
+struct Turned {
+  PlacedArm start;
+  std::vector<Measurement> clean, readings;
+};
+
+Turned turnedIn(const WriteTurn& write, MeasurementKind kind, int count, std::uint64_t seed, bool is_base_known) {
+  ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
+  maker.add(kind, count);
+  Turned turned{placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, is_base_known, maker.readings),
+                maker.readings, maker.readings};
+  for (auto& reading : turned.readings) reading.own = write(deflection::rotationFromFixedAngles<double>(reading.own));
+  return turned;
+}
+
+CheckedReadings checkedTurns(const Turned& turned) {
+  return {turned.start, turned.readings, {{"tool.tip"}, false}, {}};
+}
+
+TEST(TurnsAs, EveryFormIsATurnOfTheTable) {
+  const auto turned = turnedIn(turnWriters().at("euler-zyx"), MeasurementKind::kPose, 3, 1, true);
+  auto names = mistakes::turns_as::values(checkedTurns(turned));
+  std::ranges::sort(names);
+  std::vector<std::string> written;
+  for (const auto& [name, write] : turnWriters()) written.push_back(name);
+  EXPECT_EQ(names, written);
+  for (const char* value : {"", "zyz", "fixed-angles", "quaternion", "euler-zyz:theta1"})
+    EXPECT_FALSE(mistakes::turns_as::mend(checkedTurns(turned), value)) << value;
+}
+
+TEST(TurnsAs, IsNamedAndMendedOfEveryForm) {
+  for (const auto& [name, write] : turnWriters())
+    for (const auto kind : {MeasurementKind::kPose, MeasurementKind::kOrientation})
+      for (const std::uint64_t seed : {1, 2, 3})
+        for (const bool is_base_known : {true, false}) {
+          if (kind == MeasurementKind::kOrientation && !is_base_known) continue;  // turns alone place no base
+          const auto turned = turnedIn(write, kind, seed == 3 ? 12 : 40, seed, is_base_known);
+          const auto checked = checkedTurns(turned);
+          const auto checks = checkMeasurements(checked);
+          const auto* gross = grossMistake(checks);
+          const std::string label = fmt::format("{} kind {} seed {} base {}", name, static_cast<int>(kind), seed,
+                                                is_base_known ? "known" : "unknown");
+          ASSERT_NE(gross, nullptr) << label;
+          EXPECT_EQ(gross->assume, "turns-as=" + name) << label << ": " << gross->sentence;
+          auto mended = turned.readings;
+          mistakes::turns_as::mend(checked, name)->apply(mended);
+          for (std::size_t k = 0; k < mended.size(); ++k)
+            EXPECT_TRUE(deflection::rotationFromFixedAngles<double>(mended[k].own)
+                            .isApprox(deflection::rotationFromFixedAngles<double>(turned.clean[k].own), 1e-9))
+                << label;
+        }
+}
+
+TEST(TurnsAs, IsNotSeenInTurnsThatAreRight) {
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
+    maker.add(MeasurementKind::kPose, 30);
+    const auto start = placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, false, maker.readings);
+    const auto checks = checkMeasurements({start, maker.readings, {{"tool.tip"}, false}, {}});
+    EXPECT_EQ(grossMistake(checks), nullptr) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
