@@ -61,10 +61,9 @@ inline std::optional<Eigen::Matrix3d> meanTurn(const CheckedReadings& checked) {
             toolAt(fit.placed.arm,
                    fit.placed.base_poses[static_cast<std::size_t>(basePoseOf(fit.placed, reading))].X_WB, reading))
       sum += tool->R_WT.transpose() * deflection::rotationFromFixedAngles<double>(reading.own);
+  if (!(sum.determinant() > 0)) return std::nullopt;  // turns all over
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  if (svd.singularValues().z() <= 0) return std::nullopt;
-  const double hand = (svd.matrixU() * svd.matrixV().transpose()).determinant();
-  return Eigen::Matrix3d(svd.matrixU() * Eigen::Vector3d(1, 1, hand).asDiagonal() * svd.matrixV().transpose());
+  return Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose());
 }
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
