@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "calibration/measurements/reading_prediction.hpp"
@@ -13,58 +12,84 @@ namespace tubeplan::calibration {
 
 namespace {
 
-using Eigen::Index, Eigen::MatrixXd;
+using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-/// What the tip's variance after some touches is made of.
-class TouchSets {
- public:
-  explicit TouchSets(const DesignProblem& problem) : prior_(problem.information.topLeftCorner<6, 6>()) {
+/// What the tip's variance after some touches is made of: of all candidates, three rows each. W is the mean of J^T J
+/// over the coordinates of the work, J = [T U].
+struct TouchBlocks {
+  explicit TouchBlocks(const DesignProblem& problem) : prior(problem.information.topLeftCorner<6, 6>()) {
     const Index rows = 3 * static_cast<Index>(problem.candidates.size()), all = 6 + problem.beside;
     MatrixXd slopes(rows, all), work = MatrixXd::Zero(all, all);
     for (std::size_t k = 0; k < problem.candidates.size(); ++k)
       slopes.middleRows(3 * static_cast<Index>(k), 3) = problem.candidates[k];
     for (const auto& J : problem.work) work += J.transpose() * J / (3. * static_cast<double>(problem.work.size()));
     const MatrixXd Z = slopes.rightCols(problem.beside);
-    const MatrixXd Z_work = Z * work.bottomRightCorner(problem.beside, problem.beside);
-    by_base_ = slopes.leftCols(6);
-    by_numbers_ = Z * Z.transpose();
-    of_numbers_ = Z_work * Z.transpose();
-    of_both_ = Z * work.bottomLeftCorner(problem.beside, 6);
-    base_work_ = work.topLeftCorner<6, 6>();
-    numbers_variance_ = work.diagonal().tail(problem.beside).sum();
+    B = slopes.leftCols(6);
+    ZZ = Z * Z.transpose();
+    ZWZ = Z * work.bottomRightCorner(problem.beside, problem.beside) * Z.transpose();
+    ZW = Z * work.bottomLeftCorner(problem.beside, 6);
+    base_work = work.topLeftCorner<6, 6>();
+    numbers_variance = work.diagonal().tail(problem.beside).sum();
   }
 
-  [[nodiscard]] int count() const { return static_cast<int>(by_base_.rows() / 3); }
+  [[nodiscard]] int count() const { return static_cast<int>(B.rows() / 3); }
+
+  Matrix6 prior, base_work;
+  double numbers_variance = 0;  ///< of the tip, by numbers of which nothing is told
+  MatrixXd B, ZZ, ZWZ, ZW;
+};
+
+/// Some touches, and the tip's variance with one more of the candidates from `first` on: the blocks of that one less
+/// what those of the set tell of them.
+class GrownSet {
+ public:
+  GrownSet(const TouchBlocks& blocks, const std::vector<int>& touches, int first) : blocks_(blocks), first_(first) {
+    std::vector<Index> set;
+    for (const int touch : touches)
+      for (int row = 0; row < 3; ++row) set.push_back(3 * touch + row);
+    const auto more = Eigen::seq(3 * first, Eigen::last);
+    const MatrixXd B = blocks.B(set, Eigen::all), ZW = blocks.ZW(set, Eigen::all), ZWZ = blocks.ZWZ(set, set);
+    const Eigen::LLT<MatrixXd> V(MatrixXd::Identity(B.rows(), B.rows()) + blocks.ZZ(set, set));
+    const MatrixXd A = V.solve(B);
+    shared_ = blocks.ZZ(more, set);
+    told_ = V.solve(shared_.transpose()).transpose();
+    ZWZ_shared_ = blocks.ZWZ(more, set);
+    ZWZ_left_ = ZWZ_shared_ - told_ * ZWZ;
+    B_left_ = blocks.B(more, Eigen::all) - shared_ * A;
+    off_ = ZWZ_left_ * A - blocks.ZW(more, Eigen::all) + told_ * ZW;
+    F_ = blocks.prior + B.transpose() * A;
+    by_base_ = blocks.base_work - ZW.transpose() * A - A.transpose() * ZW + A.transpose() * ZWZ * A;
+    by_numbers_ = blocks.numbers_variance - V.solve(ZWZ).trace();
+  }
 
   /// Mean variance of a coordinate of the tip over the work [m^2]; infinite where the touches do not place the base.
-  /// `Rows`: three times as many as touches, or Eigen::Dynamic.
-  template <int Rows, class Touches>
-  [[nodiscard]] double variance(const Touches& touches) const {
-    using Square = Eigen::Matrix<double, Rows, Rows>;
-    using Columns = Eigen::Matrix<double, Rows, 6>;
-    Eigen::Matrix<Index, Rows, 1> rows(3 * static_cast<Index>(touches.size()));
-    for (Index r = 0; r < rows.size(); ++r) rows[r] = 3 * touches[static_cast<std::size_t>(r / 3)] + r % 3;
-    const Columns B = by_base_(rows, Eigen::all), both = of_both_(rows, Eigen::all);
-    const Square numbers = of_numbers_(rows, rows);
-    const Eigen::LLT<Square> V(by_numbers_(rows, rows) + Square::Identity(rows.size(), rows.size()));
-    const Columns A = V.solve(B);
-    const Eigen::LDLT<Matrix6> F(prior_ + B.transpose() * A);
+  [[nodiscard]] double varianceWith(int touch) const {
+    using Block = Eigen::Matrix<double, 3, 6>;
+    const Index row = 3 * touch, here = row - 3 * first_;
+    const auto told = told_.middleRows<3>(here);
+    const Matrix3d S = Matrix3d::Identity() + blocks_.ZZ.block<3, 3>(row, row) -
+                       told.lazyProduct(shared_.middleRows<3>(here).transpose());
+    const Matrix3d ZWZ = blocks_.ZWZ.block<3, 3>(row, row) -
+                         told.lazyProduct(ZWZ_shared_.middleRows<3>(here).transpose()) -
+                         ZWZ_left_.middleRows<3>(here).lazyProduct(told.transpose());
+    const Matrix3d S_inverse = S.inverse();
+    const Block B = B_left_.middleRows<3>(here), A = S_inverse * B, off = off_.middleRows<3>(here);
+    const Eigen::LDLT<Matrix6> F(F_ + B.transpose() * A);
     if (F.vectorD().minCoeff() <= 1e-12 * F.vectorD().maxCoeff()) return kNowhere;
-    const Matrix6 crossed = both.transpose() * A;
-    const Matrix6 by_base = base_work_ - crossed - crossed.transpose() + A.transpose() * numbers * A;
-    return F.solve(by_base).trace() + numbers_variance_ - V.solve(numbers).trace();
+    const Block half = off + 0.5 * ZWZ * A;
+    const Matrix6 crossed = half.transpose() * A;
+    return F.solve(by_base_ + crossed + crossed.transpose()).trace() + by_numbers_ - (S_inverse * ZWZ).trace();
   }
 
  private:
-  Matrix6 prior_, base_work_;
-  double numbers_variance_ = 0;  ///< of the tip, by numbers of which nothing is told
-  MatrixXd by_base_;             ///< B of all candidates
-  MatrixXd by_numbers_;          ///< Z Z^T
-  MatrixXd of_numbers_;          ///< Z W Z^T, W the mean of U^T U over the work
-  MatrixXd of_both_;             ///< Z times the mean of U^T T
+  const TouchBlocks& blocks_;
+  int first_ = 0;
+  MatrixXd shared_, told_, ZWZ_shared_, ZWZ_left_, B_left_, off_;
+  Matrix6 F_, by_base_;
+  double by_numbers_ = 0;
 };
 
 struct BestSet {
@@ -72,32 +97,28 @@ struct BestSet {
   double variance = kNowhere;
 };
 
-/// The best triple whose first is `i`.
-BestSet bestTripleFrom(int i, const TouchSets& sets) {
-  BestSet best;
-  for (int j = i + 1; j < sets.count(); ++j)
-    for (int k = j + 1; k < sets.count(); ++k)
-      if (const double v = sets.variance<9>(std::array{i, j, k}); v < best.variance) best = {{i, j, k}, v};
-  return best;
-}
-
-BestSet bestTriple(const TouchSets& sets) {
-  std::vector<BestSet> best(static_cast<std::size_t>(sets.count()));
-  tbb::parallel_for(0, sets.count(), [&](int i) { best[static_cast<std::size_t>(i)] = bestTripleFrom(i, sets); });
-  return *std::ranges::min_element(best, {}, &BestSet::variance);
-}
-
-/// The set with the one more touch that helps most.
-BestSet withNext(const BestSet& before, const TouchSets& sets) {
-  BestSet best = before;
-  best.variance = kNowhere;
-  std::vector<int> touches = before.touches;
-  touches.push_back(0);
-  for (int& i = touches.back(); i < sets.count(); ++i) {
-    if (std::ranges::count(touches, i) > 1) continue;
-    if (const double v = sets.variance<Eigen::Dynamic>(touches); v < best.variance) best = {touches, v};
+/// The set with the one more touch that helps most, of those from `first` on.
+BestSet withNext(const TouchBlocks& blocks, const std::vector<int>& touches, int first) {
+  const GrownSet grown(blocks, touches, first);
+  BestSet best{touches, kNowhere};
+  best.touches.push_back(-1);
+  for (int k = first; k < blocks.count(); ++k) {
+    if (std::ranges::find(touches, k) != touches.end()) continue;
+    if (const double v = grown.varianceWith(k); v < best.variance) best.touches.back() = k, best.variance = v;
   }
   return best;
+}
+
+/// The best triple of all; empty where none places the base.
+BestSet bestTriple(const TouchBlocks& blocks) {
+  std::vector<BestSet> best(static_cast<std::size_t>(blocks.count()));
+  tbb::parallel_for(0, blocks.count(), [&](int i) {
+    BestSet& best_from = best[static_cast<std::size_t>(i)];
+    for (int j = i + 1; j + 1 < blocks.count(); ++j)
+      if (BestSet triple = withNext(blocks, {i, j}, j + 1); triple.variance < best_from.variance)
+        best_from = std::move(triple);
+  });
+  return *std::ranges::min_element(best, {}, &BestSet::variance);
 }
 
 /// Whitened slopes by the base of a touch of no load, and what the tip's are in the postures of the work.
@@ -108,7 +129,7 @@ DesignProblem exactProblem(const deflection::Arm& arm, const Eigen::Isometry3d& 
   problem.information = Matrix6::Zero();
   for (const auto& candidate : candidates) {
     const Prediction tip = predictTip(arm, X_WB, candidate.q_start, 0);
-    const Eigen::Matrix3d noise = sigma * sigma * Eigen::Matrix3d::Identity() + encoderCovariance(arm, tip.by_joints);
+    const Matrix3d noise = sigma * sigma * Matrix3d::Identity() + encoderCovariance(arm, tip.by_joints);
     problem.candidates.emplace_back(noise.llt().matrixL().solve(tip.by_base));
   }
   for (const auto& q : work) problem.work.emplace_back(predictTip(arm, X_WB, q, 0).by_base);
@@ -126,9 +147,13 @@ TouchChoice chooseTouches(const DesignProblem& problem, int count) {
         std::to_string(n) + " holes can be touched, " + std::to_string(count) + " (at least 3) are asked for";
     return result;
   }
-  const TouchSets sets(problem);
-  BestSet best = bestTriple(sets);
-  while (std::isfinite(best.variance) && static_cast<int>(best.touches.size()) < count) best = withNext(best, sets);
+  const TouchBlocks blocks(problem);
+  BestSet best = bestTriple(blocks);
+  while (std::isfinite(best.variance) && static_cast<int>(best.touches.size()) < count) {
+    BestSet next = withNext(blocks, best.touches, 0);
+    if (!std::isfinite(next.variance)) break;
+    best = std::move(next);
+  }
   result.chosen = best.touches;
   result.mean_sigma = std::sqrt(best.variance);
   result.status = TouchChoiceStatus::kDone;
