@@ -51,7 +51,8 @@ bool placesByTouches(const Estimate& estimate, const std::vector<Measurement>& r
   const bool is_base_alone = std::all_of(estimate.unknowns.begin(), estimate.unknowns.end(),
                                          [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
   return is_base_alone && estimate.start.base_poses.size() == 1 &&
-         std::all_of(readings.begin(), readings.end(), touchesKnownPoint) && findTouchProblem(readings).empty();
+         std::ranges::all_of(readings, [](const Measurement& reading) { return touchesKnownPoint(reading); }) &&
+         findTouchProblem(readings).empty();
 }
 
 /// Fits the base and the numbers beside it; false where the search ends without them.
