@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/files/foreign/sexagesimal.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -196,7 +197,9 @@ void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measu
 double RowReader::number(std::size_t index) const {
   constexpr double kMost = 1e30;  // beyond any quantity, and its squares can still be summed
   const auto value = tubesheets::parseNumber(field(index));
-  if (!value) fail(index, field(index).empty() ? "nothing" : inQuotes(field(index)), "a finite number");
+  if (!value)
+    fail(index, field(index).empty() ? "nothing" : inQuotes(field(index)), "a finite number",
+         parseSexagesimal(field(index)) ? kReadForeign : "");
   if (std::abs(*value) > kMost) fail(index, inQuotes(field(index)), fmt::format("a number within {:g} of zero", kMost));
   return *value;
 }

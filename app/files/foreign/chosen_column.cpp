@@ -39,8 +39,8 @@ std::pair<std::size_t, const Unit*> targetOf(const std::string& name, const std:
     known.push_back(target.quantity);
     if (name == target.quantity) return {k, nullptr};
     if (!target.unit || !name.starts_with(target.quantity + "_")) continue;
-    const Unit* unit = findUnitWord(std::string_view(name).substr(target.quantity.size() + 1));
-    if (unit && unit->kind == *target.unit) return {k, unit};
+    const std::string_view word = std::string_view(name).substr(target.quantity.size() + 1);
+    if (const Unit* unit = unitOfKind(findUnitWord(word), *target.unit)) return {k, unit};
   }
   throw InputError("--column", inQuotes(name), "a column of a measurement table", suggestion(name, known));
 }

@@ -6,6 +6,8 @@
 #include <array>
 #include <set>
 
+#include "app/files/foreign/angle_fields.hpp"
+#include "app/files/foreign/foreign_heading.hpp"
 #include "app/files/foreign/joint_headings.hpp"
 #include "app/files/input_error.hpp"
 #include "tubesheets/csv_table.hpp"
@@ -91,14 +93,14 @@ void takeSurveyAxes(std::vector<std::vector<ForeignHeading>>& tables) {
 }  // namespace
 
 bool fits(const ColumnTarget& target, const ForeignHeading& heading) {
-  if (heading.unit && target.unit != heading.unit->kind) return false;
+  if (heading.unit && !(target.unit && unitOfKind(heading.unit, *target.unit))) return false;
   if (heading.is_count && !target.is_joint) return false;
   return heading.name == settledName(target) ||
          std::find(target.aliases.begin(), target.aliases.end(), heading.name) != target.aliases.end();
 }
 
 const Unit* unitOf(const ForeignTable& table, const ForeignHeading& heading, UnitKind kind, const UsualUnits& usual) {
-  if (heading.unit) return heading.unit->kind == kind ? heading.unit : nullptr;
+  if (heading.unit) return unitOfKind(heading.unit, kind);
   if (heading.is_count) return nullptr;
   const auto above = table.units.find(kind);
   const auto asked = usual.find(kind);
@@ -114,7 +116,10 @@ const Unit* unitOf(const ForeignTable& table, const ForeignHeading& heading, Uni
 std::vector<ForeignHeading> columnNames(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
   if (!table.has_heading) return headingsByShape(table, targets);
   std::vector<ForeignHeading> headings;
-  for (const auto& column : table.columns) headings.push_back(parseHeading(column));
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    headings.push_back(parseHeading(table.columns[c]));
+    if (!headings.back().unit && !headings.back().is_count) headings.back().unit = unitOfForm(sixtiethForm(table, c));
+  }
   return headings;
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "app/files/foreign/angle_fields.hpp"
 #include "app/files/foreign/chosen_column.hpp"
 #include "app/files/foreign/clock_time.hpp"
 #include "app/files/foreign/column_names.hpp"
@@ -80,7 +81,7 @@ class ColumnTaker {
         columns.units.push_back(found->unit);
       }
       std::erase_if(parts_, [&](const auto& chosen) { return targets_[chosen.target].form == &form; });
-      addForm(std::move(columns));
+      addForm(std::move(columns), true);
     }
   }
 
@@ -121,10 +122,13 @@ class ColumnTaker {
                      fmt::format("{}", form.words), fmt::format("say which: {}", fmt::join(numbers, " ")));
   }
 
-  void addForm(FormColumns columns) {
+  void addForm(FormColumns columns, bool are_chosen = false) {
     const StatedColumns& stated = columnsOf(columns.form->stated);
     for (std::size_t i = 0; i < columns.columns.size(); ++i) {
       const auto& kind = columns.form->numbers[i].unit;
+      if (kind == UnitKind::kAngle)
+        requireOneForm(tables_[columns.table], columns.columns[i],
+                       (are_chosen && columns.units[i]) || headings_[columns.table][columns.columns[i]].unit);
       if (kind && !columns.units[i])
         columns.units[i] = neededUnit(fmt::format("{}.{}", columns.form->name, columns.form->numbers[i].name), *kind,
                                       columns.table, columns.columns[i]);
@@ -168,15 +172,18 @@ class ColumnTaker {
   void add(std::size_t target, std::size_t table, std::size_t column, const Unit* stated, double factor = 1) {
     const auto& wanted = targets_[target];
     std::string name = wanted.quantity;
+    const Unit* unit = nullptr;
+    if (wanted.unit == UnitKind::kAngle)
+      requireOneForm(tables_[table], column, stated || headings_[table][column].unit);
     if (wanted.unit) {
-      const Unit* unit = stated ? stated : neededUnit(wanted.quantity, *wanted.unit, table, column);
+      unit = stated ? stated : neededUnit(wanted.quantity, *wanted.unit, table, column);
       const bool is_stated = stated || factor != 1 || headings_[table][column].unit;
       if (wanted.is_joint && !is_stated) refusePulses(wanted, table, column, *unit);
       name += "_" + std::string(ownUnitOf(*unit).unit->name);
       factor *= ownUnitOf(*unit).factor;
     }
     free_[table][column] = false;
-    taken_.push_back({std::move(name), target, table, column, factor});
+    taken_.push_back({std::move(name), target, table, column, factor, nullptr, 0, unit});
   }
 
   [[nodiscard]] const Unit* neededUnit(const std::string& quantity, UnitKind kind, std::size_t table,

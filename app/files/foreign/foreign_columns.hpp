@@ -50,6 +50,7 @@ struct TakenColumn {
   double factor = 1;                                  ///< what its numbers are multiplied by
   std::shared_ptr<const FormColumns> form = nullptr;  ///< of which it is ...
   std::size_t part = 0;                               ///< ... the number of its columnsOf()
+  const Unit* unit = nullptr;                         ///< that its fields are in; null where they have none
 };
 
 /// Units of columns that state none, as --units.

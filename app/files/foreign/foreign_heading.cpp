@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/files/foreign/sexagesimal.hpp"
 #include "app/files/lower_case.hpp"
 #include "tubesheets/length_unit.hpp"
 #include "tubesheets/text_table.hpp"
@@ -46,8 +47,17 @@ constexpr UnitWord kUnitWords[] = {
     {"hours", UnitKind::kTime, "h"},
 };
 
-/// Of surveyors' instruments alone: files of the program have none.
-constexpr Unit kGon{UnitKind::kAngle, "gon", std::numbers::pi / 200};
+/// Of surveyors and telescopes alone: files of the program have deg instead, of which each has so many.
+constexpr double kOneDegree = std::numbers::pi / 180;
+constexpr Unit kForeignAngles[] = {{UnitKind::kAngle, "gon", 0.9 * kOneDegree},
+                                   {UnitKind::kAngle, "h", kDegreesPerHour* kOneDegree},
+                                   {UnitKind::kAngle, "hms", kDegreesPerHour* kOneDegree},
+                                   {UnitKind::kAngle, "dms", kOneDegree}};
+
+const Unit* foreignAngle(std::string_view name) {
+  const auto found = std::ranges::find(kForeignAngles, name, &Unit::name);
+  return found == std::end(kForeignAngles) ? nullptr : found;
+}
 
 constexpr std::array<std::string_view, 9> kCountWords{"pulse",   "pulses", "pls",        "count",    "counts",
                                                       "counter", "cts",    "increments", "increment"};
@@ -68,17 +78,28 @@ const Unit* findUnitWord(std::string_view word) {
   if (const auto* length = tubesheets::findLengthWord(small)) return findUnit(UnitKind::kLength, length->suffix);
   for (const UnitWord& known : kUnitWords)
     if (known.word == small) return findUnit(known.kind, known.name);
-  return small == kGon.name || small == "grad" || small == "gons" ? &kGon : nullptr;
+  return foreignAngle(small == "grad" || small == "gons" ? "gon" : std::string_view(small));
 }
 
+const Unit* unitOfKind(const Unit* unit, UnitKind kind) {
+  if (!unit || unit->kind == kind) return unit;
+  const bool are_hours = kind == UnitKind::kAngle && unit == findUnit(UnitKind::kTime, "h");
+  return are_hours ? foreignAngle("h") : nullptr;
+}
+
+const Unit* sixtiethsOfHours() { return foreignAngle("hms"); }
+const Unit* sixtiethsOfDegrees() { return foreignAngle("dms"); }
+
 OwnUnit ownUnitOf(const Unit& unit) {
-  if (&unit != &kGon) return {&unit, 1};
-  return {findUnit(UnitKind::kAngle, "deg"), 0.9};
+  if (unit.kind != UnitKind::kAngle || foreignAngle(unit.name) != &unit) return {&unit, 1};
+  const Unit* degree = findUnit(UnitKind::kAngle, "deg");
+  return {degree, rounded(unit.factor / degree->factor)};
 }
 
 std::vector<std::string> foreignUnitNames(UnitKind kind) {
   auto names = unitNames(kind);
-  if (kind == kGon.kind) names.emplace_back(kGon.name);
+  for (const Unit& unit : kForeignAngles)
+    if (unit.kind == kind) names.emplace_back(unit.name);
   return names;
 }
 

@@ -20,7 +20,15 @@ struct ForeignHeading {
 [[nodiscard]] const Unit* findUnitWord(std::string_view word);
 [[nodiscard]] bool isUnitWord(std::string_view word);
 
-/// The unit of the program's files that such numbers are written in, and what they are multiplied by: gon become deg.
+/// The unit where it is one of that kind: of an angle `h` are hours too. Null where it is none.
+[[nodiscard]] const Unit* unitOfKind(const Unit* unit, UnitKind kind);
+
+/// Angles in sixtieths of hours ("hms") and of degrees ("dms"), whose numbers parseSexagesimal() reads.
+[[nodiscard]] const Unit* sixtiethsOfHours();
+[[nodiscard]] const Unit* sixtiethsOfDegrees();
+
+/// The unit of the program's files that such numbers are written in, and what they are multiplied by: gon become deg,
+/// and so do hours.
 struct OwnUnit {
   const Unit* unit = nullptr;
   double factor = 1;

@@ -9,8 +9,10 @@
 #include <optional>
 #include <set>
 
+#include "app/files/foreign/angle_fields.hpp"
 #include "app/files/foreign/clock_time.hpp"
 #include "app/files/foreign/column_names.hpp"
+#include "app/files/foreign/foreign_heading.hpp"
 #include "app/files/foreign/form_columns.hpp"
 #include "app/files/foreign/joined_rows.hpp"
 #include "app/files/input_error.hpp"
@@ -251,13 +253,21 @@ class ForeignReader {
   [[nodiscard]] std::string numberField(const TakenColumn& column, std::size_t k, const std::string& field) const {
     if (column.form) return formField(column, k);
     if (isBlankField(field)) return "";
-    const std::string number = field.starts_with('+') ? field.substr(1) : field;
-    if (const auto value = parseNumber(number))
-      return column.factor == 1 ? number : formatNumber(*value * column.factor);
+    if (const auto value = numberIn(field, column.unit)) {
+      const std::string number = field.starts_with('+') ? field.substr(1) : field;
+      return column.factor == 1 && parseNumber(number) ? number : formatNumber(*value * column.factor);
+    }
     const auto clock = clocks_.find(column.target);
-    if (clock == clocks_.end()) refuseField(column, column.column, k, "a finite number");
+    if (clock == clocks_.end()) refuseField(column, column.column, k, expectedOf(column.unit, field));
     if (const auto seconds = clock->second[joined_.rows[column.table][k]]) return formatNumber(*seconds);
     refuseField(column, column.column, k, "a time as the other rows have it");
+  }
+
+  /// What a field of that unit is to be.
+  [[nodiscard]] static const char* expectedOf(const Unit* unit, const std::string& field) {
+    if (unit == sixtiethsOfHours()) return "hours as 12:34:56.7 or 12h34m56.7s, minutes and seconds within 60";
+    if (unit == sixtiethsOfDegrees()) return "degrees as 12:34:56.7 or 12d34'56.7\", minutes and seconds within 60";
+    return parseSexagesimal(field) ? "an angle in the unit that its heading states" : "a finite number";
   }
 
   [[noreturn]] void refuseField(const TakenColumn& column, std::size_t at, std::size_t k, const char* expected) const {
@@ -273,8 +283,9 @@ class ForeignReader {
     if (std::ranges::all_of(columns.columns, [&](std::size_t c) { return isBlankField(fields[c]); })) return "";
     const auto numbers = numbersOf(columns, rowOf(column, k));
     if (!numbers)
-      for (const std::size_t c : columns.columns)
-        if (!parseNumber(fields[c])) refuseField(column, c, k, "a finite number");
+      for (std::size_t i = 0; i < columns.columns.size(); ++i)
+        if (const std::size_t c = columns.columns[i]; !numberIn(fields[c], columns.units[i]))
+          refuseField(column, c, k, expectedOf(columns.units[i], fields[c]));
     if (columns.form->fit(*numbers) == FormFit::kImpossible) refuseNumbers(column, k);
     const UnitKind kind = columnsOf(columns.form->stated).unit;
     const Unit* unit = findUnit(kind, column.name.substr(column.name.rfind('_') + 1));

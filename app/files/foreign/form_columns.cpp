@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/files/foreign/angle_fields.hpp"
 #include "app/files/foreign/column_names.hpp"
 #include "app/files/input_error.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/value_columns.hpp"
-#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
@@ -170,9 +170,7 @@ std::vector<FormColumns> decideForms(std::vector<FormColumns> forms, const std::
 std::optional<FormNumbers> numbersOf(const FormColumns& columns, const ForeignRow& row) {
   FormNumbers numbers{};
   for (std::size_t i = 0; i < columns.columns.size(); ++i) {
-    std::string_view field = row.fields[columns.columns[i]];
-    if (field.starts_with('+')) field.remove_prefix(1);
-    const auto number = tubesheets::parseNumber(field);
+    const auto number = numberIn(row.fields[columns.columns[i]], columns.units[i]);
     if (!number) return std::nullopt;
     numbers[i] = *number * (columns.units[i] ? columns.units[i]->factor : 1);
   }

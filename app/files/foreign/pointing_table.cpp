@@ -9,6 +9,7 @@
 #include <optional>
 #include <sstream>
 
+#include "app/files/foreign/sexagesimal.hpp"
 #include "app/files/foreign/sky_directions.hpp"
 #include "app/files/input_error.hpp"
 
@@ -170,21 +171,20 @@ class PointingParser {
 
   /// Two or three numbers, of which the first has the sign [the unit of the first].
   [[nodiscard]] double sexagesimal(const PointingLine& line, std::size_t from, std::size_t count, double most) const {
-    double value = 0, part = 1;
-    for (std::size_t k = 0; k < count; ++k, part /= 60) {
+    std::vector<double> parts;
+    for (std::size_t k = 0; k < count; ++k) {
       const auto number = signedNumber(line.fields[from + k]);
-      const bool is_fit = number && (k == 0 ? std::abs(*number) <= most : *number >= 0 && *number <= 60);
+      const bool is_fit = number && (k == 0 ? std::abs(*number) <= most : isSixtieth(*number));
       if (!is_fit)
         throw InputError(at(line), inQuotes(line.fields[from + k]) + fmt::format(" as number {}", from + k + 1),
                          k == 0 ? fmt::format("no more than {}", most) : "minutes or seconds, 0 to 60");
-      value += part * std::abs(*number);
+      parts.push_back(std::abs(*number));
     }
-    return line.fields[from].starts_with('-') ? -value : value;
+    return sumOfSixtieths(line.fields[from].starts_with('-'), parts);
   }
 
   /// Of a right ascension or a sidereal time [deg].
   [[nodiscard]] double hours(const PointingLine& line, std::size_t from, std::size_t count) const {
-    constexpr double kDegreesPerHour = 15;
     const double value = sexagesimal(line, from, count, 24);
     if (value < 0) throw InputError(at(line), inQuotes(line.fields[from]) + " hours", "0 to 24");
     return kDegreesPerHour * value;

@@ -10,7 +10,7 @@
 namespace tubeplan::calibration {
 namespace {
 
-CheckedReadings checkedOf(const SeededSet& set) {
+CheckedReadings checkedMotors(const SeededSet& set) {
   return {app::startOf(set.cell, set.table.readings), set.table.readings, app::freeNumbersOf(set.cell), set.table.units,
           nullptr};
 }
@@ -18,7 +18,7 @@ CheckedReadings checkedOf(const SeededSet& set) {
 TEST(JointPair, IsOfTwoJointsAndSharesThatPartThem) {
   const auto set = cleanSet(0);
   ASSERT_TRUE(set);
-  const auto checked = checkedOf(*set);
+  const auto checked = checkedMotors(*set);
   for (const char* value : {"theta3:theta4:0.5:0.5:0.5:-0.5", "theta4:theta3:1:1:-1:1", "theta1:theta4:2:0:1:1"})
     EXPECT_TRUE(mistakes::joint_pair::mend(checked, value)) << value;
   for (const char* value :
@@ -39,7 +39,7 @@ TEST(JointPair, TakesSensesOfMotionThatTheMotorsTell) {
     auto& reading = set->table.readings.front();
     reading.q << 0.1, 0.2, 0.7, 0.3;
     reading.approach_directions = {1, 1, row.first, row.second};
-    const auto mend = mistakes::joint_pair::mend(checkedOf(*set), "theta3:theta4:0.5:0.5:0.5:-0.5");
+    const auto mend = mistakes::joint_pair::mend(checkedMotors(*set), "theta3:theta4:0.5:0.5:0.5:-0.5");
     ASSERT_TRUE(mend);
     mend->apply(set->table.readings);
     EXPECT_NEAR(reading.q[2], 0.5, 1e-12);
