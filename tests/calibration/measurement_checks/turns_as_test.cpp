@@ -10,6 +10,7 @@
 #include <map>
 
 #include "calibration/measurement_checks/measurement_checks.hpp"
+#include "calibration/measurements/reading_placement.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
 namespace tubeplan::calibration {
