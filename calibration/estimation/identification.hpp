@@ -4,11 +4,11 @@
 // Example, compiled and run by tests/examples:
 //
 //     #include "calibration/estimation/identification.hpp"
+//     #include "calibration/measurements/reading_placement.hpp"
 //     #include "calibration/measurements/reading_prediction.hpp"
 //     using namespace tubeplan;
 //     deflection::Arm arm;
-//     auto& row = arm.rows.emplace_back();
-//     row.name = "link";
+//     auto& row = (arm.rows.resize(1), arm.rows.front().name = "link", arm.rows.front());
 //     row.placement = deflection::Origin<double>{{0, 0, 1}, {1.5707963267948966, 0, 0}};
 //     row.joint = {.name = "shoulder", .type = deflection::JointType::kRevolute};
 //     row.joint_stiffness.z() = 1e5;  // N m/rad, as drawn
