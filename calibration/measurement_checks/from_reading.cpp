@@ -5,6 +5,17 @@
 
 namespace tubeplan::calibration {
 
+namespace {
+
+constexpr std::string_view kTo = "..";
+
+/// The place of a reading; that behind the last where there is none of that id.
+std::size_t placeOf(const std::vector<Measurement>& readings, const std::string& id) {
+  return static_cast<std::size_t>(std::ranges::find(readings, id, &Measurement::id) - readings.begin());
+}
+
+}  // namespace
+
 std::pair<std::string, std::optional<std::string>> partedAtReading(const std::string& value) {
   const std::size_t at = value.find('@');
   if (at == std::string::npos) return {value, std::nullopt};
@@ -12,23 +23,31 @@ std::pair<std::string, std::optional<std::string>> partedAtReading(const std::st
 }
 
 std::set<std::string> idsFrom(const std::vector<Measurement>& readings, const std::string& id) {
+  const std::size_t first = placeOf(readings, id);
+  return first < readings.size() ? idsOf({first, readings.size() - 1}, readings) : std::set<std::string>{};
+}
+
+std::optional<Run> runNamed(const std::vector<Measurement>& readings, const std::string& text) {
+  const std::size_t to = text.find(kTo);
+  if (to == std::string::npos) return std::nullopt;
+  const Run run{placeOf(readings, text.substr(0, to)), placeOf(readings, text.substr(to + kTo.size()))};
+  return run.first <= run.last && run.last < readings.size() ? std::optional(run) : std::nullopt;
+}
+
+std::string textOf(const Run& run, const std::vector<Measurement>& readings) {
+  return readings[run.first].id + std::string(kTo) + readings[run.last].id;
+}
+
+std::set<std::string> idsOf(const Run& run, const std::vector<Measurement>& readings) {
   std::set<std::string> ids;
-  for (auto reading = std::ranges::find(readings, id, &Measurement::id); reading != readings.end(); ++reading)
-    ids.insert(reading->id);
+  for (std::size_t k = run.first; k <= run.last; ++k) ids.insert(readings[k].id);
   return ids;
 }
 
 std::set<std::string> idsNamed(const std::vector<Measurement>& readings, const std::string& text) {
-  const auto find = [&](const std::string& id) { return std::ranges::find(readings, id, &Measurement::id); };
-  if (find(text) != readings.end()) return {text};
-  constexpr std::string_view kTo = "..";
-  const std::size_t to = text.find(kTo);
-  if (to == std::string::npos) return {};
-  const auto first = find(text.substr(0, to)), last = find(text.substr(to + kTo.size()));
-  std::set<std::string> ids;
-  if (last == readings.end()) return ids;
-  for (auto reading = first; reading <= last; ++reading) ids.insert(reading->id);
-  return ids;
+  if (placeOf(readings, text) < readings.size()) return {text};
+  const auto run = runNamed(readings, text);
+  return run ? idsOf(*run, readings) : std::set<std::string>{};
 }
 
 std::function<void(std::vector<Measurement>&)> changeOf(std::set<std::string> ids,

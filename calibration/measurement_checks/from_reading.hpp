@@ -18,6 +18,19 @@ namespace tubeplan::calibration {
 /// The ids of a reading and of all that follow; empty where it is none of them.
 [[nodiscard]] std::set<std::string> idsFrom(const std::vector<Measurement>& readings, const std::string& id);
 
+/// Readings that follow one another, by their places.
+struct Run {
+  std::size_t first = 0, last = 0;
+};
+
+/// The run that "FIRST..LAST" names; nothing where one is no reading, or the last stands before the first.
+[[nodiscard]] std::optional<Run> runNamed(const std::vector<Measurement>& readings, const std::string& text);
+
+/// "FIRST..LAST".
+[[nodiscard]] std::string textOf(const Run& run, const std::vector<Measurement>& readings);
+
+[[nodiscard]] std::set<std::string> idsOf(const Run& run, const std::vector<Measurement>& readings);
+
 /// The reading of that id alone, or the run that "FIRST..LAST" names; empty where there is none.
 [[nodiscard]] std::set<std::string> idsNamed(const std::vector<Measurement>& readings, const std::string& text);
 

@@ -4,10 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
-
 #include "calibration/measurement_checks/mistake.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::calibration::mistakes::joint_coupling {
 
@@ -31,11 +29,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   const auto [joints, number] = partedAtColon(value);
   const auto [name, of_name] = partedAtColon(joints);
   const int joint = jointNamed(checked.start.arm, name), of = jointNamed(checked.start.arm, of_name);
-  double share = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), share);
-  if (joint < 0 || of < 0 || joint == of || error != std::errc{} || end != number.data() + number.size() ||
-      !std::isfinite(share) || share == 0)
-    return std::nullopt;
+  const double share = tubesheets::parseNumber(number).value_or(0);
+  if (joint < 0 || of < 0 || joint == of || share == 0) return std::nullopt;
   const std::string shown = share == -1  ? name + " + " + of_name
                             : share == 1 ? name + " - " + of_name
                                          : fmt::format("{} - {:g} {}", name, share, of_name);

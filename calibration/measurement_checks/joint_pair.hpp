@@ -21,25 +21,21 @@ struct Pair {
 
 /// The joints and the four shares between colons, row by row; nothing where the text is none of that.
 inline std::optional<Pair> pairOf(const deflection::Arm& arm, const std::string& value) {
-  Pair pair;
-  std::string rest = value;
-  for (int k = 3; k >= 0; --k) {
-    const auto [before, number] = partedAtColon(rest);
-    double& share = pair.shares(k / 2, k % 2);
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), share);
-    if (error != std::errc{} || end != number.data() + number.size() || !std::isfinite(share)) return std::nullopt;
-    rest = before;
-  }
-  const auto [first, second] = partedAtColon(rest);
-  pair.first = jointNamed(arm, first);
-  pair.second = jointNamed(arm, second);
+  std::size_t names = value.size();
+  for (int k = 0; k < 4 && names > 0 && names != std::string::npos; ++k) names = value.rfind(':', names - 1);
+  if (names == 0 || names == std::string::npos) return std::nullopt;
+  const auto shares = numbersAtColons(value.substr(names + 1), 4);
+  const auto [first, second] = partedAtColon(value.substr(0, names));
+  if (!shares) return std::nullopt;
+  Pair pair{jointNamed(arm, first), jointNamed(arm, second), {}};
+  pair.shares << (*shares)[0], (*shares)[1], (*shares)[2], (*shares)[3];
   const bool is_pair = pair.first >= 0 && pair.second >= 0 && pair.first != pair.second &&
                        arm.joint(pair.first).type == arm.joint(pair.second).type;
   return is_pair && std::abs(pair.shares.determinant()) > 1e-9 ? std::optional(pair) : std::nullopt;
 }
 
-/// Of neighbours that turn: sum and difference, by which either joint may be the sum and either motor come first in the
-/// difference. `sizes` are the shares worth trying: halves of motors that turn by the sum of the joints, wholes of
+/// Values for neighbours that turn, as sum and difference: either joint may be the sum, and either motor come first in
+/// the difference. `sizes` are the shares worth trying: halves of motors that turn by the sum of the joints, wholes of
 /// those that turn by half of it.
 inline std::vector<std::string> valuesOf(const CheckedReadings& checked, const std::vector<double>& sizes) {
   static constexpr std::array<std::array<int, 4>, 4> kSigns{

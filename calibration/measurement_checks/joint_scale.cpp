@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
 #include "calibration/measurement_checks/quick_alignment.hpp"
 #include "deflection/weights.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::calibration::mistakes::joint_scale {
 
@@ -99,11 +99,8 @@ std::vector<std::string> valuesOf(const CheckedReadings& checked) {
 std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& value) {
   const auto [name, number] = partedAtColon(value);
   const int joint = jointNamed(checked.start.arm, name);
-  double factor = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), factor);
-  if (joint < 0 || error != std::errc{} || end != number.data() + number.size() || !std::isfinite(factor) ||
-      factor == 0)
-    return std::nullopt;
+  const double factor = tubesheets::parseNumber(number).value_or(0);
+  if (joint < 0 || factor == 0) return std::nullopt;
   Mend mend{
       "joint-scale", value,
       fmt::format("the readings of {} are no angles: multiplied by {:.6g} they are, as pulses of an encoder would "

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <numbers>
 
 #include "calibration/measurement_checks/from_reading.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::calibration::mistakes::joint_zero {
 
@@ -45,15 +45,13 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   const auto [value, from] = partedAtReading(text);
   const auto [name, number] = partedAtColon(value);
   const int joint = jointNamed(checked.start.arm, name);
-  double offset = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), offset);
-  if (joint < 0 || error != std::errc{} || end != number.data() + number.size() || !std::isfinite(offset))
-    return std::nullopt;
+  const auto offset = tubesheets::parseNumber(number);
+  if (joint < 0 || !offset) return std::nullopt;
   if (checked.start.arm.joint(joint).type != deflection::JointType::kRevolute) return std::nullopt;
   Mend mend{
       "joint-zero", value,
       "the zero of " + name + " is off: " + number + " " + checked.units.angles.name + " to be added to its readings"};
-  mend.change = [joint, by = offset * checked.units.angles.factor](std::vector<Measurement>& readings) {
+  mend.change = [joint, by = *offset * checked.units.angles.factor](std::vector<Measurement>& readings) {
     for (auto& reading : readings) reading.q[joint] += by;
   };
   mend.numbers_fitted = 1;

@@ -114,4 +114,10 @@ const std::vector<MistakeKind>& mistakeKinds();
 /// Two joint names or a joint and a number, parted at the colon; empty where there is none.
 [[nodiscard]] std::pair<std::string, std::string> partedAtColon(const std::string& value);
 
+/// Reads so many finite numbers between colons, such as "0:0.5:0"; nothing where the text is none of that.
+[[nodiscard]] std::optional<std::vector<double>> numbersAtColons(const std::string& text, std::size_t count);
+
+/// No values: of a mistake that is looked for elsewhere, or not beside others.
+[[nodiscard]] inline std::vector<std::string> noValues(const CheckedReadings&) { return {}; }
+
 }  // namespace tubeplan::calibration

@@ -27,6 +27,7 @@
 #include "calibration/measurement_checks/turns_as.hpp"
 #include "calibration/measurement_checks/without.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::calibration {
 
@@ -112,6 +113,18 @@ std::pair<std::string, std::string> partedAtColon(const std::string& value) {
   const std::size_t colon = value.rfind(':');
   if (colon == std::string::npos) return {"", ""};
   return {value.substr(0, colon), value.substr(colon + 1)};
+}
+
+std::optional<std::vector<double>> numbersAtColons(const std::string& text, std::size_t count) {
+  std::vector<double> numbers;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(':', from), text.size());
+    const auto number = tubesheets::parseNumber(std::string_view(text).substr(from, to - from));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    from = to + 1;
+  }
+  return numbers.size() == count ? std::optional(std::move(numbers)) : std::nullopt;
 }
 
 }  // namespace tubeplan::calibration

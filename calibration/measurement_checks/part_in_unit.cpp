@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "calibration/measurement_checks/angles_unit.hpp"
 #include "calibration/measurement_checks/coordinates_unit.hpp"
@@ -15,11 +14,6 @@ namespace {
 
 constexpr std::size_t kMostLooked = 2000;
 constexpr std::size_t kShortest = 2;  // a single reading that is off may be so for any reason
-constexpr std::string_view kTo = "..";
-
-struct Run {
-  std::size_t first = 0, last = 0;
-};
 
 /// The run whose sum is largest (Kadane), of those every so many that were looked at; then row by row at its ends.
 std::optional<Run> bestRun(RowComparison& comparison, std::size_t count) {
@@ -41,22 +35,6 @@ std::optional<Run> bestRun(RowComparison& comparison, std::size_t count) {
   return length >= kShortest && length < count ? std::optional(found) : std::nullopt;
 }
 
-std::string textOf(const CheckedReadings& checked, const Run& run, const std::string& unit) {
-  return checked.readings[run.first].id + std::string(kTo) + checked.readings[run.last].id + ":" + unit;
-}
-
-/// The run that "FIRST..LAST" names.
-std::optional<Run> runNamed(const CheckedReadings& checked, const std::string& text) {
-  const std::size_t to = text.find(kTo);
-  if (to == std::string::npos) return std::nullopt;
-  const auto find = [&](const std::string& id) {
-    return static_cast<std::size_t>(std::ranges::find(checked.readings, id, &Measurement::id) -
-                                    checked.readings.begin());
-  };
-  const Run run{find(text.substr(0, to)), find(text.substr(to + kTo.size()))};
-  return run.first <= run.last && run.last < checked.readings.size() ? std::optional(run) : std::nullopt;
-}
-
 std::vector<std::string> valuesOf(const MistakeKind& whole, const CheckedReadings& checked) {
   std::vector<std::string> values;
   const auto units = whole.values(checked);
@@ -71,7 +49,7 @@ std::vector<std::string> valuesOf(const MistakeKind& whole, const CheckedReading
       RowComparison comparison(as_is, mended, reach);
       const auto run = bestRun(comparison, readings.size());
       if (!run) continue;
-      auto value = textOf(checked, *run, unit);
+      auto value = textOf(*run, checked.readings) + ":" + unit;
       if (std::ranges::find(values, value) == values.end()) values.push_back(std::move(value));
     }
   }
@@ -80,15 +58,14 @@ std::vector<std::string> valuesOf(const MistakeKind& whole, const CheckedReading
 
 std::optional<Mend> mendOf(const MistakeKind& whole, const CheckedReadings& checked, const std::string& value) {
   const auto [part, unit] = partedAtColon(value);
-  const auto run = runNamed(checked, part);
+  const auto run = runNamed(checked.readings, part);
   const auto all = whole.mend(checked, unit);
   if (!run || !all) return std::nullopt;
   const std::string &first = checked.readings[run->first].id, &last = checked.readings[run->last].id;
   Mend mend{all->mistake + "-of", value,
             "in reading" + (first == last ? " " + first : "s " + first + " to " + last) + " " + all->sentence};
   mend.is_of_part = true;
-  std::set<std::string> ids;
-  for (std::size_t k = run->first; k <= run->last; ++k) ids.insert(checked.readings[k].id);
+  const auto ids = idsOf(*run, checked.readings);
   mend.change = changeOf(ids, all->change);
   if (all->change_sigma) mend.change_sigma = changeOf(ids, all->change_sigma);
   return mend;

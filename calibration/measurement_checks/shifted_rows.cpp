@@ -1,13 +1,13 @@
 #include "calibration/measurement_checks/shifted_rows.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <optional>
 #include <set>
 
 #include "calibration/measurement_checks/from_reading.hpp"
 #include "calibration/measurement_checks/row_comparison.hpp"
+#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::calibration::mistakes::shifted_rows {
 
@@ -37,18 +37,14 @@ void takeMeasured(const Measurement& from, Measurement& to) {
 /// "-1" or "-1@P37": how many rows, and the reading from which on; of the whole table none.
 struct Shift {
   int by = 0;
-  std::string from;
+  std::optional<std::string> from;
 };
 
 std::optional<Shift> shiftNamed(const std::string& value) {
-  Shift shift;
-  const std::size_t at = std::min(value.find('@'), value.size());
-  const auto [end, error] = std::from_chars(value.data(), value.data() + at, shift.by);
-  if (error != std::errc{} || end != value.data() + at || shift.by == 0 || std::abs(shift.by) > 1000)
-    return std::nullopt;
-  if (at == value.size()) return shift;
-  shift.from = value.substr(at + 1);
-  return shift.from.empty() ? std::nullopt : std::optional(shift);
+  const auto [rows, from] = partedAtReading(value);
+  const auto by = tubesheets::parseInteger(rows);
+  if (!by || *by == 0 || std::abs(*by) > 1000) return std::nullopt;
+  return Shift{*by, from};
 }
 
 /// Every reading with what stands `by` rows further down, in the same rows; without a place where nothing stands.
@@ -121,10 +117,10 @@ std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& va
   Mend mend{"shift", value,
             "the measured values stand " + rows + (by > 0 ? " below" : " above") + " the joint readings it belongs to"};
   mend.change = [by](std::vector<Measurement>& readings) { shift(by, readings); };
-  if (named->from.empty()) return mend;
-  auto moved = idsFrom(checked.readings, named->from);
+  if (!named->from) return mend;
+  auto moved = idsFrom(checked.readings, *named->from);
   if (moved.empty()) return std::nullopt;
-  mend.sentence = "from reading " + named->from + " on " + mend.sentence +
+  mend.sentence = "from reading " + *named->from + " on " + mend.sentence +
                   (by < 0 ? ": a measured point was lost there" : ": a measured point is there twice, or too many");
   mend.change = changeFrom(by, std::move(moved));
   mend.is_of_part = true;

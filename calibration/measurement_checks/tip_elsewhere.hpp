@@ -3,42 +3,25 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
-
 #include "calibration/measurement_checks/from_reading.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 
 namespace tubeplan::calibration::mistakes::tip_elsewhere {
 
-inline std::vector<std::string> values(const CheckedReadings&) { return {}; }
-
-/// "X:Y:Z" in the unit of the coordinates [m].
-inline std::optional<Eigen::Vector3d> offsetNamed(const std::string& text, double unit) {
-  Eigen::Vector3d offset;
-  const char *at = text.data(), *end = at + text.size();
-  for (int k = 0; k < 3; ++k) {
-    const auto [next, error] = std::from_chars(at, end, offset[k]);
-    const bool is_parted = k < 2 ? next != end && *next == ':' : next == end;
-    if (error != std::errc{} || !is_parted || !std::isfinite(offset[k])) return std::nullopt;
-    at = next + (k < 2);
-  }
-  return offset * unit;
-}
-
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& text) {
   const auto [value, from] = partedAtReading(text);
   const auto& unit = checked.units.coordinates;
-  const auto offset = offsetNamed(value, unit.factor);
+  const auto offset = numbersAtColons(value, 3);
   if (!offset || !from) return std::nullopt;
   Mend mend{"tip", value,
             "what is measured is elsewhere on the tool, by " + value + " " + unit.name +
                 " along its axes: the tool or target was changed there without a set-up of its own"};
-  mend.change = [by = *offset](std::vector<Measurement>& readings) {
-    for (auto& reading : readings)
-      if (!kindOf(reading).is_displacement && !reading.row)
-        reading.p_TQ = reading.p_TQ.value_or(Eigen::Vector3d::Zero()) + by;
-  };
+  mend.change =
+      [by = Eigen::Vector3d(Eigen::Vector3d(offset->data()) * unit.factor)](std::vector<Measurement>& readings) {
+        for (auto& reading : readings)
+          if (!kindOf(reading).is_displacement && !reading.row)
+            reading.p_TQ = reading.p_TQ.value_or(Eigen::Vector3d::Zero()) + by;
+      };
   mend.numbers_fitted = 3;
   return fromReading(checked, std::move(mend), *from);
 }
@@ -61,7 +44,7 @@ inline MistakeKind kind() {
           .expected =
               "how far the measured point is along the tool's axes, in the unit of the coordinates, and from "
               "which reading on, such as 0:0.5:0@P41",
-          .values = values,
+          .values = noValues,
           .mend = mend,
           .steps = steps};
 }

@@ -10,7 +10,6 @@
 #include "calibration/measurement_checks/robust_fit.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "deflection/rotation.hpp"
-#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::calibration::mistakes::tool_frame {
 
@@ -18,24 +17,13 @@ inline bool statesFrame(const Measurement& reading) { return std::isfinite(ownNu
 
 inline double angleOf(const Eigen::Matrix3d& R) { return Eigen::AngleAxisd(R).angle(); }
 
-/// Roll, pitch and yaw parted by colons, in the unit of the file's angles.
-inline std::optional<Eigen::Matrix3d> mountingOf(const CheckedReadings& checked, const std::string& value) {
-  Eigen::Vector3d rpy;
-  std::string rest = value;
-  for (int k = 0; k < 3; ++k) {
-    const auto colon = rest.find(':');
-    const auto number = tubesheets::parseNumber(std::string_view(rest).substr(0, colon));
-    if (!number || (colon == std::string::npos) != (k == 2)) return std::nullopt;
-    rpy[k] = *number * checked.units.angles.factor;
-    rest.erase(0, colon == std::string::npos ? colon : colon + 1);
-  }
-  return deflection::rotationFromFixedAngles<double>(rpy);
-}
-
-/// The measured frame's axes in the tool's; nothing where the text says no such turn.
+/// The measured frame's axes in the tool's: an order of them, or roll, pitch and yaw between colons in the unit of the
+/// file's angles. Nothing where the text says no such turn.
 inline std::optional<Eigen::Matrix3d> turnOf(const CheckedReadings& checked, const std::string& value) {
   if (const auto R_TM = axes::matrixOf(value)) return R_TM->determinant() > 0 ? R_TM : std::nullopt;
-  return mountingOf(checked, value);
+  const auto rpy = numbersAtColons(value, 3);
+  if (!rpy) return std::nullopt;
+  return deflection::rotationFromFixedAngles<double>(Eigen::Vector3d(rpy->data()) * checked.units.angles.factor);
 }
 
 /// Roll, pitch and yaw in the unit of the file's angles.
@@ -107,9 +95,6 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-/// Beside other mistakes none is tried: what finds pairs looks at places alone.
-inline std::vector<std::string> noValues(const CheckedReadings&) { return {}; }
-
 inline MistakeKind kind() {
   return {.name = "tool-frame",
           .value = "ORDER",
@@ -118,7 +103,7 @@ inline MistakeKind kind() {
               "roll, pitch and yaw of a mounted body on the tool, such as 90:0:35",
           .values = values,
           .mend = mend,
-          .values_beside = noValues};
+          .values_beside = noValues};  // what finds pairs looks at places alone
 }
 
 }  // namespace tubeplan::calibration::mistakes::tool_frame

@@ -35,7 +35,7 @@ inline MistakeKind kind() {
           .expected = "the form of the turns under roll, pitch, yaw, such as euler-zyz",
           .values = values,
           .mend = mend,
-          .values_beside = tool_frame::noValues};
+          .values_beside = noValues};
 }
 
 }  // namespace tubeplan::calibration::mistakes::turns_as

@@ -6,8 +6,6 @@
 
 namespace tubeplan::calibration::mistakes::without {
 
-inline std::vector<std::string> values(const CheckedReadings&) { return {}; }
-
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
   const auto ids = idsNamed(checked.readings, value);
   if (ids.empty()) return std::nullopt;
@@ -20,7 +18,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
 }
 
 inline MistakeKind kind() {
-  return {"without", "ID[..ID]", "the id of a reading, or of the first and last of a run, such as 81..95", values,
+  return {"without", "ID[..ID]", "the id of a reading, or of the first and last of a run, such as 81..95", noValues,
           mend};
 }
 
