@@ -20,18 +20,10 @@ struct TriedDirection {
   double error = std::numeric_limits<double>::infinity();  // m
 };
 
-/// The readings that count, fitted by the drawing with base and tip free.
 double errorWith(const MistakeTrials& trials, const Eigen::Vector3d& gravity_W) {
   PlacedArm start = trials.checked().start;
   start.arm.gravity_W = gravity_W;
-  std::vector<Measurement> readings;
-  for (const Measurement& reading : trials.pool().readings)
-    if (trials.pool().counted.contains(reading.id)) readings.push_back(reading);
-  RobustFitOptions options;
-  options.free = {{"tool.tip"}, true, trials.checked().free.priors};
-  options.stop = trials.options().stop;
-  const RobustFit fit = fitRobustly(std::move(start), readings, options);
-  return fit.ok ? fit.error : std::numeric_limits<double>::infinity();
+  return trials.errorBy(std::move(start));
 }
 
 }  // namespace

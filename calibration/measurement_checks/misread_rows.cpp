@@ -28,18 +28,10 @@ double errorAsIs(const MistakeTrials& trials) {
 
 /// The readings that count, fitted by other rows: base and tip free. Infinite where they cannot be.
 double errorBy(const MistakeTrials& trials, Rows rows) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
   PlacedArm start = trials.checked().start;
   start.arm.rows = std::move(rows);
-  if (!deflection::findProblems(start.arm).empty()) return kNone;
-  std::vector<Measurement> readings;
-  for (const Measurement& reading : trials.pool().readings)
-    if (trials.pool().counted.contains(reading.id)) readings.push_back(reading);
-  RobustFitOptions options;
-  options.free = {{"tool.tip"}, true, trials.checked().free.priors};
-  options.stop = trials.options().stop;
-  const RobustFit fit = fitRobustly(std::move(start), readings, options);
-  return fit.ok ? fit.error : kNone;
+  if (!deflection::findProblems(start.arm).empty()) return std::numeric_limits<double>::infinity();
+  return trials.errorBy(std::move(start));
 }
 
 std::optional<MeasurementCheck> mistakeOf(const MistakeTrials& trials, const char* name, double error,

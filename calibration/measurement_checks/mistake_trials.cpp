@@ -232,6 +232,14 @@ RobustFit MistakeTrials::fitZeros(const Mend& mend, PlacedArm start, const std::
   return fit(std::move(start), mended(mend, TrialDepth::kDrawn), TrialDepth::kHeld, zeros);
 }
 
+double MistakeTrials::errorBy(PlacedArm drawing) const {
+  RobustFitOptions options;
+  options.free = drawn_;
+  options.stop = options_.stop;
+  const RobustFit fit = fitRobustly(std::move(drawing), only(pool_.readings, pool_.counted), options);
+  return fit.ok ? fit.error : std::numeric_limits<double>::infinity();
+}
+
 int MistakeTrials::freedom(const Mend& mend, TrialDepth depth) const {
   PlacedArm start = startOf(mend);
   const auto found = chooseUnknowns(start, freeAt(depth)).list.size();
