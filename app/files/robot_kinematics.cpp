@@ -25,15 +25,11 @@ LinkOrigin readLinkOrigin(const YamlNode& node) {
   return {{number("x"), number("y"), number("z")}, {number("roll"), number("pitch"), number("yaw")}, 0};
 }
 
-Eigen::Matrix3d turnOf(const LinkOrigin& origin) {
-  return (Eigen::AngleAxisd(origin.rpy.z(), Eigen::Vector3d::UnitZ()) *
-          Eigen::AngleAxisd(origin.rpy.y(), Eigen::Vector3d::UnitY()) *
-          Eigen::AngleAxisd(origin.rpy.x(), Eigen::Vector3d::UnitX()))
-      .toRotationMatrix();
-}
-
 double angleBetween(const LinkOrigin& a, const LinkOrigin& b) {
-  return Eigen::AngleAxisd(Eigen::Matrix3d(turnOf(a).transpose() * turnOf(b))).angle();
+  using deflection::rotationFromFixedAngles;
+  const Eigen::Matrix3d turn =
+      rotationFromFixedAngles<double>(a.rpy).transpose() * rotationFromFixedAngles<double>(b.rpy);
+  return Eigen::AngleAxisd(turn).angle();
 }
 
 /// The same place seen from a base half a turn about z.

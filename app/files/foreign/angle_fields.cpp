@@ -7,7 +7,6 @@
 #include "app/files/foreign/foreign_heading.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
-#include "tubesheets/csv_table.hpp"
 
 namespace tubeplan::app {
 
@@ -19,14 +18,10 @@ const ForeignRow* firstRowWith(const ForeignTable& table, std::size_t column) {
   return found == table.rows.end() ? nullptr : &*found;
 }
 
-std::optional<double> plainNumber(std::string_view field) {
-  return tubesheets::parseNumber(field.starts_with('+') ? field.substr(1) : field);
-}
-
 /// Whether it is an angle or a number of another form than the first; what is neither is for its reader to refuse.
 bool isOfAnotherForm(std::string_view field, const std::optional<SixtiethForm>& form) {
   if (const auto angle = parseSexagesimal(field)) return form != angle->form;
-  return form && plainNumber(field);
+  return form && signedNumber(field);
 }
 
 }  // namespace
@@ -67,7 +62,7 @@ void requireOneForm(const ForeignTable& table, std::size_t column, bool is_state
 
 std::optional<double> numberIn(std::string_view field, const Unit* unit) {
   const bool is_in_sixtieths = unit && (unit == sixtiethsOfHours() || unit == sixtiethsOfDegrees());
-  if (const auto number = plainNumber(field)) return is_in_sixtieths ? std::nullopt : number;
+  if (const auto number = signedNumber(field)) return is_in_sixtieths ? std::nullopt : number;
   const auto angle = unit && unit->kind == UnitKind::kAngle ? parseSexagesimal(field) : std::nullopt;
   if (!angle) return std::nullopt;
   const bool are_hours = unit == sixtiethsOfHours() || unit->name == "h";

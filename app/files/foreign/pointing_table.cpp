@@ -50,11 +50,6 @@ std::vector<PointingLine> pointingLines(std::string_view text) {
   return lines;
 }
 
-/// A number with or without its plus.
-std::optional<double> signedNumber(const std::string& field) {
-  return tubesheets::parseNumber(field.starts_with('+') ? field.substr(1) : field);
-}
-
 bool areAllNumbers(const std::vector<std::string>& fields) {
   return !fields.empty() && std::ranges::all_of(fields, [](const auto& f) { return signedNumber(f).has_value(); });
 }

@@ -83,6 +83,10 @@ std::optional<double> parseMarked(std::string_view text, const SixtiethMarks& ma
 
 }  // namespace
 
+std::optional<double> signedNumber(std::string_view field) {
+  return parseNumber(field.starts_with('+') ? field.substr(1) : field);
+}
+
 double sumOfSixtieths(bool is_negative, std::span<const double> parts) {
   double value = 0, unit = 1;
   for (const double part : parts) {

@@ -17,6 +17,9 @@ struct Sexagesimal {
   SixtiethForm form = SixtiethForm::kColons;
 };
 
+/// Returns the finite number of a field, which may begin with a plus; nothing for any other text.
+[[nodiscard]] std::optional<double> signedNumber(std::string_view field);
+
 /// Returns whether a number may be one of minutes or seconds: 60 is what rounding makes of 59.99.
 [[nodiscard]] constexpr bool isSixtieth(double number) { return number >= 0 && number <= 60; }
 
