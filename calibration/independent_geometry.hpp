@@ -21,7 +21,7 @@ struct IndependentNumber {
 
 /// Returns a set of geometry that is complete and not redundant beside the unknowns that are free already:
 /// every motion of the tool that geometry can make is made by one combination of these, those unknowns and no other.
-/// That is four numbers for a row that turns, two for a slide and six of the tool, less six where no base is known
+/// The set has four numbers for a row that turns, two for a slide and six of the tool, less six where no base is known
 /// (Everett 1987); however the rows are written, and whatever readings there are. But where the tool's turn reaches no
 /// reading (`placed.shows_tool_turn`), the tool's three are those of the tip.
 ///

@@ -16,7 +16,7 @@ struct PoseFigures {
 
 [[nodiscard]] PoseFigures poseFiguresOf(const deflection::PoseOf<double>& X);
 
-/// Of the tool frame at the tip, without and with deflection.
+/// Return the figures of the tool frame at the tip, without and with deflection.
 [[nodiscard]] PoseFigures rigidToolOf(const deflection::FlexibleKinematics& shape);
 [[nodiscard]] PoseFigures flexibleToolOf(const deflection::FlexibleKinematics& shape);
 

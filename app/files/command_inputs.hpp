@@ -35,7 +35,7 @@ namespace tubeplan::app {
 [[nodiscard]] tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet,
                                               const std::string& option = "--tubes");
 
-/// The same of a work list's text; `name` is its file's, for messages.
+/// Returns the tubes that the text of a work list names; `name` is its file's, for messages. Throws InputError.
 [[nodiscard]] tubesheets::Selection readWorkList(const std::string& text, const std::string& name,
                                                  const tubesheets::Sheet& sheet, const std::string& option = "--tubes");
 

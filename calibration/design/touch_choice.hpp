@@ -34,7 +34,7 @@ struct TouchChoice {
 /// reading tells anything yet; every candidate has three rows.
 [[nodiscard]] TouchChoice chooseTouches(const DesignProblem& problem, int count);
 
-/// The same for an arm whose numbers are exact.
+/// Chooses touches for an arm whose numbers are exact.
 [[nodiscard]] TouchChoice chooseTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                         const std::vector<TouchPlan>& candidates,
                                         const std::vector<Eigen::VectorXd>& work,

@@ -21,7 +21,7 @@ struct ReadingView {
   Eigen::Vector3d p_WT;                ///< m, the tip by the model without an effect
   Eigen::Vector3d before;              ///< m, by the same
   std::vector<Eigen::Vector3d> after;  ///< m, by each of `explanationsShown`
-  /// Of what a reading measures of the tool's turn, the length of the error [rad]; not numbers where it measures none.
+  /// Length of the error [rad] in what the reading measures of the tool's turn; not numbers where it measures none.
   double turn_before = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> turn_after;
 };

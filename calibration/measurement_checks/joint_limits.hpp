@@ -8,8 +8,8 @@
 
 namespace tubeplan::calibration {
 
-/// Whether a joint's reading [rad or m] lies past a limit by more than its noise and a thousandth of the range: limits
-/// are rounded, and a joint at its stop reads a hair past it.
+/// Returns whether a joint's reading [rad or m] lies past a limit by more than its noise and a thousandth of the range:
+/// limits are rounded, and a joint at its stop reads a hair past it.
 [[nodiscard]] bool isPastLimit(const deflection::Joint<double>& joint, double q);
 
 /// Returns a reading past a limit taken a whole turn back within both; nothing where that is not within, or the joint

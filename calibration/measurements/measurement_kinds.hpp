@@ -34,7 +34,7 @@ namespace tubeplan::calibration {
 /// Whether the tool's turn reaches the reading: by its kind, or because another point of the tool than the tip is seen.
 [[nodiscard]] inline bool seesTurn(const Measurement& reading) { return kindOf(reading).sees_turn || reading.p_TQ; }
 
-/// Whether the turn of the tool frame on the arm reaches the reading: not where a row's frame is read.
+/// Returns whether the turn of the tool frame on the arm reaches the reading: not where a row's frame is read.
 [[nodiscard]] inline bool seesToolTurn(const Measurement& reading) { return !reading.row && seesTurn(reading); }
 
 /// The tool, named by the measured point in place of its tip.

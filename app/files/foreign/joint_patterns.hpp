@@ -18,7 +18,7 @@ struct JointColumns {
   friend bool operator==(const JointColumns&, const JointColumns&) = default;
 };
 
-/// Whether a joint may be called by its number; those beside the chain to the tip are not counted.
+/// Returns whether a joint may be called by its number: one of the chain to the tip.
 [[nodiscard]] bool isNumbered(const ColumnTarget& target);
 
 /// Returns all sets of columns that stand for all joints by the words between the same words: by the joints' names, by

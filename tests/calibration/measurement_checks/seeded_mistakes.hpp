@@ -378,7 +378,7 @@ inline std::optional<SeededStep> drawnStep(const SeededSet& s, SeededRandom& ran
   const bool are_positions =
       std::ranges::all_of(readings, [](const auto& m) { return m.kind == MeasurementKind::kPosition; });
   if (!are_positions || count < 24) return std::nullopt;
-  // Of fewer, the thirty numbers that the drawing leaves open take most of so small a step.
+  // With fewer readings, the thirty numbers that the drawing leaves open take most of so small a step.
   if (times_noise == 10 && count < 40) return std::nullopt;
   constexpr int kAround = 6;  // readings of the same set-up, before and behind
   const auto first = static_cast<std::size_t>(kAround + drawnBelow(count - 2 * kAround, random));
@@ -530,8 +530,8 @@ inline const std::vector<SeededMistake>& seededMistakes() {
   return kMistakes;
 }
 
-/// Whether two texts name a step of the same kind and joint, within a third of its size, and within two rows: of a row
-/// that hardly moves nobody can say on which side it is.
+/// Returns whether two texts name a step of the same kind and joint, within a third of its size, and within two rows:
+/// of a row that hardly moves nobody can say on which side it is.
 inline bool isSameStep(const std::string& a, const std::string& b) {
   constexpr double kRows = 2, kShare = 0.3;
   const auto at = [](const std::string& text) { return std::min(text.find('@'), text.size()); };
