@@ -6,7 +6,6 @@
 
 #include <Eigen/LU>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "calibration/measurement_checks/mistake.hpp"
