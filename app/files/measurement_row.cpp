@@ -113,6 +113,18 @@ std::vector<int> readApproachDirections(const RowReader& row, const MeasurementC
   return approach_directions;
 }
 
+deflection::ConditionValues readConditions(const RowReader& row, const MeasurementColumns& columns) {
+  deflection::ConditionValues values;
+  for (const auto& kind : deflection::kConditionKinds) {
+    double& value = values[kind.condition];
+    value = row.numberOrNaN(columns.conditions[kind.condition]);
+    if (value < kind.least)
+      row.failRow(fmt::format("a {} below {}", kind.name, kind.least_words),
+                  fmt::format("the reading's {} in the column's unit", kind.name));
+  }
+  return values;
+}
+
 bool readSplit(const RowReader& row, const std::optional<std::size_t>& column) {
   if (!column || row.field(*column) == "fit" || row.field(*column).empty()) return false;
   if (row.field(*column) != "held-out") row.fail(*column, inQuotes(row.field(*column)), "fit or held-out");
@@ -249,10 +261,7 @@ Measurement readMeasurement(const RowReader& row, const MeasurementColumns& colu
   if (m.sigma_W) m.sigma = calibration::meanSigma(*m.sigma_W);
   m.turn_sigma = row.numberOrNaN(columns.turn_sigma);
   m.approach_directions = readApproachDirections(row, columns);
-  m.temperature = row.numberOrNaN(columns.temperature);
-  if (m.temperature < 0)
-    row.failRow("a temperature below absolute zero", "the reading's temperature in the column's unit");
-  m.time = row.numberOrNaN(columns.time);
+  m.conditions = readConditions(row, columns);
   m.is_held_out = readSplit(row, columns.split);
   checkKind(row, kind, m);
   return m;

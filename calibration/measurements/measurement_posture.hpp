@@ -19,8 +19,7 @@ namespace tubeplan::calibration {
   }
   posture.side_q = reading.side_q;
   posture.approach_directions = reading.approach_directions;
-  posture.temperature = reading.temperature;
-  posture.time = reading.time;
+  posture.conditions = reading.conditions;
   posture.setup = reading.setup;
   return posture;
 }

@@ -43,8 +43,7 @@ Measurement conditionsOf(const ProposedMeasurement& proposed) {
   reading.sigma = proposed.sigma;
   reading.turn_sigma = proposed.turn_sigma;
   reading.approach_directions = proposed.approach_directions;
-  reading.temperature = proposed.temperature;
-  reading.time = proposed.time;
+  reading.conditions = proposed.conditions;
   return reading;
 }
 

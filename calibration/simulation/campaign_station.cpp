@@ -75,8 +75,7 @@ Measurement readingUnder(const CampaignDesign& design, const CampaignSite& site,
     reading.correlation_W = design.correlation_W;
   }
   if (design.turn_sigma > 0 && kind.turn_rows > 0) reading.turn_sigma = design.turn_sigma;
-  reading.temperature = conditions.temperature;
-  reading.time = conditions.time;
+  reading.conditions = conditions.stated;
   return reading;
 }
 
