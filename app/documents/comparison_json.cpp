@@ -217,7 +217,7 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
   const ErrorUnit unit = errorUnitOf(result, units);
   json report = {{"status", statusName(result.status)},
                  {"reason", result.reason},
-                 {"units", unitsJson(units)},
+                 {"units", readingUnitsJson(units)},
                  {"verdict", nameOf(result.verdict)},
                  {"verdict_words", wordsOf(result.verdict)},
                  {"grounds", result.grounds},
