@@ -194,7 +194,7 @@ void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measu
   if (kind.has_direction && !m.direction_W)
     row.failRow(fmt::format("a reading of kind {} without a direction", kind.name),
                 "its direction in the columns dx, dy, dz (of any length)");
-  if (m.p_TQ && kind.is_displacement)
+  if (m.p_TQ && kind.departure)
     row.failRow(fmt::format("tool_x, tool_y, tool_z of a reading of kind {}", kind.name), "readings of the tip itself");
   if (m.p_TQ && m.row)
     row.failRow("tool_x, tool_y, tool_z of a reading of a row of the arm", "a row or a point of the tool, not both",

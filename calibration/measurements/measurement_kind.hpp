@@ -40,6 +40,12 @@ struct MeasuredColumn {
   deflection::Quantity quantity;
 };
 
+/// What a displacement is taken from: where the tip is at a reading, or would be there with nothing on it.
+struct Departure {
+  const Measurement* reading = nullptr;
+  bool is_unloaded = false;
+};
+
 struct MeasurementKindRow {
   MeasurementKind kind;
   const char* name;  ///< in the column `kind`
@@ -51,8 +57,7 @@ struct MeasurementKindRow {
   bool has_coordinates = false;    ///< the first rows, where there are three, are x, y, z in the world
   bool is_touch = false;           ///< the tip rests centred at `point`, whose place may be unknown
   bool is_place = false;           ///< p_W is where the tip is
-  bool is_displacement = false;    ///< of the tip from its unloaded place at the same joint readings ...
-  bool is_from_reading = false;    ///< ... or from its place at another reading; p_W or else its own numbers state it
+  bool is_from_reading = false;    ///< a way from another reading; p_W or else its own numbers state it
   bool is_without_place = false;   ///< states no p_W
   bool is_partly_seen = false;     ///< of its own numbers those that are stated count, one at least
   bool names_hole = false;         ///< `point` may name a hole, whose centre is p_W
@@ -75,6 +80,9 @@ struct MeasurementKindRow {
   MeasuredValue (*measured)(const Measurement& reading);
   /// Writes what is read of a tool that stands there, lengths by a scale that is off by `scale`, with that noise [m].
   void (*record)(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading);
+
+  /// Of displacements: what they are taken from.
+  Departure (*departure)(const Measurement& reading) = nullptr;
 
   /// Of kinds that say where the tip is by other numbers than p_W: that place in the world [m].
   Eigen::Vector3d (*place)(const Measurement& reading) = nullptr;

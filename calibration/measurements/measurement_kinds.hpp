@@ -48,9 +48,19 @@ namespace tubeplan::calibration {
 /// The number of that name among its kind's own; not a number where the kind has none.
 [[nodiscard]] double ownNumber(const Measurement& reading, std::string_view name);
 
+/// What a displacement is taken from; nothing of what is none. It points into the reading.
+[[nodiscard]] inline std::optional<Departure> departureOf(const Measurement& reading) {
+  const auto departure = kindOf(reading).departure;
+  return departure ? std::optional(departure(reading)) : std::nullopt;
+}
+
+/// Whether it is how far the tip moved, which no base's place changes.
+[[nodiscard]] inline bool isDisplacement(const Measurement& reading) { return kindOf(reading).departure != nullptr; }
+
 /// The reading that a way is taken from; null of readings that are no such way, whatever they were made from.
 [[nodiscard]] inline const Measurement* referenceOf(const Measurement& reading) {
-  return kindOf(reading).is_from_reading ? reading.reference.get() : nullptr;
+  const auto from = departureOf(reading);
+  return from && !from->is_unloaded ? from->reading : nullptr;
 }
 
 /// Takes every reading's reference as it stands among these readings now; one that is not there any more stays as it

@@ -54,9 +54,8 @@ std::optional<Measurement> expectedReading(const PlacedArm& placed, const Propos
   reading.setup = placed.base_poses.back().setup;
   auto tool = frameAt(placed.arm, X_WB, reading);
   if (!tool) return std::nullopt;
-  if (kind.is_displacement) {
-    const Measurement* from = referenceOf(reading);
-    const auto rest = toolAt(placed.arm, X_WB, from ? *from : unloaded(reading));
+  if (const auto from = departureOf(reading)) {
+    const auto rest = toolAt(placed.arm, X_WB, startOf(*from));
     if (!rest) return std::nullopt;
     tool->p_W -= rest->p_W;
   }

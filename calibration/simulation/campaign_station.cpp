@@ -41,8 +41,8 @@ MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& c
 PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, const ReadingConditions& conditions,
                        ToolPose tool, const std::optional<Surface>& surface, Measurement& reading) {
   const MeasurementKindRow& kind = kindOf(reading);
-  if (kind.is_displacement && !kind.is_from_reading) {
-    const auto rest = toolIn(arm, site, unloaded(reading));
+  if (const auto from = departureOf(reading); from && !kind.is_from_reading) {
+    const auto rest = toolIn(arm, site, startOf(*from));
     if (!rest) return PostureRefusal::kNotConverged;
     tool.p_W -= rest->p_W;
   }
