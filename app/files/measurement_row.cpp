@@ -161,20 +161,15 @@ Eigen::Vector3d readOwn(const RowReader& row, const MeasurementColumns& columns,
 
 /// Kinds that measure some of their numbers need one, the others all.
 void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
-  const auto count = static_cast<Eigen::Index>(kind.columns.size());
-  const Eigen::Index stated = count - m.own.head(count).array().isNaN().count();
-  if (kind.are_columns_given && stated == 0) return;
-  const bool is_by_place = kind.is_from_reading && m.p_W;
-  const bool is_enough = is_by_place ? stated == 0 : kind.is_partly_seen ? stated > 0 : stated == count;
-  const bool is_right = is_by_place || !kind.is_above_zero || m.own[0] > 0;
-  if (is_enough && is_right) return;
+  if (calibration::statesEnough(m)) return;
+  const std::size_t count = kind.columns.size();
   std::vector<std::string> names, columns;
   for (const auto& column : kind.columns) names.emplace_back(column.name), columns.push_back(columnText(column));
   row.failRow(fmt::format("a reading of kind {} without its {}", kind.name, fmt::join(names, ", ")),
               fmt::format("{}number{} in the column{} {}", count > 1 ? "" : "a ",
-                          kind.is_above_zero && count == 1 ? " above zero"
-                          : count > 1                      ? "s"
-                                                           : "",
+                          kind.is_possible && count == 1 ? " above zero"
+                          : count > 1                    ? "s"
+                                                         : "",
                           count > 1 ? "s" : "", fmt::join(columns, ", ")));
 }
 

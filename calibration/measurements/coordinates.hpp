@@ -21,7 +21,8 @@ inline MeasurementKindRow row(MeasurementKind kind, const char* name) {
           .value = value,
           .slope = slope,
           .measured = measured,
-          .record = record};
+          .record = record,
+          .value_columns = placeAndOwn};
 }
 
 }  // namespace tubeplan::calibration::coordinates

@@ -15,6 +15,7 @@ inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
 inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
   return {(tool.p_W - *reading.p_W).normalized().transpose(), {}};
 }
+inline bool isPossible(const Measurement& reading) { return !(reading.own[0] <= 0); }
 inline MeasuredValue measured(const Measurement& reading) { return MeasuredValue::Constant(1, reading.own[0]); }
 inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading) {
   reading.own[0] = scale * value(reading, tool)[0] + noise[0];
@@ -26,11 +27,11 @@ inline MeasurementKindRow kind() {
           .rows = 1,
           .columns = kColumns,
           .has_anchor = true,
-          .is_above_zero = true,
           .value = value,
           .slope = slope,
           .measured = measured,
-          .record = record};
+          .record = record,
+          .is_possible = isPossible};
 }
 
 }  // namespace tubeplan::calibration::distance

@@ -48,6 +48,23 @@ namespace tubeplan::calibration {
 /// The number of that name among its kind's own; not a number where the kind has none.
 [[nodiscard]] double ownNumber(const Measurement& reading, std::string_view name);
 
+/// The columns that hold what a kind measures.
+[[nodiscard]] inline ValueColumns valueColumnsOf(const MeasurementKindRow& kind) {
+  return kind.value_columns(kind.columns);
+}
+
+/// Returns whether a kind measures x, y, z, which else are the place of what it is measured from.
+[[nodiscard]] inline bool measuresPlace(const MeasurementKindRow& kind) { return valueColumnsOf(kind).has_place; }
+
+/// Whether the numbers that a reading states may be right: a length without a sign is above zero.
+[[nodiscard]] inline bool isPossible(const Measurement& reading) {
+  const auto is_possible = kindOf(reading).is_possible;
+  return !is_possible || is_possible(reading);
+}
+
+/// Whether a reading states as many numbers as its kind asks for, such as may be right.
+[[nodiscard]] bool statesEnough(const Measurement& reading);
+
 /// What a displacement is taken from; nothing of what is none. It points into the reading.
 [[nodiscard]] inline std::optional<Departure> departureOf(const Measurement& reading) {
   const auto departure = kindOf(reading).departure;

@@ -39,14 +39,14 @@ inline MeasurementKindRow kind() {
           .name = "offset",
           .rows_of = partly_seen::statedRows,
           .columns = kColumns,
-          .is_partly_seen = true,
           .names_hole = true,
           .is_by_scale = false,
           .sees_turn = true,
           .value = value,
           .slope = slope,
           .measured = measured,
-          .record = record};
+          .record = record,
+          .value_columns = someOfOwn};
 }
 
 }  // namespace tubeplan::calibration::offset

@@ -51,6 +51,8 @@ inline Eigen::Vector3d place(const Measurement& reading) {
                                         reading.own[0] * std::sin(reading.own[2]));
 }
 
+inline bool isPossible(const Measurement& reading) { return !(reading.own[0] <= 0); }
+
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kPolar,
           .name = "polar",
@@ -58,11 +60,11 @@ inline MeasurementKindRow kind() {
           .columns = kColumns,
           .has_anchor = true,
           .is_from_origin = true,
-          .is_above_zero = true,
           .value = value,
           .slope = slope,
           .measured = measured,
           .record = record,
+          .is_possible = isPossible,
           .place = place};
 }
 

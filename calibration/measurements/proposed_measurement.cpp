@@ -39,7 +39,7 @@ Measurement conditionsOf(const ProposedMeasurement& proposed) {
   reading.reference = proposed.reference;
   reading.row = proposed.row;
   reading.surface = proposed.surface;
-  if (kindOf(proposed.kind).are_columns_given) reading.own[0] = proposed.given;
+  reading.own[0] = proposed.given;
   reading.sigma = proposed.sigma;
   reading.turn_sigma = proposed.turn_sigma;
   reading.approach_directions = proposed.approach_directions;

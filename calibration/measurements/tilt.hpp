@@ -45,7 +45,6 @@ inline MeasurementKindRow kind() {
           .rows_of = partly_seen::statedRows,
           .columns = kColumns,
           .is_without_place = true,
-          .is_partly_seen = true,
           .is_to_gravity = true,
           .is_by_scale = false,
           .sees_turn = true,
@@ -53,7 +52,8 @@ inline MeasurementKindRow kind() {
           .value = value,
           .slope = slope,
           .measured = measured,
-          .record = record};
+          .record = record,
+          .value_columns = someOfOwn};
 }
 
 }  // namespace tubeplan::calibration::tilt

@@ -12,6 +12,7 @@ inline MeasurementKindRow kind() {
   MeasurementKindRow row = coordinates::row(MeasurementKind::kTouch, "touch");
   row.is_touch = row.is_place = row.names_hole = row.is_centring = true;
   row.record = recordNothing;
+  row.value_columns = jointsAlone;
   return row;
 }
 

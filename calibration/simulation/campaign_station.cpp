@@ -54,7 +54,7 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
   reading.surface = surface;
   kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), reading);
   reading.surface.reset();  // nobody knows it
-  return kind.is_above_zero && reading.own[0] <= 0 ? PostureRefusal::kOutsideRegion : PostureRefusal::kNone;
+  return isPossible(reading) ? PostureRefusal::kNone : PostureRefusal::kOutsideRegion;
 }
 
 Measurement readingUnder(const CampaignDesign& design, const CampaignSite& site, std::size_t index,

@@ -37,13 +37,15 @@ class MeasurementsWriter : public ::testing::Test {
     if (m.kind != MeasurementKind::kTouch || random.index(2) == 0) m.p_W = random.vector(1);
     const auto columns = static_cast<Eigen::Index>(kindOf(m).columns.size());
     for (Eigen::Index k = 0; k < columns; ++k)
-      if (k == 0 || !kindOf(m).is_partly_seen || random.index(2) == 0) m.own[k] = random.uniform(0.1, 2);
+      if (k == 0 || calibration::valueColumnsOf(kindOf(m)).least > 1 || random.index(2) == 0)
+        m.own[k] = random.uniform(0.1, 2);
     if (kindOf(m).is_to_gravity) m.direction_W = -cell.arm.gravity_W;
     if (kindOf(m).is_without_place) m.p_W.reset();
     if (kindOf(m).turn_rows > 0) m.turn_sigma = random.uniform(1e-5, 1e-3);
     if (kindOf(m).is_place && random.index(3) == 0) m.p_TQ = random.vector(0.1);
     if (kindOf(m).has_direction) m.direction_W = random.vector(1).normalized();
-    if (kindOf(m).are_columns_given) m.own[0] = 0.01;  // of one point every reading states the same
+    if (!kindOf(m).columns.empty() && calibration::valueColumnsOf(kindOf(m)).numbers.empty())
+      m.own[0] = 0.01;  // of one point every reading states the same
     m.sigma = random.uniform(1e-5, 1e-3);
     if (kindOf(m).has_coordinates && random.index(3) == 0) {
       m.sigma_W = Eigen::Vector3d(random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3));

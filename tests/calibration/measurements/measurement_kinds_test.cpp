@@ -20,7 +20,7 @@ Measurement anyReading(const MeasurementKindRow& row) {
   m.p_W = Eigen::Vector3d(0.3, -0.2, 0.5);
   m.direction_W = Eigen::Vector3d(0.6, 0, 0.8);
   if (row.settle) m.surface = Surface{{0.4, 0.1, -0.2}, {0.48, -0.6, 0.64}, 0.3};
-  m.own = {0.7, row.is_partly_seen ? kNothing : 0.2, -0.3};
+  m.own = {0.7, valueColumnsOf(row).least == 1 && row.columns.size() > 1 ? kNothing : 0.2, -0.3};
   return m;
 }
 
