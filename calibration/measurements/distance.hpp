@@ -21,6 +21,11 @@ inline void record(const ToolPose& tool, double scale, const MeasuredValue& nois
   reading.own[0] = scale * value(reading, tool)[0] + noise[0];
 }
 
+/// The anchor; of kinds that may do without, the world's origin.
+inline void stateAnchor(const KnownPlaces& places, Measurement& reading) {
+  reading.p_W = places.anchor_W.value_or(Eigen::Vector3d::Zero());
+}
+
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kDistance,
           .name = "distance",
@@ -31,7 +36,8 @@ inline MeasurementKindRow kind() {
           .slope = slope,
           .measured = measured,
           .record = record,
-          .is_possible = isPossible};
+          .is_possible = isPossible,
+          .state = stateAnchor};
 }
 
 }  // namespace tubeplan::calibration::distance

@@ -1,6 +1,7 @@
 // What a kind of reading is: what it measures of the tip's pose, what its row must state, how it is simulated.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "calibration/measurement.hpp"
@@ -40,6 +41,13 @@ struct Departure {
   bool is_unloaded = false;
 };
 
+/// What is known of where a simulated reading is taken.
+struct KnownPlaces {
+  std::optional<Eigen::Vector3d> point_W;  ///< m, the hole or mark; none where nobody knows it
+  std::optional<Eigen::Vector3d> anchor_W, direction_W;
+  Eigen::Vector3d up_W = Eigen::Vector3d::UnitZ();  ///< against gravity
+};
+
 struct MeasurementKindRow {
   MeasurementKind kind;
   const char* name;  ///< in the column `kind`
@@ -76,6 +84,9 @@ struct MeasurementKindRow {
   ValueColumns (*value_columns)(std::span<const MeasuredColumn> own) = allOfOwn;
   /// Of kinds whose numbers cannot be any: whether those that a reading states may be right.
   bool (*is_possible)(const Measurement& reading) = nullptr;
+
+  /// For the simulator, of kinds that are of a known place: writes what a reading states of it.
+  void (*state)(const KnownPlaces& places, Measurement& reading) = nullptr;
 
   /// Of displacements: what they are taken from.
   Departure (*departure)(const Measurement& reading) = nullptr;

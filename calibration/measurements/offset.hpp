@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "calibration/measurements/coordinates.hpp"
 #include "calibration/measurements/partly_seen.hpp"
 #include "deflection/rotation.hpp"
 
@@ -46,7 +47,8 @@ inline MeasurementKindRow kind() {
           .slope = slope,
           .measured = measured,
           .record = record,
-          .value_columns = someOfOwn};
+          .value_columns = someOfOwn,
+          .state = coordinates::statePoint};
 }
 
 }  // namespace tubeplan::calibration::offset

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "calibration/measurements/measurement_kind.hpp"
+#include "calibration/measurements/distance.hpp"
 
 namespace tubeplan::calibration::polar {
 
@@ -51,8 +51,6 @@ inline Eigen::Vector3d place(const Measurement& reading) {
                                         reading.own[0] * std::sin(reading.own[2]));
 }
 
-inline bool isPossible(const Measurement& reading) { return !(reading.own[0] <= 0); }
-
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kPolar,
           .name = "polar",
@@ -64,7 +62,8 @@ inline MeasurementKindRow kind() {
           .slope = slope,
           .measured = measured,
           .record = record,
-          .is_possible = isPossible,
+          .is_possible = distance::isPossible,
+          .state = distance::stateAnchor,
           .place = place};
 }
 

@@ -38,6 +38,8 @@ inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Mea
   reading.own = partly_seen::without(angles + noise.tail<3>() / kTurnLever, unseen);
 }
 
+inline void state(const KnownPlaces& places, Measurement& reading) { reading.direction_W = places.up_W; }
+
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kTilt,
           .name = "tilt",
@@ -53,7 +55,8 @@ inline MeasurementKindRow kind() {
           .slope = slope,
           .measured = measured,
           .record = record,
-          .value_columns = someOfOwn};
+          .value_columns = someOfOwn,
+          .state = state};
 }
 
 }  // namespace tubeplan::calibration::tilt

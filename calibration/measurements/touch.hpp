@@ -13,6 +13,7 @@ inline MeasurementKindRow kind() {
   row.is_touch = row.is_place = row.names_hole = row.is_centring = true;
   row.record = recordNothing;
   row.value_columns = jointsAlone;
+  row.state = coordinates::statePoint;
   return row;
 }
 

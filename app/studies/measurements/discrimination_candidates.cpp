@@ -249,8 +249,8 @@ void makeAsUsual(const Custom& custom, const std::string& setup, std::size_t num
   reading.sigma = custom.sigma;
   reading.conditions = custom.conditions;
   if (kind.has_anchor) reading.known_W = custom.anchor;
-  if (kind.has_direction || kind.is_to_gravity) reading.direction_W = custom.direction;
-  if (kind.is_from_reading) reading.reference = custom.reference;
+  reading.direction_W = custom.direction;
+  reading.reference = custom.reference;
   reading.is_length_alone = custom.is_length_alone;
   if (kind.turn_rows == 0) return;
   reading.turn_sigma = custom.turn_sigma;

@@ -88,6 +88,23 @@ TEST(MeasurementKinds, WhatIsRecordedWasMeasured) {
   }
 }
 
+TEST(MeasurementKinds, WhatIsRecordedIsAllThatAReadingHasToState) {
+  const KnownPlaces places{Eigen::Vector3d(0.3, -0.2, 0.5), Eigen::Vector3d(0.1, 0.2, -0.4),
+                           Eigen::Vector3d(0.6, 0, 0.8), Eigen::Vector3d::UnitZ()};
+  for (const MeasurementKindRow& row : measurementKinds()) {
+    Measurement m;
+    m.kind = row.kind;
+    EXPECT_EQ(statesEnough(m), valueColumnsOf(row).least == 0) << row.name;
+    if (row.state) row.state(places, m);
+    row.record(anyTool(), 1, MeasuredValue::Zero(row.rows), m);
+    if (row.counts_steps) m.own[0] = 3;  // whoever has the tool counts them
+    EXPECT_TRUE(statesEnough(m)) << row.name;
+    if (!row.is_possible) continue;
+    m.own[0] = -0.1;
+    EXPECT_FALSE(statesEnough(m)) << row.name << ": a length below zero";
+  }
+}
+
 // The tilts of a frame are asked again of the frame itself: three sines whose squares add up to one.
 TEST(MeasurementKinds, TiltsAreTheElevationsOfTheToolsAxes) {
   const ToolPose tool = anyTool();
