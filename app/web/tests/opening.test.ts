@@ -125,8 +125,11 @@ async function opened(row: Row): Promise<{cause: EffectAt; variable: string; pro
   const moments = await ask<MomentsDocument>(server, "moments");
   const leverage = await ask<LeverageDocument>(server, `leverage?at=${joints.join(",")}${axis}`);
   const places = document.readings.map((reading) => reading.position);
-  const unit = document.units as unknown as Record<string, string>;
-  const variables = variablesOf({readings: document.readings, joints: document.joints, places}, unit, moments);
+  const variables = variablesOf(
+    {readings: document.readings, joints: document.joints, places},
+    document.units,
+    moments,
+  );
   const parts = partsOf({ids: document.readings.map(({id}) => id), places, unit: document.units, leverage});
   const did = document.readings.map(({before, explained}): Vector3 | null => {
     const after = explained[index];
