@@ -97,7 +97,7 @@ Run configureIdentify(CLI::App& cli) {
       ->check(CLI::IsMember({"none", "huber", "cauchy"}));
   std::vector<std::string> methods;
   for (const auto& method : calibration::leastSquaresMethods()) methods.emplace_back(method.name);
-  cli.add_option("--method", options->request.method, "least-squares method; the last two are for comparison")
+  cli.add_option("--method", options->request.method, "least-squares method")
       ->check(CLI::IsMember(methods))
       ->capture_default_str();
   cli.add_option("--stage", options->request.stages,
