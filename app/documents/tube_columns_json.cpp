@@ -29,7 +29,7 @@ json listTableJson(const TextTable& table, const std::string& file) {
 }
 
 /// The first column whose heading is that quantity.
-json foundJson(const TextTable& table, const TubeQuantity& quantity) {
+json foundColumnJson(const TextTable& table, const TubeQuantity& quantity) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const auto heading = tubesheets::readTubeHeading(table.columns[c]);
     if (heading.column != quantity.column) continue;
@@ -68,7 +68,7 @@ json tubeColumnsJson(const std::string& text, const std::string& file, const def
     targets.push_back({{"quantity", quantity.name},
                        {"units", quantity.units},
                        {"is_required", false},
-                       {"found", foundJson(table, quantity)}});
+                       {"found", foundColumnJson(table, quantity)}});
   const bool names_tubes = tubesheets::rankTubeHeading(table.columns) == tubesheets::HeadingRank::kWhole;
   return {{"tables", json::array({listTableJson(table, file)})},
           {"targets", targets},

@@ -28,7 +28,7 @@ ChosenTubeColumn quantityOf(const std::string& name) {
                    suggestion(name, known));
 }
 
-std::size_t placeOf(const std::string& theirs, const std::vector<std::string>& columns, const std::string& file) {
+std::size_t placeOfChosen(const std::string& theirs, const std::vector<std::string>& columns, const std::string& file) {
   std::vector<std::size_t> found;
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (theirs == columns[c] || theirs == file + ":" + columns[c]) found.push_back(c);
@@ -48,7 +48,7 @@ tubesheets::TubeTable tubeTableBy(const std::vector<std::string>& columns, const
     const std::size_t equals = column.find('=');
     if (equals == std::string::npos) throw InputError("columns", inQuotes(column), "NAME=COLUMN, such as row=Reihe");
     chosen.push_back(quantityOf(column.substr(0, equals)));
-    chosen.back().place = placeOf(column.substr(equals + 1), table.columns, file);
+    chosen.back().place = placeOfChosen(column.substr(equals + 1), table.columns, file);
   }
   return tubesheets::tubeTableOf(std::move(table), chosen);
 }
