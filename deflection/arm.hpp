@@ -27,11 +27,13 @@ namespace tubeplan::deflection {
 
 inline constexpr double kRigid = std::numeric_limits<double>::infinity();
 
-/// Modified (Craig) Denavit-Hartenberg numbers with Hayati's lean: RotX(alpha) TransX(a) RotY(beta) RotZ(theta)
-/// TransZ(d). rad, m. Of an axis that is all but parallel to the one before it, beta is determined and d is not.
+/// Modified (Craig) Denavit-Hartenberg numbers with Hayati's lean and a shift: RotX(alpha) TransX(a) TransY(b)
+/// RotY(beta) RotZ(theta) TransZ(d). rad, m. Of an axis that is all but parallel to the one before it, beta is
+/// determined and d is not. The first row needs b for its axis to be anywhere beside a base that is known; in others
+/// the joint before and d do what b does.
 template <class S>
 struct DenavitHartenberg {
-  S alpha{0}, a{0}, d{0}, theta{0}, beta{0};
+  S alpha{0}, a{0}, d{0}, theta{0}, beta{0}, b{0};
 };
 
 /// A row placed as URDF does: translation [m], then fixed-axis roll, pitch, yaw [rad], then the lean beta [rad] about

@@ -33,7 +33,7 @@ double inFile(double value, deflection::Quantity quantity, const Units& units) {
   return value / units.factor(dimensionOf(quantity));
 }
 
-std::string placeOf(const EffectWarning& warning) { return warning.effect + "@" + warning.at; }
+std::string warnedPlace(const EffectWarning& warning) { return warning.effect + "@" + warning.at; }
 
 /// "(p = 0.4; held-out error 0.0061 in with, 0.0060 in without)".
 std::string groundsText(const EffectWarning& warning, const Units& units) {
@@ -47,7 +47,7 @@ std::string groundsText(const EffectWarning& warning, const Units& units) {
 
 std::string betterText(const EffectWarning& warning, const Units& units) {
   const std::string better = warning.better.effect + "@" + warning.better.at;
-  const std::string own = placeOf(warning);
+  const std::string own = warnedPlace(warning);
   if (better != own)
     return fmt::format("{} explains these readings better than {} (by {:.0f} in BIC)", better, own, warning.by);
   std::string values;
@@ -88,7 +88,7 @@ std::vector<WarningGroup> groupsOf(const std::vector<EffectWarning>& warnings) {
 }
 
 template <class TextOf>
-std::string listOf(const WarningGroup& group, TextOf&& textOf) {
+std::string warningList(const WarningGroup& group, TextOf&& textOf) {
   std::string text;
   for (std::size_t k = 0; k < group.size(); ++k)
     text += (k == 0 ? "" : k + 1 == group.size() ? " and " : ", ") + textOf(*group[k]);
@@ -97,7 +97,7 @@ std::string listOf(const WarningGroup& group, TextOf&& textOf) {
 
 /// "0.014 to 1", or the one value where all are printed alike.
 template <class ValueOf>
-std::string rangeOf(const WarningGroup& group, int digits, ValueOf&& valueOf) {
+std::string warningRange(const WarningGroup& group, int digits, ValueOf&& valueOf) {
   const auto [least, greatest] =
       std::ranges::minmax(group | std::views::transform([&](auto* w) { return valueOf(*w); }));
   const std::string from = fmt::format("{:.{}g}", least, digits), to = fmt::format("{:.{}g}", greatest, digits);
@@ -107,18 +107,19 @@ std::string rangeOf(const WarningGroup& group, int digits, ValueOf&& valueOf) {
 /// Each was taken out alone: what one of them explains, another may have taken over.
 std::string notNeededText(const WarningGroup& group, const Units& units) {
   const EffectWarning& first = *group.front();
-  std::string grounds = "p = " + rangeOf(group, 2, [](const EffectWarning& w) { return w.p_value; });
+  std::string grounds = "p = " + warningRange(group, 2, [](const EffectWarning& w) { return w.p_value; });
   const bool has_heldout = std::ranges::all_of(group, [](const EffectWarning* w) {
     return std::isfinite(w->heldout_with.rms) && std::isfinite(w->heldout_without.rms);
   });
   const double unit = units.factor(dimension::kLength);
   if (has_heldout)
     grounds += fmt::format("; held-out error {:.4g} with all, {} {} without one", first.heldout_with.rms / unit,
-                           rangeOf(group, 4, [&](const EffectWarning& w) { return w.heldout_without.rms / unit; }),
+                           warningRange(group, 4, [&](const EffectWarning& w) { return w.heldout_without.rms / unit; }),
                            units.length().name);
   const auto* least = *std::ranges::max_element(group, {}, [](const EffectWarning* w) { return w->p_value; });
   return fmt::format("{}: the readings {} need any one of these beside the others ({}): take out {} and try again",
-                     listOf(group, placeOf), first.is_within_noise ? "do not" : "hardly", grounds, placeOf(*least));
+                     warningList(group, warnedPlace), first.is_within_noise ? "do not" : "hardly", grounds,
+                     warnedPlace(*least));
 }
 
 std::string groupText(const WarningGroup& group, const Units& units) {
@@ -127,17 +128,19 @@ std::string groupText(const WarningGroup& group, const Units& units) {
     case EffectWarningKind::kNotNeeded:
       return notNeededText(group, units);
     case EffectWarningKind::kBetterExplainedBy:
-      return fmt::format(
-          "{}@{} explains these readings better than {}", first.better.effect, first.better.at,
-          listOf(group, [](const EffectWarning& w) { return fmt::format("{} (by {:.0f} in BIC)", placeOf(w), w.by); }));
+      return fmt::format("{}@{} explains these readings better than {}", first.better.effect, first.better.at,
+                         warningList(group, [](const EffectWarning& w) {
+                           return fmt::format("{} (by {:.0f} in BIC)", warnedPlace(w), w.by);
+                         }));
     case EffectWarningKind::kBeyondPlausible:
-      return listOf(group, [&](const EffectWarning& w) { return placeOf(w) + " (" + beyondText(w, units) + ")"; }) +
+      return warningList(group,
+                         [&](const EffectWarning& w) { return warnedPlace(w) + " (" + beyondText(w, units) + ")"; }) +
              ": they compensate for something else";
     case EffectWarningKind::kLackOfFitRemains:
       return fmt::format(
           "{}: they do not reduce the error to the noise floor (p = {}): something else is missing, run "
           "diagnose",
-          listOf(group, placeOf), rangeOf(group, 2, [](const EffectWarning& w) { return w.p_value; }));
+          warningList(group, warnedPlace), warningRange(group, 2, [](const EffectWarning& w) { return w.p_value; }));
   }
   return "";
 }
@@ -152,7 +155,7 @@ std::vector<std::string> warningTexts(const std::vector<EffectWarning>& warnings
 }
 
 std::string warningText(const EffectWarning& warning, const Units& units) {
-  const std::string own = placeOf(warning);
+  const std::string own = warnedPlace(warning);
   switch (warning.kind) {
     case EffectWarningKind::kNotNeeded:
       return fmt::format("{}: the readings {} need it ({}): take it out", own,

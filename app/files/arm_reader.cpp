@@ -77,7 +77,7 @@ Joint<double> readJoint(const YamlNode& node, const Units& units) {
 // What the joint itself moves may be left out of the row's numbers.
 void readDh(const YamlNode& node, const Units& units, ArmRow& row) {
   const bool turns = !row.joint.name.empty() && row.joint.type != JointType::kPrismatic;
-  std::vector<std::string> required{"alpha", "a"}, optional{"beta"};
+  std::vector<std::string> required{"alpha", "a"}, optional{"beta", "b"};
   (row.joint.type == JointType::kPrismatic ? optional : required).push_back("d");
   (turns ? optional : required).push_back("theta");
   node.expectKeys(required, optional);

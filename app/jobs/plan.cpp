@@ -200,9 +200,11 @@ PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, Pla
 
 PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::PlanHooks hooks) {
   PlanOutcome outcome = begun(cell, request);
-  const auto selection = tubesheets::selectTubes(outcome.nominal.sheet, request.tubes);
+  auto selection = tubesheets::selectTubes(outcome.nominal.sheet, request.tubes);
   if (selection.status != tubesheets::SelectionStatus::kSelected)
     throw InputError("tubes", inQuotes(request.tubes) + " (" + selection.reason + ")", "tubes of this sheet");
+  for (const auto& [tube, stay] : request.stays)
+    if (std::ranges::binary_search(selection.tube_indices, tube)) selection.dwell.emplace(tube, stay);
   addConditions(request, selection, outcome);
   plan(request, selection.tube_indices, std::move(hooks), nullptr, outcome);
   return outcome;

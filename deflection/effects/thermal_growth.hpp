@@ -20,6 +20,7 @@ void grow(const Row<S>& given, Row<S>& row, const S& strain) {
   if (auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement)) {
     const auto& drawn = std::get<DenavitHartenberg<S>>(given.placement);
     dh->a += drawn.a * strain;
+    dh->b += drawn.b * strain;
     dh->d += drawn.d * strain;
   } else {
     std::get<Origin<S>>(row.placement).position += std::get<Origin<S>>(given.placement).position * strain;
