@@ -36,7 +36,7 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
                        ToolPose tool, const std::optional<Surface>& surface, Measurement& reading) {
   const MeasurementKindRow& kind = kindOf(reading);
   if (const auto from = departureOf(reading); from && !kind.is_from_reading) {
-    const auto rest = toolIn(arm, site, startOf(*from));
+    const auto rest = toolIn(arm, site, readingAt(*from));
     if (!rest) return PostureRefusal::kNotConverged;
     tool.p_W -= rest->p_W;
   }
