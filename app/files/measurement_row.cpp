@@ -174,22 +174,10 @@ void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measur
 }
 
 void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
-  if (kind.is_touch && m.point.empty())
-    row.failRow("a touch without a point", "the point's name in the column 'point'");
-  if (kind.settle && m.point.empty())
-    row.failRow(fmt::format("a {} without a name", kind.name),
-                fmt::format("the {}'s name in the column 'point'", kind.name), "readings of one name touched the same");
-  if (!kind.is_touch && !kind.is_without_place && !kind.is_from_reading && !m.p_W)
-    row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
-  if (kind.settle && (m.p_W || m.direction_W))
-    row.failRow(fmt::format("the place of a reading of kind {}", kind.name),
-                "nothing in x, y, z, dx, dy, dz: where it is, its readings say",
-                "of a plane of known place make readings of kind axis, of a ball of known centre of kind distance");
+  if (const auto lack = kind.lack ? kind.lack(m, kind.name) : std::nullopt)
+    row.failRow(lack->found, lack->expected, lack->advice);
   checkOwn(row, kind, m);
-  if (kind.has_direction && !m.direction_W)
-    row.failRow(fmt::format("a reading of kind {} without a direction", kind.name),
-                "its direction in the columns dx, dy, dz (of any length)");
-  if (m.p_TQ && kind.departure)
+  if (m.p_TQ && calibration::isDisplacement(m))
     row.failRow(fmt::format("tool_x, tool_y, tool_z of a reading of kind {}", kind.name), "readings of the tip itself");
   if (m.p_TQ && m.row)
     row.failRow("tool_x, tool_y, tool_z of a reading of a row of the arm", "a row or a point of the tool, not both",

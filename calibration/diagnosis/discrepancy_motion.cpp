@@ -25,7 +25,7 @@ MatrixXd rigidDisplacements(const MeasuredSlope& slope, const ToolPose& tool, co
 std::vector<Motion> motionsOfDisplacement(ReadingPredictor& predictor, const PlacedArm& placed,
                                           const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                           const Departure& from) {
-  std::vector<Motion> motions{{reading, {}}, {startOf(from), {}}};
+  std::vector<Motion> motions{{reading, {}}, {readingAt(from), {}}};
   PredictionRequest request;
   request.by_joints = true;
   const Index joints = reading.q.size();

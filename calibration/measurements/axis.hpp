@@ -21,6 +21,12 @@ inline void state(const KnownPlaces& places, Measurement& reading) {
   reading.direction_W = places.direction_W;
 }
 
+inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string& kind) {
+  if (!reading.p_W || reading.direction_W) return lackOfPlace(reading, kind);
+  return ReadingLack{"a reading of kind " + kind + " without a direction",
+                     "its direction in the columns dx, dy, dz (of any length)"};
+}
+
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kAxis,
           .name = "axis",
@@ -32,6 +38,7 @@ inline MeasurementKindRow kind() {
           .slope = slope,
           .measured = distance::measured,
           .record = record,
+          .lack = lack,
           .state = state};
 }
 

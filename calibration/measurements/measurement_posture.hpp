@@ -25,7 +25,7 @@ namespace tubeplan::calibration {
 }
 
 /// Of a displacement, the reading that it is taken from: another, or the same with nothing on its tip.
-[[nodiscard]] inline Measurement startOf(const Departure& from) {
+[[nodiscard]] inline Measurement readingAt(const Departure& from) {
   Measurement reading = *from.reading;
   if (!from.is_unloaded) return reading;
   reading.load = 0;

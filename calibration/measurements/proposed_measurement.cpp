@@ -55,7 +55,7 @@ std::optional<Measurement> expectedReading(const PlacedArm& placed, const Propos
   auto tool = frameAt(placed.arm, X_WB, reading);
   if (!tool) return std::nullopt;
   if (const auto from = departureOf(reading)) {
-    const auto rest = toolAt(placed.arm, X_WB, startOf(*from));
+    const auto rest = toolAt(placed.arm, X_WB, readingAt(*from));
     if (!rest) return std::nullopt;
     tool->p_W -= rest->p_W;
   }

@@ -38,6 +38,7 @@ inline MeasurementKindRow kind() {
   row.rows_of = rowsOf;
   row.columns = distance::kColumns;
   row.is_from_reading = true;
+  row.lack = nullptr;
   row.departure = departure;
   row.value_columns = placeOrOwn;
   row.is_possible = isPossible;

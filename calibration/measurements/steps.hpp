@@ -58,6 +58,7 @@ inline MeasurementKindRow kind() {
           .slope = slope,
           .measured = measured,
           .record = record,
+          .usual_sigma = kVisitSigma,
           .state = coordinates::statePoint};
 }
 

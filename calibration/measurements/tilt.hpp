@@ -46,7 +46,6 @@ inline MeasurementKindRow kind() {
           .turn_rows = 3,
           .rows_of = partly_seen::statedRows,
           .columns = kColumns,
-          .is_without_place = true,
           .is_to_gravity = true,
           .is_by_scale = false,
           .sees_turn = true,
@@ -55,6 +54,7 @@ inline MeasurementKindRow kind() {
           .slope = slope,
           .measured = measured,
           .record = record,
+          .lack = nullptr,
           .value_columns = someOfOwn,
           .state = state};
 }

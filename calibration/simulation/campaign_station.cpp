@@ -18,7 +18,8 @@ std::optional<ToolPose> toolIn(const deflection::Arm& arm, const CampaignSite& s
 }
 
 /// What is known of where readings of that point are taken.
-KnownPlaces placesOf(const deflection::Arm& arm, const CampaignDesign& design, const std::optional<Vector3d>& point_W) {
+KnownPlaces knownPlaces(const deflection::Arm& arm, const CampaignDesign& design,
+                        const std::optional<Vector3d>& point_W) {
   return {design.points_known ? point_W : std::nullopt, design.anchor_W, design.direction_W, -arm.gravity_W};
 }
 
@@ -36,7 +37,7 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
                        ToolPose tool, const std::optional<Surface>& surface, Measurement& reading) {
   const MeasurementKindRow& kind = kindOf(reading);
   if (const auto from = departureOf(reading); from && !kind.is_from_reading) {
-    const auto rest = toolIn(arm, site, startOf(*from));
+    const auto rest = toolIn(arm, site, readingAt(*from));
     if (!rest) return PostureRefusal::kNotConverged;
     tool.p_W -= rest->p_W;
   }
@@ -176,7 +177,7 @@ PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingCond
   }
   const TipTrial trial = check(site, reading);
   if (trial.refusal != PostureRefusal::kNone) return trial.refusal;
-  if (const auto state = kindOf(reading).state) state(placesOf(arm_, design_, taken.p_W), reading);
+  if (const auto state = kindOf(reading).state) state(knownPlaces(arm_, design_, taken.p_W), reading);
   tip_W = trial.tool.p_W;
   return measure(arm_, site, conditions, trial.tool, taken.surface, reading);
 }

@@ -48,7 +48,7 @@ void addOwn(std::vector<ColumnTarget>& targets) {
     }
 }
 
-ColumnTarget targetOf(const deflection::ConditionKind& kind) {
+ColumnTarget conditionTarget(const deflection::ConditionKind& kind) {
   const bool has_own_unit = kind.unit.quantity == deflection::Quantity::kNone;
   ColumnTarget target{.quantity = has_own_unit ? conditionColumn(kind, Units()) : kind.name, .unit = std::nullopt};
   if (!has_own_unit) target.unit = unitKindOf(kind.unit.quantity);
@@ -110,7 +110,7 @@ std::vector<ColumnTarget> columnTargets(const deflection::Arm& arm) {
     for (const char* axis : {"x", "y", "z"})
       targets.push_back(number(fmt::format("{}_{}", word, axis), unit,
                                {fmt::format("{}{}", letter, axis), fmt::format("{}{}", word, axis)}));
-  for (const auto& kind : deflection::kConditionKinds) targets.push_back(targetOf(kind));
+  for (const auto& kind : deflection::kConditionKinds) targets.push_back(conditionTarget(kind));
   addForms(targets);
   return targets;
 }

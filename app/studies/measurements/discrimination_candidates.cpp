@@ -61,7 +61,7 @@ std::vector<double> thinnedOut(const std::set<double>& all, int most) {
 }
 
 /// The median of each condition, and the last time, for nothing earlier can be read.
-deflection::ConditionValues usualConditions(const std::vector<Measurement>& readings, MeasurementKind of) {
+deflection::ConditionValues usualConditionsOf(const std::vector<Measurement>& readings, MeasurementKind of) {
   deflection::ConditionValues usual;
   for (const auto& kind : deflection::kConditionKinds) {
     std::vector<double> stated;
@@ -97,7 +97,7 @@ Custom customOf(const std::vector<Measurement>& readings, int most_loads) {
   custom.has_known_points = kindOf(custom.kind).names_hole && custom.anchor;
   custom.loads = thinnedOut(loads, most_loads);
   custom.sigma = calibration::median(sigmas);
-  custom.conditions = usualConditions(readings, custom.kind);
+  custom.conditions = usualConditionsOf(readings, custom.kind);
   return custom;
 }
 

@@ -40,7 +40,7 @@ class MeasurementsWriter : public ::testing::Test {
       if (k == 0 || calibration::valueColumnsOf(kindOf(m)).least > 1 || random.index(2) == 0)
         m.own[k] = random.uniform(0.1, 2);
     if (kindOf(m).is_to_gravity) m.direction_W = -cell.arm.gravity_W;
-    if (kindOf(m).is_without_place) m.p_W.reset();
+    if ((!kindOf(m).lack && !kindOf(m).is_from_reading) || kindOf(m).settle) m.p_W.reset();
     if (kindOf(m).turn_rows > 0) m.turn_sigma = random.uniform(1e-5, 1e-3);
     if (kindOf(m).is_place && random.index(3) == 0) m.p_TQ = random.vector(0.1);
     if (kindOf(m).has_direction) m.direction_W = random.vector(1).normalized();

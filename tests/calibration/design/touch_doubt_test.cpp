@@ -14,8 +14,6 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr double kTouchSigma = 0.005 * kInch;
-
 /// An arm, where it stands, what it may touch and where it works: postures at random.
 struct DoubtedCell {
   deflection::Arm arm;

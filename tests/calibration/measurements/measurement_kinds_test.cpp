@@ -98,7 +98,9 @@ TEST(MeasurementKinds, WhatIsRecordedIsAllThatAReadingHasToState) {
     if (row.state) row.state(places, m);
     row.record(anyTool(), 1, MeasuredValue::Zero(row.rows), m);
     if (row.counts_steps) m.own[0] = 3;  // whoever has the tool counts them
+    m.point = "P1";
     EXPECT_TRUE(statesEnough(m)) << row.name;
+    EXPECT_FALSE(row.lack && row.lack(m, row.name)) << row.name;
     if (!row.is_possible) continue;
     m.own[0] = -0.1;
     EXPECT_FALSE(statesEnough(m)) << row.name << ": a length below zero";
