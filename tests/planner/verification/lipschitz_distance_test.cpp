@@ -5,7 +5,7 @@
 #include <map>
 
 #include "planner/collision/arm_clearance.hpp"
-#include "planner/collision/clearance.hpp"
+#include "tests/planner/collision_world.hpp"
 #include "tests/planner/workcell.hpp"
 
 namespace tubeplan::planner {
