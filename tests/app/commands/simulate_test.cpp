@@ -195,7 +195,7 @@ TEST_F(Simulate, PosturesKeepClearOfTheScene) {
       work.load = m.load;
       const auto frames = planner::bodyFrames(work, m.q, nullptr);
       std::string names;
-      const double margin = planner::lipschitzMargin(work.scene, frames, 1e-5, 0.01, &names);
+      const double margin = planner::LipschitzMargins(work.scene).at(frames, 1e-5, 0.01, &names);
       // The encoders' noise at a lever of 80 in may be missing, and nothing more.
       EXPECT_GE(margin, -5 * 0.002 * kDegree * 80 * kInch) << design << " " << m.id << " " << names;
     }
