@@ -10,6 +10,7 @@
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/commands/reading_answer.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/sensitivity_report.hpp"
 #include "app/files/command_inputs.hpp"
@@ -141,7 +142,7 @@ int run(const SensitivityOptions& options) {
   if (!options.readings.empty()) addChecks(checks, cell.units, json);
   writeJson(options.json, json);
   if (printsText(options.json)) fmt::print("{}{}", checksText(checks, cell.units), sensitivityText(report, cell));
-  return kDone;
+  return answerOver(checks, true);
 }
 
 }  // namespace
