@@ -157,11 +157,6 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Cell
   }
 }
 
-/// Of what the counts of an experiment are.
-BaseStanding standingOf(const StepExperimentOptions& settings) {
-  return {BasePlacing::kEachRun, static_cast<std::size_t>(settings.calibration_holes)};
-}
-
 std::vector<std::string> warningsOf(const StepExperiment& experiment) {
   if (experiment.misfits == 0) return {};
   return {fmt::format(
@@ -221,7 +216,7 @@ int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, co
     fmt::print(stderr, "no run was scored: {}\n", experiment.reason);
     return kNegativeAnswer;
   }
-  const BaseStanding standing = standingOf(settings);
+  const BaseStanding standing = standingOfEachRun(settings.calibration_holes);
   writeJson(options.json, experimentJson(experiment, standing, units));
   if (printsText(options.json)) printExperiment(experiment, standing, units);
   return experiment.status == StepExperimentStatus::kStopped ? kStoppedExitCode : kDone;
