@@ -25,6 +25,7 @@
 #include "app/files/units_json.hpp"
 #include "app/files/workcell.hpp"
 #include "app/studies/measurements/simulated_calibration.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/monte_carlo/step_experiment.hpp"
 #include "planner/reach/tube_reach.hpp"
 
@@ -58,7 +59,7 @@ struct Scored {
 Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes,
                 std::uint64_t seed, const Cell& cell) {
   Scored result;
-  result.calibration = calibrateBoth(nominal, cell, touchesByTrueArm(nominal, truth, seed));
+  result.calibration = calibrateBoth(nominal, cell, touchesByTrueArm(nominal, cell, truth, seed));
   if (result.calibration.flexible.status != calibration::CalibrationStatus::kDone) return result;
   const ScoringModels models = scoringModels(nominal, result.calibration, truth);
   const planner::ArmClearance clearance(models.flexible);
@@ -204,7 +205,7 @@ int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, co
                   const planner::Workcell& truth, const Cell& cell) {
   const Units& units = cell.units;
   StepExperimentOptions settings;
-  settings.uncertainty = cell.uncertainty;
+  settings.doubt = doubtBeside(cell);
   settings.tubes = tubes;
   settings.runs = options.runs;
   settings.seed = options.seed;
