@@ -13,6 +13,7 @@
 #include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/commands/reading_answer.hpp"
 #include "app/documents/diagnosis_pages.hpp"
 #include "app/documents/error_figures.hpp"
 #include "app/documents/improvement_json.hpp"
@@ -128,7 +129,7 @@ int run(const ImproveOptions& options) {
       fmt::print("{}", checksText(input.checks, input.cell.units));
       print(result, options, input);
     }
-    return result.isUsable() ? kDone : kNegativeAnswer;
+    return answerOver(input.checks, result.isUsable());
   } catch (const JobStopped&) {
     if (keeper.steps() == 0) throw;
     throw JobStopped{fmt::format("{} holds the model of step {}", options.out, keeper.steps())};

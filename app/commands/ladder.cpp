@@ -11,6 +11,7 @@
 #include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/commands/reading_answer.hpp"
 #include "app/documents/ladder_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/model_comparison_json.hpp"
@@ -54,10 +55,10 @@ int run(const LadderOptions& options) {
   const Units& units = models.front().input.cell.units;
   if (printsText(options.json))
     fmt::print("{}{}\n{}{}{}", checksText(models.back().input.checks, units),
-               modelComparisonSentence(outcome.comparison, units), modelComparisonText(outcome.comparison, units),
+               outcome.figures["sentence"].get<std::string>(), modelComparisonText(outcome.comparison, units),
                setAsideText(outcome.set_aside, models.back().input.readings.size()),
                ladderStepsText(outcome.steps, units));
-  return kDone;
+  return answerOver(models.back().input.checks, true);
 }
 
 }  // namespace

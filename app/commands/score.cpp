@@ -25,6 +25,7 @@
 #include "app/files/units_json.hpp"
 #include "app/files/workcell.hpp"
 #include "app/studies/measurements/simulated_calibration.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/monte_carlo/step_experiment.hpp"
 #include "planner/reach/tube_reach.hpp"
 
@@ -58,7 +59,7 @@ struct Scored {
 Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes,
                 std::uint64_t seed, const Cell& cell) {
   Scored result;
-  result.calibration = calibrateBoth(nominal, cell, touchesByTrueArm(nominal, truth, seed));
+  result.calibration = calibrateBoth(nominal, cell, touchesByTrueArm(nominal, cell, truth, seed));
   if (result.calibration.flexible.status != calibration::CalibrationStatus::kDone) return result;
   const ScoringModels models = scoringModels(nominal, result.calibration, truth);
   const planner::ArmClearance clearance(models.flexible);
@@ -157,11 +158,6 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Cell
   }
 }
 
-/// Of what the counts of an experiment are.
-BaseStanding standingOf(const StepExperimentOptions& settings) {
-  return {BasePlacing::kEachRun, static_cast<std::size_t>(settings.calibration_holes)};
-}
-
 std::vector<std::string> warningsOf(const StepExperiment& experiment) {
   if (experiment.misfits == 0) return {};
   return {fmt::format(
@@ -209,7 +205,7 @@ int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, co
                   const planner::Workcell& truth, const Cell& cell) {
   const Units& units = cell.units;
   StepExperimentOptions settings;
-  settings.uncertainty = cell.uncertainty;
+  settings.doubt = doubtBeside(cell);
   settings.tubes = tubes;
   settings.runs = options.runs;
   settings.seed = options.seed;
@@ -221,7 +217,7 @@ int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, co
     fmt::print(stderr, "no run was scored: {}\n", experiment.reason);
     return kNegativeAnswer;
   }
-  const BaseStanding standing = standingOf(settings);
+  const BaseStanding standing = standingOfEachRun(settings.calibration_holes);
   writeJson(options.json, experimentJson(experiment, standing, units));
   if (printsText(options.json)) printExperiment(experiment, standing, units);
   return experiment.status == StepExperimentStatus::kStopped ? kStoppedExitCode : kDone;

@@ -46,7 +46,7 @@ std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, con
   if (request.touches == "auto" && !outcome.truth)
     throw InputError("--touches auto", "no true arm to touch with", "--truth CELL",
                      "name a true cell, or a file of touches");
-  if (request.touches == "auto") return touchesByTrueArm(outcome.nominal, *outcome.truth, request.seed);
+  if (request.touches == "auto") return touchesByTrueArm(outcome.nominal, outcome.cell, *outcome.truth, request.seed);
   const auto readings = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
   requireDefinedFormulas(readings, outcome.cell, request.touches);
   const auto touches = touchesOf(readings, outcome.cell, request.touches);

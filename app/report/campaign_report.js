@@ -25,7 +25,8 @@ function centringSentence(report) {
   if (!chance) return "No run was scored.";
   return `With ${settingName(report, setting)}, ${last.at_least} of ${
              plural(steps.length, "step")} of the tool enter a hole with a probability of ` +
-      `${probability(chance.value)} (${probability(chance.low)} to ${probability(chance.high)}) after compensation.`;
+      `${probability(chance.value)} (${probability(chance.low)} to ${probability(chance.high)}) after compensation, ` +
+      `${textOf(object(setting.base)?.words)}.`;
 }
 
 function diagnosisSentence(report) {

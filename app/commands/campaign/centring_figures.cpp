@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/documents/figures.hpp"
+#include "app/documents/pose_json.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/units_json.hpp"
 
@@ -122,11 +123,19 @@ json waysJson() {
   return ways;
 }
 
+/// Of what all counts are: bases that each run calibrates anew.
+BaseStanding standingOf(const std::vector<CentringSetting>& settings) {
+  const int touches = settings.front().touches;
+  const bool is_one = std::ranges::all_of(settings, [&](const auto& other) { return other.touches == touches; });
+  return standingOfEachRun(is_one ? touches : 0);
+}
+
 json settingJson(const CentringResults& results, std::size_t index) {
   const auto& setting = results.task.options.settings[index];
   const auto& tally = results.tally.settings()[index];
   const std::uint64_t scored = tally.failures[0].runs;
   json figures = {
+      {"base", standingJson(standingOfEachRun(setting.touches))},
       {"touches", setting.touches},
       {"choice", touchRules()[static_cast<std::size_t>(setting.rule)].name},
       {"touch_sigma", lengthJson(setting.touch_sigma, results.task.cell.units)},
@@ -184,6 +193,7 @@ json centringJson(const CentringResults& results) {
                   {"runs", progress.runs},
                   {"runs_done", progress.done},
                   {"units", unitsJson(task.cell.units)},
+                  {"base", standingJson(standingOf(task.options.settings))},
                   {"drawn", drawnJson(results)},
                   {"holes_in_a_run", task.options.holes},
                   {"tubes", {{"asked", task.tubes}, {"in_reach", task.holes.visited.size()}}},
@@ -196,10 +206,10 @@ json centringJson(const CentringResults& results) {
 
 std::string centringText(const json& figures) {
   const std::string length = figures["units"]["length"];
-  std::string text =
-      fmt::format("{} of {} runs, {} holes in each of {} in reach of {}\n", figures["runs_done"].get<std::uint64_t>(),
-                  figures["runs"].get<std::uint64_t>(), figures["holes_in_a_run"].get<int>(),
-                  figures["tubes"]["in_reach"].get<int>(), figures["tubes"]["asked"].get<int>());
+  std::string text = fmt::format("{} of {} runs, {} holes in each of {} in reach of {}, {}\n",
+                                 figures["runs_done"].get<std::uint64_t>(), figures["runs"].get<std::uint64_t>(),
+                                 figures["holes_in_a_run"].get<int>(), figures["tubes"]["in_reach"].get<int>(),
+                                 figures["tubes"]["asked"].get<int>(), figures["base"]["words"].get<std::string>());
   text += fmt::format("{:<14}{:>9}   {:>9}", "error, " + length, "mean", "");
   for (const char* share : {"50 %", "90 %", "95 %", "99 %"}) text += fmt::format("  {:>9}", share);
   for (std::size_t k = 1; k <= figures["step_tolerances"].size(); ++k)

@@ -11,12 +11,12 @@ namespace {
 constexpr std::uint64_t kTouchFits = 20;
 
 CentringTrials trialsOf(const planner::Workcell& model, const planner::Workcell& truth, const CentringHoles& holes,
-                        const StepExperimentOptions& options, const calibration::ArmUncertainty& uncertainty,
-                        int touches, TouchRule rule) {
+                        const StepExperimentOptions& options, const calibration::DoubtBeside& doubt, int touches,
+                        TouchRule rule) {
   return {model,
           truth,
           holes,
-          {options.spread, uncertainty, options.test_holes, options.seed, {{touches, rule, touchSigmaOf(model.tool)}}}};
+          {options.spread, doubt, options.test_holes, options.seed, {{touches, rule, touchSigmaOf(model.tool)}}}};
 }
 
 /// At the hole goal-point and via-point compensation are one.
@@ -66,7 +66,7 @@ StepExperiment runStepExperiment(const planner::Workcell& model, const planner::
     return experiment;
   }
   const auto trials =
-      trialsOf(model, truth, holes, options, options.uncertainty, options.calibration_holes, TouchRule::kTested);
+      trialsOf(model, truth, holes, options, options.doubt, options.calibration_holes, TouchRule::kTested);
   const auto steps = static_cast<int>(model.tool.steps.size());
   const auto runs = static_cast<std::size_t>(options.runs);
   for (std::size_t run = 0; run < runs; ++run) {
