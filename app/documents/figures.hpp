@@ -6,10 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "app/files/units.hpp"
-#include "deflection/arm.hpp"
 
 namespace tubeplan::app {
 
@@ -33,13 +31,8 @@ namespace tubeplan::app {
 /// "p = 0.012": the probability of what is seen by chance alone.
 [[nodiscard]] std::string chanceText(double p);
 
-/// Decimals at which lengths stand in columns: a ten-thousandth of an inch is seen in every unit.
+/// Decimals at which lengths stand in columns of this unit: a ten-thousandth of an inch is seen in every unit.
 [[nodiscard]] int lengthDecimals(const Unit& length);
-[[nodiscard]] int lengthDecimals(const Units& units);
-
-/// The joints' readings as columns write them: a thousandth of a degree, or what is seen of a length, in every unit.
-[[nodiscard]] std::vector<std::string> jointFigures(const deflection::Arm& arm, const Eigen::VectorXd& q,
-                                                    const Units& units);
 
 /// How a calibration, an identification or a comparison ended; their statuses have these in this order.
 template <class Status>
