@@ -37,8 +37,7 @@ int run(const CompareOptions& options) {
   writeJson(options.json, figures);
   if (options.report.isWanted()) writeReport(options.report, comparisonPage(input, options.request.seed, figures));
   if (printsText(options.json)) {
-    fmt::print("{}{}{}", checksText(input.checks, input.cell.units),
-               comparisonText(comparison, readings, set_aside.size(), input.cell.units),
+    fmt::print("{}{}{}", checksText(input.checks, input.cell.units), comparisonText(figures),
                setAsideText(set_aside, input.readings.size()));
     for (const auto& warning : warnings) fmt::print("  warning: {}\n", warning);
   }

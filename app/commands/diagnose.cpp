@@ -53,8 +53,7 @@ int run(const DiagnoseOptions& options) {
     fmt::print("{}\n{}\n", nameOf(outcome.diagnosis.verdict), diagnosisSentence(outcome.diagnosis, units));
     return answer;
   }
-  fmt::print("{}{}", diagnosisText(outcome.diagnosis, input.readings, units),
-             discriminationText(outcome.next, outcome.candidates, input.cell.arm, units));
+  fmt::print("{}{}", diagnosisText(outcome.diagnosis, input.readings, units), discriminationText(outcome.figures));
   if (!options.run_sheet.empty())
     fmt::print("{}", sheet.empty() ? "no run sheet: no reading is proposed\n"
                                    : fmt::format("wrote {}: {} and give it after the readings\n", options.run_sheet,

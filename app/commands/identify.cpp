@@ -62,7 +62,8 @@ int run(const IdentifyOptions& options) {
     request.observe = [out = printsText(options.json) ? stdout : stderr](const auto& now) { printIteration(out, now); };
   if (printsText(options.json))
     request.stage_done = [&](int stage, const calibration::Identification& fit) {
-      fmt::print("stage {}\n{}", stage + 1, identificationText(fit, input.readings, input.cell.units));
+      fmt::print("stage {}\n{}", stage + 1,
+                 identificationText(identificationJson(fit, input.readings, 0, input.cell.units)));
     };
   const auto outcome = identifyModel(input, request, terminalWorkHooks());
   if (!options.out.empty() && outcome.fit.status == IdentificationStatus::kDone)
@@ -71,9 +72,9 @@ int run(const IdentifyOptions& options) {
   if (printsText(options.json) && outcome.fit.status == IdentificationStatus::kNotRun) {
     printWithheld(options, outcome);
   } else if (printsText(options.json)) {
-    fmt::print("{}{}{}{}", setAsideText(outcome.set_aside, readings.size()),
-               identificationText(outcome.fit, outcome.readings, cell.units),
-               predictedCentringText(outcome.centring, cell.units), overlapText(outcome.overlaps));
+    fmt::print("{}{}{}{}", setAsideText(outcome.set_aside, readings.size()), identificationText(outcome.figures),
+               cell.sheet ? predictedCentringText(outcome.figures["predicted_centring_error"]) : "",
+               overlapText(outcome.overlaps));
     for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warning);
     for (const auto& warning : warningTexts(outcome.of_effects, cell.units)) fmt::print("  warning: {}\n", warning);
   }

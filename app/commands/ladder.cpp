@@ -14,7 +14,6 @@
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/ladder_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/documents/model_comparison_json.hpp"
 #include "app/files/atomic_file.hpp"
 
 namespace tubeplan::app {
@@ -52,12 +51,9 @@ int run(const LadderOptions& options) {
   writeJson(options.json, figures);
   if (options.report.isWanted())
     writeReport(options.report, ladderPage(outcome.figures, options.measurements, options.request.seed));
-  const Units& units = models.front().input.cell.units;
   if (printsText(options.json))
-    fmt::print("{}{}\n{}{}{}", checksText(models.back().input.checks, units),
-               outcome.figures["sentence"].get<std::string>(), modelComparisonText(outcome.comparison, units),
-               setAsideText(outcome.set_aside, models.back().input.readings.size()),
-               ladderStepsText(outcome.steps, units));
+    fmt::print("{}{}{}", checksText(models.back().input.checks, models.front().input.cell.units),
+               ladderText(outcome.figures), setAsideText(outcome.set_aside, models.back().input.readings.size()));
   return answerOver(models.back().input.checks, true);
 }
 

@@ -129,7 +129,7 @@ int run(const SensitivityOptions& options) {
   nlohmann::json json = sensitivityJson(report, cell);
   if (!options.readings.empty()) addChecks(checks, cell.units, json);
   writeJson(options.json, json);
-  if (printsText(options.json)) fmt::print("{}{}", checksText(checks, cell.units), sensitivityText(report, cell));
+  if (printsText(options.json)) fmt::print("{}{}", checksText(checks, cell.units), sensitivityText(json));
   return answerOver(checks, true);
 }
 

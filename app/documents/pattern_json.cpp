@@ -46,8 +46,6 @@ std::string valueText(const PatternTest& test, const TrendStep& step, const Unit
 
 }  // namespace
 
-std::string chanceText(double p) { return p < 1e-300 ? "p below 1e-300" : fmt::format("p = {:.2g}", p); }
-
 std::string patternSentence(const PatternTest& test, const Units& units) {
   if (test.component < 0) return "";
   const std::string where = componentText(test.frame, test.component);

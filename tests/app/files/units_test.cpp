@@ -29,7 +29,7 @@ TEST(Units, convertsByExactFactors) {
 
 TEST(Units, showLengthsToATenThousandthOfAnInch) {
   for (const auto& [unit, decimals] : {std::pair("in", 4), {"mm", 4}, {"cm", 4}, {"ft", 6}, {"m", 6}})
-    EXPECT_EQ(lengthDecimals(unitsOf(std::string("{length: ") + unit + ", angle: deg, force: N}")), decimals) << unit;
+    EXPECT_EQ(lengthDecimals(*findUnit(UnitKind::kLength, unit)), decimals) << unit;
 }
 
 TEST(Units, convertsTemperatures) {
