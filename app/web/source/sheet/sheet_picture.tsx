@@ -73,8 +73,9 @@ function useSheetDrawing(props: SheetPictureProps) {
   useSignalEffect(() => {
     void palette.value;
     void props.picked?.value;
-    drawing.current?.drawNow();
+    // All of it at once: paper has its own colours.
     drawing.current?.ask();
+    drawing.current?.drawNow();
   });
   return {stage, drawing};
 }
