@@ -98,7 +98,7 @@ describe("reports", () => {
       assert.ok((await inkOf(tab, `#maps canvas >> nth=${k}`, colour)) > 50, `arrows ${k}`);
     assert.ok((await tab.locator("#charts .plot").count()) > 4);
     const size = await tab.getAttribute("#charts .plot >> nth=0", "aria-label");
-    await tab.click("#charts .segments >> text=z");
+    await tab.click('#charts .segments >> text="z"');
     const z = await tab.getAttribute("#charts .plot >> nth=0", "aria-label");
     assert.ok(/^error, in against/.test(size) && /^error along z, in against/.test(z), `${size} ${z}`);
     await tab.context().close();
@@ -205,7 +205,7 @@ describe("reports", () => {
     assert.equal(await tab.evaluate(() => window.isHit), undefined);
     await tab.emulateMedia({colorScheme: "dark"});
     const scheme = () => tab.evaluate(() => document.documentElement.dataset.scheme);
-    assert.equal(await scheme(), "dark");
+    await tab.waitForFunction(() => document.documentElement.dataset.scheme === "dark");
     await tab.evaluate(() => dispatchEvent(new Event("beforeprint")));
     assert.equal(await scheme(), "light");
     assert.ok((await inkOf(tab, "#why canvas", "case0")) > 50); // drawn anew with the colours of paper

@@ -31,7 +31,9 @@ export function RankingTable({rows, action: Action}: RankingTableProps) {
         </tr>
       </thead>
       <tbody>
-        {rows.map((row) => (Action ? <Ranked key={row.title} row={row} action={Action} /> : <OnPaper row={row} />))}
+        {rows.map((row) => (
+          <Ranked key={row.title} row={row} action={Action} />
+        ))}
       </tbody>
     </table>
   );
@@ -49,51 +51,26 @@ export function Chance({share, text}: Barred) {
   );
 }
 
-function Ranked({row, action: Action}: {row: RankedRow; action: ComponentType<{row: RankedRow}>}) {
-  const {entry: effect, words, kept, probability, fall, size} = row;
+/** Less than this share of an effect shows in the readings: on paper it is said how much. */
+const LITTLE = 0.5;
+
+function Ranked({row, action: Action}: {row: RankedRow} & Pick<RankingTableProps, "action">) {
+  const {entry, title, words, kept, probability, fall, size, shows} = row;
+  const said = Action ? [entry.at] : [words, entry.kept_fraction < LITTLE ? kept : ""];
   return (
     <tr title={[words, kept].filter((text) => text !== "").join("; ")}>
       <td class="effect-name">
-        {effect.effect}
-        <small>{effect.at}</small>
+        {Action ? entry.effect : title}
+        {said.map((text) => (text ? <small>{text}</small> : null))}
       </td>
       <td>
         <Chance {...probability} />
       </td>
-      <td class="number">{fall.text}</td>
+      <td class="number">{Action ? fall.text : <Chance {...fall} />}</td>
       <td class="size" title={`${size.name} ${size.text}`}>
         {size.name} {size.text}
       </td>
-      <td class="number">
-        <Action row={row} />
-      </td>
-    </tr>
-  );
-}
-
-/** Less than this share of an effect shows in the readings: how much is said in words. */
-const LITTLE = 0.5;
-
-function OnPaper({row: {entry, title, words, kept, probability, fall, size, shows}}: {row: RankedRow}) {
-  return (
-    <tr>
-      <td class="effect-name">
-        {title}
-        {words ? <small>{words}</small> : null}
-        {kept && entry.kept_fraction < LITTLE ? <small>{kept}</small> : null}
-      </td>
-      <td>
-        <Chance {...probability} />
-      </td>
-      <td class="number">
-        <Chance {...fall} />
-      </td>
-      <td class="size">
-        {size.name} {size.text}
-      </td>
-      <td>
-        <Chance {...shows} />
-      </td>
+      <td class={Action ? "number" : ""}>{Action ? <Action row={row} /> : <Chance {...shows} />}</td>
     </tr>
   );
 }

@@ -1,5 +1,6 @@
 // "A or B": the readings that would discriminate, and what else would.
-import {PairsTable} from "./pairs_table";
+import {PAIR_HEADS, pairCells} from "../../../drawing/conditions.js";
+import {Table} from "../drawing/table";
 import {PosteriorPicture} from "./posterior_picture";
 import {RunSheetPanel} from "./run_sheet_panel";
 import type {DiagnoseDocument} from "../server/documents";
@@ -41,7 +42,9 @@ function Proposals({document}: {document: DiagnoseDocument}) {
           ))}
         </ul>
       ) : null}
-      <PairsTable pairs={splitting?.pairs ?? []} />
+      {(splitting?.pairs ?? []).length > 0 ? (
+        <Table heads={PAIR_HEADS} rows={splitting!.pairs!.map(pairCells)} text={[0, 1]} />
+      ) : null}
     </>
   );
 }

@@ -55,3 +55,18 @@ function Guarded({section: {Content}, report}: {section: SectionKind} & OfReport
   if (error) return <p class="missing">This part could not be drawn: {error.message}</p>;
   return <Content report={report} />;
 }
+
+/** The figures at its head. */
+export function Summary({facts}: {facts: readonly (readonly [string, unknown])[]}) {
+  if (facts.length === 0) return null;
+  return (
+    <dl class="summary">
+      {facts.map(([name, value]) => (
+        <div>
+          <dt>{name}</dt>
+          <dd>{textOf(value)}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

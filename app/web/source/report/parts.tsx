@@ -1,9 +1,11 @@
 // What reports are made of: leads, cards, tables, legends, and what is said where something is missing.
 import type {ComponentChildren} from "preact";
-import {MISSING} from "../../../drawing/numbers.js";
 import {Icon} from "../drawing/icons";
 import {MarkIcon, type Mark} from "../drawing/marks";
+
 import type {Report} from "./values";
+
+export {Table} from "../drawing/table";
 
 export interface OfReport {
   report: Report;
@@ -26,41 +28,6 @@ export function Card({title, class: name = "", children}: {title?: ComponentChil
     <div class={`card ${name}`}>
       {title ? <h3>{title}</h3> : null}
       {children}
-    </div>
-  );
-}
-
-/** A cell is text, an element, or null for what is missing; columns in `text` are no numbers. */
-interface TableProps {
-  heads: readonly ComponentChildren[];
-  rows: readonly (readonly ComponentChildren[])[];
-  text?: readonly number[];
-}
-
-export function Table({heads, rows, text = [0]}: TableProps) {
-  const kind = (column: number) => (text.includes(column) ? "" : "number");
-  return (
-    <div class="table">
-      <table>
-        <thead>
-          <tr>
-            {heads.map((head, k) => (
-              <th scope="col" class={kind(k)}>
-                {head}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {rows.map((row) => (
-            <tr>
-              {row.map((cell, k) => (
-                <td class={kind(k)}>{cell === null ? MISSING : cell}</td>
-              ))}
-            </tr>
-          ))}
-        </tbody>
-      </table>
     </div>
   );
 }

@@ -1,7 +1,6 @@
 // What to measure next so that open explanations are told apart, and warnings about effects.
-import {senseArrow, separations} from "../../../../drawing/conditions.js";
+import {PAIR_HEADS, pairCells, senseArrow, separations} from "../../../../drawing/conditions.js";
 import {short} from "../../../../drawing/numbers.js";
-import {PairsTable} from "../../error/pairs_table";
 import {Chance} from "../../error/ranking_table";
 import {Card, Lead, type OfReport, PrintButton, Reasons, Table} from "../parts";
 import {list, object, type Report, textList, textOf} from "../values";
@@ -29,7 +28,7 @@ export function NextReadingsSection({report}: OfReport) {
       )}
       {pairs.length === 0 ? null : (
         <Card title="What they would do">
-          <PairsTable pairs={pairs as any} />
+          <Table heads={PAIR_HEADS} rows={pairs.map(pairCells)} text={[0, 1]} />
         </Card>
       )}
       {means.length + columns.length === 0 ? null : (

@@ -1,9 +1,8 @@
 // The page of a plan.
 import {duration, isNumber, plural, short, whole} from "../../../../drawing/numbers.js";
 import {MARKED} from "../../../../drawing/sigma_text.js";
-import type {PageKind} from "../page";
+import {type PageKind, Summary} from "../page";
 import {Lead, Missing, type OfReport} from "../parts";
-import {Summary} from "../summary";
 import {lengthUnit, list, object, type Report, textOf} from "../values";
 import {wholeToolText} from "./cases";
 import {CentringSection} from "./centring";

@@ -1,8 +1,9 @@
 // The arm in its vertical plane, rigid and deflected.
 import {useSignal} from "@preact/signals";
-import {extentOf, type Extent} from "../../../../drawing/frames.js";
+import {extentOf} from "../../../../drawing/frames.js";
 import {exact, isNumber, short} from "../../../../drawing/numbers.js";
 import {roundDown125} from "../../../../drawing/scales.js";
+import type {ColourName} from "../../drawing/colours";
 import {MarkAt} from "../../drawing/marks";
 import {choicesOf, Segments} from "../../drawing/segments";
 import {Card, Lead, Legend, Missing, type OfReport} from "../parts";
@@ -100,124 +101,76 @@ function bowlOf(report: Report, view: Report): {center: Point; radius: number} |
 const WIDTH = 1000,
   TALLEST = 460;
 
+/** The corners of the box about a capsule. */
+function boxOf({from, to, radius}: Report): Point[] {
+  return [from, to].flatMap(([r, z]: Point): Point[] => [-radius, radius].map((far) => [r + far, z + far]));
+}
+
 function SideView({report, view, factor}: {view: Report; factor: number} & OfReport) {
   const rigid = points(view.rigid),
     chain = magnified(view, factor),
     bowl = bowlOf(report, view);
   const bodies = list(view.shapes).filter(({from, to, radius}) => isPoint(from) && isPoint(to) && isNumber(radius));
-  const extent = extentOf([
-    ...rigid,
-    ...chain,
-    ...points([view.hole]),
-    [chain[0]?.[0] ?? 0, 0],
-    ...bodies.flatMap(({from, to, radius}) =>
-      [from, to].flatMap(([r, z]: Point) => [
-        [r - radius, z - radius],
-        [r + radius, z + radius],
-      ]),
-    ),
-    ...(bowl
+  const [br, bz] = bowl?.center ?? [0, 0],
+    around = bowl
       ? [
-          [bowl.center[0] - bowl.radius, 0],
-          [bowl.center[0] + bowl.radius, bowl.center[1] - bowl.radius],
+          [br - bowl.radius, 0],
+          [br + bowl.radius, bz - bowl.radius],
         ]
-      : []),
-  ]);
-  const {left, right, top, bottom} = extent;
+      : [];
+  const foot = [chain[0]?.[0] ?? 0, 0],
+    hole = points([view.hole]);
+  const {left, right, top, bottom} = extentOf([...rigid, ...chain, ...hole, foot, ...bodies.flatMap(boxOf), ...around]);
   const scale = Math.min((WIDTH - 70) / (right - left), TALLEST / (top - bottom)),
-    height = scale * (top - bottom) + 60;
+    height = scale * (top - bottom) + 60,
+    ruler = roundDown125(0.2 * (right - left));
   const at = ([r, z]: Point): Point => [WIDTH / 2 + scale * (r - (left + right) / 2), 26 + scale * (top - z)];
+  const line = (places: readonly Point[]) => `M${places.map((place) => at(place).join(" ")).join("L")}`;
+  const [[x0, face], [x1]] = [at([left, 0]), at([right, 0])];
+  const words = (text: string, x: number, y: number, name = "") => (
+    <text class={name} x={x} y={y} text-anchor={name ? "middle" : undefined}>
+      {text}
+    </text>
+  );
+  const half = bowl ? Math.sqrt(Math.max(0, bowl.radius ** 2 - bz ** 2)) : 0,
+    r = (bowl?.radius ?? 0) * scale;
   return (
-    <svg
-      class="drawing side"
-      viewBox={`0 0 ${WIDTH} ${height}`}
-      role="img"
-      aria-label="The arm from the side, rigid and deflected"
-    >
-      {bowl ? <Bowl {...bowl} at={at} scale={scale} /> : null}
-      <SheetFace extent={extent} at={at} />
-      {factor === 1
-        ? bodies.map(({from, to, radius}) => (
-            <path class="body" d={lineOf([from, to], at)} stroke-width={2 * radius * scale} />
-          ))
-        : null}
-      <Chain chain={chain} at={at} kind="flexible" />
-      <Chain chain={rigid} at={at} kind="rigid" />
-      {isPoint(view.hole) ? <Hole view={view} at={at(view.hole)} /> : null}
-      <Ruler length={roundDown125(0.2 * (right - left))} scale={scale} y={height - 8} unit={lengthUnit(report)} />
+    <svg class="drawing side" viewBox={`0 0 ${WIDTH} ${height}`} role="img" aria-label="The arm from the side">
+      {bowl ? (
+        <path class="bowl" d={`${line([[br - half, 0]])}A${r} ${r} 0 0 0 ${at([br + half, 0]).join(" ")}`} />
+      ) : null}
+      {bowl ? words("bowl", at(bowl.center)[0], at(bowl.center)[1] + r + 15, "middle") : null}
+      <rect class="plate" x={x0} y={face - 9} width={x1 - x0} height={9} />
+      <path class="face" d={`M${x0} ${face}H${x1}`} />
+      {words("tube sheet", x0, face - 13)}
+      {(factor === 1 ? bodies : []).map(({from, to, radius}) => (
+        <path class="body" d={line([from, to])} stroke-width={2 * radius * scale} />
+      ))}
+      <Chain places={chain.map(at)} kind="flexible" colour="accent" />
+      <Chain places={rigid.map(at)} kind="rigid" colour="case0" />
+      {hole.map(at).map(([x, y]) => (
+        <>
+          <path class="hole-axis" d={`M${x} ${y - 9}v9`} />
+          {words(textOf(view.label, "hole"), x, y - 13, "strong middle")}
+        </>
+      ))}
+      <path class="axis" d={`M8 ${height - 13}v10M8 ${height - 8}h${ruler * scale}m0 -5v10`} />
+      {words(`${exact(ruler)} ${lengthUnit(report)}`, 14 + ruler * scale, height - 4)}
     </svg>
   );
 }
 
-type At = (point: Point) => Point;
-
-const lineOf = (chain: readonly Point[], at: At) => `M${chain.map((point) => at(point).join(" ")).join("L")}`;
-
-function Bowl({center, radius, at, scale}: {center: Point; radius: number; at: At; scale: number}) {
-  const half = Math.sqrt(Math.max(0, radius * radius - center[1] * center[1])),
-    r = radius * scale;
-  const [x, y] = at([center[0], center[1] - radius]);
+/** An arm as a line with its joints, a diamond at its tip. */
+function Chain({places, kind, colour}: {places: Point[]; kind: string; colour: ColourName}) {
+  if (places.length < 2) return null;
+  const [x, y] = places.at(-1)!;
   return (
     <>
-      <path
-        class="bowl"
-        d={`M${at([center[0] - half, 0]).join(" ")}A${r} ${r} 0 0 0 ${at([center[0] + half, 0]).join(" ")}`}
-      />
-      <text x={x} y={y + 15} text-anchor="middle">
-        bowl
-      </text>
-    </>
-  );
-}
-
-function SheetFace({extent, at}: {extent: Extent; at: At}) {
-  const [x, y] = at([extent.left, 0]),
-    [end] = at([extent.right, 0]);
-  return (
-    <>
-      <rect class="plate" x={x} y={y - 9} width={end - x} height={9} />
-      <path class="face" d={`M${x} ${y}H${end}`} />
-      <text x={x} y={y - 13}>
-        tube sheet
-      </text>
-    </>
-  );
-}
-
-function Chain({chain, at, kind}: {chain: readonly Point[]; at: At; kind: "rigid" | "flexible"}) {
-  if (chain.length < 2) return null;
-  const [x, y] = at(chain.at(-1)!);
-  return (
-    <>
-      <path class={kind} d={lineOf(chain, at)} />
-      {chain.slice(0, -1).map((point) => {
-        const [cx, cy] = at(point);
-        return <circle class={`${kind}-joint`} cx={cx} cy={cy} r={3} />;
-      })}
-      <MarkAt mark={{shape: "diamond", colour: kind === "rigid" ? "case0" : "accent"}} x={x} y={y} r={4} />
-    </>
-  );
-}
-
-function Hole({view, at: [x, y]}: {view: Report; at: Point}) {
-  return (
-    <>
-      <path class="hole-axis" d={`M${x} ${y - 9}v9`} />
-      <text class="strong" x={x} y={y - 13} text-anchor="middle">
-        {textOf(view.label, "hole")}
-      </text>
-    </>
-  );
-}
-
-/** A round length in the lower left corner. */
-function Ruler({length, scale, y, unit}: {length: number; scale: number; y: number; unit: string}) {
-  return (
-    <>
-      <path class="axis" d={`M8 ${y - 5}v10M8 ${y}h${length * scale}m0 -5v10`} />
-      <text x={14 + length * scale} y={y + 4}>
-        {exact(length)} {unit}
-      </text>
+      <polyline class={kind} points={places.join(" ")} />
+      {places.slice(0, -1).map(([cx, cy]) => (
+        <circle class={`${kind}-joint`} cx={cx} cy={cy} r={3} />
+      ))}
+      <MarkAt mark={{shape: "diamond", colour}} x={x} y={y} r={4} />
     </>
   );
 }

@@ -1,9 +1,11 @@
 // The touched holes, their residuals and the distances between them.
 import {useCallback, useMemo} from "preact/hooks";
-import {chance, fixed, isNumber, MISSING, plural, short, whole} from "../../../../drawing/numbers.js";
+import {chance, isNumber, plural, short, whole} from "../../../../drawing/numbers.js";
 import type {SheetModel} from "../../../../drawing/sheet_model.js";
-import {MARKED, sigmasText, TOUCH_SIGMAS} from "../../../../drawing/sigma_text.js";
-import {Card, Lead, Missing, type OfReport, Table} from "../parts";
+import {MARKED, TOUCH_SIGMAS} from "../../../../drawing/sigma_text.js";
+import {BasePose, TouchFigures} from "../../calibrate/base_figures";
+import type {CalibrateDocument} from "../../server/documents";
+import {Card, Lead, Missing, type OfReport} from "../parts";
 import {angleUnit, lengthUnit, list, object, type Report, textOf, tubeName, vector} from "../values";
 import {holeTeller, predictedMode} from "./cases";
 import {magnificationFor, paintArrowScale} from "./centring";
@@ -15,6 +17,8 @@ export function TouchesSection({report}: OfReport) {
     distances = list(report.distances),
     calibration = object(report.calibration);
   if (touches.length === 0 && distances.length === 0 && !calibration) return <Missing what="The calibration touches" />;
+  // What of the fit stands beside it in the report.
+  const document = {residuals: touches, distances, sigma: calibration?.base_sigma, ...calibration} as CalibrateDocument;
   const placed = touches.filter(({x, y}) => isNumber(x) && isNumber(y));
   return (
     <>
@@ -31,19 +35,23 @@ export function TouchesSection({report}: OfReport) {
           </Card>
         )}
         <Card title="The fitted base">
-          {calibration ? <Calibration report={report} calibration={calibration} /> : <Missing what="The fit" />}
-        </Card>
-        <Card title="Residual at each touch">
-          {touches.length > 0 ? <Residuals report={report} touches={touches} /> : <Missing what="Residuals" />}
-        </Card>
-        <Card title="Distances between the holes">
-          {distances.length > 0 ? (
-            <Distances report={report} distances={distances} />
+          {calibration ? (
+            <>
+              <BasePose document={document} length={lengthUnit(report)} angle={angleUnit(report)} />
+              <FitWords report={report} calibration={calibration} />
+            </>
           ) : (
-            <Missing what="Distance checks" />
+            <Missing what="The fit" />
           )}
         </Card>
       </div>
+      {touches.length > 0 ? (
+        <Card>
+          <TouchFigures document={document} unit={lengthUnit(report)} hasSigmas />
+        </Card>
+      ) : (
+        <Missing what="Residuals" />
+      )}
     </>
   );
 }
@@ -106,86 +114,20 @@ function paintTriangle({context, at, colours}: Painter, places: readonly [number
   context.setLineDash([]);
 }
 
-/** A residual over its sigma, marked where it is many. */
-function InSigmas({value, sigma}: {value: unknown; sigma: unknown}) {
-  if (!isNumber(value) || !isNumber(sigma) || sigma <= 0) return <>{MISSING}</>;
-  const {text, isMany} = sigmasText(Math.abs(value) / sigma, TOUCH_SIGMAS);
-  return isMany ? <b class="bad">{text}</b> : <>{text}</>;
-}
-
-function sigmaText(sigma: readonly number[]): string {
-  const texts = sigma.map(short);
-  return new Set(texts).size === 1 ? texts[0] : texts.join(", ");
-}
-
-function Residuals({report, touches}: {touches: Report[]} & OfReport) {
-  const unit = lengthUnit(report);
-  const rows = touches.map((touch) => {
-    const residual = vector(touch.residual),
-      sigma = vector(touch.sigma);
-    const ratios = residual && sigma ? residual.map((value, axis) => Math.abs(value) / sigma[axis]) : [],
-      worst = ratios.indexOf(Math.max(...ratios));
-    return [
-      textOf(touch.id),
-      touchName(touch),
-      ...(residual?.map(short) ?? [null, null, null]),
-      sigma ? sigmaText(sigma) : null,
-      worst < 0 ? null : <InSigmas value={residual![worst]} sigma={sigma![worst]} />,
-    ];
-  });
-  const heads = ["touch", "hole", `dx, ${unit}`, `dy, ${unit}`, `dz, ${unit}`, `sigma, ${unit}`, "/\u00a0sigma"];
-  return <Table heads={heads} rows={rows} text={[0, 1]} />;
-}
-
-function Distances({report, distances}: {distances: Report[]} & OfReport) {
-  const unit = lengthUnit(report);
-  const rows = distances.map(({from, to, by_arm, on_sheet, sigma}) => {
-    const difference = isNumber(by_arm) && isNumber(on_sheet) ? by_arm - on_sheet : null;
-    return [
-      `${textOf(from)} – ${textOf(to)}`,
-      fixed(by_arm, 4),
-      fixed(on_sheet, 4),
-      short(difference),
-      short(sigma),
-      <InSigmas value={difference} sigma={sigma} />,
-    ];
-  });
-  const heads = ["between", `by arm, ${unit}`, `on sheet, ${unit}`, "difference", "sigma", "/\u00a0sigma"];
-  return <Table heads={heads} rows={rows} />;
-}
-
-function Calibration({report, calibration}: {calibration: Report} & OfReport) {
-  const unit = lengthUnit(report),
-    {rms, chi2, degrees_of_freedom: freedom, p_value, verdict, verdict_words: words} = calibration;
-  const base = object(calibration.base) ?? {},
-    sigma = object(calibration.base_sigma) ?? {};
-  const rows = (names: string[], value: unknown, spread: unknown, of: string) =>
-    names.map((name, i) => [
-      `base ${name}`,
-      vector(value) ? `${fixed(vector(value)![i], 4)} ${of}` : MISSING,
-      vector(spread) ? `± ${short(vector(spread)![i])} ${of}` : MISSING,
-    ]);
+/** The fit in words: its misfit, and what the program says of that. */
+function FitWords({report, calibration}: {calibration: Report} & OfReport) {
+  const {rms, chi2, degrees_of_freedom: freedom, p_value, verdict, verdict_words: words} = calibration;
   return (
-    <>
-      <Table
-        heads={["", "value", "one sigma"]}
-        rows={[
-          ...rows(["x", "y", "z"], base.position, sigma.position, unit),
-          ...rows(["roll", "pitch", "yaw"], base.rpy, sigma.rotation, angleUnit(report)),
-        ]}
-      />
-      <p class="note">
-        Residuals: rms {short(rms)} {unit}; chi-square {short(chi2)} on {plural(freedom, "degree")} of freedom
-        {isNumber(p_value) ? `, ${chance(p_value)}` : ""}.{" "}
-        {textOf(words, "") === "" ? null : verdict === "adequate" ? (
-          `${words}.`
-        ) : (
-          <b class="bad">
-            {MARKED}
-            {words}.
-          </b>
-        )}
-      </p>
-    </>
+    <p class="note">
+      Residuals: rms {short(rms)} {lengthUnit(report)}; chi-square {short(chi2)} on {plural(freedom, "degree")} of
+      freedom
+      {isNumber(p_value) ? `, ${chance(p_value)}` : ""}.{" "}
+      {textOf(words, "") === "" ? null : (
+        <b class={verdict === "adequate" ? "" : "bad"}>
+          {verdict === "adequate" ? "" : MARKED}
+          {words}.
+        </b>
+      )}
+    </p>
   );
 }
