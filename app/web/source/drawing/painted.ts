@@ -10,7 +10,12 @@ export function usePainted(
 ): void {
   useLayoutEffect(() => {
     const element = canvas.current!;
-    const draw = () => paint(element);
+    let painted = "";
+    const draw = () => {
+      const size = `${element.clientWidth} ${element.clientHeight}`;
+      if (size !== painted) paint(element);
+      painted = size;
+    };
     const observer = new ResizeObserver(draw);
     observer.observe(element.parentElement!);
     draw();

@@ -37,7 +37,10 @@ export function Plot({options, data, label, onReady}: PlotProps) {
     const size = () => ({width: Math.max(80, element.clientWidth), height: Math.max(60, element.clientHeight)});
     const plot = new uPlot({...options, ...size(), padding: options.padding ?? [10, 14, 0, 0]}, data, element);
     onReady?.(plot);
-    const observer = new ResizeObserver(() => plot.setSize(size()));
+    const observer = new ResizeObserver(() => {
+      const {width, height} = size();
+      if (width !== plot.width || height !== plot.height) plot.setSize({width, height});
+    });
     observer.observe(element);
     return () => {
       observer.disconnect();

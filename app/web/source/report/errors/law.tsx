@@ -11,12 +11,11 @@ import {SeriesLegend} from "../../error/series_legend";
 import {Card, Lead, Missing, type OfReport} from "../parts";
 import {list} from "../values";
 import {ErrorPlotBox} from "./error_plot_box";
-import {errorAxesOf, errorPairsOf, lawViewOf} from "./pairs";
+import {errorsOf, lawViewOf} from "./pairs";
 
 export function LawSection({report}: OfReport) {
   const plots = useMemo(() => {
-    const pairs = errorPairsOf(report),
-      axes = errorAxesOf(report, pairs[0]);
+    const {pairs, axes} = errorsOf(report);
     return pairs.flatMap((pair): [ErrorPair, View][] => {
       const view = pair.readings.length > 0 ? lawViewOf(report, pair, axes) : null;
       return view ? [[pair, view]] : [];
@@ -72,11 +71,12 @@ function LawLegend({errors, hasLaw}: {errors: ErrorPair; hasLaw: boolean}) {
 /** Where a joint's errors are: each joint's against its angle, its direction, its moment and the load. */
 export function JointsSection({report}: OfReport) {
   const {errors, multiples} = useMemo(() => {
-    const [errors] = errorPairsOf(report),
+    const {pairs, axes} = errorsOf(report),
+      [errors] = pairs,
       rows = new Map(list(report.joints).map(({name, row}) => [name, row ?? ""]));
     const rowOf = (joint: string) => rows.get(joint) ?? "";
     const tested = list(report.tested) as any;
-    return {errors, multiples: multiplesOf({errors, ...errorAxesOf(report, errors), tested, rowOf})};
+    return {errors, multiples: multiplesOf({errors, ...axes, tested, rowOf})};
   }, [report]);
   if (multiples.length === 0) return <Missing what="The errors joint by joint" />;
   return (

@@ -16,13 +16,13 @@ import {Card, Lead, Missing, type OfReport} from "../parts";
 import {type Lines, Pointed} from "../pointed";
 import {lengthText, lengthUnit, type Report} from "../values";
 import {ErrorPlotBox} from "./error_plot_box";
-import {conditionsText, errorAxesOf, errorPairsOf, readingName, rootMeanSquare, sizeOf} from "./pairs";
+import {conditionsText, errorsOf, readingName, rootMeanSquare, sizeOf} from "./pairs";
 
 /** Of the planes, what a page has room for: seen from above and from one side. */
 const VIEWS = PLANES.slice(0, 2);
 
 export function MapsSection({report}: OfReport) {
-  const errors = useMemo(() => errorPairsOf(report)[0], [report]);
+  const [errors] = errorsOf(report).pairs;
   if (!errors.places.some((place) => place !== null)) return <Missing what="The errors at the readings" />;
   const rows = VIEWS.map((view) => errors.series.map((_, k) => ({view, k})));
   return (
@@ -93,8 +93,9 @@ const DRAWN = ["joint", "load", "temperature", "time", "sense"];
 export function ChartsSection({report}: OfReport) {
   const part = useSignal("size");
   const {errors, variables, parts} = useMemo(() => {
-    const [errors] = errorPairsOf(report),
-      {variables, parts} = errorAxesOf(report, errors);
+    const {pairs, axes} = errorsOf(report),
+      [errors] = pairs,
+      {variables, parts} = axes;
     const drawn = variables.filter(({kind}) => DRAWN.includes(kind));
     const rank = ({kind}: {kind: string}) => Number(kind === "sense");
     return {errors, variables: drawn.sort((a, b) => rank(a) - rank(b)), parts: parts.slice(0, 4)};

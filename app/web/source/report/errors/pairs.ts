@@ -26,8 +26,26 @@ export function reportExplanations(report: Report): (Pick<Explanation, "effects"
   } as Parameters<typeof explanationsOf>[0]) as Explanation[];
 }
 
-/** The errors before and after: of each explanation that is left, best first; of a comparison those of its refit. */
-export function errorPairsOf(report: Report): ErrorPair[] {
+interface ErrorsOfReport {
+  /** The errors before and after: of each explanation that is left, best first; of a comparison those of its refit. */
+  pairs: ErrorPair[];
+  /** What they can be drawn against, and as which parts. */
+  axes: ReturnType<typeof errorAxesOf>;
+}
+
+const known = new WeakMap<Report, ErrorsOfReport>();
+
+/** Made once for all sections. */
+export function errorsOf(report: Report): ErrorsOfReport {
+  const made = known.get(report);
+  if (made) return made;
+  const pairs = errorPairsOf(report),
+    errors = {pairs, axes: errorAxesOf(report, pairs[0])};
+  known.set(report, errors);
+  return errors;
+}
+
+function errorPairsOf(report: Report): ErrorPair[] {
   const readings = list(report.readings).filter((reading) => vector(reading.before)) as any[];
   const joints = list(report.joints) as {name: string}[];
   if (report.page !== "diagnosis") {
@@ -56,8 +74,7 @@ export function errorPairsOf(report: Report): ErrorPair[] {
   );
 }
 
-/** What the errors can be drawn against, and as which parts. */
-export function errorAxesOf(report: Report, {readings, places}: ErrorPair) {
+function errorAxesOf(report: Report, {readings, places}: ErrorPair) {
   const unit = (object(report.units) ?? {}) as any,
     joints = list(report.joints) as {name: string}[];
   return {
