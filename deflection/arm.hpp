@@ -19,6 +19,7 @@
 #include <variant>
 #include <vector>
 
+#include "deflection/conditions.hpp"
 #include "deflection/effects/placed_effect.hpp"
 #include "deflection/scalar.hpp"
 
@@ -169,7 +170,7 @@ struct ArmOf {
   Vector3<S> tool_axis_L = Vector3<S>::UnitZ();  ///< the direction the tool enters a hole, in the last row's frame
   Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();  ///< the tool frame's axes there as drawn: see toolFrame()
   Vector3<S> tool_turn_L = Vector3<S>::Zero();         ///< rotation vector from those to the true ones [rad], there too
-  double reference_temperature = 293.15;               ///< K, where lengths are nominal
+  ConditionValues reference = usualConditions();       ///< under which it is as drawn, and taken where none are stated
   std::vector<EffectOf<S>> effects;                    ///< what the arm does beyond the model above
   std::vector<SideChain<S>> side_chains;               ///< what only weighs
   std::vector<RigidMounting> mountings;                ///< one for each set-up that has rigid rows

@@ -195,7 +195,7 @@ ArmOf<To> castArm(const ArmOf<From>& arm) {
   out.tool_axis_L = castVector<To>(arm.tool_axis_L);
   out.R_LT = arm.R_LT;
   out.tool_turn_L = castVector<To>(arm.tool_turn_L);
-  out.reference_temperature = arm.reference_temperature;
+  out.reference = arm.reference;
   for (const auto& effect : arm.effects) out.effects.push_back(castEffect<To>(effect));
   for (const auto& chain : arm.side_chains) {
     out.side_chains.push_back({chain.row, {}});

@@ -58,7 +58,7 @@ int run(const DiagnoseOptions& options) {
                                    : fmt::format("wrote {}: {} and give it after the readings\n", options.run_sheet,
                                                  fillInText(sheet, input.cell.arm, units)));
   fmt::print("{}", additionCommand(outcome.diagnosis, options.cell, units));
-  for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warningText(warning, units));
+  for (const auto& warning : warningTexts(outcome.warnings, units)) fmt::print("  warning: {}\n", warning);
   return kDone;
 }
 

@@ -76,7 +76,7 @@ int run(const IdentifyOptions& options) {
                identificationText(outcome.fit, outcome.readings, cell.units),
                predictedCentringText(outcome.centring, cell.units), overlapText(outcome.overlaps));
     for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warning);
-    for (const auto& warning : outcome.of_effects) fmt::print("  warning: {}\n", warningText(warning, cell.units));
+    for (const auto& warning : warningTexts(outcome.of_effects, cell.units)) fmt::print("  warning: {}\n", warning);
   }
   return outcome.fit.status == IdentificationStatus::kDone && !outcome.is_base_refused ? kDone : kNegativeAnswer;
 }
@@ -97,7 +97,7 @@ Run configureIdentify(CLI::App& cli) {
       ->check(CLI::IsMember({"none", "huber", "cauchy"}));
   std::vector<std::string> methods;
   for (const auto& method : calibration::leastSquaresMethods()) methods.emplace_back(method.name);
-  cli.add_option("--method", options->request.method, "least-squares method; the last two are for comparison")
+  cli.add_option("--method", options->request.method, "least-squares method")
       ->check(CLI::IsMember(methods))
       ->capture_default_str();
   cli.add_option("--stage", options->request.stages,

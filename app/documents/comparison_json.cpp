@@ -88,29 +88,27 @@ json comparedJointsJson(const Eigen::VectorXd& q, const deflection::Arm& arm, co
 
 json comparedReadingJson(const ComparedReading& compared, const Measurement& reading, const Comparison& result,
                          const Units& units) {
-  json entry = {
-      {"id", reading.id},
-      {"kind", calibration::kindOf(reading).name},
-      {"point", reading.point},
-      {"setup", reading.setup},
-      {"load", finiteJson(reading.load / units.factor(dimension::kForce))},
-      {"joints", comparedJointsJson(reading.q, result.fitted.arm, units)},
-      {"senses", reading.approach_directions},
-      {"temperature",
-       std::isfinite(reading.temperature) ? finiteJson(units.temperatureToFile(reading.temperature)) : json()},
-      {"time", finiteJson(reading.time / units.factor(dimension::kTime))},
-      {"sigma", lengthJson(reading.sigma, units)},
-      {"held_out", compared.is_held_out},
-      {"measured", reading.p_W ? placeJson(*reading.p_W, units) : json()},
-      {"position_before", placeJson(compared.tip_before, units)},
-      {"position_after", placeJson(compared.tip_after, units)},
-      {"error_before", placeJson(compared.error_before, units)},
-      {"error_after", placeJson(compared.error_after, units)},
-      {"size_before", errorSizeJson(reading, compared.error_before, compared.turn_before, units)},
-      {"size_after", errorSizeJson(reading, compared.error_after, compared.turn_after, units)},
-      {"size_unit", errorUnitOf(reading, units).name},
-      {"sigmas_before", finiteJson(compared.sigmas_before)},
-      {"sigmas_after", finiteJson(compared.sigmas_after)}};
+  json entry = {{"id", reading.id},
+                {"kind", calibration::kindOf(reading).name},
+                {"point", reading.point},
+                {"setup", reading.setup},
+                {"load", finiteJson(reading.load / units.factor(dimension::kForce))},
+                {"joints", comparedJointsJson(reading.q, result.fitted.arm, units)},
+                {"senses", reading.approach_directions},
+                {"sigma", lengthJson(reading.sigma, units)},
+                {"held_out", compared.is_held_out},
+                {"measured", reading.p_W ? placeJson(*reading.p_W, units) : json()},
+                {"position_before", placeJson(compared.tip_before, units)},
+                {"position_after", placeJson(compared.tip_after, units)},
+                {"error_before", placeJson(compared.error_before, units)},
+                {"error_after", placeJson(compared.error_after, units)},
+                {"size_before", errorSizeJson(reading, compared.error_before, compared.turn_before, units)},
+                {"size_after", errorSizeJson(reading, compared.error_after, compared.turn_after, units)},
+                {"size_unit", errorUnitOf(reading, units).name},
+                {"sigmas_before", finiteJson(compared.sigmas_before)},
+                {"sigmas_after", finiteJson(compared.sigmas_after)}};
+  for (const auto& kind : deflection::kConditionKinds)
+    entry[kind.name] = finiteJson(units.toFile(reading.conditions[kind.condition], kind.unit));
   addOwnNumbers(reading, units, entry);
   if (reading.wrench) {
     entry["force"] = vectorJson(reading.wrench->force_W, units, dimension::kForce);
@@ -219,7 +217,7 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
   const ErrorUnit unit = errorUnitOf(result, units);
   json report = {{"status", statusName(result.status)},
                  {"reason", result.reason},
-                 {"units", unitsJson(units)},
+                 {"units", readingUnitsJson(units)},
                  {"verdict", nameOf(result.verdict)},
                  {"verdict_words", wordsOf(result.verdict)},
                  {"grounds", result.grounds},

@@ -117,8 +117,7 @@ CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
   if (const YamlNode* place = root.find("at")) design.place = readPlace(*place);
   design.loads = calibration::usualLoads();
   if (!kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles) design.loads = {0};
-  if (kindOf(design.kind).is_displacement && !kindOf(design.kind).is_from_reading)
-    design.loads.erase(design.loads.begin());
+  if (kindOf(design.kind).departure && !kindOf(design.kind).is_from_reading) design.loads.erase(design.loads.begin());
   if (kindOf(design.kind).settle) design.postures_per_point = kPosturesOfSurface;
   design.sigma = is_touch || kindOf(design.kind).settle ? calibration::kTouchSigma : calibration::kPositionSigma;
   if (kindOf(design.kind).counts_steps) design.sigma = calibration::kVisitSigma;

@@ -231,7 +231,7 @@ void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::s
   const Matrix3d by_turn = -deflection::crossMatrix<double>(R * batch.tip(k)) - R * by_gravity * R.transpose();
   Eigen::Matrix<double, 3, 6> place;
   place.leftCols<3>().setIdentity();
-  if (kindOf(readings_[reading]).is_displacement) place.leftCols<3>().setZero();
+  if (isDisplacement(readings_[reading])) place.leftCols<3>().setZero();
   place.rightCols<3>() = by_turn * turns_[base_pose];
   Eigen::Matrix<double, 3, 6> turn = Eigen::Matrix<double, 3, 6>::Zero();
   if (by.by_turn.size()) {

@@ -16,6 +16,11 @@ inline void record(const ToolPose& tool, double scale, const MeasuredValue& nois
   reading.own[0] = scale * value(reading, tool)[0] + noise[0];
 }
 
+inline void state(const KnownPlaces& places, Measurement& reading) {
+  distance::stateAnchor(places, reading);
+  reading.direction_W = places.direction_W;
+}
+
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kAxis,
           .name = "axis",
@@ -26,7 +31,8 @@ inline MeasurementKindRow kind() {
           .value = value,
           .slope = slope,
           .measured = distance::measured,
-          .record = record};
+          .record = record,
+          .state = state};
 }
 
 }  // namespace tubeplan::calibration::axis

@@ -66,6 +66,7 @@ inline MeasurementKindRow kind() {
           .slope = slope,
           .measured = measured,
           .record = recordNothing,
+          .value_columns = jointsAlone,
           .place_numbers = numbersOf,
           .by_place_numbers = byPlaceNumbers,
           .settle = settle,

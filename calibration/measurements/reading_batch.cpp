@@ -31,15 +31,15 @@ bool ReadingBatch::solve(const std::vector<BasePose>& base_poses, const std::vec
   from_.assign(count, -1);
   auto postures = static_cast<Index>(count);
   for (std::size_t k = 0; k < count; ++k)
-    if (kindOf(readings[first + k]).is_displacement) from_[k] = postures++;
+    if (isDisplacement(readings[first + k])) from_[k] = postures++;
   postures_.resize(readings[first].q.size(), postures);
   for (std::size_t k = 0; k < count; ++k) {
     const Measurement& reading = readings[first + k];
     const Vector3d& gravity = gravity_B[static_cast<std::size_t>(base_pose_of[first + k])];
     place(reading, reading.load, gravity, static_cast<Index>(k));
     if (from_[k] < 0) continue;
-    const Measurement* from = referenceOf(reading);
-    place(from ? *from : reading, from ? from->load : 0, gravity, from_[k]);
+    const auto from = departureOf(reading);
+    place(*from->reading, from->is_unloaded ? 0 : from->reading->load, gravity, from_[k]);
   }
   kinematics_.solveWithDerivatives(postures_, variables, tips_);
   return std::all_of(tips_.status.begin(), tips_.status.end(),
@@ -61,7 +61,7 @@ Vector3d ReadingBatch::column(std::size_t k, std::size_t variable) const {
 ToolPose toolOf(const ReadingBatch& batch, std::size_t k, const Eigen::Isometry3d& X_WB, const Measurement& reading) {
   ToolPose tool;
   tool.p_W = X_WB.linear() * batch.tip(k);
-  if (!kindOf(reading).is_displacement) tool.p_W += X_WB.translation();
+  if (!isDisplacement(reading)) tool.p_W += X_WB.translation();
   if (seesTurn(reading)) tool.R_WT = X_WB.linear() * batch.turn(k);
   return tool;
 }

@@ -12,6 +12,8 @@ inline MeasurementKindRow kind() {
   MeasurementKindRow row = coordinates::row(MeasurementKind::kTouch, "touch");
   row.is_touch = row.is_place = row.names_hole = row.is_centring = true;
   row.record = recordNothing;
+  row.value_columns = jointsAlone;
+  row.state = coordinates::statePoint;
   return row;
 }
 

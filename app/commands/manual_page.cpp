@@ -3,7 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "app/cli/command.hpp"
-#include "app/cli/command_words.hpp"
+#include "app/commands/command_words.hpp"
 #include "app/version.hpp"
 
 namespace tubeplan::app {

@@ -1,4 +1,4 @@
-#include "app/cli/command_line.hpp"
+#include "app/commands/command_line.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <map>
 
-#include "app/cli/command.hpp"
+#include "app/commands/command_table.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/origin.hpp"
 #include "app/files/suggestion.hpp"

@@ -4,14 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "benchmarks/thesis_methods.hpp"
 #include "calibration/estimation/scaled_problem.hpp"
 
-namespace tubeplan::calibration {
+namespace tubeplan::benchmarks {
 
 namespace {
 
+using calibration::LeastSquaresProblem, calibration::LeastSquaresResult, calibration::LeastSquaresStatus;
+using calibration::ScaledProblem;
+
 constexpr double kFirstStep = 0.25;  // in units of each variable's scale
 constexpr double kShrink = 0.5;
+constexpr double kLeastStep = 1e-6;
+constexpr int kMostIterations = 10000;
 
 struct TriedPlace {
   Eigen::VectorXd x;
@@ -33,9 +39,8 @@ TriedPlace explore(ScaledProblem& problem, TriedPlace place, double step) {
 }
 
 /// Pattern moves from `base` over `found` onwards until one gains nothing; the last gain.
-TriedPlace followPattern(ScaledProblem& problem, TriedPlace base, TriedPlace found, double step, int max_iterations,
-                         int& iterations) {
-  while (found.chi2 < base.chi2 && iterations < max_iterations) {
+TriedPlace followPattern(ScaledProblem& problem, TriedPlace base, TriedPlace found, double step, int& iterations) {
+  while (found.chi2 < base.chi2 && iterations < kMostIterations) {
     ++iterations;
     TriedPlace ahead{problem.withinBounds(2 * found.x - base.x), 0};
     ahead.chi2 = problem.chi2At(ahead.x);
@@ -47,31 +52,24 @@ TriedPlace followPattern(ScaledProblem& problem, TriedPlace base, TriedPlace fou
 
 }  // namespace
 
-LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
-                                         const IterationObserver& observe) {
+LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem) {
   ScaledProblem scaled(problem);
   TriedPlace base{scaled.start(), 0};
   base.chi2 = scaled.chi2At(base.x);
   if (!std::isfinite(base.chi2)) return scaled.failureAtStart();
   double step = kFirstStep;
   int iterations = 0;
-  const auto report = [&](double length) {
-    if (observe) observe({"hooke-jeeves", iterations, base.chi2, length, 0});
-  };
-  report(0);
-  while (step > stop.tolerance && iterations < stop.max_iterations) {
+  while (step > kLeastStep && iterations < kMostIterations) {
     ++iterations;
-    const Eigen::VectorXd from = base.x;
     const TriedPlace found = explore(scaled, base, step);
     if (found.chi2 < base.chi2)
-      base = followPattern(scaled, base, found, step, stop.max_iterations, iterations);
+      base = followPattern(scaled, base, found, step, iterations);
     else
       step *= kShrink;
-    report((base.x - from).norm());
   }
-  const bool done = step <= stop.tolerance;
+  const bool done = step <= kLeastStep;
   return scaled.resultAt(base.x, base.chi2, done ? LeastSquaresStatus::kConverged : LeastSquaresStatus::kIterationLimit,
                          done ? "the step is within tolerance" : "stopped at the iteration limit", iterations);
 }
 
-}  // namespace tubeplan::calibration
+}  // namespace tubeplan::benchmarks

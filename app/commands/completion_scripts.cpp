@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "app/cli/command_words.hpp"
+#include "app/commands/command_words.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 

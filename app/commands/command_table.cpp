@@ -1,6 +1,31 @@
-#include "app/cli/command.hpp"
+#include "app/commands/command_table.hpp"
 
 namespace tubeplan::app {
+
+// Defined in <name>.cpp.
+Run configureAdd(CLI::App& cli);
+Run configureArm(CLI::App& cli);
+Run configureCalibrate(CLI::App& cli);
+Run configureCampaign(CLI::App& cli);
+Run configureCompare(CLI::App& cli);
+Run configureCompletion(CLI::App& cli);
+Run configureDiagnose(CLI::App& cli);
+Run configureIdentify(CLI::App& cli);
+Run configureImprove(CLI::App& cli);
+Run configureLadder(CLI::App& cli);
+Run configureMan(CLI::App& cli);
+Run configureMap(CLI::App& cli);
+Run configureEffects(CLI::App& cli);
+Run configurePlan(CLI::App& cli);
+Run configurePose(CLI::App& cli);
+Run configureReadings(CLI::App& cli);
+Run configureReport(CLI::App& cli);
+Run configureScore(CLI::App& cli);
+Run configureSimulate(CLI::App& cli);
+Run configureSensitivity(CLI::App& cli);
+Run configureServe(CLI::App& cli);
+Run configureTouches(CLI::App& cli);
+Run configureVerify(CLI::App& cli);
 
 namespace {
 

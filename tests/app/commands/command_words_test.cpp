@@ -1,9 +1,9 @@
 // What shells complete and the manual page says is what the commands take.
-#include "app/cli/command_words.hpp"
+#include "app/commands/command_words.hpp"
 
 #include <algorithm>
 
-#include "app/cli/command.hpp"
+#include "app/commands/command_table.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {

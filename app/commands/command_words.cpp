@@ -1,8 +1,8 @@
-#include "app/cli/command_words.hpp"
+#include "app/commands/command_words.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/command.hpp"
+#include "app/commands/command_table.hpp"
 
 namespace tubeplan::app {
 

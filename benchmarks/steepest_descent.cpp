@@ -5,16 +5,20 @@
 #include <cmath>
 #include <numbers>
 
+#include "benchmarks/thesis_methods.hpp"
 #include "calibration/estimation/scaled_problem.hpp"
 
-namespace tubeplan::calibration {
+namespace tubeplan::benchmarks {
 
 namespace {
 
+using calibration::LeastSquaresProblem, calibration::LeastSquaresResult, calibration::ScaledProblem;
 using Eigen::MatrixXd, Eigen::VectorXd;
 constexpr double kShareOfCauchyStep = 0.8;
 constexpr double kArmijo = 1e-4;
-constexpr int kMaxTrials = 80;              // golden cuts down to 1e-17 of Cauchy's step
+constexpr int kMaxTrials = 80;  // golden cuts down to 1e-17 of Cauchy's step
+constexpr double kLeastGradient = 1e-6;
+constexpr int kMostIterations = 1000;
 constexpr double kHiddenByRounding = 1e-9;  // share of chi2 that rounding in the model may hide
 
 struct SlopedPlace {
@@ -48,23 +52,20 @@ bool searchLine(ScaledProblem& problem, const SlopedPlace& from, const VectorXd&
 
 }  // namespace
 
-LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
-                                             const IterationObserver& observe) {
-  using Status = LeastSquaresStatus;
+LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem) {
+  using Status = calibration::LeastSquaresStatus;
   ScaledProblem scaled(problem);
   SlopedPlace here{scaled.start(), {}, {}};
   if (!scaled.linearizeAt(here.x, here.r, here.jacobian)) return scaled.failureAtStart();
-  double length = 0;
   for (int iterations = 0;; ++iterations) {
-    if (observe) observe({"steepest-descent", iterations, here.chi2(), length, 0});
     const auto stopped = [&](Status status, const char* reason) {
       return scaled.resultAt(here.x, here.chi2(), status, reason, iterations);
     };
     const VectorXd direction = downhill(scaled, here);
-    if (direction.lpNorm<Eigen::Infinity>() <= stop.tolerance)
+    if (direction.lpNorm<Eigen::Infinity>() <= kLeastGradient)
       return stopped(Status::kConverged, "the gradient is within tolerance");
     const double cauchy = direction.squaredNorm() / (here.jacobian * direction).squaredNorm();
-    if (iterations == stop.max_iterations) return stopped(Status::kIterationLimit, "stopped at the iteration limit");
+    if (iterations == kMostIterations) return stopped(Status::kIterationLimit, "stopped at the iteration limit");
     SlopedPlace next;
     if (!searchLine(scaled, here, direction, kShareOfCauchyStep * cauchy, next.x))
       return cauchy * direction.squaredNorm() <= kHiddenByRounding * here.chi2()
@@ -72,9 +73,8 @@ LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem,
                  : stopped(Status::kFailed, "no step lowers the error");
     if (!scaled.linearizeAt(next.x, next.r, next.jacobian))
       return stopped(Status::kFailed, "the model could not be differentiated");
-    length = (next.x - here.x).norm();
     here = next;
   }
 }
 
-}  // namespace tubeplan::calibration
+}  // namespace tubeplan::benchmarks
