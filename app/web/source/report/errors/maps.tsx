@@ -87,8 +87,8 @@ function tellErrors(report: Report, errors: ErrorPair, index: number): Lines {
   ];
 }
 
-/** What errors are drawn against here: what was set or measured, but for the places, which have maps of their own. */
-const DRAWN = ["joint", "load", "temperature", "time", "sense"];
+/** What errors are not drawn against here: the places, which have maps of their own, and what was not set or measured. */
+const NOT_DRAWN = ["position", "moment", "set-up", "point", "order"];
 
 export function ChartsSection({report}: OfReport) {
   const part = useSignal("size");
@@ -96,7 +96,7 @@ export function ChartsSection({report}: OfReport) {
     const {pairs, axes} = errorsOf(report),
       [errors] = pairs,
       {variables, parts} = axes;
-    const drawn = variables.filter(({kind}) => DRAWN.includes(kind));
+    const drawn = variables.filter(({kind}) => !NOT_DRAWN.includes(kind));
     const rank = ({kind}: {kind: string}) => Number(kind === "sense");
     return {errors, variables: drawn.sort((a, b) => rank(a) - rank(b)), parts: parts.slice(0, 4)};
   }, [report]);
