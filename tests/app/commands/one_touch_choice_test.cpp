@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "app/files/reading_input.hpp"
 #include "app/files/touch_input.hpp"
 #include "tests/app/program.hpp"
 

@@ -35,13 +35,13 @@ const std::string kArm =
     "  - {name: w3, origin: {position: [0, 92.1, 0], rpy: [90, 180, 180]}, joint: {name: q6, type: revolute}}\n"
     "tool: {tip: [0, 0, 100]}  # measured\n";
 
-YamlFile armOf(const std::string& text) { return {"arm.yaml", text, parseYaml(text, "arm.yaml")}; }
+YamlFile calibratedArmOf(const std::string& text) { return {"arm.yaml", text, parseYaml(text, "arm.yaml")}; }
 RobotKinematics kinematicsOf(const std::string& text) { return readRobotKinematics(parseYaml(text, "ur.yaml")); }
 
 TEST(RobotKinematics, replacesTheOriginsAndKeepsTheHalfTurnOfTheBase) {
   const RobotKinematics kinematics = kinematicsOf(kKinematics);
   EXPECT_EQ(kinematics.hash, "calib_1234567890");
-  const std::string text = withRobotKinematics(armOf(kArm), kinematics);
+  const std::string text = withRobotKinematics(calibratedArmOf(kArm), kinematics);
   expectSays(text, "# measured");
   const ArmSource found = readArm(parseYaml(text, "found.yaml"));
   ASSERT_EQ(found.arm.rows.size(), 6u);
@@ -53,7 +53,7 @@ TEST(RobotKinematics, replacesTheOriginsAndKeepsTheHalfTurnOfTheBase) {
     EXPECT_NEAR((origin.rpy - expected.rpy).norm(), 0, 2e-11) << k;  // twelve digits of 180 deg
   }
   const std::string as_root = changed(kArm, "rpy: [0, 0, 180]}, joint: {name: q1", "rpy: [0, 0, 0]}, joint: {name: q1");
-  const ArmSource straight = readArm(parseYaml(withRobotKinematics(armOf(as_root), kinematics), "found.yaml"));
+  const ArmSource straight = readArm(parseYaml(withRobotKinematics(calibratedArmOf(as_root), kinematics), "found.yaml"));
   EXPECT_NEAR(std::get<deflection::Origin<double>>(straight.arm.rows[0].placement).rpy.z(), -1.5e-5, 1e-15);
 }
 
@@ -73,7 +73,7 @@ TEST(RobotKinematics, ofAnArmAreThoseThatItWasGivenWhicheverWayItsBaseStands) {
   for (const char* yaw : {"180", "0"}) {
     const std::string arm = changed(kArm, "rpy: [0, 0, 180]}, joint: {name: q1",
                                     std::string("rpy: [0, 0, ") + yaw + "]}, joint: {name: q1");
-    const ArmSource calibrated = readArm(parseYaml(withRobotKinematics(armOf(arm), given), "found.yaml"));
+    const ArmSource calibrated = readArm(parseYaml(withRobotKinematics(calibratedArmOf(arm), given), "found.yaml"));
     const RobotKinematics again = robotKinematicsOf(calibrated.arm, "found.yaml");
     for (std::size_t k = 0; k < 6; ++k) {
       EXPECT_NEAR((again.origins[k].position - given.origins[k].position).norm(), 0, 1e-12) << yaw << k;
@@ -138,10 +138,10 @@ TEST(RobotKinematics, anArmThatItIsNotOfIsRefused) {
   };
   for (const auto& [from, to, says] : kWrong)
     expectSays(
-        messageOf([&, &f = from, &t = to] { (void)withRobotKinematics(armOf(changed(kArm, f, t)), kinematics); }),
+        messageOf([&, &f = from, &t = to] { (void)withRobotKinematics(calibratedArmOf(changed(kArm, f, t)), kinematics); }),
         says);
   const std::string two = changed(changed(kArm, "-213, 0, 131.05", "-392, 0, 109"), "-243.65, 0", "-425, 0");
-  expectSays(messageOf([&] { (void)withRobotKinematics(armOf(two), kinematics); }), "'f'");
+  expectSays(messageOf([&] { (void)withRobotKinematics(calibratedArmOf(two), kinematics); }), "'f'");
 }
 
 TEST(ArmText, showsOriginsAsTheFileHasThem) {
