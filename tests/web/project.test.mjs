@@ -207,11 +207,11 @@ describe("the report of a project", () => {
     assert.equal(readFileSync(pdf).subarray(0, 5).toString(), "%PDF-");
     const tab = await openTab(browser, `file://${path.join(made.folder, "reported.html")}`);
     assert.deepEqual(await tab.locator("h2").allInnerTexts(), [
-      "1The error of each model",
-      "2How the models came about",
-      "3Numbers of the current model",
-      "4Contents",
-      "5Reproducing the figures",
+      "1 The error of each model",
+      "2 How the models came about",
+      "3 Numbers of the current model",
+      "4 Contents",
+      "5 Reproducing the figures",
     ]);
     assert.equal(await tab.locator(".missing").count(), 0);
     assert.match(await tab.innerText("footer"), /commit/);
