@@ -5,8 +5,8 @@ export TUBEPLAN_CELLS="${web%/web}/cells" TUBEPLAN_PAGES="${web%/web}"
 skip() { echo "skipped: $1"; exit 77; }
 command -v npm > /dev/null || skip "npm is not installed (apt-get install npm)"
 if [ -d "${TUBEPLAN_WEB:-none}/node_modules/vitest" ]; then
-  rm -rf "$TUBEPLAN_WEB/tests" "$TUBEPLAN_WEB/../drawing" "$TUBEPLAN_WEB/../report" && cp -r "$web/tests" "$TUBEPLAN_WEB/" &&
-    cp -r "$web/../drawing" "$web/../report" "$TUBEPLAN_WEB/../" || exit 1
+  rm -rf "$TUBEPLAN_WEB/tests" "$TUBEPLAN_WEB/../drawing" && cp -r "$web/tests" "$TUBEPLAN_WEB/" &&
+    cp -r "$web/../drawing" "$TUBEPLAN_WEB/../" || exit 1
   web=$TUBEPLAN_WEB
 fi
 cd "$web" || exit 1

@@ -1,14 +1,10 @@
 // Tools of one to eight steps: what page and report count, name and mark is what the document says.
-import path from "node:path";
 import {describe, expect, it} from "vitest";
 import {stepCountOf, stepKinds, stepsAtError, stepText} from "../../drawing/steps.js";
+import {chancesOf, countsOf, predictedMode, scoredModes, wholeToolText} from "../source/report/plan/cases";
 import type {PlanDocument, PlannedTube} from "../source/server/documents";
 import {bySteps} from "../source/sheet/colourings";
 import type {SheetModel} from "../source/sheet/sheet_model";
-
-const {chancesOf, countsOf, predictedCase, scoredCase, wholeToolText} = await import(
-  /* @vite-ignore */ path.resolve(__dirname, "../../report/cases.js")
-);
 
 const TOOLS = [1, 2, 3, 4, 5, 6, 7, 8];
 
@@ -43,6 +39,7 @@ function planOf(n: number): PlanDocument {
 const reported = (plan: PlanDocument) => ({
   ...plan,
   tubes: plan.tubes.map((tube) => ({...tube, ...tube.scored})),
+  modes: [{name: "none"}, {name: "via_point"}],
   steps: plan.counts!.none.slice(1).map((_, k) => ({diameter: 0.1 * (k + 1), tolerance: 1 / (k + 1)})),
 });
 
@@ -87,9 +84,12 @@ describe.each(TOOLS)("a tool of %i steps", (n) => {
       expect(countsOf(document, mode)).toEqual(plan.counts![mode]);
       expect(countsOf({...document, counts: null}, mode)).toEqual(plan.counts![mode]);
     }
+    const modes = scoredModes(document);
+    expect(modes.map(({key}) => key)).toEqual(["none", "via_point"]);
     document.tubes.forEach((tube, i) => {
-      expect(scoredCase(tube, "via_point", document.steps)).toBe(plan.tubes[i].scored!.via_point!.steps);
-      expect(predictedCase(tube, document)).toBe(plan.tubes[i].steps);
+      for (const {key, caseOf} of modes)
+        expect(caseOf(tube)).toBe(plan.tubes[i].scored![key as "none" | "via_point"]!.steps);
+      expect(predictedMode(document).caseOf(tube)).toBe(plan.tubes[i].steps);
       expect(chancesOf(tube, document)).toEqual(plan.tubes[i].probability_by_steps);
     });
     expect(wholeToolText(document)).toContain(`${n} of ${n} in ${n + 1} of ${plan.tubes.length} tubes`);
