@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/cli/command.hpp"
-#include "app/cli/command_line.hpp"
+#include "app/commands/command_line.hpp"
 #include "app/cli/stop_signal.hpp"
 #include "app/files/input_error.hpp"
 #include "app/studies/job_steps.hpp"

@@ -61,7 +61,7 @@ const Bench& bench() {
   return made;
 }
 
-/// What CollisionWorld::closest answers, every solid pair asked of the library.
+/// The least margin, every solid pair asked of the library.
 double marginByLibrary(const Scene& scene, const std::vector<Isometry3d>& X_WL) {
   double least = std::numeric_limits<double>::infinity();
   const auto solidOf = [](const ShapePointer& shape) { return dynamic_cast<const Solid*>(shape.get()); };
@@ -92,24 +92,25 @@ void shape(benchmark::State& state) {
     benchmark::DoNotOptimize(bodyFrames(bench().cell, bench().moves[k++ % bench().moves.size()].from, nullptr));
 }
 
-template <class MarginOf>
-void distances(benchmark::State& state, const MarginOf& margin_of) {
+void distancesByLibrary(benchmark::State& state) {
   std::vector<std::vector<Isometry3d>> frames;
   for (const Move& move : bench().moves) frames.push_back(bodyFrames(bench().cell, move.from, nullptr));
   std::size_t k = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(margin_of(frames[k++ % frames.size()]));
+  for (auto _ : state) benchmark::DoNotOptimize(marginByLibrary(bench().cell.scene, frames[k++ % frames.size()]));
 }
 
-/// The same postures, so many side by side, each for itself.
-void distancesSideBySide(benchmark::State& state, const NearestPairs& pairs) {
+/// The same postures, one at a time or as many as there are lanes, each for itself.
+void distances(benchmark::State& state, bool side_by_side) {
+  static const NearestPairs pairs(bench().cell.scene);
   const PostureColumns q = bench().standoffs();
   deflection::RowPlacing placing(bench().cell.arm, bench().cell.load, bench().cell.X_WB);
+  const int at_once = side_by_side ? placing.lanes() : 1;
   std::vector<deflection::PlacedRows> blocks;
-  for (Eigen::Index first = 0; first + placing.lanes() <= q.cols(); first += placing.lanes())
-    blocks.push_back(placing.place(q, first));
-  std::vector<NearestPair> found(static_cast<std::size_t>(placing.lanes()));
+  for (Eigen::Index first = 0; first + at_once <= q.cols(); first += at_once)
+    blocks.push_back(side_by_side ? placing.place(q, first) : placing.place(q.col(first)));
+  std::vector<NearestPair> found(static_cast<std::size_t>(at_once));
   std::size_t k = 0;
-  while (state.KeepRunningBatch(placing.lanes())) {
+  while (state.KeepRunningBatch(at_once)) {
     pairs.find(blocks[k++ % blocks.size()], found);
     benchmark::DoNotOptimize(found.data());
   }
@@ -152,46 +153,26 @@ void proveMoves(benchmark::State& state, const PostureClearance& clearance_of) {
 }
 
 void registerAll() {
-  static const CollisionWorld world(bench().cell.scene);
-  const auto own = [](const auto& frames) { return world.closest(frames).margin; };
-  const auto library = [](const auto& frames) { return marginByLibrary(bench().cell.scene, frames); };
   const auto us = benchmark::kMicrosecond;
   benchmark::RegisterBenchmark("posture/shape", shape)->Unit(us);
-  benchmark::RegisterBenchmark("posture/distances", [=](benchmark::State& s) { distances(s, own); })->Unit(us);
-  static const NearestPairs pairs(bench().cell.scene);
-  benchmark::RegisterBenchmark("posture/distances/side by side", [](benchmark::State& s) {
-    distancesSideBySide(s, pairs);
-  })->Unit(us);
-  benchmark::RegisterBenchmark("posture/distances/fcl", [=](benchmark::State& s) { distances(s, library); })->Unit(us);
+  benchmark::RegisterBenchmark("posture/distances", distances, false)->Unit(us);
+  benchmark::RegisterBenchmark("posture/distances/side by side", distances, true)->Unit(us);
+  benchmark::RegisterBenchmark("posture/distances/fcl", distancesByLibrary)->Unit(us);
   const auto at = [](const VectorXd& q) { return bench().clearance.at(q, ContactRule::kApproach); };
-  const auto atByLibrary = [library](const VectorXd& q) {
+  const auto atByLibrary = [](const VectorXd& q) {
     double bow = 0;
     const auto frames = bodyFrames(bench().cell, q, &bow);
     Clearance clearance;
-    clearance.margin = library(frames) - bow;
+    clearance.margin = marginByLibrary(bench().cell.scene, frames) - bow;
     clearance.distance = clearance.margin + bench().cell.scene.clearance;
-    return clearance;
-  };
-  const auto byScalar = [](const VectorXd& q) {
-    static deflection::PreparedArm arm(bench().cell.arm);
-    static const Eigen::Vector3d gravity_B = deflection::gravityInBase(bench().cell.arm, bench().cell.X_WB);
-    arm.solve({q, bench().cell.load, gravity_B});
-    double bow = 0;
-    Clearance clearance =
-        world.closest(deflection::framesAlongChords(bench().cell.arm, bench().cell.X_WB, arm.shape(), &bow));
-    clearance.margin -= bow;
     return clearance;
   };
   benchmark::RegisterBenchmark("posture", [=](benchmark::State& s) { postures(s, at); })->Unit(us);
   benchmark::RegisterBenchmark("posture/side by side", posturesSideBySide)->Unit(us);
-  benchmark::RegisterBenchmark("posture/scalar", [=](benchmark::State& s) { postures(s, byScalar); })->Unit(us);
   benchmark::RegisterBenchmark("posture/fcl", [=](benchmark::State& s) { postures(s, atByLibrary); })->Unit(us);
   static const PostureClearance together = sideBySide(bench().clearance, ContactRule::kApproach, 0);
   benchmark::RegisterBenchmark("neighbour move", [=](benchmark::State& s) { proveMoves(s, together); })->Unit(us);
   benchmark::RegisterBenchmark("neighbour move/one by one", [=](benchmark::State& s) { proveMoves(s, at); })->Unit(us);
-  benchmark::RegisterBenchmark("neighbour move/scalar", [=](benchmark::State& s) {
-    proveMoves(s, byScalar);
-  })->Unit(us);
   benchmark::RegisterBenchmark("neighbour move/fcl", [=](benchmark::State& s) {
     proveMoves(s, atByLibrary);
   })->Unit(us);

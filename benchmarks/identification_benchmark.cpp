@@ -8,6 +8,7 @@
 #include "benchmarks/ceres_solver.hpp"
 #include "benchmarks/run_benchmarks.hpp"
 #include "benchmarks/thesis_campaign.hpp"
+#include "benchmarks/thesis_methods.hpp"
 
 namespace tubeplan::benchmarks {
 namespace {
@@ -74,6 +75,8 @@ void registerCampaign(const std::string& name, MakeCampaign make) {
     };
     add(name + "/" + std::string(kind.name), minimize, make, Minimize(by));
   }
+  add(name + "/hooke-jeeves", minimize, make, Minimize(minimizeByHookeJeeves));
+  add(name + "/steepest-descent", minimize, make, Minimize(minimizeBySteepestDescent));
   add(name + "/ceres", minimize, make, Minimize(minimizeByCeres));
 }
 

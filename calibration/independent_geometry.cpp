@@ -21,6 +21,8 @@ constexpr int kPostures = 12;
 constexpr double kNothingNew = 1e-6;  // of a column's length, beyond those taken
 constexpr double kNearlyAsNew = 0.3;  // of the newest: the first in order is taken among such
 constexpr std::uint64_t kPosturesSeed = 7;
+constexpr int kRanks = 5;
+constexpr std::string_view kShiftAlongY = ".dh.b";
 
 bool isToolTurn(const std::string& name) { return name.starts_with("tool.turn."); }
 
@@ -93,6 +95,7 @@ std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   if (isToolTurn(number.name) && !placed.shows_tool_turn) return std::nullopt;
   if (number.path.row < 0) return 1;
   if (number.name.ends_with(".joint.offset")) return 0;
+  if (number.name.ends_with(kShiftAlongY)) return kRanks - 1;
   return moves(placed.arm.rows[static_cast<std::size_t>(number.path.row)].joint) ? 2 : 3;
 }
 
@@ -165,7 +168,7 @@ std::vector<IndependentNumber> independentGeometry(const PlacedArm& placed, cons
   };
   if (placesEveryBase(placed, free))
     for (Index step = 0; step < 6; ++step) takeFree(static_cast<Index>(numbers.size()) + step);
-  std::vector<std::vector<Index>> ranks(4);
+  std::vector<std::vector<Index>> ranks(kRanks);
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const auto isIt = [&](const Unknown& unknown) { return unknown.name == numbers[k].name; };
     if (std::ranges::any_of(free, isIt))

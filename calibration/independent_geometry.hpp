@@ -25,10 +25,11 @@ struct IndependentNumber {
 /// (Everett 1987); however the rows are written, and whatever readings there are. But where the tool's turn reaches no
 /// reading (`placed.shows_tool_turn`), the tool's three are those of the tip.
 ///
-/// Joint zeros come first, then the tip, then rows that move, then others. Of equals the first in file order is taken;
-/// a number that the ones before nearly replace waits for what they do not, so that of nearly parallel axes beta is
-/// taken and d is not (Hayati and Mirmirani 1985). What is not taken may be off its drawing all the same, by
-/// `placed.priors`: the numbers taken have its part besides their own.
+/// Joint zeros come first, then the tip, then rows that move, then others, and last the first row's b, which only
+/// beside a known base says anything new. Of equals the first in file order is taken; a number that the ones before
+/// nearly replace waits for what they do not, so that of nearly parallel axes beta is taken and d is not (Hayati and
+/// Mirmirani 1985). What is not taken may be off its drawing all the same, by `placed.priors`: the numbers taken have
+/// its part besides their own.
 [[nodiscard]] std::vector<IndependentNumber> independentGeometry(const PlacedArm& placed,
                                                                  const std::vector<Unknown>& free);
 

@@ -9,7 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "deflection/conditions.hpp"
+
 namespace tubeplan::calibration {
+
+using deflection::Condition;
 
 /// Rows of the table in measurements/measurement_kinds.hpp, which says what each measures.
 enum class MeasurementKind {
@@ -69,10 +73,9 @@ struct Measurement {
   std::optional<Eigen::Vector3d> correlation_W;  ///< of x with y, x with z, y with z; only beside sigma_W. None: no two
                                                  ///< of them have errors in common
   std::vector<int> approach_directions;  ///< of each joint's last motion: -1, 0 (not known), +1; empty where not stated
-  double temperature = std::numeric_limits<double>::quiet_NaN();  ///< K; NaN = not stated
-  double time = std::numeric_limits<double>::quiet_NaN();         ///< s; NaN = not stated
-  bool is_held_out = false;                                       ///< kept from the fit, to judge it by
-  int line = 0;                                                   ///< in its file, from 1
+  deflection::ConditionValues conditions;  ///< that it states
+  bool is_held_out = false;                ///< kept from the fit, to judge it by
+  int line = 0;                            ///< in its file, from 1
 };
 
 /// Without those at these places, which ascend.

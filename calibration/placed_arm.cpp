@@ -164,10 +164,14 @@ int basePoseOf(const PlacedArm& placed, const Measurement& reading) {
 
 std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name) {
   const bool is_part = name.find('.') != std::string::npos;
+  // Without a base that is known, the base's pose does what the first axis's shift does.
+  const auto isPartOf = [&](const Parameter& parameter) {
+    return is_part && parameter.name.starts_with(name + ".") &&
+           !(parameter.name.ends_with(".dh.b") && parameter.value == 0);
+  };
   std::vector<std::string> names;
   for (const auto& parameter : deflection::parametersOf(arm))
-    if ((name == "geometry" ? isGeometry(parameter.name) : is_part && parameter.name.starts_with(name + ".")) &&
-        !isReplaced(parameter, arm))
+    if ((name == "geometry" ? isGeometry(parameter.name) : isPartOf(parameter)) && !isReplaced(parameter, arm))
       names.push_back(parameter.name);
   return names.empty() && name != "geometry" ? std::vector<std::string>{name} : names;
 }

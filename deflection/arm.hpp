@@ -19,6 +19,7 @@
 #include <variant>
 #include <vector>
 
+#include "deflection/conditions.hpp"
 #include "deflection/effects/placed_effect.hpp"
 #include "deflection/scalar.hpp"
 
@@ -26,11 +27,13 @@ namespace tubeplan::deflection {
 
 inline constexpr double kRigid = std::numeric_limits<double>::infinity();
 
-/// Modified (Craig) Denavit-Hartenberg numbers with Hayati's lean: RotX(alpha) TransX(a) RotY(beta) RotZ(theta)
-/// TransZ(d). rad, m. Of an axis that is all but parallel to the one before it, beta is determined and d is not.
+/// Modified (Craig) Denavit-Hartenberg numbers with Hayati's lean and a shift: RotX(alpha) TransX(a) TransY(b)
+/// RotY(beta) RotZ(theta) TransZ(d). rad, m. Of an axis that is all but parallel to the one before it, beta is
+/// determined and d is not. The first row needs b for its axis to be anywhere beside a base that is known; in others
+/// the joint before and d do what b does.
 template <class S>
 struct DenavitHartenberg {
-  S alpha{0}, a{0}, d{0}, theta{0}, beta{0};
+  S alpha{0}, a{0}, d{0}, theta{0}, beta{0}, b{0};
 };
 
 /// A row placed as URDF does: translation [m], then fixed-axis roll, pitch, yaw [rad], then the lean beta [rad] about
@@ -169,7 +172,7 @@ struct ArmOf {
   Vector3<S> tool_axis_L = Vector3<S>::UnitZ();  ///< the direction the tool enters a hole, in the last row's frame
   Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();  ///< the tool frame's axes there as drawn: see toolFrame()
   Vector3<S> tool_turn_L = Vector3<S>::Zero();         ///< rotation vector from those to the true ones [rad], there too
-  double reference_temperature = 293.15;               ///< K, where lengths are nominal
+  ConditionValues reference = usualConditions();       ///< under which it is as drawn, and taken where none are stated
   std::vector<EffectOf<S>> effects;                    ///< what the arm does beyond the model above
   std::vector<SideChain<S>> side_chains;               ///< what only weighs
   std::vector<RigidMounting> mountings;                ///< one for each set-up that has rigid rows

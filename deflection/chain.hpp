@@ -50,10 +50,12 @@ Matrix3<S> leaned(const Matrix3<S>& R, const S& beta) {
 /// Translation from a row's origin to the next row's (its bearing, when that one slides), in the row's axes.
 template <class S>
 Vector3<S> offsetInPreviousAxes(const Row<S>& row) {
-  if (const auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement))
-    return Vector3<S>::UnitX() * dh->a +
-           leaned<S>(rotationX<S>(dh->alpha), dh->beta) * Vector3<S>(Vector3<S>::UnitZ() * dh->d);
-  return std::get<Origin<S>>(row.placement).position;
+  const auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement);
+  if (!dh) return std::get<Origin<S>>(row.placement).position;
+  const Matrix3<S> turn = rotationX<S>(dh->alpha);
+  const Vector3<S> offset =
+      Vector3<S>::UnitX() * dh->a + leaned<S>(turn, dh->beta) * Vector3<S>(Vector3<S>::UnitZ() * dh->d);
+  return isConstantZero(dh->b) ? offset : Vector3<S>(offset + turn * Vector3<S>(Vector3<S>::UnitY() * dh->b));
 }
 
 /// Rotation of a row against the one before, its joint at zero; the joint turns about the z axis that this leads to.

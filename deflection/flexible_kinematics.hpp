@@ -46,9 +46,9 @@ struct PostureOf {
       {};  ///< readings of the side chains' joints (side_chains.hpp); empty where not known: see restOfSideChains()
   std::vector<int> approach_directions =
       {};  ///< of each joint's last motion, -1, 0 or +1; empty where not known, as if all were 0
-  double temperature = std::numeric_limits<double>::quiet_NaN();  ///< K; NaN: the arm's reference temperature
-  double time = std::numeric_limits<double>::quiet_NaN();         ///< s; NaN: now, after any slip and without drift
-  std::string_view setup = {};  ///< of the base; what it views must outlive the posture
+  ConditionValues conditions = {};  ///< not stated: as the arm's reference; no time: now, after any slip and
+                                    ///< without drift
+  std::string_view setup = {};      ///< of the base; what it views must outlive the posture
 };
 using Posture = PostureOf<double>;
 

@@ -152,6 +152,7 @@ void appendRowParameters(Arm& arm, int side_chain, int index, std::vector<Parame
   Row<double>& row = rowsOf(arm, side_chain)[index];
   for (int f = 0; f < static_cast<int>(fields.size()); ++f) {
     if (fields[f].of_tool || rowInFile(row, fields[f].name).empty()) continue;
+    if (fields[f].name == kShiftOfFirstAxis && (index > 0 || side_chain >= 0)) continue;
     const int lumps = static_cast<int>(row.weight.lumps.size());
     for (int lump = fields[f].of_lump ? 0 : -1; lump < (fields[f].of_lump ? lumps : 0); ++lump) {
       const double* number = findNumber(row, fields[f], lump);
@@ -195,7 +196,7 @@ ArmOf<To> castArm(const ArmOf<From>& arm) {
   out.tool_axis_L = castVector<To>(arm.tool_axis_L);
   out.R_LT = arm.R_LT;
   out.tool_turn_L = castVector<To>(arm.tool_turn_L);
-  out.reference_temperature = arm.reference_temperature;
+  out.reference = arm.reference;
   for (const auto& effect : arm.effects) out.effects.push_back(castEffect<To>(effect));
   for (const auto& chain : arm.side_chains) {
     out.side_chains.push_back({chain.row, {}});

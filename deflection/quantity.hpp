@@ -18,6 +18,13 @@ enum class Quantity {
   kPerTemperature,       ///< 1/K
   kSpeed,                ///< m/s
   kTime,
+  kTemperature,  ///< absolute
+};
+
+/// What values are measured in: a quantity, which every file has a unit of, or a unit of their own that none chooses.
+struct ValueUnit {
+  Quantity quantity = Quantity::kNone;
+  const char* own = "";  ///< of plain numbers: "percent"
 };
 
 /// E, G, I, J and joint stiffnesses: what a part's compliance is the inverse of.

@@ -165,7 +165,7 @@ ConvertedArm modifiedRows(const Arm& arm, const ConversionOptions& options) {
   return converted;
 }
 
-bool leadsAnywhere(const CraigNumbers& dh) { return dh.alpha != 0 || dh.a != 0 || dh.beta != 0; }
+bool leadsAnywhere(const CraigNumbers& dh) { return dh.alpha != 0 || dh.a != 0 || dh.beta != 0 || dh.b != 0; }
 
 /// Craig's rows as they stand in a file of the standard convention.
 void nameAsStandard(Arm& arm) {

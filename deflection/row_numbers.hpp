@@ -36,9 +36,12 @@ inline std::string_view keyIn(std::string_view map, const RowNumber& about) {
   return is_there ? name.substr(map.size() + 1) : std::string_view();
 }
 
+/// Of a row's numbers the one that only an arm's first row can have freed: in others it moves nothing of its own.
+inline constexpr std::string_view kShiftOfFirstAxis = "dh.b";
+
 /// Whether a number, by its name within the row, leads to the row's axis, before what its joint moves.
 inline bool leadsToAxis(std::string_view number) {
-  return number == "dh.alpha" || number == "dh.a" || number == "dh.beta";
+  return number == "dh.alpha" || number == "dh.a" || number == "dh.beta" || number == kShiftOfFirstAxis;
 }
 
 /// The name of the row that has a number of this one in its file and in fits; empty where none has.
@@ -90,7 +93,10 @@ void visitPlacements(Visit&& visit, R& row, Rest&... rest) {
     RowNumber theta = named(angle, "dh.theta");
     theta.is_parameter = !turns(row.joint);
     visit(theta, dh->theta, dhOf(rest)->theta...);
-    return visit(named(lean, "dh.beta"), dh->beta, dhOf(rest)->beta...);
+    visit(named(lean, "dh.beta"), dh->beta, dhOf(rest)->beta...);
+    RowNumber shift = named(length, "dh.b");
+    shift.left_out = 0;
+    return visit(shift, dh->b, dhOf(rest)->b...);
   }
   visitVectors(length, {"origin.position.x", "origin.position.y", "origin.position.z"}, visit, originOf(row)->position,
                originOf(rest)->position...);

@@ -220,9 +220,8 @@ void TipDifferentiation::castPosture(const Posture& posture) {
   if (posture.wrench)
     dual_posture_.wrench = WrenchOf<Dual>{posture.wrench->force_B.cast<Dual>(), posture.wrench->moment_B.cast<Dual>()};
   dual_posture_.approach_directions = posture.approach_directions;
-  dual_posture_.temperature = posture.temperature;
   dual_posture_.setup = posture.setup;
-  dual_posture_.time = posture.time;
+  dual_posture_.conditions = posture.conditions;
 }
 
 /// Makes room for the columns of a shape that was solved; they are not numbers where it does not converge.

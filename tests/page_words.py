@@ -1,4 +1,5 @@
 """No page names an effect: names, words and what their laws hang on come with the documents, from deflection/effects.
+None makes markup of text either: what a file says stays text.
 python3 tests/page_words.py [TREE]"""
 import pathlib
 import re
@@ -13,13 +14,16 @@ names = {name for header in headers for name in re.findall(r'\.name = "([a-z-]+)
 if len(names) < 25:
     sys.exit(f'only {len(names)} effects were found in deflection/effects: is their form another one now?')
 named = re.compile(r'(?<![\w-])(' + '|'.join(sorted(names)) + r')(?![\w-])')
+markup = re.compile(r'innerHTML|outerHTML|insertAdjacentHTML|dangerouslySetInnerHTML|document\.write')
 found = []
-for folder in ('app/drawing', 'app/report', 'app/web/source'):
+for folder in ('app/drawing', 'app/web/source'):
     for file in sorted((tree / folder).rglob('*')):
         if file.suffix not in ('.js', '.ts', '.tsx'):
             continue
         for number, line in enumerate(file.read_text().splitlines(), 1):
             for name in named.findall(line):
                 found.append(f'{file.relative_to(tree)}:{number}: names the effect {name}')
-print('\n'.join(found) or f'{len(names)} effects, and no page names one')
+            if markup.search(line):
+                found.append(f'{file.relative_to(tree)}:{number}: makes markup of text')
+print('\n'.join(found) or f'{len(names)} effects, and no page names one or makes markup of text')
 sys.exit(bool(found))

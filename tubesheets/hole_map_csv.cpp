@@ -11,65 +11,55 @@ namespace tubeplan::tubesheets {
 namespace {
 
 // Reads rows into a map, stopping at the first fault.
-class Reader {
+class MapReader {
  public:
-  explicit Reader(std::string_view text) {
+  explicit MapReader(std::string_view text) {
     map_.text = text;
     map_.table = parseTubeTable(text);
   }
 
   HoleMap read() {
-    map_.problem = map_.table.problem;
+    map_.refuse(map_.table.problem);
     requirePlaces();
-    for (const CsvRow& row : map_.table.text.rows) {
-      if (map_.problem) break;
-      readRow(row);
-    }
-    if (!map_.problem && map_.tubes.empty())
-      refuse(Problem{"text", "no holes", "at least one line below the header", "", map_.table.text.heading_line});
-    map_.status = map_.problem ? HoleMapStatus::kRefused : HoleMapStatus::kRead;
+    map_.readRows("holes", [this](const CsvRow& row) { readRow(row); });
     if (map_.problem) map_.tubes.clear();
-    for (std::string& note : std::vector{map_.table.unreadText(), unknownCodesText(unknown_)})
-      if (!map_.problem && !note.empty()) map_.notes.push_back(std::move(note));
+    map_.addNotes({unknownCodesText(unknown_)});
     return std::move(map_);
   }
 
  private:
-  void refuse(const std::optional<Problem>& problem) {
-    if (!map_.problem) map_.problem = problem;
-  }
-
   void requirePlaces() {
     for (const auto& [axis, name, unit] :
          {std::tuple{TubeColumn::kX, 'x', map_.table.unit_x}, std::tuple{TubeColumn::kY, 'y', map_.table.unit_y}})
       if (!unit)
-        refuse(Problem{"header", fmt::format("no {} for {}", map_.table.has(axis) ? "unit" : "column", name),
-                       fmt::format("{0}_in, {0}_mm or {0}_m", name), "name the unit in the column's name",
-                       map_.table.text.heading_line});
+        map_.refuse(Problem{"header", fmt::format("no {} for {}", map_.table.has(axis) ? "unit" : "column", name),
+                            fmt::format("{0}_in, {0}_mm or {0}_m", name), "name the unit in the column's name",
+                            map_.table.text.heading_line});
   }
 
   void readRow(const CsvRow& row) {
     const NamedTube named = tubeOf(map_.table, row);
-    refuse(named.problem);
+    map_.refuse(named.problem);
     Tube tube{named.tube.row, named.tube.column};
     tube.x = readPlace(row, TubeColumn::kX);
     tube.y = readPlace(row, TubeColumn::kY);
     const ReadCodes codes = codesOf(map_.table, row);
-    refuse(codes.problem);
+    map_.refuse(codes.problem);
     tube.state = codes.state.value_or(TubeState::kOpen);
     for (const std::string& code : codes.unknown) ++unknown_[code];
     readLeg(row);
     const auto [first, is_new] = lines_.try_emplace({tube.row, tube.column}, row.line);
     if (!is_new)
-      refuse(Problem{tubeName(tube.row, tube.column), fmt::format("a second time (first on line {})", first->second),
-                     "every tube once", "remove one of the lines", row.line});
+      map_.refuse(Problem{tubeName(tube.row, tube.column),
+                          fmt::format("a second time (first on line {})", first->second), "every tube once",
+                          "remove one of the lines", row.line});
     map_.tubes.push_back(tube);
   }
 
   double readPlace(const CsvRow& row, TubeColumn axis) {
     const ReadLength length = lengthOf(map_.table, row, axis);
-    refuse(length.problem);
-    if (!length.metres) refuse(Problem{map_.table.nameOf(axis), "\"\"", "a finite number", "", row.line});
+    map_.refuse(length.problem);
+    if (!length.metres) map_.refuse(Problem{map_.table.nameOf(axis), "\"\"", "a finite number", "", row.line});
     return snapLength(length.metres.value_or(0));
   }
 
@@ -77,10 +67,11 @@ class Reader {
     if (!map_.table.has(TubeColumn::kLeg)) return;
     const std::string field = map_.table.field(row, TubeColumn::kLeg);
     const auto leg = findLeg(field);
-    if (!leg) refuse(Problem{"leg", "\"" + field + "\"", "one of " + legNames(), "", row.line});
+    if (!leg) map_.refuse(Problem{"leg", "\"" + field + "\"", "one of " + legNames(), "", row.line});
     if (leg && map_.leg && *leg != *map_.leg)
-      refuse(Problem{"leg", std::string(legName(*leg)), fmt::format("{}, as on the lines above", legName(*map_.leg)),
-                     "keep one map for each leg", row.line});
+      map_.refuse(Problem{"leg", std::string(legName(*leg)),
+                          fmt::format("{}, as on the lines above", legName(*map_.leg)), "keep one map for each leg",
+                          row.line});
     if (!map_.leg) map_.leg = leg;
   }
 
@@ -160,6 +151,6 @@ std::string formatHoleMap(const Sheet& sheet, const LengthUnit& unit) {
   return place ? ownText(sheet, *place) : convertedText(sheet, unit);
 }
 
-HoleMap parseHoleMap(std::string_view text) { return Reader(text).read(); }
+HoleMap parseHoleMap(std::string_view text) { return MapReader(text).read(); }
 
 }  // namespace tubeplan::tubesheets

@@ -13,17 +13,10 @@
 
 namespace tubeplan::tubesheets {
 
-enum class HoleMapStatus { kNotRun, kRead, kRefused };
-
-/// What the text says, in its own order; or the first fault of it. The leg is known where the text has a column for it.
-struct HoleMap {
-  HoleMapStatus status = HoleMapStatus::kNotRun;
-  std::optional<Problem> problem;  ///< when refused
-  std::vector<Tube> tubes;         ///< of row k of the table
+/// What the text says, in its own order. The leg is known where the text has a column for it.
+struct HoleMap : TubeText {
+  std::vector<Tube> tubes;  ///< of row k of the table
   std::optional<Leg> leg;
-  std::vector<std::string> notes;  ///< what is left out of it, a sentence each
-  std::string text;                ///< what it was read from
-  TubeTable table;
 };
 
 /// One line per hole in sheet order. Every number comes back to the same bits, and is as short as that allows. A sheet

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -377,14 +378,21 @@ HeadingWords splitHeading(std::string_view text, bool (*isUnit)(std::string_view
   return {plainName(text), ""};
 }
 
+std::string_view behindUnits(std::string_view line) {
+  constexpr std::string_view kWord = "unit";
+  const auto isSameLetter = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+  const auto isLetter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto word = std::ranges::search(line, kWord, isSameLetter);
+  if (word.empty() || (word.begin() != line.begin() && isLetter(*std::prev(word.begin())))) return {};
+  std::string_view rest(word.end(), line.end());
+  if (!rest.empty() && isSameLetter(rest.front(), 's')) rest.remove_prefix(1);
+  rest = trimBlanks(rest);
+  return !rest.empty() && (rest.front() == ':' || rest.front() == '=') ? rest.substr(1) : std::string_view();
+}
+
 std::string statedUnit(const std::vector<std::string>& lines_before, bool (*isUnit)(std::string_view)) {
-  for (const std::string& line : lines_before) {
-    const std::size_t mark = line.find_first_of(":=");
-    if (mark == std::string::npos) continue;
-    const std::string name = plainName(std::string_view(line).substr(0, mark));
-    const std::string_view unit = trimBlanks(std::string_view(line).substr(mark + 1));
-    if ((name == "units" || name == "unit") && isUnit(unit)) return std::string(unit);
-  }
+  for (const std::string& line : lines_before)
+    if (const std::string_view unit = trimBlanks(behindUnits(line)); isUnit(unit)) return std::string(unit);
   return "";
 }
 

@@ -56,6 +56,9 @@ struct HeadingWords {
 /// Small letters and digits of ASCII, and whatever is beyond it: "Tube ID" is "tubeid".
 [[nodiscard]] std::string plainName(std::string_view text);
 
+/// Returns what stands behind "unit:" or "units =" in a line; empty where nothing does.
+[[nodiscard]] std::string_view behindUnits(std::string_view line);
+
 /// The unit that a line before the table states for all of it: "Units: Inches" is "Inches"; empty where none does.
 [[nodiscard]] std::string statedUnit(const std::vector<std::string>& lines_before, bool (*isUnit)(std::string_view));
 

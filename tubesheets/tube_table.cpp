@@ -11,84 +11,6 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-struct ColumnNames {
-  TubeColumn column;
-  std::string_view name;                  ///< for messages
-  std::vector<std::string_view> aliases;  ///< as plainName() gives them, without a unit
-};
-
-/// The open table of columns: one row each, with what they are called elsewhere.
-const std::vector<ColumnNames>& columnTable() {
-  static const std::vector<ColumnNames> table{
-      {TubeColumn::kRow, "row", {"row", "r", "rowno", "rownumber"}},
-      {TubeColumn::kColumn, "column", {"column", "col", "c", "colno", "columnno", "columnnumber", "line"}},
-      {TubeColumn::kTube, "tube", {"tube", "tubeid", "tubename", "hole", "holeid", "holename"}},
-      {TubeColumn::kX, "x", {"x", "xcoord", "xcoordinate", "xpos"}},
-      {TubeColumn::kY, "y", {"y", "ycoord", "ycoordinate", "ypos"}},
-      {TubeColumn::kLeg, "leg", {"leg"}},
-      {TubeColumn::kSheet, "sheet", {"sheet"}},
-      {TubeColumn::kSteamGenerator, "sg", {"sg", "steamgenerator"}},
-      {TubeColumn::kState, "state", {"state", "status"}},
-      {TubeColumn::kCode, "code", {"code", "ind", "indication"}},
-      {TubeColumn::kDwell, "dwell_s", {"dwell"}},
-      {TubeColumn::kVisit, "visit", {"visit"}},
-      {TubeColumn::kOutcome, "outcome", {"outcome"}},
-      {TubeColumn::kNote,
-       "comment",
-       {"comment", "comments", "remark", "remarks", "note", "notes", "zone", "tool", "priority"}},
-  };
-  return table;
-}
-
-constexpr std::array<std::string_view, 4> kSeconds{"s", "sec", "second", "seconds"};
-
-bool isListUnit(std::string_view word) {
-  const std::string_view unit = trimBlanks(word);
-  return findLengthWord(unit) != nullptr || std::ranges::find(kSeconds, unit) != kSeconds.end();
-}
-
-bool isAxis(TubeColumn column) { return column == TubeColumn::kX || column == TubeColumn::kY; }
-
-/// A unit of another kind makes a heading that of something else: "row (mm)" is no row.
-const ColumnNames* columnCalled(const HeadingWords& heading) {
-  for (const ColumnNames& row : columnTable()) {
-    if (std::ranges::find(row.aliases, heading.name) == row.aliases.end()) continue;
-    const bool is_length = findLengthWord(heading.unit) != nullptr;
-    if (heading.unit.empty()) return row.column == TubeColumn::kDwell ? nullptr : &row;
-    if (is_length ? isAxis(row.column) : row.column == TubeColumn::kDwell) return &row;
-  }
-  return nullptr;
-}
-
-const ColumnNames* columnCalled(const std::string& heading) { return columnCalled(splitHeading(heading, isListUnit)); }
-
-HeadingRank rankTubeHeading(const std::vector<std::string>& fields) {
-  bool has_row = false, has_column = false, has_tube = false;
-  for (const std::string& field : fields) {
-    const ColumnNames* found = columnCalled(field);
-    if (!found) continue;
-    has_row |= found->column == TubeColumn::kRow;
-    has_column |= found->column == TubeColumn::kColumn;
-    has_tube |= found->column == TubeColumn::kTube;
-  }
-  if (has_tube || (has_row && has_column)) return HeadingRank::kWhole;
-  return has_row || has_column ? HeadingRank::kPartial : HeadingRank::kNone;
-}
-
-/// One letter more or less at the end: "legg", "stat". What was meant to be read is not left out.
-const ColumnNames* columnAlmostCalled(const std::string& name) {
-  constexpr std::size_t kLeast = 3;
-  for (const ColumnNames& row : columnTable()) {
-    if (row.column == TubeColumn::kNote) continue;
-    for (const std::string_view alias : row.aliases) {
-      const std::string_view shorter = name.size() < alias.size() ? std::string_view(name) : alias;
-      const std::string_view longer = name.size() < alias.size() ? alias : std::string_view(name);
-      if (shorter.size() >= kLeast && longer.size() == shorter.size() + 1 && longer.starts_with(shorter)) return &row;
-    }
-  }
-  return nullptr;
-}
-
 bool isNothing(std::string_view field) { return field == "-" || field == "--"; }
 
 Problem badNumber(const TubeTable& table, const CsvRow& row, TubeColumn column) {
@@ -102,7 +24,7 @@ class ColumnFinder {
 
   TubeTable find() {
     const auto& columns = table_.text.columns;
-    stated_ = statedUnit(table_.text.lines_before, isListUnit);
+    stated_ = statedUnit(table_.text.lines_before, isTubeUnit);
     for (std::size_t c = 0; c < columns.size() && !table_.problem; ++c) {
       if (columns[c].empty())
         refuse(fmt::format("header, column {}", c + 1), "no name", "a name for every column", "");
@@ -112,12 +34,28 @@ class ColumnFinder {
       else
         take(c);
     }
+    return whole();
+  }
+
+  TubeTable choose(const std::vector<ChosenTubeColumn>& chosen) {
+    stated_ = statedUnit(table_.text.lines_before, isTubeUnit);
+    std::vector<std::string> rest = table_.text.columns;
+    for (const auto& [column, place, unit] : chosen) {
+      put(column, place, unit ? std::string(unit->suffix) : "");
+      rest[place].clear();
+    }
+    std::ranges::copy_if(rest, std::back_inserter(table_.unread),
+                         [](const std::string& name) { return !name.empty(); });
+    return whole();
+  }
+
+ private:
+  TubeTable whole() {
     requireTube();
     requireOneUnit();
     return std::move(table_);
   }
 
- private:
   void refuse(std::string what, std::string found, std::string expected, std::string advice) {
     if (!table_.problem)
       table_.problem =
@@ -126,27 +64,28 @@ class ColumnFinder {
 
   void take(std::size_t c) {
     const std::string& heading = table_.text.columns[c];
-    const HeadingWords words = splitHeading(heading, isListUnit);
-    const ColumnNames* found = columnCalled(words);
-    if (!found) {
-      if (const ColumnNames* meant = columnAlmostCalled(words.name))
-        refuse("header", "the column \"" + heading + "\"", fmt::format("the name \"{}\", or another one", meant->name),
-               "rename or remove it");
-      table_.unread.push_back(heading);
-      return;
-    }
-    if (found->column == TubeColumn::kNote) return;
-    const bool is_code = found->column == TubeColumn::kState || found->column == TubeColumn::kCode;
-    if (is_code) table_.codes.push_back({c, found->column == TubeColumn::kState});
-    if (isAxis(found->column)) takeUnit(found->column, words.unit);
-    const auto [first, is_new] = table_.places.emplace(found->column, c);
+    const TubeHeading says = readTubeHeading(heading);
+    if (says.column) return put(*says.column, c, says.unit);
+    if (const auto meant = tubeColumnMeantBy(heading))
+      refuse("header", "the column \"" + heading + "\"", fmt::format("the name \"{}\", or another one", nameOf(*meant)),
+             "rename or remove it");
+    table_.unread.push_back(heading);
+  }
+
+  void put(TubeColumn column, std::size_t c, const std::string& unit) {
+    if (column == TubeColumn::kNote) return;
+    const bool is_code = column == TubeColumn::kState || column == TubeColumn::kCode;
+    if (is_code) table_.codes.push_back({c, column == TubeColumn::kState});
+    if (isPlaceColumn(column)) takeUnit(column, unit);
+    const auto [first, is_new] = table_.places.emplace(column, c);
     if (is_new || is_code) return;
-    const std::string& other = table_.text.columns[first->second];
-    if (isAxis(found->column))
-      refuse("header", fmt::format("{} in two units", found->name), "one unit", "remove one column");
+    if (isPlaceColumn(column))
+      refuse("header", fmt::format("{} in two units", nameOf(column)), "one unit", "remove one column");
     else
-      refuse("header", fmt::format("\"{}\" and \"{}\", both for {}", other, heading, found->name), "one of them",
-             "rename or remove the other");
+      refuse("header",
+             fmt::format("\"{}\" and \"{}\", both for {}", table_.text.columns[first->second], table_.text.columns[c],
+                         nameOf(column)),
+             "one of them", "rename or remove the other");
   }
 
   void takeUnit(TubeColumn axis, const std::string& unit) {
@@ -186,11 +125,52 @@ std::string TubeTable::unreadText() const {
                      fmt::join(unread, ", "));
 }
 
+TextTable parseTubeText(std::string_view text) {
+  TextTable known = parseTextTable(text, {isTubeUnit, rankTubeHeading});
+  if (!known.problem) return known;
+  const auto isHeading = [](const std::vector<std::string>&) { return HeadingRank::kWhole; };
+  for (const TableWords& words : {TableWords{isTubeUnit}, TableWords{isTubeUnit, isHeading}})
+    if (TextTable other = parseTextTable(text, words); !other.problem) return other;
+  return known;
+}
+
+TubeTable tubeTableOf(TextTable text, const std::vector<ChosenTubeColumn>& chosen) {
+  TubeTable table;
+  table.problem = text.problem;
+  table.text = std::move(text);
+  return table.problem ? table : ColumnFinder(std::move(table)).choose(chosen);
+}
+
 TubeTable parseTubeTable(std::string_view text) {
   TubeTable table;
-  table.text = parseTextTable(text, {isListUnit, rankTubeHeading});
+  table.text = parseTextTable(text, {isTubeUnit, rankTubeHeading});
   table.problem = table.text.problem;
   return table.problem ? table : ColumnFinder(std::move(table)).find();
+}
+
+void TubeText::refuse(const std::optional<Problem>& other) {
+  if (!problem) problem = other;
+}
+
+void TubeText::readRows(std::string_view what, const std::function<void(const CsvRow&)>& readRow) {
+  refuse(table.problem);
+  for (const CsvRow& row : table.text.rows) {
+    if (problem) break;
+    readRow(row);
+  }
+  if (table.text.rows.empty())
+    refuse(
+        Problem{"text", fmt::format("no {}", what), "at least one line below the header", "", table.text.heading_line});
+  status = problem ? TubeTextStatus::kRefused : TubeTextStatus::kRead;
+}
+
+void TubeText::addNotes(const std::vector<std::string>& more) {
+  if (problem) return;
+  const auto add = [&](const std::string& note) {
+    if (!note.empty()) notes.push_back(note);
+  };
+  add(table.unreadText());
+  for (const std::string& note : more) add(note);
 }
 
 NamedTube tubeOf(const TubeTable& table, const CsvRow& row) {

@@ -1,6 +1,7 @@
 // Hole maps and work lists as tables: which column is which, and which tube a row is of.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,26 +12,9 @@
 #include "tubesheets/text_table.hpp"
 #include "tubesheets/tube.hpp"
 #include "tubesheets/tube_codes.hpp"
+#include "tubesheets/tube_columns.hpp"
 
 namespace tubeplan::tubesheets {
-
-/// What a column holds.
-enum class TubeColumn {
-  kRow,
-  kColumn,
-  kTube,  ///< both in one word
-  kX,
-  kY,
-  kLeg,
-  kSheet,  ///< a fingerprint
-  kSteamGenerator,
-  kState,  ///< a state or a code, none other
-  kCode,   ///< a code, a remark or a number
-  kDwell,
-  kVisit,    ///< written by a plan: the place in its order
-  kOutcome,  ///< written by a plan: why there is none
-  kNote,     ///< for people: kept and not read
-};
 
 /// A column of states or codes.
 struct CodeColumn {
@@ -60,6 +44,39 @@ struct TubeTable {
 /// Faults: those of the text, no column for the tube, a column twice under any of its names, x and y in two units, a
 /// name that is one letter longer or shorter than a known one.
 [[nodiscard]] TubeTable parseTubeTable(std::string_view text);
+
+/// A column by what someone says that it is, whatever its heading.
+struct ChosenTubeColumn {
+  TubeColumn column = TubeColumn::kNote;
+  std::size_t place = 0;             ///< in the table
+  const LengthUnit* unit = nullptr;  ///< of x and y; null: as a line above the table states
+};
+
+/// Returns the table of a text whose headings need not be known: below a known heading, else at the first row with a
+/// number, else below the first line.
+[[nodiscard]] TextTable parseTubeText(std::string_view text);
+
+/// Returns such a table with the columns that were chosen and no others. Faults: no column for the tube, one quantity
+/// in two columns, x and y in two units.
+[[nodiscard]] TubeTable tubeTableOf(TextTable text, const std::vector<ChosenTubeColumn>& chosen);
+
+enum class TubeTextStatus { kNotRun, kRead, kRefused };
+
+/// What hole maps and work lists are read into alike: each adds what its rows say.
+struct TubeText {
+  TubeTextStatus status = TubeTextStatus::kNotRun;
+  std::optional<Problem> problem;  ///< when refused: the first fault
+  std::vector<std::string> notes;  ///< what is left out of it, and what is taken once, a sentence each
+  std::string text;                ///< what it was read from
+  TubeTable table;
+
+  /// Takes a problem where there has been none.
+  void refuse(const std::optional<Problem>& other);
+  /// Calls `readRow` for each row up to the first fault, and refuses a text without `what` its rows are of.
+  void readRows(std::string_view what, const std::function<void(const CsvRow&)>& readRow);
+  /// Adds what the table left out, and those that are not empty, where nothing was refused.
+  void addNotes(const std::vector<std::string>& more);
+};
 
 /// The tube of a row; a problem where it has none, or where its columns name two.
 struct NamedTube {

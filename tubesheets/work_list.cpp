@@ -271,7 +271,7 @@ std::string spreadRequest(const Sheet& sheet, std::size_t most) {
 }
 
 Selection selectTubes(const Sheet& sheet, WorkList list) {
-  if (list.status != WorkListStatus::kRead)
+  if (list.status != TubeTextStatus::kRead)
     return refuseList(list.problem ? list.problem->sentence() : "the work list has not been read");
   const std::string fingerprint = sheet.fingerprint();
   for (const WorkListItem& item : list.items)

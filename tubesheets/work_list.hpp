@@ -38,15 +38,8 @@ struct WorkListItem {
   std::string steam_generator;
 };
 
-enum class WorkListStatus { kNotRun, kRead, kRefused };
-
-struct WorkList {
-  WorkListStatus status = WorkListStatus::kNotRun;
-  std::optional<Problem> problem;   ///< when refused
+struct WorkList : TubeText {
   std::vector<WorkListItem> items;  ///< of every row, a tube's as often as it is named
-  std::vector<std::string> notes;   ///< what is left out of it, and what is taken once, a sentence each
-  std::string text;                 ///< what it was read from
-  TubeTable table;
 };
 
 /// Why a tube that was asked for is not selected.
@@ -93,6 +86,9 @@ struct Selection {
 /// generators in one list, a tube that is said to be in two states or to be stayed at for two times, anything
 /// malformed, no tubes.
 [[nodiscard]] WorkList parseWorkListCsv(std::string_view text);
+
+/// The same of a table whose columns were chosen.
+[[nodiscard]] WorkList readWorkListTable(std::string_view text, TubeTable table);
 
 /// The tubes of such a list, each once, but for those whose work is done and those that are plugged or stabilised by
 /// the list's word or, where it says nothing, by the sheet's; inaccessible and unresolved ones are named by the list

@@ -60,36 +60,23 @@ std::string repeatedText(const std::map<std::pair<int, int>, std::vector<int>>& 
 
 class ListReader {
  public:
-  explicit ListReader(std::string_view text) {
+  ListReader(std::string_view text, TubeTable table) {
     list_.text = text;
-    list_.table = parseTubeTable(text);
+    list_.table = std::move(table);
   }
 
   WorkList read() {
-    list_.problem = list_.table.problem;
-    for (const CsvRow& row : list_.table.text.rows) {
-      if (list_.problem) break;
-      readRow(row);
-    }
-    if (!list_.problem && list_.items.empty())
-      refuse(Problem{"text", "no tubes", "at least one line below the header", "", list_.table.text.heading_line});
-    list_.status = list_.problem ? WorkListStatus::kRefused : WorkListStatus::kRead;
+    list_.readRows("tubes", [this](const CsvRow& row) { readRow(row); });
     if (list_.problem) list_.items.clear();
-    for (std::string& note :
-         std::vector{list_.table.unreadText(), unknownCodesText(unknown_), repeatedText(lines_), unitlessText()})
-      if (!list_.problem && !note.empty()) list_.notes.push_back(std::move(note));
+    list_.addNotes({unknownCodesText(unknown_), repeatedText(lines_), unitlessText()});
     return std::move(list_);
   }
 
  private:
-  void refuse(const std::optional<Problem>& problem) {
-    if (!list_.problem) list_.problem = problem;
-  }
-
   void readRow(const CsvRow& row) {
     const TubeTable& table = list_.table;
     const NamedTube named = tubeOf(table, row);
-    refuse(named.problem);
+    list_.refuse(named.problem);
     WorkListItem item;
     item.row = named.tube.row;
     item.column = named.tube.column;
@@ -102,22 +89,23 @@ class ListReader {
     readCodes(row, item);
     if (list_.problem) return;
     const auto [first, is_new] = first_.try_emplace({item.row, item.column}, list_.items.size());
-    if (!is_new) refuse(findContradiction(list_.items[first->second], item));
+    if (!is_new) list_.refuse(findContradiction(list_.items[first->second], item));
     list_.items.push_back(std::move(item));
     lines_[first->first].push_back(row.line);
-    refuse(findOddLine(list_.items.front(), list_.items.back()));
+    list_.refuse(findOddLine(list_.items.front(), list_.items.back()));
   }
 
   void readLeg(const CsvRow& row, WorkListItem& item) {
     const std::string leg = list_.table.field(row, TubeColumn::kLeg);
     item.leg = findLeg(leg);
-    if (!leg.empty() && !item.leg) refuse(Problem{"leg", "\"" + leg + "\"", "one of " + legNames(), "", row.line});
+    if (!leg.empty() && !item.leg)
+      list_.refuse(Problem{"leg", "\"" + leg + "\"", "one of " + legNames(), "", row.line});
   }
 
   void readPlace(const CsvRow& row, WorkListItem& item) {
     const ReadLength x = lengthOf(list_.table, row, TubeColumn::kX), y = lengthOf(list_.table, row, TubeColumn::kY);
-    refuse(x.problem);
-    refuse(y.problem);
+    list_.refuse(x.problem);
+    list_.refuse(y.problem);
     item.x = x.metres;
     item.y = y.metres;
   }
@@ -127,12 +115,12 @@ class ListReader {
     if (dwell.empty()) return;
     item.dwell = parseNumber(dwell);
     if (!item.dwell || *item.dwell < 0 || *item.dwell > kLongestStay)
-      refuse(Problem{"dwell_s", "\"" + dwell + "\"", "seconds from 0 to a day", "", row.line});
+      list_.refuse(Problem{"dwell_s", "\"" + dwell + "\"", "seconds from 0 to a day", "", row.line});
   }
 
   void readCodes(const CsvRow& row, WorkListItem& item) {
     const ReadCodes codes = codesOf(list_.table, row);
-    refuse(codes.problem);
+    list_.refuse(codes.problem);
     item.state = codes.state;
     item.is_done = codes.is_done;
     for (const std::string& code : codes.unknown) ++unknown_[code];
@@ -153,6 +141,8 @@ class ListReader {
 
 }  // namespace
 
-WorkList parseWorkListCsv(std::string_view text) { return ListReader(text).read(); }
+WorkList readWorkListTable(std::string_view text, TubeTable table) { return ListReader(text, std::move(table)).read(); }
+
+WorkList parseWorkListCsv(std::string_view text) { return readWorkListTable(text, parseTubeTable(text)); }
 
 }  // namespace tubeplan::tubesheets

@@ -1,9 +1,7 @@
-// What a command of the program is. The table of them is in commands.cpp; each command is a file of its own in
-// commands/.
+// What a command of the program is: its name, its words and what it runs.
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string_view>
 
 namespace CLI {
@@ -32,33 +30,5 @@ struct Command {
   std::string_view example;  ///< one line or more, shown by --help
   Configure configure;
 };
-
-/// The open table: a new command is its file and its row.
-[[nodiscard]] std::span<const Command> commands();
-
-// Declared here, defined in commands/<name>.cpp.
-Run configureAdd(CLI::App& cli);
-Run configureArm(CLI::App& cli);
-Run configureCalibrate(CLI::App& cli);
-Run configureCampaign(CLI::App& cli);
-Run configureCompare(CLI::App& cli);
-Run configureCompletion(CLI::App& cli);
-Run configureDiagnose(CLI::App& cli);
-Run configureIdentify(CLI::App& cli);
-Run configureImprove(CLI::App& cli);
-Run configureLadder(CLI::App& cli);
-Run configureMan(CLI::App& cli);
-Run configureMap(CLI::App& cli);
-Run configureEffects(CLI::App& cli);
-Run configurePlan(CLI::App& cli);
-Run configurePose(CLI::App& cli);
-Run configureReadings(CLI::App& cli);
-Run configureReport(CLI::App& cli);
-Run configureScore(CLI::App& cli);
-Run configureSimulate(CLI::App& cli);
-Run configureSensitivity(CLI::App& cli);
-Run configureServe(CLI::App& cli);
-Run configureTouches(CLI::App& cli);
-Run configureVerify(CLI::App& cli);
 
 }  // namespace tubeplan::app

@@ -18,6 +18,13 @@ namespace tubeplan::app {
 
 namespace {
 
+/// ", temperature, time"
+std::string conditionNames() {
+  std::string names;
+  for (const auto& kind : deflection::kConditionKinds) names += std::string(", ") + kind.name;
+  return names;
+}
+
 struct AddOptions {
   AdditionRequest request;
   std::string cell, readings, out;
@@ -54,12 +61,15 @@ Run configureAdd(CLI::App& cli) {
       "effects of the catalogue, each at its place, backlash@tool.z; with sizes, base-slip@base:time=90; at all "
       "joints, "
       "'joint-compliance@all joints'; or a number of the arm's file to free, free@latch-link.beam.Iz, free@geometry");
-  cli.add_option("--formula", options->request.formula,
-                 "TARGET += EXPRESSION, 'theta3 += c*sin(3*theta1)'. Targets: a joint, tip.x to tip.z, base.x to "
-                 "base.z, base.yaw. Symbols: the joints (rad; slides in the file's unit of length), JOINT_dir "
-                 "(direction of the last motion), moment_ROW_x to _z, load, temperature, time, in the cell's units. "
-                 "Every other name is a parameter in the target's unit, initially zero; one in which the formula is "
-                 "not linear is dimensionless and needs an initial value: 'theta3 += c*sin(k*theta1); k=3'");
+  cli.add_option(
+      "--formula", options->request.formula,
+      "TARGET += EXPRESSION, 'theta3 += c*sin(3*theta1)'. Targets: a joint, tip.x to tip.z, base.x to "
+      "base.z, base.yaw. Symbols: the joints (rad; slides in the file's unit of length), JOINT_dir "
+      "(direction of the last motion), moment_ROW_x to _z, load" +
+          conditionNames() +
+          ", in the cell's units. "
+          "Every other name is a parameter in the target's unit, initially zero; one in which the formula is "
+          "not linear is dimensionless and needs an initial value: 'theta3 += c*sin(k*theta1); k=3'");
   cli.add_option("--readings", options->readings,
                  "measurements (CSV) at which to compute how far the formula overlaps with effects of the catalogue");
   addSigma(cli, options->sigma, "where --readings states none");

@@ -35,6 +35,7 @@ namespace {
 
 struct ArmOptions {
   std::string action, file, tip, nominal, convention, out, into, cell, svg, json;
+  bool is_kinematics = false;
 };
 
 const Units& urdfUnits() {
@@ -172,6 +173,14 @@ int exportUrdf(const ArmOptions& options) {
   return kDone;
 }
 
+/// The kinematics YAML that ROS reads of a Universal Robots arm.
+int exportKinematics(const ArmOptions& options) {
+  const deflection::Arm arm = readAnyArm(options.file, options.tip).arm;
+  writeFileAtomically(options.out, robotKinematicsText(robotKinematicsOf(arm, options.file)), "--out");
+  tell("left out", {"the tool, weights and what gives: the file has origins of joints alone"});
+  return kDone;
+}
+
 int show(const ArmOptions& options) {
   const ShownArm shown = readAnyArm(options.file, options.tip);
   checkJsonTarget(options.json);
@@ -185,12 +194,17 @@ int exportArm(const ArmOptions& options) {
   if (!options.into.empty() && !options.convention.empty())
     throw InputError("--into", "--convention beside it", "one of them",
                      "take --into for a URDF file, --convention for an arm file");
+  if (options.is_kinematics && !(options.into.empty() && options.convention.empty()))
+    throw InputError("--kinematics", "--into or --convention beside it", "one of them",
+                     "take --kinematics for the YAML file of ROS alone");
+  if (options.is_kinematics) return exportKinematics(options);
   if (!options.into.empty()) return exportIntoUrdf(options);
   return options.convention.empty() ? exportUrdf(options) : exportRows(options);
 }
 
 /// An option of another action would do nothing.
 void requireOptionsOf(const ArmOptions& options) {
+  const std::string kinematics = options.is_kinematics ? "on" : "";
   const struct {
     const char* name;
     const std::string& value;
@@ -200,6 +214,7 @@ void requireOptionsOf(const ArmOptions& options) {
              {"--cell", options.cell, {"import"}},
              {"--nominal", options.nominal, {"import"}},
              {"--convention", options.convention, {"export"}},
+             {"--kinematics", kinematics, {"export"}},
              {"--svg", options.svg, {"show"}},
              {"--json", options.json, {"show"}}};
   for (const auto& [name, value, actions] : own)
@@ -222,10 +237,9 @@ int run(const ArmOptions& options) {
 
 Run configureArm(CLI::App& cli) {
   const auto options = std::make_shared<ArmOptions>();
-  cli.add_option(
-         "ACTION", options->action,
-         "import (from URDF, a controller's calibration.conf or ROS's kinematics of a UR), export (to URDF or by "
-         "--convention) or show")
+  cli.add_option("ACTION", options->action,
+                 "import (from URDF, a controller's calibration.conf or ROS's kinematics of a UR), export (to URDF, by "
+                 "--convention or --kinematics) or show")
       ->required()
       ->check(CLI::IsMember({"import", "export", "show"}));
   cli.add_option(
@@ -244,6 +258,8 @@ Run configureArm(CLI::App& cli) {
                  "kinematics YAML: the arm imported from the robot's URDF, whose origins it replaces");
   cli.add_option("--into", options->into,
                  "export: the URDF file that the arm was imported from; joint origins change, all else stays as it is");
+  cli.add_flag("--kinematics", options->is_kinematics,
+               "export: the kinematics YAML that ROS reads of a Universal Robots arm, as import takes it");
   cli.add_option("--tip", options->tip, "of a URDF: the link at the tool's tip, where the robot has several end links");
   cli.add_option("--cell", options->cell, "import: write a cell with the arm and its solids too");
   cli.add_option("--svg", options->svg, "show: draw the arm from the side and from above");

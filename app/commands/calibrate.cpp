@@ -8,6 +8,7 @@
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/commands/reading_answer.hpp"
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/atomic_file.hpp"
@@ -46,7 +47,7 @@ int run(const CalibrateOptions& options) {
   if (printsText(options.json)) fmt::print("{}{}", checksText(checks, cell.units), calibrationText(result, cell));
   if (printsText(options.json) && is_written)
     fmt::print("wrote {}{}\n", options.out, calibration::isFitRefused(result) ? ", with touches that do not fit" : "");
-  return result.status == CalibrationStatus::kDone && !calibration::isFitRefused(result) ? kDone : kNegativeAnswer;
+  return answerOver(checks, result.status == CalibrationStatus::kDone && !calibration::isFitRefused(result));
 }
 
 }  // namespace

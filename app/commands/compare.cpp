@@ -9,6 +9,7 @@
 #include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/commands/reading_answer.hpp"
 #include "app/documents/comparison_json.hpp"
 #include "app/documents/diagnosis_pages.hpp"
 #include "app/documents/measurement_checks_json.hpp"
@@ -36,12 +37,11 @@ int run(const CompareOptions& options) {
   writeJson(options.json, figures);
   if (options.report.isWanted()) writeReport(options.report, comparisonPage(input, options.request.seed, figures));
   if (printsText(options.json)) {
-    fmt::print("{}{}{}", checksText(input.checks, input.cell.units),
-               comparisonText(comparison, readings, set_aside.size(), input.cell.units),
+    fmt::print("{}{}{}", checksText(input.checks, input.cell.units), comparisonText(figures),
                setAsideText(set_aside, input.readings.size()));
     for (const auto& warning : warnings) fmt::print("  warning: {}\n", warning);
   }
-  return comparison.verdict == calibration::Adequacy::kAdequate ? kDone : kNegativeAnswer;
+  return answerOver(input.checks, comparison.verdict == calibration::Adequacy::kAdequate);
 }
 
 }  // namespace

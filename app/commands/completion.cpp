@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/cli/command.hpp"
-#include "app/cli/command_words.hpp"
+#include "app/commands/command_words.hpp"
 
 namespace tubeplan::app {
 

@@ -9,6 +9,7 @@
 #include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/commands/reading_answer.hpp"
 #include "app/documents/diagnosis_pages.hpp"
 #include "app/documents/diagnosis_text.hpp"
 #include "app/documents/discrimination_json.hpp"
@@ -45,21 +46,21 @@ int run(const DiagnoseOptions& options) {
   const Units& units = input.cell.units;
   if (!options.run_sheet.empty() && !sheet.empty())
     writeFileAtomically(options.run_sheet, runSheetCsv(sheet, input.cell.arm, units), "--run-sheet");
-  if (!printsText(options.json)) return kDone;
+  const ExitCode answer = answerOver(input.checks, true);
+  if (!printsText(options.json)) return answer;
   fmt::print("{}", checksText(input.checks, units));
   if (calibration::grossMistake(input.checks)) {
     fmt::print("{}\n{}\n", nameOf(outcome.diagnosis.verdict), diagnosisSentence(outcome.diagnosis, units));
-    return kDone;
+    return answer;
   }
-  fmt::print("{}{}", diagnosisText(outcome.diagnosis, input.readings, units),
-             discriminationText(outcome.next, outcome.candidates, input.cell.arm, units));
+  fmt::print("{}{}", diagnosisText(outcome.diagnosis, input.readings, units), discriminationText(outcome.figures));
   if (!options.run_sheet.empty())
     fmt::print("{}", sheet.empty() ? "no run sheet: no reading is proposed\n"
                                    : fmt::format("wrote {}: {} and give it after the readings\n", options.run_sheet,
                                                  fillInText(sheet, input.cell.arm, units)));
   fmt::print("{}", additionCommand(outcome.diagnosis, options.cell, units));
-  for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warningText(warning, units));
-  return kDone;
+  for (const auto& warning : warningTexts(outcome.warnings, units)) fmt::print("  warning: {}\n", warning);
+  return answer;
 }
 
 }  // namespace

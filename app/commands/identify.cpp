@@ -10,6 +10,7 @@
 #include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/commands/reading_answer.hpp"
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/identification_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
@@ -43,14 +44,11 @@ void printIteration(std::FILE* out, const calibration::LeastSquaresIteration& no
   std::fflush(out);
 }
 
-/// Says in the words of a diagnosis why nothing is found; negative where a cell should have been written.
-int withheld(const IdentifyOptions& options, const IdentificationOutcome& outcome) {
-  if (printsText(options.json)) {
-    fmt::print("{}\n{}\n{}", nameOf(calibration::Verdict::kInconclusive), noVerdictSentence(outcome.fit.reason),
-               options.out.empty() ? "" : "nothing was written\n");
-    for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warning);
-  }
-  return options.out.empty() ? kDone : kNegativeAnswer;
+/// Says in the words of a diagnosis why nothing is found.
+void printWithheld(const IdentifyOptions& options, const IdentificationOutcome& outcome) {
+  fmt::print("{}\n{}\n{}", nameOf(calibration::Verdict::kInconclusive), noVerdictSentence(outcome.fit.reason),
+             options.out.empty() ? "" : "nothing was written\n");
+  for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warning);
 }
 
 int run(const IdentifyOptions& options) {
@@ -64,21 +62,23 @@ int run(const IdentifyOptions& options) {
     request.observe = [out = printsText(options.json) ? stdout : stderr](const auto& now) { printIteration(out, now); };
   if (printsText(options.json))
     request.stage_done = [&](int stage, const calibration::Identification& fit) {
-      fmt::print("stage {}\n{}", stage + 1, identificationText(fit, input.readings, input.cell.units));
+      fmt::print("stage {}\n{}", stage + 1,
+                 identificationText(identificationJson(fit, input.readings, 0, input.cell.units)));
     };
   const auto outcome = identifyModel(input, request, terminalWorkHooks());
   if (!options.out.empty() && outcome.fit.status == IdentificationStatus::kDone)
     writeFilesTogether(identifiedCell(cell, outcome.fit, outcome.readings, options.out).inOrder(), "--out");
   writeJson(options.json, outcome.figures);
-  if (outcome.fit.status == IdentificationStatus::kNotRun) return withheld(options, outcome);
-  if (printsText(options.json)) {
-    fmt::print("{}{}{}{}", setAsideText(outcome.set_aside, readings.size()),
-               identificationText(outcome.fit, outcome.readings, cell.units),
-               predictedCentringText(outcome.centring, cell.units), overlapText(outcome.overlaps));
+  if (printsText(options.json) && outcome.fit.status == IdentificationStatus::kNotRun) {
+    printWithheld(options, outcome);
+  } else if (printsText(options.json)) {
+    fmt::print("{}{}{}{}", setAsideText(outcome.set_aside, readings.size()), identificationText(outcome.figures),
+               cell.sheet ? predictedCentringText(outcome.figures["predicted_centring_error"]) : "",
+               overlapText(outcome.overlaps));
     for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warning);
-    for (const auto& warning : outcome.of_effects) fmt::print("  warning: {}\n", warningText(warning, cell.units));
+    for (const auto& warning : warningTexts(outcome.of_effects, cell.units)) fmt::print("  warning: {}\n", warning);
   }
-  return outcome.fit.status == IdentificationStatus::kDone && !outcome.is_base_refused ? kDone : kNegativeAnswer;
+  return answerOver(checks, outcome.fit.status == IdentificationStatus::kDone && !outcome.is_base_refused);
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ Run configureIdentify(CLI::App& cli) {
       ->check(CLI::IsMember({"none", "huber", "cauchy"}));
   std::vector<std::string> methods;
   for (const auto& method : calibration::leastSquaresMethods()) methods.emplace_back(method.name);
-  cli.add_option("--method", options->request.method, "least-squares method; the last two are for comparison")
+  cli.add_option("--method", options->request.method, "least-squares method")
       ->check(CLI::IsMember(methods))
       ->capture_default_str();
   cli.add_option("--stage", options->request.stages,

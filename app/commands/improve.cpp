@@ -1,9 +1,7 @@
 // tubeplan improve: diagnose, add, identify, until nothing more is shown.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,15 +11,14 @@
 #include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/commands/reading_answer.hpp"
 #include "app/documents/diagnosis_pages.hpp"
 #include "app/documents/error_figures.hpp"
 #include "app/documents/improvement_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/documents/model_comparison_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_places.hpp"
 #include "app/files/cell_writer.hpp"
-#include "app/files/input_error.hpp"
 #include "app/jobs/improvement.hpp"
 
 namespace tubeplan::app {
@@ -77,36 +74,15 @@ class Keeper {
   int step_ = 0;
 };
 
-void print(const Improvement& result, const ImproveOptions& options, const CellReadings& input) {
-  const Units& units = input.cell.units;
-  fmt::print("{}\n", improvementSentence(result, units));
-  for (std::size_t k = 0; k < result.steps.size(); ++k) {
-    const auto& step = result.steps[k];
-    fmt::print("step {}: {}: {}\n", k + 1, nameOf(step.diagnosis.verdict), sentenceOf(step, units));
-    if (step.added.empty())
-      fmt::print("  ended ({}): {}\n", nameOf(result.end), reasonText(step, units));
-    else
-      fmt::print("  added {}: {}\n", fmt::join(step.added, ", "), reasonText(step, units));
-    if (!step.not_needed.empty())
-      fmt::print("  without {}: fitted, they are none within two standard deviations\n",
-                 fmt::join(step.not_needed, ", "));
-    if (!step.also.empty())
-      fmt::print("  with this tool no reading tells it apart from: {}\n", fmt::join(step.also, ", "));
-  }
+/// How it ended, and what was written.
+std::string endText(const Improvement& result, const ImproveOptions& options) {
+  std::string text;
   if (result.end == ImprovementEnd::kNotFitted)
-    fmt::print("the model as given cannot be fitted: {}\n", result.models.front().fit.reason);
-  if (result.end == ImprovementEnd::kMostSteps) fmt::print("ended after --steps {}\n", options.request.steps);
-  std::vector<std::string> aside;
-  for (const auto& id : idsSetAside(result, input.readings)) aside.push_back(nameInLine(id));
-  if (!aside.empty())
-    fmt::print("set aside as outliers, in no fit and no error: {} {}\n", aside.size() == 1 ? "reading" : "readings",
-               fmt::join(aside, ", "));
-  if (!result.models.empty()) fmt::print("{}", modelComparisonText(comparisonRowsOf(result), units));
-  if (!result.isUsable())
-    fmt::print("nothing was written\n");
-  else
-    fmt::print("wrote {}\n", options.out);
-  if (result.models.size() > 2) fmt::print("--steps {} leaves the last step out\n", result.models.size() - 2);
+    text += fmt::format("the model as given cannot be fitted: {}\n", result.models.front().fit.reason);
+  if (result.end == ImprovementEnd::kMostSteps) text += fmt::format("ended after --steps {}\n", options.request.steps);
+  text += result.isUsable() ? fmt::format("wrote {}\n", options.out) : "nothing was written\n";
+  if (result.models.size() > 2) text += fmt::format("--steps {} leaves the last step out\n", result.models.size() - 2);
+  return text;
 }
 
 int run(const ImproveOptions& options) {
@@ -124,11 +100,9 @@ int run(const ImproveOptions& options) {
     addChecks(input.checks, input.cell.units, json);
     writeJson(options.json, json);
     if (options.report.isWanted()) writeReport(options.report, improvementPage(input, options.request.seed, result));
-    if (printsText(options.json)) {
-      fmt::print("{}", checksText(input.checks, input.cell.units));
-      print(result, options, input);
-    }
-    return result.isUsable() ? kDone : kNegativeAnswer;
+    if (printsText(options.json))
+      fmt::print("{}{}{}", checksText(input.checks, input.cell.units), improvementText(json), endText(result, options));
+    return answerOver(input.checks, result.isUsable());
   } catch (const JobStopped&) {
     if (keeper.steps() == 0) throw;
     throw JobStopped{fmt::format("{} holds the model of step {}", options.out, keeper.steps())};

@@ -11,9 +11,9 @@
 #include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/commands/reading_answer.hpp"
 #include "app/documents/ladder_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/documents/model_comparison_json.hpp"
 #include "app/files/atomic_file.hpp"
 
 namespace tubeplan::app {
@@ -51,13 +51,10 @@ int run(const LadderOptions& options) {
   writeJson(options.json, figures);
   if (options.report.isWanted())
     writeReport(options.report, ladderPage(outcome.figures, options.measurements, options.request.seed));
-  const Units& units = models.front().input.cell.units;
   if (printsText(options.json))
-    fmt::print("{}{}\n{}{}{}", checksText(models.back().input.checks, units),
-               modelComparisonSentence(outcome.comparison, units), modelComparisonText(outcome.comparison, units),
-               setAsideText(outcome.set_aside, models.back().input.readings.size()),
-               ladderStepsText(outcome.steps, units));
-  return kDone;
+    fmt::print("{}{}{}", checksText(models.back().input.checks, models.front().input.cell.units),
+               ladderText(outcome.figures), setAsideText(outcome.set_aside, models.back().input.readings.size()));
+  return answerOver(models.back().input.checks, true);
 }
 
 }  // namespace

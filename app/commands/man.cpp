@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/command_words.hpp"
+#include "app/commands/command_words.hpp"
 
 namespace tubeplan::app {
 

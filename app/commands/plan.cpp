@@ -103,7 +103,8 @@ int run(const PlanOptions& options) {
   else
     folder.remove(kTrajectoryFile);
   writePlan(options.request, outcome, folder);
-  fmt::print("{}{}wrote {}\n", planText(outcome), options.from.empty() ? "" : keptText(options.from, outcome),
+  fmt::print("{}{}wrote {}\n", planText(options.request, outcome),
+             options.from.empty() ? "" : keptText(options.from, outcome),
              (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string());
   if (options.open) openInBrowser(std::filesystem::absolute(folder.path() / "report.html").string());
   return kDone;

@@ -10,6 +10,7 @@
 #include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/documents/pose_json.hpp"
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
@@ -53,13 +54,14 @@ nlohmann::json intermediatesJson(const deflection::Arm& arm, const deflection::F
   return {{"rows", rows}, {"components", components}};
 }
 
-void print(const char* name, const PoseFigures& f, const Units& units) {
-  const double in = units.factor(dimension::kLength), deg = units.factor(dimension::kAngle);
-  const int decimals = lengthDecimals(units);
-  fmt::print("{:<9}{:10.{}f} {:10.{}f} {:10.{}f} {}   {:9.4f} {:9.4f} {:9.4f} {}\n", name, f.position.x() / in,
-             decimals, f.position.y() / in, decimals, f.position.z() / in, decimals, units.length().name,
-             f.angles.x() / deg, f.angles.y() / deg, f.angles.z() / deg, units.angle().name);
-}
+constexpr std::string_view kTipWords = "{@:<9}{position:>36l units/length}   {fixed_angles:>32.4f units/angle}\n";
+constexpr TextLine kPoseWords[] = {
+    {"", "tip in the arm's base frame: position, fixed angles (gamma, beta, alpha)\n"},
+    {"rigid", kTipWords, {}, "rigid"},
+    {"flexible", kTipWords, {}, "flexible"},
+    {"change", kTipWords, {}, "change"},
+    {"", "deflection {deflection:l units/length}, converged in {iterations} iterations\n"},
+    {"segments/warning", "warning: {}\n"}};
 
 Eigen::Vector3d parseVector(const std::vector<double>& numbers, const char* option, const Cell& cell,
                             Dimension dimension) {
@@ -101,16 +103,8 @@ int run(const PoseOptions& options) {
   json["segments"] = segmentsJson(cell, posture, shape);
   if (options.all) json["intermediates"] = intermediatesJson(cell.arm, shape, cell.units);
   writeJson(options.json, json);
-  if (!printsText(options.json)) return kDone;
-  fmt::print("tip in the arm's base frame: position, fixed angles (gamma, beta, alpha)\n");
-  const PoseFigures change = poseChange(shape);
-  print("rigid", rigidToolOf(shape), cell.units);
-  print("flexible", flexibleToolOf(shape), cell.units);
-  print("change", change, cell.units);
-  fmt::print("deflection {:.{}f} {}, converged in {} iterations\n",
-             change.position.norm() / cell.units.factor(dimension::kLength), lengthDecimals(cell.units),
-             cell.units.length().name, shape.iterations);
-  if (const std::string warning = json["segments"]["warning"]; !warning.empty()) fmt::print("warning: {}\n", warning);
+  json["deflection"] = lengthJson(poseChange(shape).position.norm(), cell.units);
+  if (printsText(options.json)) fmt::print("{}", textOf(json, kPoseWords));
   return kDone;
 }
 

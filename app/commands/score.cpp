@@ -15,6 +15,7 @@
 #include "app/commands/option_groups.hpp"
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/documents/pose_json.hpp"
 #include "app/documents/segments_warning.hpp"
 #include "app/files/command_inputs.hpp"
@@ -25,6 +26,7 @@
 #include "app/files/units_json.hpp"
 #include "app/files/workcell.hpp"
 #include "app/studies/measurements/simulated_calibration.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/monte_carlo/step_experiment.hpp"
 #include "planner/reach/tube_reach.hpp"
 
@@ -58,7 +60,7 @@ struct Scored {
 Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes,
                 std::uint64_t seed, const Cell& cell) {
   Scored result;
-  result.calibration = calibrateBoth(nominal, cell, touchesByTrueArm(nominal, truth, seed));
+  result.calibration = calibrateBoth(nominal, cell, touchesByTrueArm(nominal, cell, truth, seed));
   if (result.calibration.flexible.status != calibration::CalibrationStatus::kDone) return result;
   const ScoringModels models = scoringModels(nominal, result.calibration, truth);
   const planner::ArmClearance clearance(models.flexible);
@@ -150,16 +152,11 @@ void printScored(const Scored& scored, const planner::Workcell& cell, const Cell
     fmt::print("{:<14}", planner::nameOf(kCompensations[mode]));
     for (int count : counts[mode]) fmt::print("{:7}", count);
     const double unit = units.factor(dimension::kLength);
-    const int decimals = lengthDecimals(units);
+    const int decimals = lengthDecimals(units.length());
     const auto none = static_cast<int>(scores.size()) - found;
     fmt::print("   {:8.{}f}  {:8.{}f}  {:8.{}f}{}\n", sum / unit / std::max(1, found), decimals, worst / unit, decimals,
                approach / unit, decimals, none > 0 ? fmt::format("   ({} without a posture)", none) : "");
   }
-}
-
-/// Of what the counts of an experiment are.
-BaseStanding standingOf(const StepExperimentOptions& settings) {
-  return {BasePlacing::kEachRun, static_cast<std::size_t>(settings.calibration_holes)};
 }
 
 std::vector<std::string> warningsOf(const StepExperiment& experiment) {
@@ -183,33 +180,26 @@ nlohmann::json experimentJson(const StepExperiment& experiment, const BaseStandi
   return json;
 }
 
-void printExperiment(const StepExperiment& experiment, const BaseStanding& standing, const Units& units) {
-  const double unit = units.factor(dimension::kLength);
-  fmt::print("{} runs of three calibration holes and ten test holes ({} refused{}), {}\n", experiment.runs,
-             experiment.refused.size(), experiment.refused.empty() ? "" : ", first: " + experiment.refused.front(),
-             wordsOf(standing));
-  for (const auto& warning : warningsOf(experiment)) fmt::print("warning: {}\n", warning);
-  if (std::isfinite(experiment.mean_touch_error))
-    fmt::print("mean residual of a fit to 14 touched holes: {:.{}f} {}\n", experiment.mean_touch_error / unit,
-               lengthDecimals(units), units.length().name);
-  fmt::print("{:<29}", "of ten holes, steps inserted");
-  for (std::size_t steps = 0; steps < experiment.mean_counts.front().size(); ++steps) fmt::print("{:6}", steps);
-  fmt::print("   mean error, {}\n", units.length().name);
-  for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
-    fmt::print("{:<29}", planner::nameOf(kCompensations[mode]));
-    for (double count : experiment.mean_counts[mode]) fmt::print("{:6.2f}", count);
-    fmt::print("   {:.{}f}\n", experiment.mean_error[mode] / unit, lengthDecimals(units));
-  }
-  fmt::print(
-      "goal-point and via-point compensation share the posture at the hole: they differ during the approach, not in "
-      "these counts\n");
-}
+constexpr std::string_view kModeWords = "{@:<29}{mean_counts:*6.2f}   {mean_centring_error:l}\n";
+constexpr TextLine kExperimentWords[] = {
+    {"", "{runs} runs of three calibration holes and ten test holes ({#refused} refused"},
+    {"refused", ", first: {}", {}, {}, 1},
+    {"", "), {base/words}\n"},
+    {"warnings", "warning: {}\n"},
+    {"mean_touch_error", "mean residual of a fit to 14 touched holes: {:l units/length}\n"},
+    {"", "of ten holes, by number of inserted steps, from none; then the mean error, {units/length}\n"},
+    {"none", kModeWords, {}, "none"},
+    {"goal_point", kModeWords, {}, "goal-point"},
+    {"via_point", kModeWords, {}, "via-point"},
+    {"",
+     "goal-point and via-point compensation share the posture at the hole: they differ during the approach, not in "
+     "these counts\n"}};
 
 int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, const planner::Workcell& model,
                   const planner::Workcell& truth, const Cell& cell) {
   const Units& units = cell.units;
   StepExperimentOptions settings;
-  settings.uncertainty = cell.uncertainty;
+  settings.doubt = doubtBeside(cell);
   settings.tubes = tubes;
   settings.runs = options.runs;
   settings.seed = options.seed;
@@ -221,9 +211,9 @@ int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, co
     fmt::print(stderr, "no run was scored: {}\n", experiment.reason);
     return kNegativeAnswer;
   }
-  const BaseStanding standing = standingOf(settings);
-  writeJson(options.json, experimentJson(experiment, standing, units));
-  if (printsText(options.json)) printExperiment(experiment, standing, units);
+  const nlohmann::json figures = experimentJson(experiment, standingOfEachRun(settings.calibration_holes), units);
+  writeJson(options.json, figures);
+  if (printsText(options.json)) fmt::print("{}", textOf(figures, kExperimentWords));
   return experiment.status == StepExperimentStatus::kStopped ? kStoppedExitCode : kDone;
 }
 

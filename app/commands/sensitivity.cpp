@@ -10,6 +10,7 @@
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/commands/reading_answer.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/sensitivity_report.hpp"
 #include "app/files/command_inputs.hpp"
@@ -17,6 +18,7 @@
 #include "app/files/workcell.hpp"
 #include "app/jobs/cell_estimate.hpp"
 #include "app/studies/measurements/reading_candidates.hpp"
+#include "app/studies/measurements/simulated_calibration.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "calibration/design/touch_choice.hpp"
 
@@ -34,43 +36,33 @@ struct SensitivityOptions {
   std::uint64_t seed = 1;
 };
 
-/// Named places that may be touched to place the base.
-struct Touchable {
-  std::vector<calibration::TouchPlan> plans;
-  double sigma;
-};
-
-Touchable touchableHoles(planner::Workcell work) {
+/// Holes of the sheet; the best of them are touched.
+BestTouches touchedHoles(const Cell& cell, const std::vector<Eigen::VectorXd>& work_postures) {
+  planner::Workcell work = workcellOf(cell, "touch holes");
   work.load = 0;
-  Touchable touchable{{}, touchSigmaOf(work.tool)};
-  const auto tubes = readTubes(tubesheets::spreadRequest(work.sheet, kTouchable), work.sheet).tube_indices;
-  for (const auto& hole : reachHoles(work, tubes, false)) {
-    const auto& tube = work.sheet.tubes[static_cast<std::size_t>(hole.tube)];
-    touchable.plans.push_back({"", tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube), hole.q});
-  }
-  return touchable;
+  return bestTouches(work, touchCandidates(work, kTouchable), work_postures, kChosenTouches, doubtBeside(cell));
 }
 
-Touchable touchablePostures(const Cell& cell, std::uint64_t seed) {
-  Touchable touchable{{}, calibration::TouchChoiceOptions().sigma};
+/// Postures of a cell without a sheet, each of which touches a mark.
+BestTouches touchedPostures(const Cell& cell, const std::vector<Eigen::VectorXd>& work_postures, std::uint64_t seed) {
+  std::vector<calibration::TouchPlan> marks;
   for (const auto& q : clearPostures(armAndScene(cell), {0}, kTouchable, seed))
-    touchable.plans.push_back({"", "posture " + std::to_string(touchable.plans.size() + 1), {}, q});
-  return touchable;
+    marks.push_back({"", "posture " + std::to_string(marks.size() + 1), {}, q});
+  const calibration::SensitivityTask usual;
+  return bestTouches(cell.arm, cell.X_WB, marks, work_postures, {kChosenTouches, usual.touch_sigma, doubtBeside(cell)});
 }
 
 /// The best three touches place the base. Returns why there are none, or nothing.
-std::string chooseBaseTouches(const Cell& cell, const Touchable& touchable, SensitivityReport& report,
+std::string chooseBaseTouches(const Cell& cell, std::uint64_t seed, SensitivityReport& report,
                               calibration::SensitivityTask& task) {
-  const auto choice =
-      calibration::chooseTouches(cell.arm, cell.X_WB, touchable.plans, task.work, {kChosenTouches, touchable.sigma});
-  if (choice.status != calibration::TouchChoiceStatus::kDone) return choice.reason;
-  task.touch_sigma = touchable.sigma;
-  for (const int index : choice.chosen) {
-    const auto& plan = touchable.plans[static_cast<std::size_t>(index)];
+  const BestTouches best = cell.sheet ? touchedHoles(cell, task.work) : touchedPostures(cell, task.work, seed);
+  if (cell.sheet) task.touch_sigma = touchSigmaOf(requireTool(cell, "touch holes"));
+  task.doubt = doubtBeside(cell);
+  for (const auto& plan : best.plans) {
     task.touches.push_back(plan.q_start);
     report.touches.push_back(plan.hole);
   }
-  return "";
+  return best.reason;
 }
 
 void findSheetWork(const Cell& cell, const SensitivityOptions& options, SensitivityReport& report,
@@ -126,11 +118,8 @@ int run(const SensitivityOptions& options) {
     task.work = clearPostures(armAndScene(cell), {task.load}, options.postures, options.seed);
   report.work = static_cast<int>(task.work.size());
   std::string reason;  // a base that is known, with no sheet over it, stays known
-  if (report.has_sheet || !cell.base_known)
-    reason = chooseBaseTouches(
-        cell,
-        report.has_sheet ? touchableHoles(workcellOf(cell, "touch holes")) : touchablePostures(cell, options.seed + 1),
-        report, task);
+  if (!task.work.empty() && (report.has_sheet || !cell.base_known))
+    reason = chooseBaseTouches(cell, options.seed + 1, report, task);
   if (reason.empty()) report.figures = calibration::findSensitivities(cell.arm, cell.X_WB, task);
   if (reason.empty()) reason = report.figures.reason;
   if (!reason.empty()) {
@@ -140,8 +129,8 @@ int run(const SensitivityOptions& options) {
   nlohmann::json json = sensitivityJson(report, cell);
   if (!options.readings.empty()) addChecks(checks, cell.units, json);
   writeJson(options.json, json);
-  if (printsText(options.json)) fmt::print("{}{}", checksText(checks, cell.units), sensitivityText(report, cell));
-  return kDone;
+  if (printsText(options.json)) fmt::print("{}{}", checksText(checks, cell.units), sensitivityText(json));
+  return answerOver(checks, true);
 }
 
 }  // namespace

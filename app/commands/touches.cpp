@@ -10,6 +10,7 @@
 #include "app/cli/command.hpp"
 #include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/commands/reading_answer.hpp"
 #include "app/documents/fill_in_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/touch_proposals.hpp"
@@ -38,7 +39,6 @@ void writeSheet(const std::string& file, const TouchOutcome& outcome) {
 
 /// What to do with the sheet that was written.
 std::string sheetText(const TouchesOptions& options, const TouchOutcome& outcome) {
-  if (options.csv.empty() || !isProposed(outcome.base) || !isProposed(outcome.parameters)) return "";
   return fmt::format("wrote {}: {}\n", options.csv,
                      fillInText(runSheetOf(outcome), outcome.cell.arm, outcome.cell.units));
 }
@@ -49,8 +49,9 @@ int run(const TouchesOptions& options) {
   checkJsonTarget(options.json);
   if (!options.csv.empty()) checkWritableFile(options.csv, "--csv");
   const TouchOutcome outcome = proposeTouches(request);
-  const bool is_done = isProposed(outcome.base) && isProposed(outcome.parameters);
-  if (is_done && !options.csv.empty()) writeSheet(options.csv, outcome);
+  const ExitCode answer = answerOver(outcome.checks, isProposed(outcome.base) && isProposed(outcome.parameters));
+  const bool is_written = answer == kDone && !options.csv.empty();
+  if (is_written) writeSheet(options.csv, outcome);
   nlohmann::json json = proposalsJson(outcome);
   json["seed"] = request.seed;
   json["optimality"] = options.optimality;
@@ -58,8 +59,8 @@ int run(const TouchesOptions& options) {
   writeJson(options.json, json);
   if (printsText(options.json))
     fmt::print("{}{}{}", checksText(outcome.checks, outcome.cell.units), proposalsText(outcome),
-               sheetText(options, outcome));
-  return is_done ? kDone : kNegativeAnswer;
+               is_written ? sheetText(options, outcome) : "");
+  return answer;
 }
 
 }  // namespace

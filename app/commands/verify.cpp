@@ -14,6 +14,7 @@
 #include "app/commands/option_groups.hpp"
 #include "app/commands/plan_identity.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/documents/pose_json.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/plan_reader.hpp"
@@ -76,34 +77,25 @@ nlohmann::json checkJson(const planner::PlanCheck& check, const Cell& planned, c
           {"units", unitsJson(units)}};
 }
 
-void print(const planner::PlanCheck& check, const Cell& planned, const Units& units,
-           const std::vector<std::string>& warnings) {
-  for (const auto& warning : warnings) fmt::print("warning: {}\n", warning);
-  const double length = units.factor(dimension::kLength);
-  fmt::print("{} tubes, {} path rows: {} {}\n", check.tubes, check.rows, check.findings.empty() ? "proved" : "REFUTED",
-             wordsOf(standingOf(planned)));
-  fmt::print("largest centring error {:.1e} {}, largest deviation from a hole's axis during an approach {}\n",
-             check.worst_centring / length, units.length().name, lengthText(check.worst_approach, units));
-  if (!check.statics_not_covered.empty())
-    fmt::print("statics not checked independently: {}\n", check.statics_not_covered);
-  else if (std::isfinite(check.worst_statics))
-    fmt::print("independent statics on finely segmented members: the tip within {} of that\n",
-               lengthText(check.worst_statics, units));
-  if (std::isfinite(check.least_play))
-    fmt::print("the tool's play in a tube at least {}\n", lengthText(check.least_play, units));
-  const std::string margin =
-      std::isfinite(check.least_margin)
-          ? fmt::format("; {} {}",
-                        check.least_margin < 0 ? "the clearance is missed by" : "margin beyond the clearance at least",
-                        lengthText(std::abs(check.least_margin), units))
-          : "";
-  fmt::print("speed at most {:.6f} of its limit, acceleration {:.6f}{}\n", check.worst_speed_share,
-             check.worst_acceleration_share, margin);
-  if (!check.deflection_travel_sampled.empty())
-    fmt::print("between rows, what deflection adds to the travel is sampled over postures, not proved: {}\n",
-               check.deflection_travel_sampled);
-  for (const auto& finding : check.findings) fmt::print("  {}\n", finding);
-}
+constexpr TextLine kPlanCheckWords[] = {
+    {"warnings", "warning: {}\n"},
+    {"", "{tubes} tubes, {path_rows} path rows: "},
+    {"findings", "REFUTED", {}, {}, 1},
+    {"!findings", "proved"},
+    {"",
+     " {base/words}\nlargest centring error {worst_centring:.1e units/length}, largest deviation from a hole's axis "
+     "during an approach {worst_approach_deviation:.4r units/length}\n"},
+    {"statics_not_covered", "statics not checked independently: {}\n"},
+    {"worst_statics_difference",
+     "independent statics on finely segmented members: the tip within {:.4r units/length} of that\n"},
+    {"least_play_in_tube", "the tool's play in a tube at least {:.4r units/length}\n"},
+    {"", "speed at most {worst_speed_share:.6f} of its limit, acceleration {worst_acceleration_share:.6f}"},
+    {"+least_margin_proved", "; margin beyond the clearance at least {:.4r units/length}"},
+    {"-least_margin_proved", "; the clearance is missed by {:.4a units/length}"},
+    {"", "\n"},
+    {"deflection_travel_sampled",
+     "between rows, what deflection adds to the travel is sampled over postures, not proved: {}\n"},
+    {"findings", "  {}\n"}};
 
 /// The plan stands on its own base; a cell that was calibrated since knows of another.
 std::string baseDifference(const Cell& cell, const Cell& planned) {
@@ -163,8 +155,9 @@ int run(const VerifyOptions& options) {
   if (auto nominal = warningOf(standingOf(planned)); !nominal.empty()) warnings.push_back(std::move(nominal));
   if (auto moved = baseDifference(cell, planned); !moved.empty()) warnings.push_back(std::move(moved));
   if (auto states = statesText(work.sheet, files.plan); !states.empty()) warnings.push_back(std::move(states));
-  writeJson(options.json, checkJson(check, planned, cell.units, warnings));
-  if (printsText(options.json)) print(check, planned, cell.units, warnings);
+  const nlohmann::json figures = checkJson(check, planned, cell.units, warnings);
+  writeJson(options.json, figures);
+  if (printsText(options.json)) fmt::print("{}", textOf(figures, kPlanCheckWords));
   return check.findings.empty() ? kDone : kNegativeAnswer;
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/files/units_json.hpp"
 #include "deflection/effects/rigid_frames.hpp"
 #include "deflection/weights.hpp"
@@ -55,23 +56,6 @@ std::string limitsOf(const deflection::Joint<double>& joint, const Units& units)
                      units.nameOf(unit));
 }
 
-/// Three numbers as a file in these units has them: "0, 90, 180".
-std::string numbersInFile(const Vector3d& values, const Units& units, Dimension unit) {
-  return fmt::format("{}, {}, {}", formatNumber(units.toFile(values.x(), unit)),
-                     formatNumber(units.toFile(values.y(), unit)), formatNumber(units.toFile(values.z(), unit)));
-}
-
-/// Where a row by origin is placed by the row before, as its file has it; empty for a row by dh.
-std::string originText(const deflection::Row<double>& row, const Units& units) {
-  const auto* origin = std::get_if<deflection::Origin<double>>(&row.placement);
-  if (!origin) return "";
-  const std::string beta =
-      origin->beta == 0 ? "" : fmt::format(", beta {}", formatNumber(units.toFile(origin->beta, dimension::kAngle)));
-  return fmt::format("position {} {}, rpy {}{} {}", numbersInFile(origin->position, units, dimension::kLength),
-                     units.length().name, numbersInFile(origin->rpy, units, dimension::kAngle), beta,
-                     units.nameOf(dimension::kAngle));
-}
-
 nlohmann::json originJson(const deflection::Row<double>& row, const Units& units) {
   const auto* origin = std::get_if<deflection::Origin<double>>(&row.placement);
   if (!origin) return nullptr;
@@ -79,6 +63,21 @@ nlohmann::json originJson(const deflection::Row<double>& row, const Units& units
           {"rpy", vectorJson(origin->rpy, units, dimension::kAngle)},
           {"beta", units.toFile(origin->beta, dimension::kAngle)}};
 }
+
+constexpr TextLine kOriginWords[] = {{"+beta", ", beta {}"}, {"-beta", ", beta {}"}, {"", " {units/angle}\n"}};
+
+constexpr TextLine kArmWords[] = {
+    {"name", "{}"},
+    {"!name", "arm"},
+    {"",
+     ": {joints} joints, reaches {reach:.4r units/length}, weighs {weight:.4r units/force}\n"
+     "  row                    joint        type          origin, joints at zero               limits     weight  "
+     "compliant\n"},
+    {"rows",
+     "  {name:<22} {joint:<12} {type:<9} {position:>22.4r units/length} {limits:>20} {weight:>6.4r units/force}  "
+     "{compliant}\n"},
+    {"rows/origin", "  origin of {name}: position {position} {units/length}, rpy {rpy}", kOriginWords},
+    {"", "  tip at {tip:.4r units/length}\n"}};
 
 }  // namespace
 
@@ -108,29 +107,6 @@ nlohmann::json armJson(const Arm& arm, const Units& units) {
           {"units", unitsJson(units)}};
 }
 
-std::string armText(const Arm& arm, const Units& units) {
-  const nlohmann::json json = armJson(arm, units);
-  const auto length = units.length().name, force = units.force().name;
-  std::string text =
-      fmt::format("{}: {} joints, reaches {:.4g} {}, weighs {:.4g} {}\n", arm.name.empty() ? "arm" : arm.name,
-                  json["joints"].get<int>(), json["reach"].get<double>(), length, json["weight"].get<double>(), force);
-  text += fmt::format("  {:<22} {:<12} {:<9} {:>30} {:>20} {:>10}  {}\n", "row", "joint", "type",
-                      fmt::format("origin, joints at zero ({})", length), "limits", fmt::format("weight ({})", force),
-                      "compliant");
-  for (const auto& row : json["rows"]) {
-    const auto& p = row["position"];
-    text +=
-        fmt::format("  {:<22} {:<12} {:<9} {:>30} {:>20} {:>10.4g}  {}\n", row["name"].get<std::string>(),
-                    row["joint"].get<std::string>(), row["type"].get<std::string>(),
-                    fmt::format("{:.4g}, {:.4g}, {:.4g}", p[0].get<double>(), p[1].get<double>(), p[2].get<double>()),
-                    row["limits"].get<std::string>(), row["weight"].get<double>(), row["compliant"].get<std::string>());
-  }
-  for (const auto& row : arm.rows)
-    if (const std::string origin = originText(row, units); !origin.empty())
-      text += fmt::format("  origin of {}: {}\n", row.name, origin);
-  const auto& tip = json["tip"];
-  return text + fmt::format("  tip at {:.4g}, {:.4g}, {:.4g} {}\n", tip[0].get<double>(), tip[1].get<double>(),
-                            tip[2].get<double>(), length);
-}
+std::string armText(const Arm& arm, const Units& units) { return textOf(armJson(arm, units), kArmWords); }
 
 }  // namespace tubeplan::app

@@ -1,13 +1,11 @@
 #include "app/documents/calibration_json.hpp"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "app/documents/base_verdict.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/documents/pose_json.hpp"
-#include "app/files/input_error.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
@@ -60,17 +58,19 @@ nlohmann::json suspectReadingsJson(const BaseCalibration& result, const Cell& ce
   return list;
 }
 
-/// What is left at each touch by the base and the arm as found.
-std::string residualsText(const BaseCalibration& result, const Units& units) {
-  const auto length = [&](double metres) { return metres / units.factor(dimension::kLength); };
-  const int digits = lengthDecimals(units);
-  std::string text;
-  for (const auto& touch : result.residuals)
-    text += fmt::format("  touch {:<4} {:<8} off by {:+.{}f} {:+.{}f} {:+.{}f} {}\n", nameInLine(touch.id),
-                        nameInLine(touch.hole), length(touch.residual_W.x()), digits, length(touch.residual_W.y()),
-                        digits, length(touch.residual_W.z()), digits, units.length().name);
-  return text;
-}
+constexpr TextLine kResidualWords[] = {
+    {"residuals", "  touch {id:<4n} {hole:<8n} off by {residual:+l} {units/length}\n"}};
+
+constexpr TextLine kCalibrationWords[] = {
+    {"", "base  position {base/position:l} {units/length}  rpy {base/rpy:.4f} {units/angle}\n"},
+    {"", "sigma position {sigma/position:l} {units/length}  turn {sigma/rotation:.4f} {units/angle}\n"},
+    {"", "fit   rms {rms:l} {units/length}, chi-square {chi2:.2f} for {degrees_of_freedom} degrees of freedom"},
+    {"+degrees_of_freedom", " (p = {p_value:.3g})"},
+    {"", "\n", kResidualWords}};
+
+constexpr TextLine kDistanceWords[] = {{"distances",
+                                        "  {from:n} to {to:n}: {by_arm:l} by the arm, {on_sheet:l} on the sheet, "
+                                        "{difference:+l} (sigma {sigma:l}) {units/length}\n"}};
 
 }  // namespace
 
@@ -117,35 +117,12 @@ nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) 
 }
 
 std::string calibrationText(const BaseCalibration& result, const Cell& cell, bool in_full) {
-  const Units& units = cell.units;
+  const nlohmann::json figures = calibrationJson(result, cell);
+  const std::string verdict = baseVerdictText(judgeBase(result, cell), result, cell.units, in_full);
   if (result.status != CalibrationStatus::kDone)
-    return "calibration " + std::string(statusName(result.status)) + ": " + result.reason + "\n" +
-           residualsText(result, units) + baseVerdictText(judgeBase(result, cell), result, units, in_full) +
+    return textOf(figures, "calibration {status}: {reason}\n") + textOf(figures, kResidualWords) + verdict +
            "the base stays where it was: what is planned holds " + wordsOf(standingOf(cell)) + "\n";
-  const auto length = [&](double metres) { return metres / units.factor(dimension::kLength); };
-  const auto angle = [&](double radians) { return radians / units.factor(dimension::kAngle); };
-  const std::string unit(units.length().name), turn(units.angle().name);
-  const nlohmann::json base = poseJson(result.X_WB, units);
-  const Eigen::VectorXd sigma = result.covariance.diagonal().cwiseSqrt();
-  const int digits = lengthDecimals(units);
-  const auto fixed = [&](double metres) { return fmt::format("{:.{}f}", length(metres), digits); };
-  std::string text = fmt::format("base  position {:.{}f} {:.{}f} {:.{}f} {}  rpy {:.4f} {:.4f} {:.4f} {}\n",
-                                 base["position"][0].get<double>(), digits, base["position"][1].get<double>(), digits,
-                                 base["position"][2].get<double>(), digits, unit, base["rpy"][0].get<double>(),
-                                 base["rpy"][1].get<double>(), base["rpy"][2].get<double>(), turn);
-  text += fmt::format("sigma position {} {} {} {}  turn {:.4f} {:.4f} {:.4f} {}\n", fixed(sigma[0]), fixed(sigma[1]),
-                      fixed(sigma[2]), unit, angle(sigma[3]), angle(sigma[4]), angle(sigma[5]), turn);
-  text += fmt::format("fit   rms {} {}, chi-square {:.2f} for {} degrees of freedom{}\n", fixed(result.rms), unit,
-                      result.chi2, result.degrees_of_freedom,
-                      result.degrees_of_freedom > 0 ? fmt::format(" (p = {:.3g})", result.p_value) : "");
-  text += residualsText(result, units);
-  for (const auto& check : result.distances) {
-    if (!in_full) break;
-    text += fmt::format("  {} to {}: {} by the arm, {} on the sheet, {:+.{}f} (sigma {}) {}\n", nameInLine(check.from),
-                        nameInLine(check.to), fixed(check.by_arm), fixed(check.on_sheet),
-                        length(check.by_arm - check.on_sheet), digits, fixed(check.sigma), unit);
-  }
-  return text + baseVerdictText(judgeBase(result, cell), result, units, in_full);
+  return textOf(figures, kCalibrationWords) + (in_full ? textOf(figures, kDistanceWords) : "") + verdict;
 }
 
 }  // namespace tubeplan::app

@@ -11,10 +11,10 @@
 #include "app/documents/diagnosis_views_json.hpp"
 #include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/documents/identification_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/pattern_json.hpp"
-#include "app/files/input_error.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/units_json.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -88,29 +88,27 @@ json comparedJointsJson(const Eigen::VectorXd& q, const deflection::Arm& arm, co
 
 json comparedReadingJson(const ComparedReading& compared, const Measurement& reading, const Comparison& result,
                          const Units& units) {
-  json entry = {
-      {"id", reading.id},
-      {"kind", calibration::kindOf(reading).name},
-      {"point", reading.point},
-      {"setup", reading.setup},
-      {"load", finiteJson(reading.load / units.factor(dimension::kForce))},
-      {"joints", comparedJointsJson(reading.q, result.fitted.arm, units)},
-      {"senses", reading.approach_directions},
-      {"temperature",
-       std::isfinite(reading.temperature) ? finiteJson(units.temperatureToFile(reading.temperature)) : json()},
-      {"time", finiteJson(reading.time / units.factor(dimension::kTime))},
-      {"sigma", lengthJson(reading.sigma, units)},
-      {"held_out", compared.is_held_out},
-      {"measured", reading.p_W ? placeJson(*reading.p_W, units) : json()},
-      {"position_before", placeJson(compared.tip_before, units)},
-      {"position_after", placeJson(compared.tip_after, units)},
-      {"error_before", placeJson(compared.error_before, units)},
-      {"error_after", placeJson(compared.error_after, units)},
-      {"size_before", errorSizeJson(reading, compared.error_before, compared.turn_before, units)},
-      {"size_after", errorSizeJson(reading, compared.error_after, compared.turn_after, units)},
-      {"size_unit", errorUnitOf(reading, units).name},
-      {"sigmas_before", finiteJson(compared.sigmas_before)},
-      {"sigmas_after", finiteJson(compared.sigmas_after)}};
+  json entry = {{"id", reading.id},
+                {"kind", calibration::kindOf(reading).name},
+                {"point", reading.point},
+                {"setup", reading.setup},
+                {"load", finiteJson(reading.load / units.factor(dimension::kForce))},
+                {"joints", comparedJointsJson(reading.q, result.fitted.arm, units)},
+                {"senses", reading.approach_directions},
+                {"sigma", lengthJson(reading.sigma, units)},
+                {"held_out", compared.is_held_out},
+                {"measured", reading.p_W ? placeJson(*reading.p_W, units) : json()},
+                {"position_before", placeJson(compared.tip_before, units)},
+                {"position_after", placeJson(compared.tip_after, units)},
+                {"error_before", placeJson(compared.error_before, units)},
+                {"error_after", placeJson(compared.error_after, units)},
+                {"size_before", errorSizeJson(reading, compared.error_before, compared.turn_before, units)},
+                {"size_after", errorSizeJson(reading, compared.error_after, compared.turn_after, units)},
+                {"size_unit", errorUnitOf(reading, units).name},
+                {"sigmas_before", finiteJson(compared.sigmas_before)},
+                {"sigmas_after", finiteJson(compared.sigmas_after)}};
+  for (const auto& kind : deflection::kConditionKinds)
+    entry[kind.name] = finiteJson(units.toFile(reading.conditions[kind.condition], kind.unit));
   addOwnNumbers(reading, units, entry);
   if (reading.wrench) {
     entry["force"] = vectorJson(reading.wrench->force_W, units, dimension::kForce);
@@ -161,28 +159,6 @@ std::string noiseSentence(const Comparison& result) {
       repeats.noise_ratio, chanceText(repeats.noise_p_value));
 }
 
-std::string lackOfFitLine(const char* title, const ModelLackOfFit& lack_of_fit, const ErrorUnit& unit) {
-  return fmt::format("  {:<16} rms {:>10}  mean {:>10}  worst {:>10}  chi-square per freedom {:.3g} ({}): {}\n", title,
-                     errorText(lack_of_fit.errors.rms, unit, 3), errorText(lack_of_fit.errors.mean, unit, 3),
-                     errorText(lack_of_fit.errors.max, unit, 3),
-                     lack_of_fit.chi2 / std::max(1, lack_of_fit.degrees_of_freedom),
-                     lack_of_fit.degrees_of_freedom > 0 ? chanceText(lack_of_fit.p_value) : "no degree of freedom",
-                     nameOf(lack_of_fit.adequacy));
-}
-
-std::string equivalentsText(const Comparison& result, const Units& units) {
-  if (!result.joints_after.ok) return "";
-  std::string text = "  as joint errors (mean, spread):";
-  for (Eigen::Index j = 0; j < result.fitted.arm.jointCount(); ++j) {
-    const auto& joint = result.fitted.arm.joint(j);
-    const double factor = units.factor(jointDimension(joint));
-    text += fmt::format(" {} {:+.2g}, {:.2g} {};", joint.name, result.joints_after.mean[j] / factor,
-                        result.joints_after.spread[j] / factor, units.nameOf(jointDimension(joint)));
-  }
-  text.back() = '\n';
-  return text;
-}
-
 std::string errorClause(const Comparison& result, const Units& units) {
   const ErrorUnit unit = errorUnitOf(result, units);
   return fmt::format("the error is {} as it stands and {} after the refit; noise alone explains {}",
@@ -202,6 +178,29 @@ std::vector<std::string> comparisonSentences(const Comparison& result, const Uni
   return sentences;
 }
 
+constexpr TextLine kLackOfFitChance[] = {
+    {"+degrees_of_freedom", "{p_value:p}"}, {"!+degrees_of_freedom", "no degree of freedom"}, {"", "): {verdict}\n"}};
+constexpr std::string_view kLackOfFitWords =
+    "  {@:<16} rms {rms:>10.3r error_unit}  mean {mean:>10.3r error_unit}  worst {worst:>10.3r error_unit}  chi-square "
+    "per freedom {chi2_per_dof:.3r} (";
+constexpr TextLine kPatternBeside[] = {{"goes_with", " It correlates with {}."}, {"", "\n"}};
+
+constexpr TextLine kComparisonWords[] = {
+    {"", "{verdict}\n{sentence}\n"},
+    {"reason", "  {}\n"},
+    {"as_it_stands", kLackOfFitWords, kLackOfFitChance, "as it stands"},
+    {"after_refit", kLackOfFitWords, kLackOfFitChance, "after the refit"},
+    {"rms/heldout_after",
+     "  held out: rms {rms/heldout_before:.3r error_unit} with only the base fitted, {:.3r error_unit} after the "
+     "refit\n"},
+    {"error_budget", "  {words}\n"},
+    {"", "{noise}\n"},
+    {"patterns", "  {sentence}", kPatternBeside},
+    {"", "  {#tested} patterns tested, {#patterns} found\n"},
+    {"worst", "  worst: reading {id:n} is off by {size:.3r unit} ({sigmas:.1f} sigmas)\n", {}, {}, 3},
+    {"joint_equivalents/after_refit/joints",
+     "  as an error of {joint}: mean {mean:+.2g}, spread {spread:.2g} {unit}\n"}};
+
 }  // namespace
 
 std::string comparisonSentence(const Comparison& result, const Units& units) {
@@ -219,7 +218,7 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
   const ErrorUnit unit = errorUnitOf(result, units);
   json report = {{"status", statusName(result.status)},
                  {"reason", result.reason},
-                 {"units", unitsJson(units)},
+                 {"units", readingUnitsJson(units)},
                  {"verdict", nameOf(result.verdict)},
                  {"verdict_words", wordsOf(result.verdict)},
                  {"grounds", result.grounds},
@@ -259,33 +258,6 @@ json comparisonJson(const Comparison& result, const std::vector<Measurement>& re
   return report;
 }
 
-std::string comparisonText(const Comparison& result, const std::vector<Measurement>& readings, std::size_t set_aside,
-                           const Units& units) {
-  const ErrorUnit unit = errorUnitOf(result, units);
-  std::string text = fmt::format("{}\n{}\n", nameOf(result.verdict), comparisonSentence(result, units));
-  if (!result.reason.empty()) text += "  " + result.reason + "\n";
-  text += lackOfFitLine("as it stands", result.as_it_stands, unit);
-  text += lackOfFitLine("after the refit", result.after_refit, unit);
-  if (result.refit.heldout.readings > 0)
-    text +=
-        fmt::format("  held out: rms {} with only the base fitted, {} after the refit\n",
-                    errorText(result.refit.heldout_before.rms, unit, 3), errorText(result.refit.heldout.rms, unit, 3));
-  if (const std::string budget = errorBudgetText(budgetOf(result), set_aside, units); !budget.empty())
-    text += "  " + budget + "\n";
-  text += noiseSentence(result) + "\n";
-  for (const auto& test : result.patterns.findings)
-    text += "  " + patternSentence(test, units) +
-            (test.goes_with.empty() ? "\n" : " It correlates with " + test.goes_with + ".\n");
-  text +=
-      fmt::format("  {} patterns tested, {} found\n", result.patterns.tests.size(), result.patterns.findings.size());
-  for (std::size_t k = 0; k < std::min<std::size_t>(3, result.worst.size()); ++k) {
-    const auto& reading = readings.at(static_cast<std::size_t>(result.worst[k]));
-    const auto& worst = result.readings.at(static_cast<std::size_t>(result.worst[k]));
-    const double size = errorSizeOf(reading, worst.error_after, worst.turn_after);
-    text += fmt::format("  worst: reading {} is off by {} ({:.1f} sigmas)\n", nameInLine(reading.id),
-                        errorText(size, errorUnitOf(reading, units), 3), worst.sigmas_after);
-  }
-  return text + equivalentsText(result, units);
-}
+std::string comparisonText(const json& figures) { return textOf(figures, kComparisonWords); }
 
 }  // namespace tubeplan::app

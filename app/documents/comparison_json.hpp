@@ -22,8 +22,7 @@ inline constexpr const char* kErrorsAre = "measured less predicted";
                                             const std::vector<calibration::Measurement>& readings,
                                             std::size_t set_aside, const Units& units);
 
-[[nodiscard]] std::string comparisonText(const calibration::Comparison& result,
-                                         const std::vector<calibration::Measurement>& readings, std::size_t set_aside,
-                                         const Units& units);
+/// In words, from its JSON.
+[[nodiscard]] std::string comparisonText(const nlohmann::json& figures);
 
 }  // namespace tubeplan::app

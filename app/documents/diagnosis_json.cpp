@@ -130,7 +130,7 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
                          {"verdict_words", wordsOf(result.verdict)},
                          {"sentence", diagnosisSentence(result, units)},
                          {"sentences", diagnosisSentences(result, units)},
-                         {"units", unitsJson(units)}};
+                         {"units", readingUnitsJson(units)}};
   json["alternatives"] = nlohmann::json::array();
   for (const auto& alternative : result.alternatives)
     json["alternatives"].push_back(effectsJson(alternative, result, units));

@@ -91,8 +91,9 @@ json readingJson(const Measurement& reading, const deflection::Arm& arm, const U
   if (reading.row) entry["row"] = arm.rows.at(static_cast<std::size_t>(*reading.row)).name;
   if (!reading.setup.empty()) entry["setup"] = reading.setup;
   if (!reading.approach_directions.empty()) entry["senses"] = reading.approach_directions;
-  if (std::isfinite(reading.temperature)) entry["temperature"] = brief(units.temperatureToFile(reading.temperature));
-  if (std::isfinite(reading.time)) entry["time"] = brief(reading.time / units.factor(dimension::kTime));
+  for (const auto& kind : deflection::kConditionKinds)
+    if (reading.conditions.states(kind.condition))
+      entry[kind.name] = brief(units.toFile(reading.conditions[kind.condition], kind.unit));
   return entry;
 }
 

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json jointsJson(const deflection::Arm& arm, const Units& units);
 
 /// A reading without its errors, in the cell's units: {id, kind, point, joints: [...], load}, and where stated setup,
-/// senses: [...], temperature, time.
+/// senses: [...], conditions by their names.
 [[nodiscard]] nlohmann::json readingJson(const calibration::Measurement& reading, const deflection::Arm& arm,
                                          const Units& units);
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/documents/fill_in_json.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/measurements_writer.hpp"
@@ -84,15 +85,15 @@ std::string neverText(const DiscriminatingMeasurements& result) {
   return explanationName(result, first.truth) + " and " + explanationName(result, first.other) + more;
 }
 
-std::string jointsText(const ProposedMeasurement& reading, const deflection::Arm& arm, const Units& units) {
-  const auto joints = jointFigures(arm, reading.q, units);
-  std::string text;
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    const char* sense = reading.approach_directions.empty() ? "" : reading.approach_directions[j] > 0 ? "+" : "-";
-    text += fmt::format(" {:>9}{}", joints[j], sense);
-  }
-  return text;
-}
+constexpr TextLine kNextReadingWords[] = {
+    {"", " {load:>8.4r}{posture:*11.7r}   {splits/0} from {splits/1}: {separation_sigmas:.1f}"},
+    {"senses", "  (senses {senses})", {}, {}, 1},
+    {"", "\n"}};
+
+constexpr TextLine kNextReadingsWords[] = {
+    {"splitting/advice", "next: {}\n"},
+    {"next_readings", "{heading}   discriminates, by so many standard deviations\n", {}, {}, 1},
+    {"next_readings", "  {place_name:<10}", kNextReadingWords}};
 
 }  // namespace
 
@@ -170,23 +171,19 @@ std::vector<ProposedMeasurement> runSheetOf(const DiscriminatingMeasurements& re
   return sheet;
 }
 
-std::string discriminationText(const DiscriminatingMeasurements& result,
-                               const std::vector<ReadingCandidate>& candidates, const deflection::Arm& arm,
-                               const Units& units) {
-  const std::string advice = discriminationAdvice(result);
-  std::string text = advice.empty() ? "" : "next: " + advice + "\n";
-  if (result.times == 0) return text;
-  text += fmt::format("  {:<10} {:>8}", "point", units.force().name);
-  for (const auto& name : jointNames(arm)) text += fmt::format(" {:>10}", name);
-  text += "   discriminates, by so many standard deviations\n";
-  for (std::size_t k = 0; k < result.readings.size(); ++k)
-    for (const auto& reading : readingsOf(candidates, result.readings[k]))
-      text += fmt::format("  {:<10} {:8.4g}{}   {} from {}: {:.1f}\n",
-                          isAtPoint(reading) ? reading.point : "N" + std::to_string(k + 1),
-                          units.toFile(reading.load, dimension::kForce), jointsText(reading, arm, units),
-                          explanationName(result, result.readings[k].a), explanationName(result, result.readings[k].b),
-                          result.readings[k].separation);
-  return text;
+std::string discriminationText(nlohmann::json figures) {
+  std::string heading = textOf(figures, "  point      {units/force:>8}");
+  int number = 0;
+  for (auto& reading : figures["next_readings"]) {
+    ++number;
+    reading["place_name"] =
+        reading["point"].is_null() ? nlohmann::json("N" + std::to_string(number)) : reading["point"];
+  }
+  if (!figures["next_readings"].empty())
+    for (const auto& [name, value] : figures["next_readings"].front()["posture"].items())
+      heading += fmt::format("{:>11}", name);
+  figures["heading"] = heading;
+  return textOf(figures, kNextReadingsWords);
 }
 
 }  // namespace tubeplan::app

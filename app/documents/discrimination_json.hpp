@@ -1,7 +1,7 @@
 // Readings that would split what a diagnosis leaves open, as JSON and in words.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -25,8 +25,6 @@ void addNextReadings(const calibration::DiscriminatingMeasurements& result,
     const std::vector<calibration::Measurement>& taken);
 
 /// A few lines for people.
-[[nodiscard]] std::string discriminationText(const calibration::DiscriminatingMeasurements& result,
-                                             const std::vector<calibration::ReadingCandidate>& candidates,
-                                             const deflection::Arm& arm, const Units& units);
+[[nodiscard]] std::string discriminationText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <ranges>
 
 #include "app/documents/figures.hpp"
 
@@ -31,6 +33,8 @@ double inFile(double value, deflection::Quantity quantity, const Units& units) {
   return value / units.factor(dimensionOf(quantity));
 }
 
+std::string warnedPlace(const EffectWarning& warning) { return warning.effect + "@" + warning.at; }
+
 /// "(p = 0.4; held-out error 0.0061 in with, 0.0060 in without)".
 std::string groundsText(const EffectWarning& warning, const Units& units) {
   std::string text = fmt::format("p = {:.2g}", warning.p_value);
@@ -43,7 +47,7 @@ std::string groundsText(const EffectWarning& warning, const Units& units) {
 
 std::string betterText(const EffectWarning& warning, const Units& units) {
   const std::string better = warning.better.effect + "@" + warning.better.at;
-  const std::string own = warning.effect + "@" + warning.at;
+  const std::string own = warnedPlace(warning);
   if (better != own)
     return fmt::format("{} explains these readings better than {} (by {:.0f} in BIC)", better, own, warning.by);
   std::string values;
@@ -54,10 +58,104 @@ std::string betterText(const EffectWarning& warning, const Units& units) {
                      own, values, warning.by);
 }
 
+std::string beyondText(const EffectWarning& warning, const Units& units) {
+  const deflection::Quantity quantity = warning.number.quantity;
+  return fmt::format("{} is {:.3g} {}, more than any real machine has ({:.3g})", warning.number.name,
+                     inFile(warning.number.value, quantity, units), units.nameOf(dimensionOf(quantity)),
+                     inFile(warning.plausible, quantity, units));
+}
+
+using WarningGroup = std::vector<const EffectWarning*>;
+
+/// Whether one sentence says both: a better shape of its own is nobody else's.
+bool isSaidTogether(const EffectWarning& a, const EffectWarning& b) {
+  if (a.kind != b.kind || a.is_within_noise != b.is_within_noise) return false;
+  return a.kind != EffectWarningKind::kBetterExplainedBy ||
+         (a.better.effect == b.better.effect && a.better.at == b.better.at && a.better.effect != a.effect);
+}
+
+std::vector<WarningGroup> groupsOf(const std::vector<EffectWarning>& warnings) {
+  std::vector<WarningGroup> groups;
+  for (const EffectWarning& warning : warnings) {
+    const auto group =
+        std::ranges::find_if(groups, [&](const WarningGroup& g) { return isSaidTogether(*g.front(), warning); });
+    if (group == groups.end())
+      groups.push_back({&warning});
+    else
+      group->push_back(&warning);
+  }
+  return groups;
+}
+
+template <class TextOf>
+std::string warningList(const WarningGroup& group, TextOf&& textOf) {
+  std::string text;
+  for (std::size_t k = 0; k < group.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == group.size() ? " and " : ", ") + textOf(*group[k]);
+  return text;
+}
+
+/// "0.014 to 1", or the one value where all are printed alike.
+template <class ValueOf>
+std::string warningRange(const WarningGroup& group, int digits, ValueOf&& valueOf) {
+  const auto [least, greatest] =
+      std::ranges::minmax(group | std::views::transform([&](auto* w) { return valueOf(*w); }));
+  const std::string from = fmt::format("{:.{}g}", least, digits), to = fmt::format("{:.{}g}", greatest, digits);
+  return from == to ? from : from + " to " + to;
+}
+
+/// Each was taken out alone: what one of them explains, another may have taken over.
+std::string notNeededText(const WarningGroup& group, const Units& units) {
+  const EffectWarning& first = *group.front();
+  std::string grounds = "p = " + warningRange(group, 2, [](const EffectWarning& w) { return w.p_value; });
+  const bool has_heldout = std::ranges::all_of(group, [](const EffectWarning* w) {
+    return std::isfinite(w->heldout_with.rms) && std::isfinite(w->heldout_without.rms);
+  });
+  const double unit = units.factor(dimension::kLength);
+  if (has_heldout)
+    grounds += fmt::format("; held-out error {:.4g} with all, {} {} without one", first.heldout_with.rms / unit,
+                           warningRange(group, 4, [&](const EffectWarning& w) { return w.heldout_without.rms / unit; }),
+                           units.length().name);
+  const auto* least = *std::ranges::max_element(group, {}, [](const EffectWarning* w) { return w->p_value; });
+  return fmt::format("{}: the readings {} need any one of these beside the others ({}): take out {} and try again",
+                     warningList(group, warnedPlace), first.is_within_noise ? "do not" : "hardly", grounds,
+                     warnedPlace(*least));
+}
+
+std::string groupText(const WarningGroup& group, const Units& units) {
+  const EffectWarning& first = *group.front();
+  switch (first.kind) {
+    case EffectWarningKind::kNotNeeded:
+      return notNeededText(group, units);
+    case EffectWarningKind::kBetterExplainedBy:
+      return fmt::format("{}@{} explains these readings better than {}", first.better.effect, first.better.at,
+                         warningList(group, [](const EffectWarning& w) {
+                           return fmt::format("{} (by {:.0f} in BIC)", warnedPlace(w), w.by);
+                         }));
+    case EffectWarningKind::kBeyondPlausible:
+      return warningList(group,
+                         [&](const EffectWarning& w) { return warnedPlace(w) + " (" + beyondText(w, units) + ")"; }) +
+             ": they compensate for something else";
+    case EffectWarningKind::kLackOfFitRemains:
+      return fmt::format(
+          "{}: they do not reduce the error to the noise floor (p = {}): something else is missing, run "
+          "diagnose",
+          warningList(group, warnedPlace), warningRange(group, 2, [](const EffectWarning& w) { return w.p_value; }));
+  }
+  return "";
+}
+
 }  // namespace
 
+std::vector<std::string> warningTexts(const std::vector<EffectWarning>& warnings, const Units& units) {
+  std::vector<std::string> texts;
+  for (const WarningGroup& group : groupsOf(warnings))
+    texts.push_back(group.size() == 1 ? warningText(*group.front(), units) : groupText(group, units));
+  return texts;
+}
+
 std::string warningText(const EffectWarning& warning, const Units& units) {
-  const std::string own = warning.effect + "@" + warning.at;
+  const std::string own = warnedPlace(warning);
   switch (warning.kind) {
     case EffectWarningKind::kNotNeeded:
       return fmt::format("{}: the readings {} need it ({}): take it out", own,
@@ -65,11 +163,7 @@ std::string warningText(const EffectWarning& warning, const Units& units) {
     case EffectWarningKind::kBetterExplainedBy:
       return betterText(warning, units);
     case EffectWarningKind::kBeyondPlausible:
-      return fmt::format(
-          "{}: {} is {:.3g} {}, more than any real machine has ({:.3g}): it compensates for something else", own,
-          warning.number.name, inFile(warning.number.value, warning.number.quantity, units),
-          units.nameOf(dimensionOf(warning.number.quantity)),
-          inFile(warning.plausible, warning.number.quantity, units));
+      return fmt::format("{}: {}: it compensates for something else", own, beyondText(warning, units));
     case EffectWarningKind::kLackOfFitRemains:
       return fmt::format(
           "{}: it does not reduce the error to the noise floor (p = {:.2g}): something else is missing, run diagnose",

@@ -27,13 +27,10 @@ ErrorUnit errorUnitOf(const calibration::Measurement& reading, const Units& unit
   return errorUnitOf(calibration::measureAnglesAlone({reading}), units);
 }
 
-double errorSizeOf(const calibration::Measurement& reading, const Eigen::Vector3d& error_W, double turn) {
-  return calibration::measureAnglesAlone({reading}) ? calibration::kTurnLever * turn : error_W.norm();
-}
-
 nlohmann::json errorSizeJson(const calibration::Measurement& reading, const Eigen::Vector3d& error_W, double turn,
                              const Units& units) {
-  return errorJson(errorSizeOf(reading, error_W, turn), errorUnitOf(reading, units));
+  const double size = calibration::measureAnglesAlone({reading}) ? calibration::kTurnLever * turn : error_W.norm();
+  return errorJson(size, errorUnitOf(reading, units));
 }
 
 ErrorBudget budgetOf(const calibration::Diagnosis& result) {

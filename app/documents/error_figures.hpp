@@ -29,9 +29,8 @@ struct ErrorUnit {
 /// The unit of one reading's error: that of angles where it measures nothing else.
 [[nodiscard]] ErrorUnit errorUnitOf(const calibration::Measurement& reading, const Units& units);
 
-/// Length of one reading's error, as an ErrorSize has it [m], and in its unit. `turn` [rad] is what of its error is
+/// Length of one reading's error, as an ErrorSize has it, in its unit. `turn` [rad] is what of its error is
 /// turns, as ComparedReading and ReadingView have it.
-[[nodiscard]] double errorSizeOf(const calibration::Measurement& reading, const Eigen::Vector3d& error_W, double turn);
 [[nodiscard]] nlohmann::json errorSizeJson(const calibration::Measurement& reading, const Eigen::Vector3d& error_W,
                                            double turn, const Units& units);
 

@@ -6,10 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "app/files/units.hpp"
-#include "deflection/arm.hpp"
 
 namespace tubeplan::app {
 
@@ -24,15 +22,17 @@ namespace tubeplan::app {
 /// "0.0123 in", to so many digits; "none" where it is not finite.
 [[nodiscard]] std::string lengthText(double metres, const Units& units, int digits = 4);
 
+/// To so many digits; whole numbers without an exponent.
+[[nodiscard]] std::string significantText(double value, int digits);
+
 /// "0.0123 in": a figure with its unit, to so many digits.
 [[nodiscard]] std::string figureText(double value, std::string_view unit, int digits);
 
-/// Decimals at which lengths stand in columns: a ten-thousandth of an inch is seen in every unit.
-[[nodiscard]] int lengthDecimals(const Units& units);
+/// "p = 0.012": the probability of what is seen by chance alone.
+[[nodiscard]] std::string chanceText(double p);
 
-/// The joints' readings as columns write them: a thousandth of a degree, or what is seen of a length, in every unit.
-[[nodiscard]] std::vector<std::string> jointFigures(const deflection::Arm& arm, const Eigen::VectorXd& q,
-                                                    const Units& units);
+/// Decimals at which lengths stand in columns of this unit: a ten-thousandth of an inch is seen in every unit.
+[[nodiscard]] int lengthDecimals(const Unit& length);
 
 /// How a calibration, an identification or a comparison ended; their statuses have these in this order.
 template <class Status>

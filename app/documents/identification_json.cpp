@@ -8,8 +8,8 @@
 
 #include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/documents/pose_json.hpp"
-#include "app/files/input_error.hpp"
 #include "app/files/units_json.hpp"
 #include "calibration/measurements/surfaces.hpp"
 #include "deflection/rotation.hpp"
@@ -63,46 +63,9 @@ nlohmann::json numberJson(const IdentifiedNumber& number, const Units& units) {
   return json;
 }
 
-std::string errorFigure(double error, const ErrorUnit& unit) {
-  return std::isfinite(error) ? fmt::format("{:.4g}", error / unit.factor) : "none";
-}
-
 /// The unit that the errors of a fit are in.
 ErrorUnit errorUnitOf(const Identification& result, const Units& units) {
   return errorUnitOf(result.after.are_angles || result.before.are_angles, units);
-}
-
-/// Open where there is no end: a stiffness that may be rigid.
-std::string intervalText(double lower, double upper) {
-  if (std::isfinite(lower) && std::isfinite(upper)) return fmt::format("95 % {:.6g} to {:.6g}", lower, upper);
-  if (std::isfinite(lower)) return fmt::format("95 % {:.6g} or more", lower);
-  return std::isfinite(upper) ? fmt::format("95 % {:.6g} or less", upper) : "95 % anything";
-}
-
-std::string sizeText(const char* title, const ErrorSize& size, const ErrorUnit& unit) {
-  if (size.readings == 0) return "";
-  return fmt::format("  {:<34} rms {:>9}  mean {:>9}  worst {:>9} {}\n", title, errorFigure(size.rms, unit),
-                     errorFigure(size.mean, unit), errorFigure(size.max, unit), unit.name);
-}
-
-std::string numberText(const IdentifiedNumber& number, const Units& units) {
-  const Dimension unit = dimensionOf(number.unknown.quantity);
-  const double factor = units.factor(unit);
-  std::string text = fmt::format("  {:<36} {:>12.6g}", number.unknown.name, number.value / factor);
-  text += fmt::format(" {:<14} sigma {:>9}  {}", units.nameOf(unit),
-                      std::isfinite(number.sigma) ? fmt::format("{:.3g}", number.sigma / factor) : "none",
-                      intervalText(number.lower / factor, number.upper / factor));
-  text += fmt::format("  start {:.6g}  identifiable: {}\n", number.unknown.start / factor, identifiableText(number));
-  if (!number.note.empty()) text += "      " + number.note + "\n";
-  return text;
-}
-
-std::string baseText(const calibration::BasePose& base, const Units& units) {
-  const Eigen::Vector3d at = base.X_WB.translation() / units.factor(dimension::kLength);
-  const Eigen::Vector3d rpy = deflection::fixedAnglesOf(base.X_WB.linear()) / units.factor(dimension::kAngle);
-  return fmt::format("base{}: position [{:.6g}, {:.6g}, {:.6g}] {}, rpy [{:.5g}, {:.5g}, {:.5g}] {}\n",
-                     base.setup.empty() ? "" : " of " + nameInLine(base.setup), at.x(), at.y(), at.z(),
-                     units.length().name, rpy.x(), rpy.y(), rpy.z(), units.angle().name);
 }
 
 std::vector<calibration::Measurement> fittedReadings(const Identification& result,
@@ -128,17 +91,47 @@ nlohmann::json surfaceJson(const calibration::SettledSurface& settled, const Uni
   return json;
 }
 
-std::string surfaceText(const calibration::SettledSurface& settled, const Units& units) {
-  const double length = units.factor(dimension::kLength);
-  const auto& [p_W, normal, radius] = settled.surface;
-  const std::string where = radius > 0
-                                ? fmt::format("centre [{:.6g}, {:.6g}, {:.6g}] {}, radius {:.5g}", p_W.x() / length,
-                                              p_W.y() / length, p_W.z() / length, units.length().name, radius / length)
-                                : fmt::format("normal [{:.5g}, {:.5g}, {:.5g}], distance {:.6g} {}", normal.x(),
-                                              normal.y(), normal.z(), normal.dot(p_W) / length, units.length().name);
-  return fmt::format("  {} {}: {}; {} readings within {:.3g} (rms)\n", settled.kind, nameInLine(settled.point), where,
-                     settled.readings, settled.rms / length);
-}
+constexpr std::string_view kErrorSizeWords =
+    "  {@:<34} rms {rms:>9.4g}  mean {mean:>9.4g}  worst {max:>9.4g} {error_unit}\n";
+
+constexpr TextLine kNumberNote[] = {{"note", "      {}\n"}};
+constexpr std::string_view kNumberWords =
+    "  {name:<36} {value:>12.6g} {unit:<14} sigma {sigma:>9.3g}  95 % {interval:.6i}  start {start:.6g}  identifiable: "
+    "{identifiable}\n";
+
+constexpr TextLine kBaseWords[] = {{"setup", " of {:n}"},
+                                   {"",
+                                    ": position [{base/position:.6r}] {units/length}, rpy [{base/rpy:.5r}] "
+                                    "{units/angle}\n"}};
+constexpr TextLine kFoundBaseWords[] = {{"!known", "base", kBaseWords}};
+
+constexpr TextLine kSurfaceWords[] = {{"radius", "centre [{centre:.6r}], radius {radius:.5r}"},
+                                      {"!radius", "normal [{normal:.5r}], distance {distance:.6r}"},
+                                      {"", " {units/length}; {readings} readings within {rms:.3r} (rms)\n"}};
+
+constexpr TextLine kIdentificationWords[] = {
+    {"", "errors of {errors/after/readings} readings\n"},
+    {"errors/before/readings", kErrorSizeWords, {}, "as it stands"},
+    {"errors/after_base/readings", kErrorSizeWords, {}, "with the base fitted"},
+    {"errors/after/readings", kErrorSizeWords, {}, "identified"},
+    {"errors/heldout_before/readings", kErrorSizeWords, {}, "held out, with the base fitted"},
+    {"errors/heldout_after/readings", kErrorSizeWords, {}, "held out, identified"},
+    {"", "  noise alone                        rms {rms/noise_floor:>9.4r}\n"},
+    {"", "chi-square {chi2:.1f} for {degrees_of_freedom} degrees of freedom"},
+    {"+degrees_of_freedom", " ({chi2_per_dof:.2f} each, p = {p_value:.3g})\n"},
+    {"!+degrees_of_freedom", ": the fit cannot be tested\n"},
+    {"+model_error",
+     "lack of fit: the model error is {:.4r error_unit} in each coordinate beyond the stated noise (one standard "
+     "deviation); standard deviations and intervals count it as noise, not as what a missing effect shifts the numbers "
+     "by\n"},
+    {"", "parameters\n"},
+    {"parameters", kNumberWords, kNumberNote},
+    {"bases", "", kFoundBaseWords},
+    {"base_steps", kNumberWords, kNumberNote},
+    {"surfaces", "  {kind} {point:n}: ", kSurfaceWords},
+    {"dropped", "  dropped {}\n"},
+    {"correlations", "  correlation {value:+.3f} of {a} and {b}\n"},
+    {"outliers", "  outlier: reading {id:n} is off by {size:.4r error_unit} ({sigmas:.1f} sigmas)\n"}};
 
 }  // namespace
 
@@ -196,46 +189,10 @@ nlohmann::json identificationJson(const Identification& result, const std::vecto
   return json;
 }
 
-std::string identificationText(const Identification& result, const std::vector<calibration::Measurement>& readings,
-                               const Units& units) {
-  if (result.status == IdentificationStatus::kRefused) return "not identified: " + result.reason + "\n";
-  const ErrorUnit unit = errorUnitOf(result, units);
-  std::string text;
-  if (result.status == IdentificationStatus::kNotConverged) text = "NOT CONVERGED: " + result.reason + "\n";
-  text += fmt::format("errors of {} readings\n", result.used.size());
-  text += sizeText("as it stands", result.before, unit);
-  text += sizeText("with the base fitted", result.after_base, unit);
-  text += sizeText("identified", result.after, unit);
-  text += sizeText("held out, with the base fitted", result.heldout_before, unit);
-  text += sizeText("held out, identified", result.heldout, unit);
-  if (result.numbers.empty()) return text;
-  text += fmt::format("  {:<34} rms {:>9}\n", "noise alone", errorFigure(result.noise_floor, unit));
-  text += fmt::format("chi-square {:.1f} for {} degrees of freedom", result.chi2, result.degrees_of_freedom);
-  text += result.degrees_of_freedom > 0
-              ? fmt::format(" ({:.2f} each, p = {:.3g})\n", result.chi2 / result.degrees_of_freedom, result.p_value)
-              : std::string(": the fit cannot be tested\n");
-  if (result.model_error > 0)
-    text += fmt::format(
-        "lack of fit: the model error is {} {} in each coordinate beyond the stated noise (one standard deviation); "
-        "standard deviations and intervals count it as noise, not as what a missing effect shifts the numbers by\n",
-        errorFigure(result.model_error, unit), unit.name);
-  text += "parameters\n";
-  for (const auto& number : result.numbers)
-    if (number.unknown.owner == Unknown::Owner::kArm) text += numberText(number, units);
-  for (const auto& base : result.fitted.base_poses)
-    if (!base.is_known) text += baseText(base, units);
-  for (const auto& number : result.numbers)
-    if (number.unknown.owner == Unknown::Owner::kBase) text += numberText(number, units);
-  for (const auto& surface : calibration::surfacesOf(result.fitted, fittedReadings(result, readings)))
-    text += surfaceText(surface, units);
-  for (const auto& dropped : result.dropped) text += "  dropped " + dropped + "\n";
-  for (const auto& pair : result.correlations)
-    text += fmt::format("  correlation {:+.3f} of {} and {}\n", pair.value, pair.a, pair.b);
-  for (const auto& outlier : result.outliers)
-    text += fmt::format("  outlier: reading {} is off by {} {} ({:.1f} sigmas)\n",
-                        nameInLine(readings.at(static_cast<std::size_t>(outlier.reading)).id),
-                        errorFigure(outlier.size, unit), unit.name, outlier.sigmas);
-  return text;
+std::string identificationText(const nlohmann::json& figures) {
+  if (!figures.contains("errors")) return textOf(figures, "not identified: {reason}\n");
+  const bool is_converged = figures["status"] != statusName(IdentificationStatus::kNotConverged);
+  return (is_converged ? "" : textOf(figures, "NOT CONVERGED: {reason}\n")) + textOf(figures, kIdentificationWords);
 }
 
 }  // namespace tubeplan::app

@@ -15,7 +15,7 @@ namespace tubeplan::app {
                                                 const std::vector<calibration::Measurement>& readings,
                                                 std::size_t set_aside, const Units& units);
 
-[[nodiscard]] std::string identificationText(const calibration::Identification& result,
-                                             const std::vector<calibration::Measurement>& readings, const Units& units);
+/// In words, from its JSON.
+[[nodiscard]] std::string identificationText(const nlohmann::json& figures);
 
 }  // namespace tubeplan::app

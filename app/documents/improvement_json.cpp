@@ -9,6 +9,7 @@
 #include "app/documents/diagnosis_text.hpp"
 #include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/documents/model_comparison_json.hpp"
 
 namespace tubeplan::app {
@@ -36,14 +37,47 @@ constexpr EndRow kEnds[] = {
 
 const EndRow& rowOf(ImprovementEnd end) { return *std::ranges::find(kEnds, end, &EndRow::end); }
 
-}  // namespace
-
-const char* nameOf(ImprovementEnd end) { return rowOf(end).name; }
-
+/// The sentence of a step's diagnosis.
 std::string sentenceOf(const ImprovementStep& step, const Units& units) {
   return step.reason == ImprovementReason::kMistakeExplains ? step.diagnosis.reason
                                                             : diagnosisSentence(step.diagnosis, units);
 }
+
+/// The ids of the readings that no model was fitted to, as the last diagnosis took them for outliers.
+std::vector<std::string> idsSetAside(const Improvement& result, const std::vector<calibration::Measurement>& readings) {
+  return result.models.empty() ? std::vector<std::string>() : idsOf(result.models.back().set_aside, readings);
+}
+
+/// What was added, what became of the held-out error, and what is left, in one sentence.
+std::string improvementSentence(const Improvement& result, const Units& units) {
+  std::vector<std::string> added;
+  for (const auto& step : result.steps) added.insert(added.end(), step.added.begin(), step.added.end());
+  const std::string what = added.empty() ? "Nothing was added" : fmt::format("Added {}", fmt::join(added, ", "));
+  if (result.models.empty()) return fmt::format("{}: {}.", what, rowOf(result.end).words);
+  const auto &first = result.models.front().fit, &last = result.models.back().fit;
+  const ErrorUnit unit = errorUnitOf(last.after.are_angles, units);
+  const auto text = [&](double error) { return errorText(error, unit, 3); };
+  const std::string error = added.empty() ? fmt::format("the held-out error is {}", text(last.heldout.rms))
+                                          : fmt::format("the held-out error {} from {} to {}",
+                                                        last.heldout.rms < first.heldout.rms ? "fell" : "rose",
+                                                        text(first.heldout.rms), text(last.heldout.rms));
+  return fmt::format("{}; {} (noise floor {}): {}.", what, error, text(last.noise_floor), rowOf(result.end).words);
+}
+
+constexpr TextLine kImprovementStepWords[] = {
+    {"added", "  added {added}: {reason}\n", {}, {}, 1},
+    {"!added", "  ended ({end}): {reason}\n"},
+    {"not_needed", "  without {not_needed}: fitted, they are none within two standard deviations\n", {}, {}, 1},
+    {"also", "  with this tool no reading tells it apart from: {also}\n", {}, {}, 1}};
+
+constexpr TextLine kImprovementWords[] = {
+    {"", "{sentence}\n"},
+    {"steps", "step {number}: {verdict}: {sentence}\n", kImprovementStepWords},
+    {"set_aside", "set aside as outliers, in no fit and no error: readings {set_aside:n}\n", {}, {}, 1}};
+
+}  // namespace
+
+const char* nameOf(ImprovementEnd end) { return rowOf(end).name; }
 
 std::string reasonText(const ImprovementStep& step, const Units& units) {
   const ErrorUnit unit = errorUnitOf(step.diagnosis.before.are_angles, units);
@@ -87,25 +121,6 @@ std::string reasonText(const ImprovementStep& step, const Units& units) {
   return "";
 }
 
-std::vector<std::string> idsSetAside(const Improvement& result, const std::vector<calibration::Measurement>& readings) {
-  return result.models.empty() ? std::vector<std::string>() : idsOf(result.models.back().set_aside, readings);
-}
-
-std::string improvementSentence(const Improvement& result, const Units& units) {
-  std::vector<std::string> added;
-  for (const auto& step : result.steps) added.insert(added.end(), step.added.begin(), step.added.end());
-  const std::string what = added.empty() ? "Nothing was added" : fmt::format("Added {}", fmt::join(added, ", "));
-  if (result.models.empty()) return fmt::format("{}: {}.", what, rowOf(result.end).words);
-  const auto &first = result.models.front().fit, &last = result.models.back().fit;
-  const ErrorUnit unit = errorUnitOf(last.after.are_angles, units);
-  const auto text = [&](double error) { return errorText(error, unit, 3); };
-  const std::string error = added.empty() ? fmt::format("the held-out error is {}", text(last.heldout.rms))
-                                          : fmt::format("the held-out error {} from {} to {}",
-                                                        last.heldout.rms < first.heldout.rms ? "fell" : "rose",
-                                                        text(first.heldout.rms), text(last.heldout.rms));
-  return fmt::format("{}; {} (noise floor {}): {}.", what, error, text(last.noise_floor), rowOf(result.end).words);
-}
-
 nlohmann::json improvementJson(const Improvement& result, const std::vector<calibration::Measurement>& readings,
                                const Units& units) {
   const auto pair = [&](const calibration::ErrorSize& before, const calibration::ErrorSize& after) {
@@ -127,6 +142,12 @@ nlohmann::json improvementJson(const Improvement& result, const std::vector<cali
                              {"heldout_rms", pair(step.heldout_before, step.heldout_after)},
                              {"farthest_rms", pair(step.farthest_before, step.farthest_after)}});
   return json;
+}
+
+std::string improvementText(nlohmann::json figures) {
+  int number = 0;
+  for (auto& step : figures["steps"]) step["number"] = ++number;
+  return textOf(figures, kImprovementWords) + (figures["models"].empty() ? "" : modelComparisonText(figures));
 }
 
 }  // namespace tubeplan::app

@@ -1,10 +1,9 @@
 #include "app/documents/ladder_json.hpp"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/documents/model_comparison_json.hpp"
 #include "app/files/origin.hpp"
 #include "app/report/diagnosis_report.hpp"
@@ -22,6 +21,12 @@ nlohmann::json ladderStepsJson(const LadderSteps& steps, std::uint64_t seed, con
           {"seed", seed}};
 }
 
+constexpr TextLine kTrueArmWords[] = {
+    {"step_table/reason", "no step table: {}\n"},
+    {"step_table/real_arm", "true arm: {}"},
+    {"+step_table/unmodelled_sigma", " (sigma {:.3r units/length} per coordinate)"},
+    {"step_table/real_arm", "; {holes} random holes within its reach ({out_of_reach} drawn beyond it)\n"}};
+
 }  // namespace
 
 nlohmann::json ladderJson(const std::vector<ModelComparisonRow>& comparison, const LadderSteps& steps,
@@ -33,14 +38,8 @@ nlohmann::json ladderJson(const std::vector<ModelComparisonRow>& comparison, con
   return figures;
 }
 
-std::string ladderStepsText(const LadderSteps& steps, const Units& units) {
-  if (!steps.reason.empty()) return "no step table: " + steps.reason + "\n";
-  std::string text = fmt::format("true arm: {}", steps.real.name);
-  if (steps.real.unmodelled > 0)
-    text +=
-        fmt::format(" (sigma {:.3g} {} per coordinate)", lengthOf(steps.real.unmodelled, units), units.length().name);
-  return text +
-         fmt::format("; {} random holes within its reach ({} drawn beyond it)\n", steps.holes, steps.out_of_reach);
+std::string ladderText(const nlohmann::json& figures) {
+  return textOf(figures, "{sentence}\n") + modelComparisonText(figures) + textOf(figures, kTrueArmWords);
 }
 
 nlohmann::json ladderModels(const nlohmann::json& compared_models) {

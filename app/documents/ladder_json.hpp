@@ -17,8 +17,8 @@ namespace tubeplan::app {
                                         const std::vector<std::string>& set_aside, std::uint64_t seed,
                                         const Units& units);
 
-/// One sentence on what stands for the real arm, or why there is no table.
-[[nodiscard]] std::string ladderStepsText(const LadderSteps& steps, const Units& units);
+/// In words, from its JSON.
+[[nodiscard]] std::string ladderText(const nlohmann::json& figures);
 
 /// The models of a ladder as its page draws them, from those of its figures.
 [[nodiscard]] nlohmann::json ladderModels(const nlohmann::json& compared_models);

@@ -8,6 +8,7 @@
 
 #include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/documents/step_table_json.hpp"
 #include "app/files/units_json.hpp"
 #include "app/studies/model/ladder_steps.hpp"
@@ -16,30 +17,22 @@ namespace tubeplan::app {
 
 namespace {
 
-std::string stepsHeading(std::size_t counts, const Units& units) {
-  std::string text = fmt::format("{:<34}", "model");
-  for (std::size_t k = 0; k < counts; ++k) text += fmt::format(" {:>9}", k == 0 ? "0 steps" : std::to_string(k));
-  return text + fmt::format(" {:>9} {:>9}   holes by number of inserted steps; centring error in {}\n", "median",
-                            "95 %", units.length().name);
-}
+constexpr TextLine kStepCountWords[] = {
+    {"centring_error", " {median:>9.4r} {p95:>9.4r}"}, {"no_posture", "  ({} of them not reached)"}, {"", "\n"}};
 
-std::string stepsText(const std::vector<ModelComparisonRow>& comparison, const Units& units) {
-  std::string text;
-  std::size_t counts = 0;
-  for (const auto& compared : comparison) {
-    if (!compared.steps) continue;
-    counts = std::max(counts, compared.steps->counts.size());
-    text += fmt::format("{:<34}", compared.name);
-    for (const int count : compared.steps->counts) text += fmt::format(" {:>9}", count);
-    if (compared.steps->holes > 0)
-      text += fmt::format(" {:>9.4g} {:>9.4g}", compared.steps->median_error / units.factor(dimension::kLength),
-                          compared.steps->p95_error / units.factor(dimension::kLength));
-    if (!compared.steps->reason.empty()) text += "  none: " + compared.steps->reason;
-    if (compared.steps->no_posture > 0) text += fmt::format("  ({} of them not reached)", compared.steps->no_posture);
-    text += "\n";
-  }
-  return text.empty() ? "" : stepsHeading(counts, units) + text;
-}
+constexpr TextLine kModelWords[] = {
+    {"", "model                                 stands    fitted  held out     noise chi2/dof   rms, {error_unit}\n"},
+    {"models",
+     "{name:<34} {rms/as_it_stands:>9.4r} {rms/fitted:>9.4r} {rms/heldout:>9.4r} {rms/noise_floor:>9.4r} "
+     "{chi2_per_dof:>8.3r}   {bar}\n"},
+    {"models/steps",
+     "model                              holes by number of inserted steps, from none; median and 95 % of the centring "
+     "error, {units/length}\n",
+     {},
+     {},
+     1},
+    {"models/steps", "{name:<34}{counts:*10}", kStepCountWords},
+    {"models/no_steps", "{name:<34}  none: {}\n"}};
 
 /// The unit that the errors of models are in: they are of the same readings.
 ErrorUnit errorUnitOf(const std::vector<ModelComparisonRow>& comparison, const Units& units) {
@@ -105,26 +98,18 @@ nlohmann::json modelComparisonJson(const std::vector<ModelComparisonRow>& compar
   return json;
 }
 
-std::string modelComparisonText(const std::vector<ModelComparisonRow>& comparison, const Units& units) {
-  const auto figure = [](double value, int digits) {
-    return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : std::string("none");
-  };
-  const ErrorUnit unit = errorUnitOf(comparison, units);
-  const auto length = [&](double error) { return figure(error / unit.factor, 4); };
+std::string modelComparisonText(nlohmann::json figures) {
+  constexpr double kLongestBar = 40;
   double largest = 0;
-  for (const auto& compared : comparison)
-    if (std::isfinite(compared.heldout.rms)) largest = std::max(largest, compared.heldout.rms);
-  std::string text = fmt::format("{:<34} {:>9} {:>9} {:>9} {:>9} {:>8}   rms, {}\n", "model", "stands", "fitted",
-                                 "held out", "noise", "chi2/dof", unit.name);
-  for (const auto& compared : comparison) {
-    const int bar = largest > 0 && std::isfinite(compared.heldout.rms)
-                        ? static_cast<int>(std::lround(40 * compared.heldout.rms / largest))
-                        : 0;
-    text += fmt::format("{:<34} {:>9} {:>9} {:>9} {:>9} {:>8}   {}\n", compared.name, length(compared.as_it_stands.rms),
-                        length(compared.fitted.rms), length(compared.heldout.rms), length(compared.noise_floor),
-                        figure(compared.chi2_per_dof, 3), std::string(static_cast<std::size_t>(bar), '#'));
+  const auto error = [](const nlohmann::json& model) {
+    return model["rms"]["heldout"].is_null() ? 0 : model["rms"]["heldout"].get<double>();
+  };
+  for (const auto& model : figures["models"]) largest = std::max(largest, error(model));
+  for (auto& model : figures["models"]) {
+    const double share = largest > 0 ? error(model) / largest : 0;
+    model["bar"] = std::string(static_cast<std::size_t>(std::lround(kLongestBar * share)), '#');
   }
-  return text + stepsText(comparison, units);
+  return textOf(figures, kModelWords);
 }
 
 }  // namespace tubeplan::app

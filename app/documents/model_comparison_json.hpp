@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -19,7 +19,7 @@ namespace tubeplan::app {
 [[nodiscard]] std::string modelComparisonSentence(const std::vector<ModelComparisonRow>& comparison,
                                                   const Units& units);
 
-/// Errors with a bar each; below, the steps of the tool, where they are there.
-[[nodiscard]] std::string modelComparisonText(const std::vector<ModelComparisonRow>& comparison, const Units& units);
+/// In words, from its JSON: errors with a bar each; below, the steps of the tool, where they are there.
+[[nodiscard]] std::string modelComparisonText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

@@ -12,7 +12,7 @@ namespace tubeplan::app {
 
 namespace {
 
-using calibration::PatternFrame, calibration::PatternTest, calibration::TrendStep, calibration::VariableUnit;
+using calibration::PatternFrame, calibration::PatternTest, calibration::TrendStep;
 using nlohmann::json;
 
 const char* frameName(PatternFrame frame) {
@@ -38,39 +38,13 @@ std::string componentText(PatternFrame frame, int component) {
   return fmt::format("along {} of the {}", "xyz"[component], frameName(frame));
 }
 
-/// A value of a variable in the file's unit, and that unit's name; "" where it is a plain number.
-std::pair<double, std::string> inFileUnits(VariableUnit unit, double value, const Units& units) {
-  const auto scaled = [&](Dimension dimension) {
-    return std::pair<double, std::string>{value / units.factor(dimension), units.nameOf(dimension)};
-  };
-  switch (unit) {
-    case VariableUnit::kNone:
-      break;
-    case VariableUnit::kAngle:
-      return scaled(dimension::kAngle);
-    case VariableUnit::kLength:
-      return scaled(dimension::kLength);
-    case VariableUnit::kForce:
-      return scaled(dimension::kForce);
-    case VariableUnit::kTorque:
-      return scaled(dimension::kTorque);
-    case VariableUnit::kTime:
-      return scaled(dimension::kTime);
-    case VariableUnit::kTemperature:
-      return {units.temperatureToFile(value), std::string(units.temperature().name)};
-  }
-  return {value, ""};
-}
-
 std::string valueText(const PatternTest& test, const TrendStep& step, const Units& units) {
   if (!test.groups.empty()) return test.groups.at(static_cast<std::size_t>(std::lround(step.at)));
-  const auto [value, name] = inFileUnits(test.unit, step.at, units);
-  return fmt::format("{:.4g}{}{}", value, name.empty() ? "" : " ", name);
+  const std::string name = units.nameOf(test.unit);
+  return fmt::format("{:.4g}{}{}", units.toFile(step.at, test.unit), name.empty() ? "" : " ", name);
 }
 
 }  // namespace
-
-std::string chanceText(double p) { return p < 1e-300 ? "p below 1e-300" : fmt::format("p = {:.2g}", p); }
 
 std::string patternSentence(const PatternTest& test, const Units& units) {
   if (test.component < 0) return "";
@@ -92,7 +66,7 @@ std::string patternSentence(const PatternTest& test, const Units& units) {
 json testJson(const PatternTest& test, const Units& units) {
   json entry = {{"kind", test.kind},
                 {"variable", test.variable},
-                {"unit", inFileUnits(test.unit, 0, units).second},
+                {"unit", units.nameOf(test.unit)},
                 {"frame", frameName(test.frame)},
                 {"components", componentsOf(test.frame)},
                 {"chi2_fall", finiteJson(test.fall)},
@@ -115,7 +89,7 @@ json findingJson(const PatternTest& test, const Units& units) {
   entry["goes_with"] = test.goes_with;
   entry["trend"] = json::array();
   for (const auto& step : test.trend) {
-    json at = finiteJson(inFileUnits(test.unit, step.at, units).first);
+    json at = finiteJson(units.toFile(step.at, test.unit));
     if (!test.groups.empty()) at = valueText(test, step, units);
     entry["trend"].push_back({{"at", at}, {"error", placeJson(step.error, units)}, {"readings", step.readings}});
   }

@@ -9,9 +9,6 @@
 
 namespace tubeplan::app {
 
-/// "p = 0.003"
-[[nodiscard]] std::string chanceText(double p);
-
 /// What a pattern says, in a plain sentence.
 [[nodiscard]] std::string patternSentence(const calibration::PatternTest& test, const Units& units);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,9 +28,10 @@ struct PlanRequest {
   std::string travel = "joints";  ///< or line: see planner::TravelKind
   double load = 0;                ///< in the cell's unit of force
   ConditionsRequest conditions;
-  double padding = 0;              ///< of the base's standard deviations, kept beyond the scene's clearance
-  std::optional<double> standoff;  ///< below a hole, where approaches begin; in the cell's unit of length
-  double insertion = 0;            ///< past a hole's face, where approaches end; in the cell's unit of length
+  std::map<int, double> stays = {};  ///< s at tubes by their index; a work list in a file has its own
+  double padding = 0;                ///< of the base's standard deviations, kept beyond the scene's clearance
+  std::optional<double> standoff;    ///< below a hole, where approaches begin; in the cell's unit of length
+  double insertion = 0;              ///< past a hole's face, where approaches end; in the cell's unit of length
   std::uint64_t seed = 1;
 };
 

@@ -14,6 +14,6 @@ namespace tubeplan::app {
 [[nodiscard]] std::string tightestText(const PlanOutcome& outcome);
 
 /// The summary for one screen.
-[[nodiscard]] std::string planText(const PlanOutcome& outcome);
+[[nodiscard]] std::string planText(const PlanRequest& request, const PlanOutcome& outcome);
 
 }  // namespace tubeplan::app

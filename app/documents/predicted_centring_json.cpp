@@ -1,8 +1,8 @@
 #include "app/documents/predicted_centring_json.hpp"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
+#include "app/documents/figures_text.hpp"
 
 namespace tubeplan::app {
 
@@ -14,11 +14,16 @@ nlohmann::json bandJson(const calibration::ForecastFigure& figure, const Units& 
   return {inUnit(figure.lower, units), inUnit(figure.upper, units)};
 }
 
-std::string figureText(const char* name, const calibration::ForecastFigure& figure, const Units& units) {
-  const double unit = units.factor(dimension::kLength);
-  return fmt::format("{} {:.3g} ({:.3g} to {:.3g})", name, figure.value / unit, figure.lower / unit,
-                     figure.upper / unit);
-}
+constexpr TextLine kPredictedWords[] = {
+    {"reason", "predicted centring error: none, since {}\n"},
+    {"holes",
+     "predicted centring error over {} of {holes_on_sheet} holes, from the parameters' uncertainty, {unit} (95 %):\n"
+     "  half of the holes within {median:.3r} ({band/median:.3i}), 95 % within {p95:.3r} ({band/p95:.3i}), all within "
+     "{worst/value:.3r} ({band/worst:.3i}) near {worst/hole}\n"
+     "  in addition, from encoder noise at each visit: rms {encoder_noise/median:.3r} in the median, "
+     "{encoder_noise/worst:.3r} at worst\n"},
+    {"holes_out_of_reach", "  {} of the requested holes are out of reach\n"},
+    {"earlier_stages_exact", "  parameters of earlier stages are taken as exact here\n"}};
 
 }  // namespace
 
@@ -46,23 +51,6 @@ nlohmann::json predictedCentringJson(const PredictedCentring& predicted, const U
           {"earlier_stages_exact", predicted.later_stage}};
 }
 
-std::string predictedCentringText(const PredictedCentring& predicted, const Units& units) {
-  if (predicted.on_sheet == 0) return "";
-  if (!predicted.reason.empty()) return "predicted centring error: none, since " + predicted.reason + "\n";
-  const auto& forecast = predicted.forecast;
-  const double unit = units.factor(dimension::kLength);
-  std::string text = fmt::format(
-      "predicted centring error over {} of {} holes, from the parameters' uncertainty, {} (95 %):\n  {}, {}, {} near "
-      "{}\n",
-      predicted.holes, predicted.on_sheet, units.length().name,
-      figureText("half of the holes within", forecast.median, units), figureText("95 % within", forecast.p95, units),
-      figureText("all within", forecast.worst, units), predicted.worst_hole);
-  text += fmt::format("  in addition, from encoder noise at each visit: rms {:.3g} in the median, {:.3g} at worst\n",
-                      forecast.encoders.median / unit, forecast.encoders.worst / unit);
-  if (predicted.out_of_reach > 0)
-    text += fmt::format("  {} of the requested holes are out of reach\n", predicted.out_of_reach);
-  if (predicted.later_stage) text += "  parameters of earlier stages are taken as exact here\n";
-  return text;
-}
+std::string predictedCentringText(const nlohmann::json& predicted) { return textOf(predicted, kPredictedWords); }
 
 }  // namespace tubeplan::app

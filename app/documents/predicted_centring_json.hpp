@@ -13,7 +13,7 @@ namespace tubeplan::app {
 /// unit, holes, ...}, or null with a reason.
 [[nodiscard]] nlohmann::json predictedCentringJson(const PredictedCentring& predicted, const Units& units);
 
-/// Empty for cells without a sheet.
-[[nodiscard]] std::string predictedCentringText(const PredictedCentring& predicted, const Units& units);
+/// In words, from its JSON.
+[[nodiscard]] std::string predictedCentringText(const nlohmann::json& predicted);
 
 }  // namespace tubeplan::app

@@ -1,13 +1,13 @@
 #include "app/documents/sensitivity_report.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/files/units_json.hpp"
 
 namespace tubeplan::app {
@@ -111,37 +111,30 @@ nlohmann::json estimateJson(const SensitivityReport& report, const Cell& cell) {
   return list;
 }
 
-std::string designText(const SensitivityReport& report, const Cell& cell) {
-  const double unit = cell.units.factor(dimension::kLength);
-  std::string text = "what to change, by decreasing influence\n";
-  for (const std::size_t n : ranked(report, designFigure)) {
-    const auto& number = report.figures.numbers[n];
-    const double centring = perCent(number, number.centring), sag = perCent(number, number.deflection);
-    text += fmt::format("  {:<80} {:+10.3g}\n", designSentence(number, cell.units),
-                        (sag > 0 ? -centring : centring) / unit);
-  }
-  return text +
-         fmt::format("  (last column: change of the mean error without compensation, {})\n", cell.units.length().name);
-}
+constexpr TextLine kKnowledgeWords[] = {{"error_per_percent", " {:>10.3r} {error_per_percent_base_known:>12.3r}"},
+                                        {"!error_per_percent", "                        "},
+                                        {"error_per_sigma", " {:>12.3r}"},
+                                        {"", "\n"}};
 
-std::string estimateText(const SensitivityReport& report, const Cell& cell) {
-  const double unit = cell.units.factor(dimension::kLength);
-  std::string text = fmt::format(
-      "what must be known, by decreasing influence: mean positioning error, {}, after compensation and calibration\n  "
-      "{:<36} {:>10} {:>12} {:>12}\n",
-      cell.units.length().name, "", "of 1 %", "base known", report.sigmas.empty() ? "" : "of one sigma");
-  for (const std::size_t n : ranked(report, estimateFigure)) {
-    const auto& number = report.figures.numbers[n];
-    text += fmt::format("  {:<36}", number.parameter.name);
-    text += isDesignable(number) ? fmt::format(" {:10.3g} {:12.3g}", perCent(number, number.error) / unit,
-                                               perCent(number, number.error_base_known) / unit)
-                                 : fmt::format(" {:>10} {:>12}", "", "");
-    if (const double sigma = sigmaOf(report, n); std::isfinite(sigma))
-      text += fmt::format(" {:12.3g}", sigma * number.error / unit);
-    text += "\n";
-  }
-  return text;
-}
+constexpr TextLine kRankingWords[] = {
+    {"",
+     "mean deflection {mean_deflection:.4r units/length}, mean error ({error}) without compensation "
+     "{mean_uncompensated_error:.4r units/length}\nwhat to change, by decreasing influence\n"},
+    {"design", "  {sentence:<80} {helps_by:>+10.3r}\n"},
+    {"",
+     "  (last column: change of the mean error without compensation, {units/length})\n"
+     "what must be known, by decreasing influence: mean positioning error, {units/length}, after compensation and "
+     "calibration\n                                          of 1 %   base known of one sigma\n"},
+    {"knowledge", "  {name:<36}", kKnowledgeWords}};
+
+constexpr TextLine kSensitivityWords[] = {
+    {"", "{work/postures} postures at work"},
+    {"work/out_of_reach", ", {} tubes out of reach"},
+    {"touches", "; base calibrated by touching {touches}\n", {}, {}, 1},
+    {"!touches", "; base known\n"},
+    {"mean_deflection", "", kRankingWords},
+    {"!mean_deflection",
+     "no figures: the deflected shape does not converge at some of these postures; check loads and stiffnesses\n"}};
 
 }  // namespace
 
@@ -157,18 +150,12 @@ nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell
           {"units", unitsJson(cell.units)}};
 }
 
-std::string sensitivityText(const SensitivityReport& report, const Cell& cell) {
-  std::string text = fmt::format(
-      "{} postures at work{}; base {}\n", report.work,
-      report.work_lost ? fmt::format(", {} tubes out of reach", report.work_lost) : "",
-      report.touches.empty() ? "known" : fmt::format("calibrated by touching {}", fmt::join(report.touches, ", ")));
-  if (!std::isfinite(report.figures.mean_deflection))
-    return text +
-           "no figures: the deflected shape does not converge at some of these postures; check loads and stiffnesses\n";
-  text += fmt::format(
-      "mean deflection {}, mean {} without compensation {}\n", lengthText(report.figures.mean_deflection, cell.units),
-      report.has_sheet ? "centring error" : "error", lengthText(report.figures.mean_uncompensated, cell.units));
-  return text + designText(report, cell) + estimateText(report, cell);
+std::string sensitivityText(nlohmann::json figures) {
+  for (auto& number : figures["design"]) {  // in the sense in which the deflection falls
+    const nlohmann::json &sag = number["deflection_per_percent"], &centring = number["uncompensated_per_percent"];
+    number["helps_by"] = centring.is_null() || sag <= 0 ? centring : nlohmann::json(-centring.get<double>());
+  }
+  return textOf(figures, kSensitivityWords);
 }
 
 }  // namespace tubeplan::app

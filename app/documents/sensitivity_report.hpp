@@ -1,7 +1,7 @@
 // A sensitivity analysis as JSON and as two rankings for people.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +23,7 @@ struct SensitivityReport {
 
 [[nodiscard]] nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell);
 
-[[nodiscard]] std::string sensitivityText(const SensitivityReport& report, const Cell& cell);
+/// In words, from its JSON: what to change, and what must be known.
+[[nodiscard]] std::string sensitivityText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

@@ -12,30 +12,24 @@ namespace tubeplan::app {
 
 namespace {
 
-using deflection::EffectVariable;
+using deflection::EffectVariable, deflection::Quantity;
 using nlohmann::json;
 
 /// A quantity that a signature is drawn against: its name, and the unit of its values.
 struct Variable {
   std::string name;
-  Dimension unit = dimension::kNone;
+  deflection::ValueUnit unit;
 };
 
 Variable variableOf(const Cell& cell, const deflection::Signature& signature) {
   if (!signature.kind) return {};
-  switch (*signature.kind) {
-    case EffectVariable::kLoad:
-      return {"load", {0, 0, 1}};
-    case EffectVariable::kTemperature:
-      return {"temperature", {0, 0, 0, 1}};
-    case EffectVariable::kTime:
-      return {"time", dimension::kTime};
-    default:
-      break;
-  }
+  if (const auto condition = signature.kind->condition()) return {kindOf(*condition).name, kindOf(*condition).unit};
+  if (signature.kind->is(EffectVariable::kLoad)) return {"load", {Quantity::kForce}};
   const auto& joint = cell.arm.joint(signature.joint);
-  if (signature.kind == EffectVariable::kDirection) return {"direction of approach of " + joint.name};
-  return {joint.name, jointDimension(joint)};
+  if (signature.kind->is(EffectVariable::kDirection))
+    return {"direction of approach of " + joint.name, {Quantity::kNone, "1"}};
+  const bool slides = joint.type == deflection::JointType::kPrismatic;
+  return {joint.name, {slides ? Quantity::kLength : Quantity::kAngle}};
 }
 
 }  // namespace
@@ -47,11 +41,9 @@ json signatureJson(const Cell& cell, const std::string& effect, const std::strin
   const auto signature = deflection::signatureOf(cell.arm, made.effect, deflection::gravityInBase(cell.arm, cell.X_WB),
                                                  {.most_load = most_load});
   const Variable variable = variableOf(cell, signature);
-  const bool is_temperature = signature.kind == EffectVariable::kTemperature;
   json values = json::array(), shift = json::array();
   for (std::size_t k = 0; k < signature.at.size(); ++k) {
-    values.push_back(is_temperature ? cell.units.temperatureToFile(signature.at[k])
-                                    : cell.units.toFile(signature.at[k], variable.unit));
+    values.push_back(cell.units.toFile(signature.at[k], variable.unit));
     shift.push_back(std::isfinite(signature.shift[k]) ? json(lengthOf(signature.shift[k], cell.units)) : json());
   }
   return {{"effect", effect},

@@ -1,12 +1,11 @@
 #include "app/documents/step_chances_json.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/documents/figures_text.hpp"
+#include "app/files/units_json.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::app {
@@ -44,6 +43,13 @@ std::array<double, 2> rangeOf(const ModelError& error) {
   return {at(0.025), at(0.975)};
 }
 
+constexpr TextLine kStepChanceWords[] = {
+    {"reason", "no probabilities of steps: {}\n"},
+    {"counted", "probabilities of steps count {counted}", {}, {}, 1},
+    {"model_error", " ({value:.3r units/length} per coordinate, 95 % {range:.2i}, from {source})"},
+    {"counted", "\n", {}, {}, 1},
+    {"left_out", "  left out: {}\n"}};
+
 }  // namespace
 
 nlohmann::json stepChancesJson(const StepChances& chances, const Units& units) {
@@ -63,18 +69,9 @@ nlohmann::json stepChancesJson(const StepChances& chances, const Units& units) {
 }
 
 std::string stepChancesText(const StepChances& chances, const Units& units) {
-  if (!chances.reason.empty()) return "no probabilities of steps: " + chances.reason + "\n";
-  std::string text = fmt::format("probabilities of steps count {}", fmt::join(countedIn(chances), ", "));
-  if (chances.model_error) {
-    const auto range = rangeOf(*chances.model_error);
-    text += fmt::format(
-        " ({:.3g} {} per coordinate, 95 % {:.2g} to {:.2g}, {})", lengthOf(chances.model_error->sigma, units),
-        units.length().name, lengthOf(range[0], units), lengthOf(range[1], units),
-        isByTouches(*chances.model_error) ? "as estimated from the touches" : "from what the cell states");
-  }
-  text += "\n";
-  for (const auto& left_out : leftOutOf(chances)) text += "  left out: " + left_out + "\n";
-  return text;
+  nlohmann::json figures = stepChancesJson(chances, units);
+  figures["units"] = unitsJson(units);
+  return textOf(figures, kStepChanceWords);
 }
 
 nlohmann::json modelErrorJson(const ModelError& error, const Units& units) {

@@ -1,15 +1,13 @@
 #include "app/documents/touch_proposals.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/documents/fill_in_json.hpp"
-#include "app/documents/identification_json.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/units.hpp"
 #include "app/files/units_json.hpp"
@@ -107,44 +105,6 @@ nlohmann::json proposalJson(const TouchOutcome& outcome, const TouchProposal& pr
   return json;
 }
 
-std::string proposedJointsText(const TouchOutcome& outcome, const Eigen::VectorXd& q) {
-  std::string text;
-  for (const auto& figure : jointFigures(outcome.cell.arm, q, outcome.cell.units))
-    text += fmt::format(" {:>9}", figure);
-  return text;
-}
-
-/// What a reading is most informative about.
-std::string informativeText(const TouchProposal& proposal, std::size_t index) {
-  const auto& step = proposal.next.design.steps[index];
-  const auto& name = proposal.next.numbers[static_cast<std::size_t>(step.most_helped)].unknown.name;
-  return fmt::format("   {} (sigma x {:.2g})", name, step.helped_by);
-}
-
-std::string proposedText(const TouchOutcome& outcome, const TouchProposal& proposal, char letter) {
-  const Units& units = outcome.cell.units;
-  std::string joints, text;
-  for (const auto& joint : outcome.cell.arm.joints()) joints += fmt::format(" {:>9}", joint.name);
-  const bool names_numbers = letter == 'N';  // every reading is informative about the whole base
-  text += fmt::format("  {:<5} {:<8} {:<9} {:>8}{}{}\n", "", "", "point", std::string(units.force().name), joints,
-                      names_numbers ? "   most informative about" : "");
-  std::size_t last_step = proposal.next.design.steps.size();
-  for (const auto& [reading, step] : nameReadings(outcome, proposal, letter)) {
-    text +=
-        fmt::format("  {:<5} {:<8} {:<9} {:8.4g}{}", reading.id, calibration::kindOf(reading.kind).name, reading.point,
-                    reading.load / units.factor(dimension::kForce), proposedJointsText(outcome, reading.q));
-    if (names_numbers && step != last_step) text += informativeText(proposal, step);
-    last_step = step;
-    text += "\n";
-  }
-  return text;
-}
-
-std::string tipRow(const std::string& title, const TipSigma& sigma, const Units& units) {
-  const double unit = units.factor(dimension::kLength);
-  return fmt::format("  {:<44} {:>10.4g} {:>10.4g}\n", title, sigma.rms / unit, sigma.worst / unit);
-}
-
 /// Whether readings made so far place the base, or it is known.
 bool isPlaced(const calibration::NextReadings& next) {
   return std::all_of(next.numbers.begin(), next.numbers.end(), [](const NumberForecast& number) {
@@ -152,59 +112,50 @@ bool isPlaced(const calibration::NextReadings& next) {
   });
 }
 
-std::string tipText(const TouchOutcome& outcome, const TouchProposal& proposal) {
-  const Units& units = outcome.cell.units;
-  const std::size_t count = proposal.next.design.steps.size();
-  std::string text = fmt::format(
-      "  {:<44} {:>10} {:>10}\n",
-      fmt::format("standard deviation of the tip at work, {} per coordinate", units.length().name), "rms", "worst");
-  text += isPlaced(proposal.next) ? tipRow("now", proposal.next.tip_now, units)
-                                  : fmt::format("  {:<44} {:>21}\n", "now", "base not calibrated yet");
-  text += tipRow(fmt::format("after these {}", count), proposal.next.tip_after, units);
-  text += tipRow(fmt::format("after {} random ones (median)", count), proposal.next.tip_random, units);
-  return text;
-}
+constexpr std::string_view kTipSigmaRow = "  {@:<44} {rms:>10.4r} {worst:>10.4r}\n";
+constexpr TextLine kTipSigmaWords[] = {
+    {"", "  standard deviation of the tip at work, {units/length} per coordinate        rms      worst\n"},
+    {"!is_placed", "  now                                          base not calibrated yet\n"},
+    {"is_placed",
+     "  now                                          {tip_sigma/now/rms:>10.4r} {tip_sigma/now/worst:>10.4r}\n"},
+    {"tip_sigma/after", kTipSigmaRow, {}, "after these"},
+    {"tip_sigma/random", kTipSigmaRow, {}, "after as many random ones (median)"},
+    {"tip_sigma/nearest", kTipSigmaRow, {}, "after the nearest"},
+    {"nearest_holes", "    which are {nearest_holes}\n", {}, {}, 1}};
 
-std::string noiseText(const ReadingNoise& noise, const Units& units) {
-  return fmt::format("each coordinate to {:.4g} {} ({})", noise.sigma / units.factor(dimension::kLength),
-                     units.length().name, noise.from);
-}
+constexpr TextLine kForecastWords[] = {
+    {"", "", kTipSigmaWords},
+    {"", "  sigma of the parameters                       now        after after random\n"},
+    {"numbers",
+     "  {name:<36} {sigma/now:>12.3r} {sigma/after:>12.3r} {sigma/random:>12.3r} {unit}  identifiable now: "
+     "{identifiable/now}, after: {identifiable/after}\n"}};
 
-std::string baseText(const TouchOutcome& outcome) {
-  const TouchProposal& proposal = *outcome.base;
-  if (!proposal.reason.empty()) return "no touches for the base: " + proposal.reason + "\n";
-  std::string text =
-      fmt::format("touches for the base: {} of {} candidate holes, {}\n", proposal.next.design.steps.size(),
-                  proposal.next.candidates.size(), noiseText(outcome.base_noise, outcome.cell.units));
-  text += proposedText(outcome, proposal, 'T') + tipText(outcome, proposal);
-  if (!outcome.nearest_holes.empty())
-    text += tipRow(fmt::format("after the nearest, {}", fmt::join(outcome.nearest_holes, ", ")), outcome.tip_nearest,
-                   outcome.cell.units);
-  return text;
-}
+constexpr TextLine kProposedWords[] = {
+    {"point", "{:<9}"},
+    {"!point", "         "},
+    {"", " {load:>8.4r}{joints:*10.7r}   {adds/helps} (sigma x {adds/its_sigma_times:.2r})\n"}};
 
-std::string shareText(double sigma, bool is_identifiable) {
-  return is_identifiable ? fmt::format("{:.3g}", sigma) : "not identifiable";
-}
+constexpr TextLine kProposalWords[] = {
+    {"", "{work/postures} postures at work"},
+    {"work/out_of_reach", ", {} tubes out of reach"},
+    {"", "\n"},
+    {"notes", "  note: {}\n"},
+    {"base/reason", "no touches for the base: {}\n"},
+    {"base/candidates",
+     "touches for the base: {count} of {} candidate holes, each coordinate to {sigma:.4r units/length} "
+     "({sigma_from})\n",
+     kTipSigmaWords},
+    {"parameters/reason", "no readings for the parameters: {}\n"},
+    {"parameters/candidates",
+     "readings for the parameters: {count} of {} candidates, each coordinate to {sigma:.4r units/length} "
+     "({sigma_from})\n",
+     kForecastWords},
+    {"next_readings", "{heading}\n", {}, {}, 1},
+    {"next_readings", "  {id:<5} {for:<10} {kind:<8} ", kProposedWords}};
 
-std::string parametersText(const TouchOutcome& outcome) {
-  const TouchProposal& proposal = *outcome.parameters;
-  if (!proposal.reason.empty()) return "no readings for the parameters: " + proposal.reason + "\n";
-  std::string text =
-      fmt::format("readings for the parameters: {} of {} candidates, {}\n", proposal.next.design.steps.size(),
-                  proposal.next.candidates.size(), noiseText(outcome.noise, outcome.cell.units));
-  text += proposedText(outcome, proposal, 'N') + tipText(outcome, proposal);
-  text += fmt::format("  {:<36} {:>12} {:>12} {:>12}\n", "sigma of the parameters", "now", "after", "after random");
-  for (const auto& number : proposal.next.numbers) {
-    const Dimension unit = dimensionOf(number.unknown.quantity);
-    const double factor = outcome.cell.units.factor(unit);
-    text +=
-        fmt::format("  {:<36} {:>12} {:>12} {:>12} {}\n", number.unknown.name,
-                    shareText(number.now / factor, number.is_identifiable_now),
-                    shareText(number.after / factor, number.is_identifiable_after),
-                    shareText(number.random / factor, number.is_identifiable_random), outcome.cell.units.nameOf(unit));
-  }
-  return text;
+void addPlacing(const TouchProposal& proposal, nlohmann::json& figures) {
+  figures["count"] = proposal.next.design.steps.size();
+  figures["is_placed"] = isPlaced(proposal.next);
 }
 
 void appendRows(const TouchOutcome& outcome, const TouchProposal& proposal, char letter,
@@ -236,12 +187,14 @@ nlohmann::json proposalsJson(const TouchOutcome& outcome) {
 }
 
 std::string proposalsText(const TouchOutcome& outcome) {
-  std::string text = fmt::format("{} postures at work{}\n", outcome.work,
-                                 outcome.work_lost ? fmt::format(", {} tubes out of reach", outcome.work_lost) : "");
-  for (const auto& note : outcome.notes) text += "  note: " + note + "\n";
-  if (outcome.base) text += baseText(outcome);
-  if (outcome.parameters) text += parametersText(outcome);
-  return text;
+  nlohmann::json figures = proposalsJson(outcome);
+  if (outcome.base) addPlacing(*outcome.base, figures["base"]);
+  if (outcome.parameters) addPlacing(*outcome.parameters, figures["parameters"]);
+  std::string heading =
+      fmt::format("  {:<5} {:<10} {:<8} {:<9} {:>8}", "", "for", "", "point", outcome.cell.units.force().name);
+  for (const auto& joint : outcome.cell.arm.joints()) heading += fmt::format("{:>10}", joint.name);
+  figures["heading"] = heading + "   most informative about";
+  return textOf(figures, kProposalWords);
 }
 
 std::vector<ProposedMeasurement> runSheetOf(const TouchOutcome& outcome) {

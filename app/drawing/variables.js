@@ -3,10 +3,16 @@
 import {isNumber, plainUnit} from "./numbers.js";
 import {rangeOf} from "./scales.js";
 
-/** @typedef {"joint" | "sense" | "load" | "moment" | "temperature" | "time" | "position" | "set-up" | "point" |
- *    "order"} VariableKind */
-/** @typedef {{id: string, joints?: number[], senses?: number[], load?: number, temperature?: number, time?: number,
- *    setup?: string, point?: string}} VariedReading */
+/** @typedef {"joint" | "sense" | "load" | "moment" | "position" | "set-up" | "point" |
+ *    "order" | ConditionName} VariableKind */
+/** A condition that readings state under its name, as the program serves it with its unit.
+ *  @typedef {string & {}} ConditionName */
+/** @typedef {{name: ConditionName, unit: string}} ConditionColumn */
+/** Units of lengths, angles and forces, and the conditions there are.
+ *  @typedef {{length?: string, angle?: string, force?: string, conditions?: readonly ConditionColumn[]}} VariableUnits */
+/** Conditions are among the numbers of a reading: `conditionOf`.
+ *  @typedef {{id: string, joints?: number[], senses?: number[], load?: number, setup?: string, point?: string}}
+ *    VariedReading */
 /** `levels` are names where values are only that: 0 for the first.
  *  @typedef {{key: string, name: string, unit: string, kind: VariableKind, levels?: string[],
  *    of: (reading: VariedReading, index: number) => number | undefined}} Variable */
@@ -67,9 +73,15 @@ function groupVariable(source, kind, of) {
   return [variable(kind, kind, kind, "", (reading) => at.get(of(reading) ?? ""), levels)];
 }
 
+/** What a reading states of a condition. @param {VariedReading} reading @param {ConditionName} name */
+function conditionOf(reading, name) {
+  const numbers = /** @type {Record<string, number | undefined>} */ (/** @type {unknown} */ (reading));
+  return numbers[name];
+}
+
 /**
  * Only what differs between the readings.
- * @param {VariableSource} source @param {Record<string, string | undefined>} unit @param {Moments | null} [found]
+ * @param {VariableSource} source @param {VariableUnits} unit @param {Moments | null} [found]
  * @returns {Variable[]}
  */
 export function variablesOf(source, unit, found = null) {
@@ -83,8 +95,9 @@ export function variablesOf(source, unit, found = null) {
     ),
     variable("load", "load", "load", unit.force, (reading) => reading.load),
     ...momentVariables(source, found),
-    variable("temperature", "temperature", "temperature", unit.temperature, (reading) => reading.temperature),
-    variable("time", "time", "time", unit.time, (reading) => reading.time),
+    ...(unit.conditions ?? []).map(({name, unit: own}) =>
+      variable(name, name, name, own, (reading) => conditionOf(reading, name)),
+    ),
     ...["x", "y", "z"].map((axis, k) =>
       variable("position", `position_${axis}`, `position ${axis}`, unit.length, (_, index) => places[index]?.[k]),
     ),

@@ -77,7 +77,7 @@ Joint<double> readJoint(const YamlNode& node, const Units& units) {
 // What the joint itself moves may be left out of the row's numbers.
 void readDh(const YamlNode& node, const Units& units, ArmRow& row) {
   const bool turns = !row.joint.name.empty() && row.joint.type != JointType::kPrismatic;
-  std::vector<std::string> required{"alpha", "a"}, optional{"beta"};
+  std::vector<std::string> required{"alpha", "a"}, optional{"beta", "b"};
   (row.joint.type == JointType::kPrismatic ? optional : required).push_back("d");
   (turns ? optional : required).push_back("theta");
   node.expectKeys(required, optional);
@@ -279,17 +279,22 @@ std::string pathBelow(std::string_view rest) {
 
 }  // namespace
 
+std::string referenceKey(const deflection::ConditionKind& kind) { return std::string("reference_") + kind.name; }
+
 ArmSource readArm(const YamlNode& node) {
-  node.expectKeys({"units", "links", "tool"},
-                  {"name", "convention", "gravity", "reference_temperature", "side_chains", "pair"});
+  std::vector<std::string> optional = {"name", "convention", "gravity", "side_chains", "pair"};
+  for (const auto& kind : deflection::kConditionKinds)
+    if (kind.is_of_drawing) optional.push_back(referenceKey(kind));
+  node.expectKeys({"units", "links", "tool"}, optional);
   ArmSource source;
   source.units = Units(node.at("units"));
   Arm& arm = source.arm;
   if (const YamlNode* name = node.find("name")) arm.name = name->text();
   if (const YamlNode* pair = node.find("pair")) source.pair = pair->text();
   if (const YamlNode* gravity = node.find("gravity")) arm.gravity_W = readDirection(*gravity);
-  if (const YamlNode* reference = node.find("reference_temperature"))
-    arm.reference_temperature = source.units.temperatureToInternal(reference->number());
+  for (const auto& kind : deflection::kConditionKinds)
+    if (const YamlNode* reference = kind.is_of_drawing ? node.find(referenceKey(kind)) : nullptr)
+      arm.reference[kind.condition] = source.units.toInternal(reference->number(), kind.unit);
   for (const YamlNode& row : node.at("links").list()) arm.rows.push_back(readRow(row, source.units));
   for (std::size_t k = 0; k < arm.rows.size(); ++k) {
     const YamlNode* joint = node.at("links").items[k].find("joint");

@@ -22,6 +22,9 @@ struct ArmSource {
 /// ill-typed or what deflection::findProblems finds, with the file's line.
 [[nodiscard]] ArmSource readArm(const YamlNode& node);
 
+/// The key of a condition's usual value under which the arm is as drawn: `reference_temperature`.
+[[nodiscard]] std::string referenceKey(const deflection::ConditionKind& kind);
+
 /// The value that a parameter's dotted name ("tool.joint_stiffness.z", "tool.tip.x") stands for, or the nearest one
 /// around it.
 [[nodiscard]] const YamlNode& findArmNode(const YamlNode& arm, std::string_view name);

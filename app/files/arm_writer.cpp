@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/files/arm_reader.hpp"
 #include "app/files/yaml/yaml_text.hpp"
 #include "deflection/rotation.hpp"
 #include "deflection/row_conventions.hpp"
@@ -159,9 +160,9 @@ std::string armYaml(const Arm& arm, const Units& units, ToolAxis tool_axis) {
   if (!arm.name.empty()) text += fmt::format("name: {}\n", yamlName(arm.name));
   if (deflection::isStandard(arm.rows)) text += "convention: standard\n";
   const FlowMap map(units);
-  if (arm.reference_temperature != Arm().reference_temperature)
-    text +=
-        fmt::format("reference_temperature: {}\n", formatNumber(units.temperatureToFile(arm.reference_temperature)));
+  for (const auto& kind : deflection::kConditionKinds)
+    if (const double reference = arm.reference[kind.condition]; reference != kind.usual)
+      text += fmt::format("{}: {}\n", referenceKey(kind), formatNumber(units.toFile(reference, kind.unit)));
   text += fmt::format("gravity: {}\nlinks:\n", map.listOf(arm.gravity_W, dimension::kNone));
   text += rowsText(arm, arm.rows, units, "  ");
   if (!arm.side_chains.empty()) text += "side_chains:\n";

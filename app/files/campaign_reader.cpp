@@ -117,11 +117,9 @@ CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
   if (const YamlNode* place = root.find("at")) design.place = readPlace(*place);
   design.loads = calibration::usualLoads();
   if (!kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles) design.loads = {0};
-  if (kindOf(design.kind).is_displacement && !kindOf(design.kind).is_from_reading)
-    design.loads.erase(design.loads.begin());
+  if (kindOf(design.kind).departure && !kindOf(design.kind).is_from_reading) design.loads.erase(design.loads.begin());
   if (kindOf(design.kind).settle) design.postures_per_point = kPosturesOfSurface;
-  design.sigma = is_touch || kindOf(design.kind).settle ? calibration::kTouchSigma : calibration::kPositionSigma;
-  if (kindOf(design.kind).counts_steps) design.sigma = calibration::kVisitSigma;
+  design.sigma = kindOf(design.kind).usual_sigma;
   if (kindOf(design.kind).turn_rows > 0) design.turn_sigma = calibration::kAngleSigma;
   return design;
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/files/chosen_tube_columns.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/lower_case.hpp"
@@ -86,8 +87,9 @@ std::string tubesOrSpread(const std::string& request, const tubesheets::Sheet& s
 }
 
 tubesheets::Selection readWorkList(const std::string& text, const std::string& name, const tubesheets::Sheet& sheet,
-                                   const std::string& option) {
-  auto list = tubesheets::parseWorkListCsv(text);
+                                   const std::string& option, const std::vector<std::string>& columns) {
+  auto list = columns.empty() ? tubesheets::parseWorkListCsv(text)
+                              : tubesheets::readWorkListTable(text, tubeTableBy(columns, text, name));
   if (list.problem) refuseText(name, *list.problem);
   return selectedOrRefused(tubesheets::selectTubes(sheet, std::move(list)), name, option);
 }

@@ -35,9 +35,11 @@ namespace tubeplan::app {
 [[nodiscard]] tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet,
                                               const std::string& option = "--tubes");
 
-/// Returns the tubes that the text of a work list names; `name` is its file's, for messages. Throws InputError.
+/// Returns the tubes that the text of a work list names; `name` is its file's, for messages. `columns` say what its
+/// columns are where their headings do not (chosen_tube_columns.hpp). Throws InputError.
 [[nodiscard]] tubesheets::Selection readWorkList(const std::string& text, const std::string& name,
-                                                 const tubesheets::Sheet& sheet, const std::string& option = "--tubes");
+                                                 const tubesheets::Sheet& sheet, const std::string& option = "--tubes",
+                                                 const std::vector<std::string>& columns = {});
 
 /// What a work list has that is left out of planning or taken once, a sentence each; empty of other selections.
 [[nodiscard]] std::vector<std::string> listNotes(const tubesheets::Selection& selection);

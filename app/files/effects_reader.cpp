@@ -143,8 +143,11 @@ void readSizes(const std::string& text, const deflection::Arm& arm, const Units&
 }  // namespace
 
 deflection::FormulaUnits formulaUnitsOf(const Units& units) {
-  return {units.factor(dimension::kLength), units.factor(dimension::kAngle), units.factor(dimension::kForce),
-          units.temperature().factor,       units.temperature().offset,      units.factor(dimension::kTime)};
+  deflection::FormulaUnits of{units.factor(dimension::kLength), units.factor(dimension::kAngle),
+                              units.factor(dimension::kForce)};
+  for (const auto& kind : deflection::kConditionKinds)
+    of.conditions[kind.condition] = {units.factor(dimensionOf(kind.unit.quantity)), -units.toFile(0, kind.unit)};
+  return of;
 }
 
 std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
@@ -204,9 +207,12 @@ Effect parseFormula(const std::string& text, const deflection::Arm& arm, const U
 }
 
 std::string formulaUnitsText(const deflection::Arm& arm, const Effect& formula, const Units& units) {
-  return fmt::format("{}: joints in rad, lengths in {}, load in {}, temperature in {}, time in {}; its value in {}",
-                     deflection::placeText(arm, formula), units.length().name, units.force().name,
-                     units.temperature().name, units.time().name, units.nameOf(dimensionOf(formula.formula->quantity)));
+  std::string conditions;
+  for (const auto& kind : deflection::kConditionKinds)
+    conditions += fmt::format(", {} in {}", kind.name, units.nameOf(kind.unit));
+  return fmt::format("{}: joints in rad, lengths in {}, load in {}{}; its value in {}",
+                     deflection::placeText(arm, formula), units.length().name, units.force().name, conditions,
+                     units.nameOf(dimensionOf(formula.formula->quantity)));
 }
 
 ParsedEffect parseEffect(const std::string& text, const deflection::Arm& arm, const Units& units,

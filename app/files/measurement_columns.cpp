@@ -132,11 +132,29 @@ void takeOwn(Header& header, MeasurementColumns& columns) {
 }  // namespace
 
 UnitKind unitKindOf(deflection::Quantity quantity) {
-  return quantity == deflection::Quantity::kAngle ? UnitKind::kAngle : UnitKind::kLength;
+  switch (quantity) {
+    case deflection::Quantity::kAngle:
+      return UnitKind::kAngle;
+    case deflection::Quantity::kForce:
+      return UnitKind::kForce;
+    case deflection::Quantity::kTorque:
+      return UnitKind::kTorque;
+    case deflection::Quantity::kTemperature:
+      return UnitKind::kTemperature;
+    case deflection::Quantity::kTime:
+      return UnitKind::kTime;
+    default:
+      return UnitKind::kLength;
+  }
 }
 
 UnitKind unitKindOf(const deflection::Joint<double>& joint) {
   return joint.type == deflection::JointType::kPrismatic ? UnitKind::kLength : UnitKind::kAngle;
+}
+
+std::string conditionColumn(const deflection::ConditionKind& kind, const Units& units) {
+  const std::string unit = units.nameOf(kind.unit);
+  return unit.empty() ? kind.name : fmt::format("{}_{}", kind.name, unit);
 }
 
 MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::string& file, const deflection::Arm& arm) {
@@ -161,8 +179,10 @@ MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::str
   columns.correlations = {header.takePlain("rho_xy"), header.takePlain("rho_xz"), header.takePlain("rho_yz")};
   columns.sigma = header.takeNumber("sigma", UnitKind::kLength);
   columns.turn_sigma = header.takeNumber("turn_sigma", UnitKind::kAngle);
-  columns.temperature = header.takeNumber("temperature", UnitKind::kTemperature);
-  columns.time = header.takeNumber("time", UnitKind::kTime);
+  for (const auto& kind : deflection::kConditionKinds)
+    columns.conditions[kind.condition] = kind.unit.quantity == deflection::Quantity::kNone
+                                             ? header.takePlain(conditionColumn(kind, Units()))
+                                             : header.takeNumber(kind.name, unitKindOf(kind.unit.quantity));
   header.refuseUnknown();
   return columns;
 }

@@ -26,7 +26,8 @@ using ColumnTriple = std::array<std::optional<NumberColumn>, 3>;
 struct MeasurementColumns {
   std::size_t id = 0, kind = 0;
   std::optional<std::size_t> point, setup, split, from, row;
-  std::optional<NumberColumn> load, sigma, turn_sigma, temperature, time;
+  std::optional<NumberColumn> load, sigma, turn_sigma;
+  deflection::OfEachCondition<std::optional<NumberColumn>> conditions;
   ColumnTriple place, tool_point, sigmas, correlations, direction, force, moment;
   std::vector<NumberColumn> joints;              ///< one for each active row
   std::vector<NumberColumn> side_joints;         ///< one for each joint of a side chain
@@ -40,11 +41,14 @@ inline constexpr const char* kNearPrefix = "near_";
 /// What to do with a table that another program wrote.
 inline constexpr const char* kReadForeign = "let `tubeplan readings` make a measurement table of the file";
 
-/// In which units a kind's own numbers of that quantity may stand: lengths or angles.
+/// In which units numbers of that quantity may stand.
 [[nodiscard]] UnitKind unitKindOf(deflection::Quantity quantity);
 
 /// Of a joint's reading.
 [[nodiscard]] UnitKind unitKindOf(const deflection::Joint<double>& joint);
+
+/// The column of a condition: in the file's unit, `temperature_degF`, or in its own, `humidity_percent`.
+[[nodiscard]] std::string conditionColumn(const deflection::ConditionKind& kind, const Units& units);
 
 /// Throws InputError for columns that are unknown, missing, twice there in two units, or without a known unit.
 [[nodiscard]] MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::string& file,

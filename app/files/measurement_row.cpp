@@ -113,6 +113,18 @@ std::vector<int> readApproachDirections(const RowReader& row, const MeasurementC
   return approach_directions;
 }
 
+deflection::ConditionValues readConditions(const RowReader& row, const MeasurementColumns& columns) {
+  deflection::ConditionValues values;
+  for (const auto& kind : deflection::kConditionKinds) {
+    double& value = values[kind.condition];
+    value = row.numberOrNaN(columns.conditions[kind.condition]);
+    if (value < kind.least)
+      row.failRow(fmt::format("a {} below {}", kind.name, kind.least_words),
+                  fmt::format("the reading's {} in the column's unit", kind.name));
+  }
+  return values;
+}
+
 bool readSplit(const RowReader& row, const std::optional<std::size_t>& column) {
   if (!column || row.field(*column) == "fit" || row.field(*column).empty()) return false;
   if (row.field(*column) != "held-out") row.fail(*column, inQuotes(row.field(*column)), "fit or held-out");
@@ -149,40 +161,23 @@ Eigen::Vector3d readOwn(const RowReader& row, const MeasurementColumns& columns,
 
 /// Kinds that measure some of their numbers need one, the others all.
 void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
-  const auto count = static_cast<Eigen::Index>(kind.columns.size());
-  const Eigen::Index stated = count - m.own.head(count).array().isNaN().count();
-  if (kind.are_columns_given && stated == 0) return;
-  const bool is_by_place = kind.is_from_reading && m.p_W;
-  const bool is_enough = is_by_place ? stated == 0 : kind.is_partly_seen ? stated > 0 : stated == count;
-  const bool is_right = is_by_place || !kind.is_above_zero || m.own[0] > 0;
-  if (is_enough && is_right) return;
+  if (calibration::statesEnough(m)) return;
+  const std::size_t count = kind.columns.size();
   std::vector<std::string> names, columns;
   for (const auto& column : kind.columns) names.emplace_back(column.name), columns.push_back(columnText(column));
   row.failRow(fmt::format("a reading of kind {} without its {}", kind.name, fmt::join(names, ", ")),
               fmt::format("{}number{} in the column{} {}", count > 1 ? "" : "a ",
-                          kind.is_above_zero && count == 1 ? " above zero"
-                          : count > 1                      ? "s"
-                                                           : "",
+                          kind.is_possible && count == 1 ? " above zero"
+                          : count > 1                    ? "s"
+                                                         : "",
                           count > 1 ? "s" : "", fmt::join(columns, ", ")));
 }
 
 void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
-  if (kind.is_touch && m.point.empty())
-    row.failRow("a touch without a point", "the point's name in the column 'point'");
-  if (kind.settle && m.point.empty())
-    row.failRow(fmt::format("a {} without a name", kind.name),
-                fmt::format("the {}'s name in the column 'point'", kind.name), "readings of one name touched the same");
-  if (!kind.is_touch && !kind.is_without_place && !kind.is_from_reading && !m.p_W)
-    row.failRow(fmt::format("a reading of kind {} without x, y, z", kind.name), "its coordinates");
-  if (kind.settle && (m.p_W || m.direction_W))
-    row.failRow(fmt::format("the place of a reading of kind {}", kind.name),
-                "nothing in x, y, z, dx, dy, dz: where it is, its readings say",
-                "of a plane of known place make readings of kind axis, of a ball of known centre of kind distance");
+  if (const auto lack = kind.lack ? kind.lack(m, kind.name) : std::nullopt)
+    row.failRow(lack->found, lack->expected, lack->advice);
   checkOwn(row, kind, m);
-  if (kind.has_direction && !m.direction_W)
-    row.failRow(fmt::format("a reading of kind {} without a direction", kind.name),
-                "its direction in the columns dx, dy, dz (of any length)");
-  if (m.p_TQ && kind.is_displacement)
+  if (m.p_TQ && calibration::isDisplacement(m))
     row.failRow(fmt::format("tool_x, tool_y, tool_z of a reading of kind {}", kind.name), "readings of the tip itself");
   if (m.p_TQ && m.row)
     row.failRow("tool_x, tool_y, tool_z of a reading of a row of the arm", "a row or a point of the tool, not both",
@@ -249,10 +244,7 @@ Measurement readMeasurement(const RowReader& row, const MeasurementColumns& colu
   if (m.sigma_W) m.sigma = calibration::meanSigma(*m.sigma_W);
   m.turn_sigma = row.numberOrNaN(columns.turn_sigma);
   m.approach_directions = readApproachDirections(row, columns);
-  m.temperature = row.numberOrNaN(columns.temperature);
-  if (m.temperature < 0)
-    row.failRow("a temperature below absolute zero", "the reading's temperature in the column's unit");
-  m.time = row.numberOrNaN(columns.time);
+  m.conditions = readConditions(row, columns);
   m.is_held_out = readSplit(row, columns.split);
   checkKind(row, kind, m);
   return m;

@@ -65,11 +65,11 @@ std::vector<std::size_t> placesOfValues(const calibration::MeasurementKindRow& k
   std::vector<std::size_t> places;
   if (values.has_joints)
     for (const auto& joint : columns.joints) places.push_back(joint.index);
-  if (calibration::measuresPlace(kind))
+  if (values.has_place)
     for (const auto& coordinate : columns.place)
       if (coordinate) places.push_back(coordinate->index);
-  for (const auto& column : kind.columns)
-    if (const auto found = columns.own.find(column.name); !kind.are_columns_given && found != columns.own.end())
+  for (const auto& column : values.numbers)
+    if (const auto found = columns.own.find(column.name); found != columns.own.end())
       places.push_back(found->second.index);
   return places;
 }
@@ -78,10 +78,13 @@ std::vector<std::size_t> placesOfValues(const calibration::MeasurementKindRow& k
 std::string valuesOf(const calibration::MeasurementKindRow& kind) {
   const auto values = calibration::valueColumnsOf(kind);
   if (values.has_joints) return "its joints' readings";
-  if (kind.is_from_reading) return "its distance or x, y, z";
   std::vector<std::string> names;
+  if (values.has_place && values.least == 1) {
+    for (const auto& column : kind.columns) names.emplace_back(column.name);
+    return fmt::format("its {} or x, y, z", fmt::join(names, ", "));
+  }
   for (const auto& column : values.numbers) names.emplace_back(column.name);
-  return fmt::format("{}{}", calibration::measuresPlace(kind) ? "" : "its ", fmt::join(names, ", "));
+  return fmt::format("{}{}", values.has_place ? "" : "its ", fmt::join(names, ", "));
 }
 
 /// Refuses rows of a run sheet that nobody has filled in, all of them at once.
@@ -105,11 +108,13 @@ void requireFilledIn(const tubesheets::CsvTable& table, const MeasurementColumns
   if (blank.size() > kMostNamed) named.push_back(fmt::format("{} more", blank.size() - kMostNamed));
   for (const std::size_t place : placesOfValues(*kind, columns)) wanted.push_back(table.columns[place]);
   const std::string what = fmt::format("{}", fmt::join(wanted, ", "));
+  const auto values = calibration::valueColumnsOf(*kind);
+  const bool is_some = !values.has_place && values.least < static_cast<int>(values.numbers.size());
   throw InputError(fmt::format("{}:{}", file, blank.front()->line),
                    blank.size() == 1
                        ? fmt::format("a reading of kind {} without {}", kind->name, valuesOf(*kind))
                        : fmt::format("{} readings that are not filled in: {}", blank.size(), fmt::join(named, ", ")),
-                   fmt::format("what was measured, {}{}", kind->is_partly_seen ? "one or more of " : "", what),
+                   fmt::format("what was measured, {}{}", is_some ? "one or more of " : "", what),
                    fmt::format("fill in {}, or take {} out", what, blank.size() == 1 ? "the row" : "these rows"));
 }
 

@@ -12,7 +12,7 @@
 namespace tubeplan::app {
 
 /// The readings of a file, in its order. Columns: id, kind, point, setup, load_UNIT, <joint>_UNIT for every joint of
-/// the arm, x_UNIT, y_UNIT, z_UNIT, distance_UNIT, sigma_UNIT, <joint>_dir, temperature_UNIT, time_UNIT, split (fit,
+/// the arm, x_UNIT, y_UNIT, z_UNIT, distance_UNIT, sigma_UNIT, <joint>_dir, CONDITION_UNIT, split (fit,
 /// held-out); only id, kind and the joints must be there. A touch without coordinates whose point is a hole's name
 /// (R10C20) takes them from the sheet, where one is given. Throws InputError naming the line and column for: an
 /// unknown, double or missing column, an unknown unit, a number that is none or not finite, an unknown kind, a double

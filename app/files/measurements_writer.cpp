@@ -44,9 +44,6 @@ std::string columnName(const MeasuredColumn& column, const Units& units) {
   return fmt::format("{}_{}", column.name, units.nameOf(dimensionOf(column.quantity)));
 }
 
-std::string temperatureColumn(const Units& units) { return "temperature_" + std::string(units.temperature().name); }
-std::string timeColumn(const Units& units) { return "time_" + std::string(units.time().name); }
-
 /// Whether its joints are what is measured.
 bool isMeasuredByJoints(const Measurement& reading) {
   return calibration::valueColumnsOf(calibration::kindOf(reading)).has_joints;
@@ -200,12 +197,11 @@ class Table {
         });
         ++k;
       }
-    if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.temperature); }))
-      add(temperatureColumn(units_),
-          [this](const auto& m) { return is_sheet_ ? "" : numberOrNothing(units_.temperatureToFile(m.temperature)); });
-    if (anyHas(readings_, [](const auto& m) { return !std::isnan(m.time); }))
-      add(timeColumn(units_),
-          [this](const auto& m) { return is_sheet_ ? "" : numberOrNothing(m.time / units_.time().factor); });
+    for (const auto& kind : deflection::kConditionKinds)
+      if (anyHas(readings_, [&](const auto& m) { return m.conditions.states(kind.condition); }))
+        add(conditionColumn(kind, units_), [this, &kind](const auto& m) {
+          return is_sheet_ ? "" : numberOrNothing(units_.toFile(m.conditions[kind.condition], kind.unit));
+        });
     if (anyHas(readings_, [](const auto& m) { return m.is_held_out; }))
       add("split", [](const auto& m) { return std::string(m.is_held_out ? "held-out" : "fit"); });
   }
@@ -238,8 +234,8 @@ FillIn fillInOf(const ProposedMeasurement& proposed, const deflection::Arm& arm,
   for (Eigen::Index k = 0; values.has_joints && k < arm.jointCount(); ++k, ++fill.least)
     fill.columns.push_back(jointColumn(arm.joint(k), units));
   for (const auto& column : values.numbers) fill.columns.push_back(columnName(column, units));
-  if (std::isfinite(proposed.temperature)) fill.optional.push_back(temperatureColumn(units));
-  if (std::isfinite(proposed.time)) fill.optional.push_back(timeColumn(units));
+  for (const auto& kind : deflection::kConditionKinds)
+    if (proposed.conditions.states(kind.condition)) fill.optional.push_back(conditionColumn(kind, units));
   return fill;
 }
 

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <numbers>
+#include <optional>
 #include <variant>
 
 #include "app/files/arm_reader.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/yaml/yaml_edit.hpp"
+#include "app/files/yaml/yaml_text.hpp"
+#include "deflection/chain.hpp"
 #include "deflection/rotation.hpp"
 
 namespace tubeplan::app {
@@ -39,16 +43,43 @@ LinkOrigin halfTurned(const LinkOrigin& origin) {
           0};
 }
 
-/// The row's origin in the nominal file, where it may be replaced.
-const LinkOrigin& nominalOrigin(const YamlFile& nominal, const deflection::Row<double>& row) {
+/// The row's origin in its file. Throws InputError where it has none.
+const LinkOrigin& originIn(const std::string& file, const deflection::Row<double>& row) {
   const auto* origin = std::get_if<LinkOrigin>(&row.placement);
   if (!origin)
-    throw InputError(nominal.path, "the row " + inQuotes(row.name) + " by dh", "rows by origin, as the robot's URDF",
+    throw InputError(file, "the row " + inQuotes(row.name) + " by dh", "rows by origin, as the robot's URDF",
                      "take the arm that `arm import robot.urdf` makes, or `arm export --convention origin`");
-  if (row.joint.type != deflection::JointType::kRevolute || row.joint.offset != 0 || origin->beta != 0)
+  return *origin;
+}
+
+/// The same in the nominal file, where it may be replaced.
+const LinkOrigin& nominalOrigin(const YamlFile& nominal, const deflection::Row<double>& row) {
+  const LinkOrigin& origin = originIn(nominal.path, row);
+  if (row.joint.type != deflection::JointType::kRevolute || row.joint.offset != 0 || origin.beta != 0)
     throw InputError(nominal.path, "the row " + inQuotes(row.name),
                      "revolute joints without offset or beta: the origins hold all that was calibrated");
-  return *origin;
+  return origin;
+}
+
+void requireSixJoints(const std::string& file, std::size_t joints) {
+  if (joints != kLinks.size())
+    throw InputError(file, fmt::format("{} joints", joints), "6, as the kinematics file has origins");
+}
+
+/// The row's origin, with its lean and its joint's offset; its own numbers where it has neither.
+LinkOrigin calibratedOrigin(const std::string& file, const deflection::Row<double>& row) {
+  const LinkOrigin& own = originIn(file, row);
+  if (own.beta == 0 && row.joint.offset == 0) return own;
+  const Eigen::Matrix3d turn =
+      deflection::rotationFromPrevious<double>(row) * deflection::rotationZ<double>(row.joint.offset);
+  return {own.position, deflection::fixedAnglesOf(turn), 0};
+}
+
+/// The second origin, which stands in the frame of the first, as seen from where the first does.
+LinkOrigin behind(const LinkOrigin& first, const LinkOrigin& second) {
+  const Eigen::Matrix3d turn = deflection::rotationFromFixedAngles<double>(first.rpy);
+  return {first.position + turn * second.position,
+          deflection::fixedAnglesOf(turn * deflection::rotationFromFixedAngles<double>(second.rpy)), 0};
 }
 
 void refuseOtherModel(const YamlFile& nominal, const std::string& row, const LinkOrigin& from, const LinkOrigin& to) {
@@ -77,8 +108,7 @@ RobotKinematics readRobotKinematics(const YamlNode& root) {
 std::string withRobotKinematics(const YamlFile& nominal, const RobotKinematics& kinematics) {
   const ArmSource source = readArm(nominal.root);
   const auto active = deflection::activeRows(source.arm);
-  if (active.size() != kinematics.origins.size())
-    throw InputError(nominal.path, fmt::format("{} joints", active.size()), "6, as the kinematics file has origins");
+  requireSixJoints(nominal.path, active.size());
   std::string text = nominal.text;
   const auto write = [&](const std::string& row, const char* list, const Eigen::Vector3d& values, Dimension unit) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -96,6 +126,44 @@ std::string withRobotKinematics(const YamlFile& nominal, const RobotKinematics& 
     write(row.name, "rpy", origin.rpy, dimension::kAngle);
   }
   return text;
+}
+
+std::string robotKinematicsText(const RobotKinematics& kinematics) {
+  std::string text = "kinematics:\n";
+  for (std::size_t k = 0; k < kLinks.size(); ++k) {
+    const LinkOrigin& origin = kinematics.origins[k];
+    text += fmt::format("  {}:\n", kLinks[k]);
+    for (int axis = 0; axis < 3; ++axis) text += fmt::format("    {}: {}\n", "xyz"[axis], origin.position[axis] + 0.);
+    constexpr std::array kTurns{"roll", "pitch", "yaw"};
+    for (int axis = 0; axis < 3; ++axis)
+      text += fmt::format("    {}: {}\n", kTurns[static_cast<std::size_t>(axis)], origin.rpy[axis] + 0.);
+  }
+  return kinematics.hash.empty() ? text : text + fmt::format("  hash: {}\n", yamlName(kinematics.hash));
+}
+
+RobotKinematics robotKinematicsOf(const deflection::Arm& arm, const std::string& file) {
+  RobotKinematics kinematics;
+  requireSixJoints(file, deflection::activeRows(arm).size());
+  std::size_t joints = 0;
+  std::optional<LinkOrigin> passive;  // what stands before the next joint
+  for (const auto& row : arm.rows) {
+    if (joints == kinematics.origins.size()) break;
+    const LinkOrigin own = calibratedOrigin(file, row);
+    const LinkOrigin origin = passive ? behind(*passive, own) : own;
+    passive.reset();
+    if (row.joint.type == deflection::JointType::kPassive)
+      passive = origin;
+    else if (row.joint.type == deflection::JointType::kRevolute && row.joint.follows.empty())
+      kinematics.origins[joints++] = origin;
+    else
+      throw InputError(file, "the joint " + inQuotes(row.joint.name), "joints that turn, each by itself");
+  }
+  LinkOrigin& base = kinematics.origins.front();
+  if (angleBetween(base, LinkOrigin{}) > std::numbers::pi / 2) {
+    base = halfTurned(base);
+    base.rpy.z() = std::remainder(base.rpy.z(), 2 * std::numbers::pi);
+  }
+  return kinematics;
 }
 
 }  // namespace tubeplan::app

@@ -28,4 +28,12 @@ struct RobotKinematics {
 /// move by more than 50 mm or 10 deg: those are of another model.
 [[nodiscard]] std::string withRobotKinematics(const YamlFile& nominal, const RobotKinematics& kinematics);
 
+/// Returns the file's text of the same numbers to the last bit.
+[[nodiscard]] std::string robotKinematicsText(const RobotKinematics& kinematics);
+
+/// Returns what such a file has of an arm: of each joint its origin, with the offset, the lean and passive rows before
+/// it; a base half a turn about z is turned back. `file` is the arm's, for messages. Throws InputError for an arm whose
+/// rows with joints are not six, revolute and by origin.
+[[nodiscard]] RobotKinematics robotKinematicsOf(const deflection::Arm& arm, const std::string& file);
+
 }  // namespace tubeplan::app

@@ -86,10 +86,11 @@ std::vector<calibration::TouchPlan> requireTouches(BestTouches touches) {
   return std::move(touches.plans);
 }
 
-std::vector<Measurement> touchesByTrueArm(const planner::Workcell& model, const planner::Workcell& truth,
-                                          std::uint64_t seed) {
+std::vector<Measurement> touchesByTrueArm(const planner::Workcell& model, const Cell& cell,
+                                          const planner::Workcell& truth, std::uint64_t seed) {
   constexpr int kCandidates = 24, kTouches = 3;
-  const auto plans = requireTouches(bestTouches(model, touchCandidates(model, kCandidates), kTouches));
+  const auto plans =
+      requireTouches(bestTouches(model, touchCandidates(model, kCandidates), kTouches, doubtBeside(cell)));
   calibration::TouchSimulationOptions options;
   options.sigma = touchSigmaOf(model.tool);
   options.load = truth.load;

@@ -27,9 +27,9 @@ void settleSteps(std::vector<calibration::Measurement>& readings, const tubeshee
 /// The holes chosen, or InputError that none could be.
 [[nodiscard]] std::vector<calibration::TouchPlan> requireTouches(BestTouches touches);
 
-/// What the true arm reads at the three holes that place the base best, as `--touches auto`. Throws InputError where it
-/// cannot touch three.
-[[nodiscard]] std::vector<calibration::Measurement> touchesByTrueArm(const planner::Workcell& model,
+/// What the true arm reads at the three holes that place the base best by the model, which is that of `cell`, as
+/// `--touches auto`. Throws InputError where it cannot touch three.
+[[nodiscard]] std::vector<calibration::Measurement> touchesByTrueArm(const planner::Workcell& model, const Cell& cell,
                                                                      const planner::Workcell& truth,
                                                                      std::uint64_t seed);
 

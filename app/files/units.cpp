@@ -116,6 +116,8 @@ Dimension dimensionOf(deflection::Quantity quantity) {
       return dimension::kSpeed;
     case Q::kTime:
       return dimension::kTime;
+    case Q::kTemperature:
+      return dimension::kTemperature;
   }
   return dimension::kNone;
 }
@@ -145,11 +147,15 @@ double Units::factor(Dimension d) const {
 double Units::toInternal(double value, Dimension dimension) const { return value * factor(dimension); }
 double Units::toFile(double value, Dimension dimension) const { return rounded(value / factor(dimension)); }
 
-double Units::temperatureToInternal(double value) const {
-  return (value + temperature_->offset) * temperature_->factor;
+double Units::toInternal(double value, const deflection::ValueUnit& unit) const {
+  return (value + zeroOf(unit.quantity)) * factor(dimensionOf(unit.quantity));
 }
-double Units::temperatureToFile(double kelvin) const {
-  return rounded(kelvin / temperature_->factor - temperature_->offset);
+double Units::toFile(double value, const deflection::ValueUnit& unit) const {
+  return rounded(value / factor(dimensionOf(unit.quantity)) - zeroOf(unit.quantity));
+}
+
+double Units::zeroOf(deflection::Quantity quantity) const {
+  return quantity == deflection::Quantity::kTemperature ? temperature_->offset : 0;
 }
 
 std::string Units::nameOf(Dimension d) const {
@@ -162,6 +168,10 @@ std::string Units::nameOf(Dimension d) const {
   if (over.empty()) over = "1";
   if (under.empty()) return over;
   return over + (under.find('*') == std::string::npos ? "/" + under : "/(" + under + ")");
+}
+
+std::string Units::nameOf(const deflection::ValueUnit& unit) const {
+  return unit.quantity == deflection::Quantity::kNone ? unit.own : nameOf(dimensionOf(unit.quantity));
 }
 
 double rounded(double value) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "deflection/parameters.hpp"
+#include "deflection/quantity.hpp"
 
 namespace tubeplan::app {
 
@@ -54,6 +55,7 @@ inline constexpr Dimension kLengthToTheFourth{4, 0, 0};
 inline constexpr Dimension kTorque{1, 0, 1};
 inline constexpr Dimension kAnglePerTorque{-1, 1, -1};
 inline constexpr Dimension kPerBendingStiffness{-2, 0, -1};
+inline constexpr Dimension kTemperature{0, 0, 0, 1};
 inline constexpr Dimension kPerTemperature{0, 0, 0, -1};
 inline constexpr Dimension kSpeed{1, 0, 0, 0, -1};
 inline constexpr Dimension kTime{0, 0, 0, 0, 1};
@@ -77,14 +79,18 @@ class Units {
   /// Rounded to 12 significant digits, so that a number read and written again is the same decimal.
   [[nodiscard]] double toFile(double value, Dimension dimension) const;
 
-  [[nodiscard]] double temperatureToInternal(double value) const;
-  [[nodiscard]] double temperatureToFile(double kelvin) const;
+  /// The same of values that may be absolute temperatures, or have a unit of their own.
+  [[nodiscard]] double toInternal(double value, const deflection::ValueUnit& unit) const;
+  [[nodiscard]] double toFile(double value, const deflection::ValueUnit& unit) const;
 
   /// Internal units per unit of the file, for numbers that are scaled but not rounded (covariances, Jacobians).
   [[nodiscard]] double factor(Dimension dimension) const;
 
   /// "lbf*in/deg", "in^4", "1" for a plain number.
   [[nodiscard]] std::string nameOf(Dimension dimension) const;
+
+  /// "degF", "percent", "" for a plain number.
+  [[nodiscard]] std::string nameOf(const deflection::ValueUnit& unit) const;
 
   [[nodiscard]] const Unit& length() const { return *length_; }
   [[nodiscard]] const Unit& angle() const { return *angle_; }
@@ -93,6 +99,8 @@ class Units {
   [[nodiscard]] const Unit& time() const { return *time_; }
 
  private:
+  [[nodiscard]] double zeroOf(deflection::Quantity quantity) const;
+
   const Unit *length_, *angle_, *force_, *temperature_, *time_;  // rows of unitTable()
 };
 

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "deflection/conditions.hpp"
+
 namespace tubeplan::app {
 
 nlohmann::json unitsJson(const Units& units) {
@@ -10,6 +12,14 @@ nlohmann::json unitsJson(const Units& units) {
           {"force", units.force().name},
           {"temperature", units.temperature().name},
           {"time", units.time().name}};
+}
+
+nlohmann::json readingUnitsJson(const Units& units) {
+  nlohmann::json json = unitsJson(units), conditions = nlohmann::json::array();
+  for (const auto& kind : deflection::kConditionKinds)
+    conditions.push_back({{"name", kind.name}, {"unit", units.nameOf(kind.unit)}});
+  json["conditions"] = conditions;
+  return json;
 }
 
 }  // namespace tubeplan::app

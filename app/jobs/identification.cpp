@@ -15,7 +15,6 @@
 #include "app/files/suggestion.hpp"
 #include "app/jobs/outliers.hpp"
 #include "app/studies/model/cell_fit.hpp"
-#include "calibration/patterns/comparison.hpp"
 
 namespace tubeplan::app {
 
@@ -117,6 +116,8 @@ IdentificationOutcome unidentified(const CellReadings& input, const std::string&
   outcome.fit.fitted = startOf(input.cell, input.readings);
   outcome.warnings = fitWarnings(outcome.fit, input.readings);
   outcome.figures = identificationJson(outcome.fit, outcome.readings, 0, units);
+  outcome.adequacy = calibration::Adequacy::kInconclusive;
+  outcome.figures["adequacy"] = nameOf(outcome.adequacy);
   outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, units);
   outcome.figures["set_aside"] = outcome.set_aside;
   outcome.figures["predicted_centring_error"] = predictedCentringJson(outcome.centring, units);
@@ -148,25 +149,39 @@ void fitReadings(const CellReadings& input, const IdentificationRequest& request
   outcome.set_aside = std::move(refit.set_aside);
 }
 
-/// Says where the fit leaves more than noise explains, by the rule of `compare`. Robust losses leave outliers in.
+/// What the readings have against a fit, a clause; empty where they have nothing against it. Repeated readings may
+/// scatter less than stated, or so much more that a misfit by the stated noise is none.
+std::string refutation(const calibration::ModelLackOfFit& lack) {
+  const bool is_off = lack.p_value < calibration::kPatternLevel;
+  if (lack.adequacy == calibration::Adequacy::kInadequate)
+    return is_off ? "the fit leaves more than noise explains"
+                  : fmt::format(
+                        "repeated readings scatter {:.2g} times as much as stated, and the fit leaves more than that "
+                        "explains",
+                        lack.repeats.noise_ratio);
+  return is_off ? fmt::format(
+                      "the fit leaves more than the stated noise explains, but no more than repeated readings scatter, "
+                      "{:.2g} times as much",
+                      lack.repeats.noise_ratio)
+                : "";
+}
+
+/// Says where the fit leaves more than noise explains, by the rule of `compare`: of every fit, however it was asked for
+/// and however it ended. Robust losses leave outliers in, so they are no ground to refuse a base.
 void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& outcome) {
   const auto& fit = outcome.fit;
-  if (fit.status != IdentificationStatus::kDone || lossOf(request.robust) != calibration::RobustLoss::kNone) return;
   const auto lack = calibration::lackOfFitOf(fit, outcome.readings);
-  if (lack.adequacy != calibration::Adequacy::kInadequate) return;
+  outcome.adequacy = lack.adequacy;
+  const std::string refuted = refutation(lack);
+  if (refuted.empty()) return;
+  const bool is_robust = lossOf(request.robust) != calibration::RobustLoss::kNone;
   const bool is_base_alone = std::ranges::none_of(
       fit.numbers, [](const auto& number) { return number.unknown.owner == calibration::Unknown::Owner::kArm; });
-  outcome.is_base_refused = is_base_alone;
-  // The stated noise explains it, and repeated readings say that the noise is less.
-  const std::string judge = lack.p_value < calibration::kPatternLevel
-                                ? "the fit leaves more than noise explains"
-                                : fmt::format(
-                                      "repeated readings scatter {:.2g} times as much as stated, and the fit "
-                                      "leaves more than that explains",
-                                      lack.repeats.noise_ratio);
+  outcome.is_base_refused = lack.adequacy == calibration::Adequacy::kInadequate && is_base_alone && !is_robust;
   outcome.warnings.push_back(
-      fmt::format("{}: chi-square {:.3g} for each of {} degrees of freedom by the stated noise; {}", judge,
+      fmt::format("{}: chi-square {:.3g} for each of {} degrees of freedom by the stated noise{}; {}", refuted,
                   lack.chi2 / std::max(1, lack.degrees_of_freedom), lack.degrees_of_freedom,
+                  is_robust ? ", of the outliers too" : "",
                   is_base_alone ? "the base alone was found: free what the drawing leaves open (a list `identify`, or "
                                   "--free), and see `tubeplan compare`"
                                 : "`tubeplan compare` says what the error follows"));
@@ -187,6 +202,7 @@ IdentificationOutcome identifyModel(const CellReadings& input, const Identificat
   outcome.warnings = fitWarnings(outcome.fit, readings);
   judgeByNoise(request, outcome);
   outcome.figures = identificationJson(outcome.fit, readings, outcome.set_aside.size(), cell.units);
+  outcome.figures["adequacy"] = nameOf(outcome.adequacy);
   outcome.figures["warnings"] = warningsWithChecks(input.checks, outcome.warnings, cell.units);
   outcome.figures["set_aside"] = outcome.set_aside;
   addChecks(input.checks, cell.units, outcome.figures);

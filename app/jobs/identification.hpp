@@ -13,6 +13,7 @@
 #include "calibration/diagnosis/effect_warnings.hpp"
 #include "calibration/diagnosis/formula_overlap.hpp"
 #include "calibration/estimation/identification.hpp"
+#include "calibration/patterns/comparison.hpp"
 
 namespace tubeplan::app {
 
@@ -31,10 +32,12 @@ struct IdentificationRequest {
 };
 
 struct IdentificationOutcome {
-  calibration::Identification fit;  ///< not run where the readings hold a mistake, which is its reason
+  calibration::Identification fit;                 ///< not run where the readings hold a mistake, which is its reason
   std::vector<calibration::Measurement> readings;  ///< that the fit was given: all but those set aside
   std::vector<std::string> set_aside;              ///< ids of outliers
   std::vector<std::string> warnings;               ///< of the readings
+  /// Of what the fit leaves beside the noise, by the rule of `compare`; inconclusive over a mistake.
+  calibration::Adequacy adequacy = calibration::Adequacy::kNotRun;
   bool is_base_refused = false;  ///< nothing but the base was found, and the readings do not fit by it
   std::vector<calibration::FormulaOverlap> overlaps;
   PredictedCentring centring;

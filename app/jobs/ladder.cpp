@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/documents/ladder_json.hpp"
+#include "app/documents/measurement_checks_json.hpp"
 #include "app/files/workcell.hpp"
 #include "app/jobs/outliers.hpp"
 #include "app/studies/model/cell_fit.hpp"
@@ -103,8 +104,10 @@ LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderRe
                                                                request.seed, calibration::withoutProgress(hooks)));
   }
   outcome.steps = stepsOf(models, request, outcome.comparison, within(hooks, "ladder"));
-  outcome.figures =
-      ladderJson(outcome.comparison, outcome.steps, outcome.set_aside, request.seed, models.front().input.cell.units);
+  const Units& units = models.front().input.cell.units;
+  outcome.figures = ladderJson(outcome.comparison, outcome.steps, outcome.set_aside, request.seed, units);
+  if (const auto mistake = mistakeText(models.back().input.checks, units); !mistake.empty())
+    outcome.figures["sentence"] = noVerdictSentence(mistake);
   return outcome;
 }
 

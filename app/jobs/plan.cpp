@@ -46,7 +46,7 @@ std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, con
   if (request.touches == "auto" && !outcome.truth)
     throw InputError("--touches auto", "no true arm to touch with", "--truth CELL",
                      "name a true cell, or a file of touches");
-  if (request.touches == "auto") return touchesByTrueArm(outcome.nominal, *outcome.truth, request.seed);
+  if (request.touches == "auto") return touchesByTrueArm(outcome.nominal, outcome.cell, *outcome.truth, request.seed);
   const auto readings = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
   requireDefinedFormulas(readings, outcome.cell, request.touches);
   const auto touches = touchesOf(readings, outcome.cell, request.touches);
@@ -200,9 +200,11 @@ PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, Pla
 
 PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::PlanHooks hooks) {
   PlanOutcome outcome = begun(cell, request);
-  const auto selection = tubesheets::selectTubes(outcome.nominal.sheet, request.tubes);
+  auto selection = tubesheets::selectTubes(outcome.nominal.sheet, request.tubes);
   if (selection.status != tubesheets::SelectionStatus::kSelected)
     throw InputError("tubes", inQuotes(request.tubes) + " (" + selection.reason + ")", "tubes of this sheet");
+  for (const auto& [tube, stay] : request.stays)
+    if (std::ranges::binary_search(selection.tube_indices, tube)) selection.dwell.emplace(tube, stay);
   addConditions(request, selection, outcome);
   plan(request, selection.tube_indices, std::move(hooks), nullptr, outcome);
   return outcome;

@@ -88,8 +88,7 @@ void learn(const TouchRequest& request, const std::vector<Measurement>& readings
   Cell unplaced = outcome.cell;
   unplaced.base_known = false;
   if (!readings.empty() && !wants(request, "parameters")) unplaced.arm = unplaced.filedArm();
-  const auto known = unplaced.knownModelError();
-  const calibration::DoubtBeside doubt{unplaced.uncertainty, known ? known->sigma : 0};
+  const calibration::DoubtBeside doubt = doubtBeside(unplaced);
   task.of_base = estimateOf(unplaced, readings, {{}, true}, named_by, doubt);
   if (wants(request, "parameters")) return;
   outcome.setup = lastSetup(*task.of_base);

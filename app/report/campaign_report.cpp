@@ -4,6 +4,8 @@
 
 namespace tubeplan::app {
 
-std::string renderCampaignReport(const nlohmann::json& report) { return renderPage(campaignPageSources(), report); }
+std::string renderCampaignReport(const nlohmann::json& report) {
+  return renderPage({"campaign", "Campaign", "campaign.json"}, report);
+}
 
 }  // namespace tubeplan::app

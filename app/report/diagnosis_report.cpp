@@ -6,23 +6,28 @@ namespace tubeplan::app {
 
 namespace {
 
-/// One page's sources show all these kinds; the document says which.
-std::string renderKind(const nlohmann::json& report, const char* kind) {
-  nlohmann::json document = report.is_object() ? report : nlohmann::json::object();
-  document["page"] = kind;
-  return renderPage(diagnosisPageSources(), document);
-}
+constexpr std::string_view kFigures = "what --json writes";
 
 }  // namespace
 
-std::string renderDiagnosisReport(const nlohmann::json& report) { return renderKind(report, "diagnosis"); }
+std::string renderDiagnosisReport(const nlohmann::json& report) {
+  return renderPage({"diagnosis", "Diagnosis", kFigures}, report);
+}
 
-std::string renderComparisonReport(const nlohmann::json& report) { return renderKind(report, "comparison"); }
+std::string renderComparisonReport(const nlohmann::json& report) {
+  return renderPage({"comparison", "Model and readings", kFigures}, report);
+}
 
-std::string renderProjectReport(const nlohmann::json& report) { return renderKind(report, "project"); }
+std::string renderProjectReport(const nlohmann::json& report) {
+  return renderPage({"project", "Project", kFigures}, report);
+}
 
-std::string renderImprovementReport(const nlohmann::json& report) { return renderKind(report, "improvement"); }
+std::string renderImprovementReport(const nlohmann::json& report) {
+  return renderPage({"improvement", "Improvement", kFigures}, report);
+}
 
-std::string renderLadderReport(const nlohmann::json& report) { return renderKind(report, "ladder"); }
+std::string renderLadderReport(const nlohmann::json& report) {
+  return renderPage({"ladder", "Comparison of models", kFigures}, report);
+}
 
 }  // namespace tubeplan::app

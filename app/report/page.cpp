@@ -1,11 +1,39 @@
 #include "app/report/page.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cassert>
 #include <string_view>
 
 namespace tubeplan::app {
 namespace {
+
+constexpr std::string_view kFrame = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>/*TITLE*/</title>
+<style>
+/*STYLE*/
+</style>
+</head>
+<body>
+<div id="page">/*MISSING*/</div>
+<p id="origin">/*ORIGIN*/</p>
+<noscript><p class="missing">This page draws its figures with the script inside it. Allow scripts for this file to see them;
+the same figures are in /*FIGURES*/.</p></noscript>
+<script type="application/json" id="report">/*REPORT*/</script>
+<script>
+"use strict";
+/*SCRIPT*/
+</script>
+</body>
+</html>
+)";
 
 struct Insertion {
   std::string_view marker;
@@ -81,14 +109,37 @@ std::string originOf(const nlohmann::json& report) {
   return text;
 }
 
+/// Said in place of the pictures by a program that was built without its page.
+std::string missingText(const PageKind& kind, const PageSources& sources) {
+  if (!sources.script.empty()) return "";
+  return fmt::format(
+      "<p class=\"missing\">This build of tubeplan has no report pictures: it was built without npm, or with "
+      "-DTUBEPLAN_WORKBENCH=OFF. The figures are in {}, and in this file as JSON.</p>",
+      kind.figures);
+}
+
 }  // namespace
 
-std::string renderPage(const PageSources& sources, const nlohmann::json& report) {
-  const std::array<Insertion, 4> insertions = {{{"/*STYLE*/", sources.style},
-                                                {"/*ORIGIN*/", originOf(report)},
-                                                {"/*REPORT*/", embeddableJson(report)},
-                                                {"/*SCRIPT*/", sources.script}}};
-  return assemble(sources.html, insertions);
+PageSources builtPageSources() {
+  PageSources sources;
+  for (const auto& [path, content] : embeddedReport()) {
+    if (path == "report.css") sources.style = content;
+    if (path == "report.js") sources.script = content;
+  }
+  return sources;
+}
+
+std::string renderPage(const PageKind& kind, const nlohmann::json& report, const PageSources& sources) {
+  nlohmann::json document = report.is_object() ? report : nlohmann::json::object();
+  document["page"] = kind.name;
+  const std::array<Insertion, 7> insertions = {{{"/*TITLE*/", std::string(kind.title)},
+                                                {"/*STYLE*/", std::string(sources.style)},
+                                                {"/*MISSING*/", missingText(kind, sources)},
+                                                {"/*ORIGIN*/", originOf(document)},
+                                                {"/*FIGURES*/", std::string(kind.figures)},
+                                                {"/*REPORT*/", embeddableJson(document)},
+                                                {"/*SCRIPT*/", std::string(sources.script)}}};
+  return assemble(kFrame, insertions);
 }
 
 }  // namespace tubeplan::app

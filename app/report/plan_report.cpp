@@ -4,6 +4,8 @@
 
 namespace tubeplan::app {
 
-std::string renderPlanReport(const nlohmann::json& report) { return renderPage(planPageSources(), report); }
+std::string renderPlanReport(const nlohmann::json& report) {
+  return renderPage({"plan", "Plan report", "plan.json"}, report);
+}
 
 }  // namespace tubeplan::app

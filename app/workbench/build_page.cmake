@@ -1,5 +1,5 @@
 # cmake -DNPM=npm -DFROM=app/web -DDRAWING=app/drawing -DTO=build/web -DFALLBACK=no_page.cpp -DOUTPUT=embedded_page.cpp -P build_page.cmake
-# Fetches the page's packages, builds it in TO and embeds it. Where the packages cannot be fetched (no network) the
+# Fetches the page's packages, builds it and the reports' script in TO and embeds them. Where the packages cannot be fetched (no network) the
 # program is built without its page, and says so; a page that does not build is an error.
 cmake_minimum_required(VERSION 3.25)
 set(stamp "${TO}/packages.stamp")
@@ -9,7 +9,7 @@ if(NOT EXISTS "${stamp}" OR "${lock}" IS_NEWER_THAN "${stamp}")
   file(COPY "${FROM}/package.json" "${lock}" DESTINATION "${TO}")
   execute_process(COMMAND ${NPM} ci --no-audit --no-fund --loglevel=error WORKING_DIRECTORY "${TO}" RESULT_VARIABLE failed)
   if(failed)
-    message(WARNING "the packages of the workbench's page could not be fetched: `tubeplan serve` will have no page. "
+    message(WARNING "the packages of the workbench's page could not be fetched: `tubeplan serve` will have no page, reports no pictures. "
                     "To try again, delete ${OUTPUT} and build.")
     configure_file("${FALLBACK}" "${OUTPUT}" COPYONLY)
     return()
@@ -17,12 +17,20 @@ if(NOT EXISTS "${stamp}" OR "${lock}" IS_NEWER_THAN "${stamp}")
   file(TOUCH "${stamp}")
 endif()
 
-# Sources are copied, so that nothing is built among them; what reports draw with too stands beside the page, as it does
+# Sources are copied, so that nothing is built among them; the modules that need no page stand beside them, as they do
 # there. Copies of an earlier page go first, its tests as well: they would be checked with this one's sources.
 cmake_path(GET TO PARENT_PATH beside)
-file(REMOVE_RECURSE "${TO}/source" "${TO}/public" "${TO}/tests" "${TO}/dist" "${beside}/drawing")
+file(REMOVE_RECURSE "${TO}/source" "${TO}/public" "${TO}/tests" "${TO}/dist" "${TO}/dist-report" "${beside}/drawing")
 file(COPY "${DRAWING}" DESTINATION "${beside}")
-file(COPY "${FROM}/" DESTINATION "${TO}" PATTERN node_modules EXCLUDE PATTERN dist EXCLUDE PATTERN tests EXCLUDE)
+file(COPY "${FROM}/" DESTINATION "${TO}" PATTERN node_modules EXCLUDE PATTERN dist* EXCLUDE PATTERN tests EXCLUDE)
 execute_process(COMMAND ${NPM} run --silent build WORKING_DIRECTORY "${TO}" COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${CMAKE_COMMAND} "-DFOLDER=${TO}/dist" "-DOUTPUT=${OUTPUT}" -P "${CMAKE_CURRENT_LIST_DIR}/embed_files.cmake"
+
+# Script and style stand in blocks of every report: nothing in them may end these, or ask a server.
+file(READ "${TO}/dist-report/report.js" script)
+file(READ "${TO}/dist-report/report.css" style)
+if("${script}${style}" MATCHES "</(script|style)|<!--|/api/|[^\t\r\n -~]")
+  message(FATAL_ERROR "${TO}/dist-report: ${CMAKE_MATCH_0} in a page's script or style")
+endif()
+execute_process(COMMAND ${CMAKE_COMMAND} "-DPAGE=${TO}/dist" "-DREPORT=${TO}/dist-report" "-DOUTPUT=${OUTPUT}"
+                        -P "${CMAKE_CURRENT_LIST_DIR}/embed_files.cmake"
                 COMMAND_ERROR_IS_FATAL ANY)

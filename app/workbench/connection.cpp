@@ -50,7 +50,6 @@ bool Connection::waitFor(short event, Clock::time_point until) const {
 
 bool Connection::waitForRequest() {
   bytes_ = end_ - begin_;
-  awaited_since_ = Clock::now().time_since_epoch().count();
   deadline_ = Clock::now() + limits_.request_time;
   if (begin_ < end_) return true;
   if (!waitFor(POLLIN, Clock::now() + limits_.idle_time)) return false;
@@ -103,8 +102,6 @@ void Connection::get_local_ip_and_port(std::string& ip, int& port) const {
   socklen_t length = sizeof address;
   if (::getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &length) == 0) addressOf(address, ip, port);
 }
-
-void Connection::end() { ::shutdown(socket_, SHUT_RDWR); }
 
 void Connection::close() {
   ::shutdown(socket_, SHUT_WR);

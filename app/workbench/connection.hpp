@@ -4,11 +4,9 @@
 #include <httplib.h>
 
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <functional>
-#include <limits>
 
 namespace tubeplan::app {
 
@@ -38,17 +36,6 @@ class Connection : public httplib::Stream {
   void get_local_ip_and_port(std::string& ip, int& port) const override;
   [[nodiscard]] int socket() const override { return socket_; }
 
-  /// Since when the server waits for a request, or for the rest of one; kNotAwaited while one is answered. For any
-  /// thread.
-  [[nodiscard]] Clock::rep awaitedSince() const { return awaited_since_; }
-  static constexpr Clock::rep kNotAwaited = std::numeric_limits<Clock::rep>::max();
-
-  /// The request has been read: what comes now is its answer.
-  void beginAnswer() { awaited_since_ = kNotAwaited; }
-
-  /// For another thread, before close(): no more is read or written.
-  void end();
-
   /// Says good-bye: what the peer still sends is read for a moment, so that it sees the answer, and the socket closed.
   void close();
 
@@ -62,7 +49,6 @@ class Connection : public httplib::Stream {
   std::array<char, 16384> buffer_;
   std::size_t begin_ = 0, end_ = 0, bytes_ = 0;
   Clock::time_point deadline_;
-  std::atomic<Clock::rep> awaited_since_ = Clock::now().time_since_epoch().count();
 };
 
 }  // namespace tubeplan::app

@@ -11,7 +11,6 @@
 
 #include "app/files/input_error.hpp"
 #include "app/workbench/connection.hpp"
-#include "app/workbench/open_connections.hpp"
 #include "app/workbench/page_files.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
@@ -20,7 +19,7 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr std::size_t kMostBrowserConnections = 128;  // far more than may listen to events
+constexpr std::size_t kConnectionsAtOnce = 256;  // a thread for each; others wait until one of these ends
 constexpr std::size_t kLargestBody = 8u << 20;
 constexpr std::size_t kLongestTarget = 2048;
 constexpr auto kHeartbeat = std::chrono::seconds(10);
@@ -31,12 +30,6 @@ constexpr const char* kPolicy =
 /// Whether the connection may serve another request: only where all of this one was read, so that no body is ever taken
 /// for a request.
 thread_local bool is_read_whole = false;
-thread_local Connection* own_connection = nullptr;  // of the thread
-
-void noteReadWhole() {
-  is_read_whole = true;
-  own_connection->beginAnswer();
-}
 
 bool hasBody(const httplib::Request& request) {
   return request.has_header("Transfer-Encoding") ||
@@ -106,7 +99,7 @@ class HttpServer::Implementation : public httplib::Server {
  public:
   Implementation(Workbench& workbench, DoorRules door, const std::string& page_folder)
       : workbench_(workbench), door_(std::move(door)), page_(page_folder) {
-    new_task_queue = [] { return new TaskThreads; };
+    new_task_queue = [] { return new httplib::ThreadPool(kConnectionsAtOnce); };
     set_payload_max_length(kLargestBody);
     // Not shared with another program that listens at the same port.
     set_socket_options([](socket_t socket) {
@@ -160,9 +153,7 @@ class HttpServer::Implementation : public httplib::Server {
   bool process_and_close_socket(socket_t socket) override {
     const ConnectionLimits limits;
     Connection connection(socket, limits, [this] { return is_closing_.load(); });
-    own_connection = &connection;
-    const bool ok = connections_.enter(connection) && answerAll(connection, limits.most_requests);
-    connections_.leave(connection);
+    const bool ok = answerAll(connection, limits.most_requests);
     connection.close();
     return ok;
   }
@@ -191,7 +182,7 @@ class HttpServer::Implementation : public httplib::Server {
     const bool only_looks = request.method == "GET" || request.method == "HEAD";
     if (status == 0 && request.target.size() > kLongestTarget) status = 414;
     if (status == 0 && !only_looks && !hasKnownContent(request)) status = 415;
-    if (status == 0 && only_looks && !hasBody(request)) noteReadWhole();
+    if (status == 0 && only_looks && !hasBody(request)) is_read_whole = true;
     if (status == 0) return HandlerResponse::Unhandled;
     put(refused(status, request), response);
     return HandlerResponse::Handled;
@@ -230,7 +221,7 @@ class HttpServer::Implementation : public httplib::Server {
     });
     if (is_too_large || response.status == 413) return put(refused(413, request), response);
     if (!is_whole) return put(refused(400, request), response);
-    noteReadWhole();
+    is_read_whole = true;
     if (!request.path.starts_with("/api/")) return put(refused(404, request), response);
     response.set_header("Cache-Control", "no-store");
     put(answer(workbench_, requestOf(request, std::move(body))), response);
@@ -270,7 +261,6 @@ class HttpServer::Implementation : public httplib::Server {
   Workbench& workbench_;
   DoorRules door_;
   PageFiles page_;
-  OpenConnections connections_{kMostBrowserConnections};
   std::atomic<bool> is_closing_ = false, has_ended_ = false;
 };
 

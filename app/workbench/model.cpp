@@ -12,7 +12,7 @@ ModelPointer makeModel(int id, std::string label, std::string origin, Cell cell)
   model->posed.X_WB = model->cell.X_WB;
   model->posed.scene = model->cell.scene;
   if (!model->cell.scene.bodies.empty())
-    model->world = std::make_shared<const planner::CollisionWorld>(model->cell.scene);
+    model->pairs = std::make_shared<const planner::NearestPairs>(model->cell.scene);
   return model;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/files/cell_reader.hpp"
-#include "planner/collision/clearance.hpp"
+#include "planner/collision/nearest_pairs.hpp"
 #include "planner/workcell.hpp"
 
 namespace tubeplan::app {
@@ -16,8 +16,8 @@ struct Model {
   std::string label;
   std::string origin;  ///< given, effect, formula, fit, calibration
   Cell cell;
-  planner::Workcell posed;                               ///< arm, base and scene alone: what a posture is asked of
-  std::shared_ptr<const planner::CollisionWorld> world;  ///< none where the cell has no bodies
+  planner::Workcell posed;                             ///< arm, base and scene alone: what a posture is asked of
+  std::shared_ptr<const planner::NearestPairs> pairs;  ///< none where the cell has no bodies
 };
 using ModelPointer = std::shared_ptr<const Model>;
 

@@ -1,11 +1,20 @@
-// Stands in for the generated page where it was not built.
+// Stands in for the generated files of the workbench and of reports where they were not built.
+#include "app/report/page_sources.hpp"
 #include "app/workbench/page_files.hpp"
 
 namespace tubeplan::app {
 
-const std::vector<EmbeddedFile>& embeddedPage() {
+namespace {
+
+const std::vector<EmbeddedFile>& noFiles() {
   static const std::vector<EmbeddedFile> kNone;
   return kNone;
 }
+
+}  // namespace
+
+const std::vector<EmbeddedFile>& embeddedPage() { return noFiles(); }
+
+const std::vector<EmbeddedFile>& embeddedReport() { return noFiles(); }
 
 }  // namespace tubeplan::app

@@ -7,15 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "app/report/embedded_file.hpp"
+
 namespace tubeplan::app {
 
-/// One file of the page as the program carries it.
-struct EmbeddedFile {
-  std::string_view path;  ///< "index.html", "assets/index-1a2b.js"
-  std::string_view content;
-};
-
-/// All of them; generated at build time by embed_files.cmake. Empty where the page was not built.
+/// The page's files as the program carries them; generated at build time by embed_files.cmake. Empty where the page was not built.
 [[nodiscard]] const std::vector<EmbeddedFile>& embeddedPage();
 
 struct PageFile {

@@ -8,6 +8,7 @@
 #include "app/documents/figures.hpp"
 #include "app/documents/plan_files.hpp"
 #include "app/documents/pose_json.hpp"
+#include "app/documents/tube_columns_json.hpp"
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/text_file.hpp"
@@ -127,6 +128,7 @@ Answer plan(Workbench& workbench, const Request& request) {
   PlanRequest asked;
   const auto& sheet = requireSheet(cell, "plan tube visits");
   asked.tubes = tubesText(body, sheet, tubesheets::spreadRequest(sheet, 60));
+  asked.stays = staysOf(body, sheet);
   asked.compensation = textOf(body, "compensation", asked.compensation);
   if (!planner::findCompensation(asked.compensation))
     throw InputError("request (compensation)", inQuotes(asked.compensation), "none, goal-point or via-point");
@@ -160,24 +162,47 @@ Answer plan(Workbench& workbench, const Request& request) {
   });
 }
 
-/// What a selection by a work list leaves out, takes nonetheless, or cannot take here, a sentence each.
+/// What a selection by a work list leaves out or takes nonetheless, a sentence each.
 std::vector<std::string> listWords(const tubesheets::Sheet& sheet, const tubesheets::Selection& selection) {
   std::vector<std::string> words = listNotes(selection);
   if (const std::string left = leftOutText(selection); !left.empty()) words.push_back("left out: " + left);
   if (const std::string doubtful = doubtfulText(sheet, selection); !doubtful.empty()) words.push_back(doubtful);
-  if (!selection.dwell.empty())
-    words.emplace_back("left out: how long to stay at each tube, which `tubeplan plan --tubes` takes");
   return words;
 }
 
-/// {"name", "text"}: the tubes of a work list, as `plan --tubes LIST.csv` reads it.
+struct ListText {
+  std::string name, text;
+};
+
+/// {"name", "text"} of a work list.
+ListText listTextOf(const json& list) {
+  ListText given{textOf(list, "name", "list.csv").substr(0, 200), textOf(list, "text")};
+  checkText(given.name, given.text);
+  return given;
+}
+
+/// {"name", "text", "columns"?: ["row=Reihe"]}: the tubes of a work list and the stays at them [s], as `plan --tubes
+/// LIST.csv` reads it; by the columns that are named, where its headings do not say what they are.
 Answer workList(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const auto& sheet = requireSheet(currentModel(workbench.session()).cell, "read a work list");
-  const std::string name = textOf(body, "name", "list.csv").substr(0, 200), text = textOf(body, "text");
-  checkText(name, text);
-  const auto selection = readWorkList(text, name, sheet, "tubes");
-  return answerOf({{"name", name}, {"tubes", selection.tube_indices}, {"notes", listWords(sheet, selection)}});
+  const auto [name, text] = listTextOf(body);
+  const auto selection = readWorkList(text, name, sheet, "tubes", textsOf(body, "columns"));
+  json stays = json::object();
+  for (const auto& [tube, stay] : selection.dwell) stays[std::to_string(tube)] = stay;
+  return answerOf(
+      {{"name", name}, {"tubes", selection.tube_indices}, {"stays", stays}, {"notes", listWords(sheet, selection)}});
+}
+
+/// {"tables": [{"name", "text"}]}: what the columns of one table seem to be as those of a work list.
+Answer listColumns(Workbench& workbench, const Request& request) {
+  const auto body = objectOf(request);
+  const auto& tables = requiredOf(body, "tables", "one table of text");
+  if (!tables.is_array() || tables.size() != 1) throw InputError("tables", "no one table", "one table of text");
+  const Cell cell = currentModel(workbench.session()).cell;
+  (void)requireSheet(cell, "read a work list");
+  const auto [name, text] = listTextOf(tables[0]);
+  return answerOf(tubeColumnsJson(text, name, cell.arm));
 }
 
 Answer noPlan() { return refusal(404, InputError("plan", "none yet", "one that was made")); }
@@ -204,9 +229,10 @@ Answer clearance(Workbench& workbench, const Request& request) {
 }
 
 constexpr Route kPlanRoutes[] = {
-    {"POST", "reach", reach},    {"POST", "field", field},   {"POST", "inverse", inverse},
-    {"POST", "plan", plan},      {"GET", "plan/path", path}, {"GET", "plan/clearance", clearance},
-    {"POST", "tubes", workList},
+    {"POST", "reach", reach},     {"POST", "field", field},
+    {"POST", "inverse", inverse}, {"POST", "plan", plan},
+    {"GET", "plan/path", path},   {"GET", "plan/clearance", clearance},
+    {"POST", "tubes", workList},  {"POST", "tubes/columns", listColumns},
 };
 
 }  // namespace

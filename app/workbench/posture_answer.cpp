@@ -54,13 +54,13 @@ Vector3d nearestOn(const planner::Shape& shape, const Vector3d& p) {
 
 /// Where the other of the pair is nearest: an obstacle, or a body in its row's frame.
 std::optional<Vector3d> otherPoint(const planner::Scene& scene, const planner::Clearance& clearance,
-                                   const std::vector<Isometry3d>& X_WL) {
+                                   const deflection::PlacedRows& placed) {
   for (const auto& obstacle : scene.obstacles)
     if (obstacle.name == clearance.other) return nearestOn(*obstacle.shape, clearance.point_W);
   std::optional<Vector3d> nearest;
   for (const auto& body : scene.bodies) {  // several may share a label
     if (planner::bodyLabel(body) != clearance.other) continue;
-    const Isometry3d& X = X_WL.at(static_cast<std::size_t>(body.frame_index));
+    const Isometry3d X = placed.X_WL(body.frame_index, 0);
     const Vector3d point = X * nearestOn(*body.shape, X.inverse() * clearance.point_W);
     if (!nearest || (point - clearance.point_W).norm() < (*nearest - clearance.point_W).norm()) nearest = point;
   }
@@ -68,14 +68,17 @@ std::optional<Vector3d> otherPoint(const planner::Scene& scene, const planner::C
 }
 
 /// As a plan has it: less the bow of bent members, and what gaps of joints let the arm jump.
-json clearanceJson(const Model& model, const planner::Workcell& posed, const std::vector<Isometry3d>& X_WL,
-                   double bow) {
-  if (!model.world || X_WL.empty()) return nullptr;
+json clearanceJson(const Model& model, const planner::Workcell& posed, const Eigen::VectorXd& q) {
+  if (!model.pairs) return nullptr;
   const Units& units = model.cell.units;
-  const planner::Clearance clearance = model.world->closest(X_WL);
-  const double off = bow + planner::gapJumpOf(posed, model.world->bodyReach());
-  if (!std::isfinite(clearance.distance)) return nullptr;
-  const auto other = otherPoint(posed.scene, clearance, X_WL);
+  deflection::RowPlacing placing(posed.arm, posed.load, posed.X_WB);
+  const deflection::PlacedRows& placed = placing.place(q);
+  planner::NearestPair nearest;
+  model.pairs->find(placed, {&nearest, 1});
+  if (!std::isfinite(nearest.distance)) return nullptr;
+  const planner::Clearance clearance = model.pairs->named(placed, 0, nearest);
+  const double off = placed.bow.front() + planner::gapJumpOf(posed, planner::bodyReachOf(posed.scene));
+  const auto other = otherPoint(posed.scene, clearance, placed);
   return {{"distance", lengthOf(clearance.distance - off, units)},
           {"margin", lengthOf(clearance.margin - off, units)},
           {"pair", {clearance.body, clearance.other}},
@@ -109,8 +112,7 @@ json answerPosture(const Model& model, const AskedPosture& question) {
     throw InputError("joints", shape.reason, "a posture at which the deflected shape converges");
   planner::Workcell posed = model.posed;
   posed.load = question.load;
-  double bow = 0;
-  const auto bent = planner::bodyFrames(posed, question.q, &bow);
+  const auto bent = planner::bodyFrames(posed, question.q, nullptr);
   const Isometry3d X_WT = cell.X_WB * deflection::toIsometry(shape.X_BT),
                    X_WD = cell.X_WB * deflection::toIsometry(shape.X_BD);
   json answer = poseFiguresJson(shape, cell.units);
@@ -120,7 +122,7 @@ json answerPosture(const Model& model, const AskedPosture& question) {
   answer["frames"] = {{"rigid", framesJson(cell, rigidFrames(shape, cell.X_WB))}, {"flexible", framesJson(cell, bent)}};
   answer["tip"] = {{"rigid", vectorJson(X_WT.translation(), cell.units, dimension::kLength)},
                    {"flexible", vectorJson(X_WD.translation(), cell.units, dimension::kLength)}};
-  answer["clearance"] = clearanceJson(model, posed, bent, bow);
+  answer["clearance"] = clearanceJson(model, posed, question.q);
   answer["centring"] = question.hole && cell.sheet ? centringOver(cell, X_WD, *question.hole) : json();
   return answer;
 }
@@ -128,9 +130,7 @@ json answerPosture(const Model& model, const AskedPosture& question) {
 json clearanceOf(const Model& model, const Eigen::VectorXd& q, double load) {
   planner::Workcell posed = model.posed;
   posed.load = load;
-  double bow = 0;
-  const auto bent = planner::bodyFrames(posed, q, &bow);
-  return clearanceJson(model, posed, bent, bow);
+  return clearanceJson(model, posed, q);
 }
 
 }  // namespace tubeplan::app

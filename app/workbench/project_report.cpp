@@ -154,7 +154,7 @@ json projectReportJson(const Session& session, const ProjectReportRequest& reque
   json report = {{"title", "Project " + std::filesystem::path(request.project).stem().string()},
                  {"cell", cell.name},
                  {"measurements", session.readings ? session.readings->name : ""},
-                 {"units", unitsJson(cell.units)},
+                 {"units", readingUnitsJson(cell.units)},
                  {"facts", factsJson(session, request)},
                  {"models", modelsOfLadder(session)},
                  {"history", historyJson(session)},

@@ -7,6 +7,7 @@
 #include "app/files/command_inputs.hpp"
 #include "app/files/input_error.hpp"
 #include "app/workbench/request_body.hpp"
+#include "tubesheets/csv_table.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::app {
@@ -59,6 +60,21 @@ std::string tubesText(const nlohmann::json& body, const tubesheets::Sheet& sheet
   const std::string text = fmt::format("{}", fmt::join(names, ","));
   (void)selectedTubes(text, sheet);
   return text;
+}
+
+std::map<int, double> staysOf(const nlohmann::json& body, const tubesheets::Sheet& sheet) {
+  std::map<int, double> stays;
+  if (!body.contains("stays") || body["stays"].is_null()) return stays;
+  if (!body["stays"].is_object()) throw InputError("stays", body["stays"].dump(), "{index of a hole: seconds}");
+  for (const auto& [name, stay] : body["stays"].items()) {
+    const auto tube = tubesheets::parseInteger(name);
+    if (!tube || *tube < 0 || *tube >= static_cast<int>(sheet.tubes.size()))
+      throw InputError("stays", inQuotes(name), "the index of a hole");
+    if (!stay.is_number() || !(stay.get<double>() >= 0 && stay.get<double>() <= tubesheets::kLongestStay))
+      throw InputError("stays", stay.dump(), "seconds from 0 to a day");
+    stays.emplace(*tube, stay.get<double>());
+  }
+  return stays;
 }
 
 }  // namespace tubeplan::app

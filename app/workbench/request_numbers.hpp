@@ -1,6 +1,7 @@
 // Postures, loads and holes that a request names, in the cell's units.
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -29,5 +30,8 @@ namespace tubeplan::app {
 /// "tubes": a text, or a list of indices; `otherwise` where it is missing. The text that selects them.
 [[nodiscard]] std::string tubesText(const nlohmann::json& body, const tubesheets::Sheet& sheet,
                                     const std::string& otherwise);
+
+/// "stays": {index: seconds} of tubes, from 0 to a day; none where it is missing. Throws InputError.
+[[nodiscard]] std::map<int, double> staysOf(const nlohmann::json& body, const tubesheets::Sheet& sheet);
 
 }  // namespace tubeplan::app

@@ -57,7 +57,7 @@ json cellJson(const Session& session) {
   const Cell& cell = session.models.front()->cell;
   return {{"name", cell.name},
           {"file", std::filesystem::path(cell.path).filename().string()},
-          {"units", unitsJson(cell.units)},
+          {"units", readingUnitsJson(cell.units)},
           {"base_known", cell.base_known},
           {"has_sheet", cell.sheet.has_value()},
           {"has_scene", !cell.scene.obstacles.empty() || !cell.scene.bodies.empty()},
@@ -181,7 +181,7 @@ json readingsJson(const Model& model, const ReadingSet& set) {
     rows.push_back(std::move(row));
   }
   return {{"name", set.name},
-          {"units", unitsJson(cell.units)},
+          {"units", readingUnitsJson(cell.units)},
           {"joints", jointsJson(cell.arm, cell.units)},
           {"rows", rows}};
 }

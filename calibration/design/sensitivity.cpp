@@ -98,22 +98,27 @@ Tips tipsAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const std
   return result;
 }
 
-/// The base's least-squares answer to an error of each number: six rows, one column a number. Nothing where the touches
-/// do not place it; none of it where there are no touches.
-std::optional<MatrixXd> baseResponse(const deflection::Arm& arm, const Tips& touches, double sigma, Index numbers) {
-  if (touches.tips.empty()) return MatrixXd::Zero(6, numbers);
-  Matrix6 information = Matrix6::Zero();
-  MatrixXd right = MatrixXd::Zero(6, numbers);
+/// What a calibration by the touches makes of an error of each number: the variables of the estimate, one column a
+/// number. Nothing where the touches do not place the base; none of it where there are no touches.
+std::optional<MatrixXd> calibratedResponse(const Estimate& untouched, const SensitivityTask& task, const Tips& touches,
+                                           Index numbers) {
+  const Index all = untouched.information.rows();
+  MatrixXd information = MatrixXd::Zero(all, all), right = MatrixXd::Zero(all, numbers);
+  if (touches.tips.empty()) return right;
   Measurement touch;
-  touch.sigma = sigma;
-  for (const auto& tip : touches.tips) {
-    const MatrixXd weighted = readingCovariance(arm, touch, tip.by_joints).ldlt().solve(tip.by_base);
-    information += tip.by_base.transpose() * weighted;
+  touch.sigma = task.touch_sigma;
+  const auto slopes = tipSensitivities(untouched, task.touches, 0);
+  for (std::size_t t = 0; t < slopes.size(); ++t) {
+    const Prediction& tip = touches.tips[t];
+    Matrix3d covariance = readingCovariance(untouched.start.arm, touch, tip.by_joints);
+    covariance.diagonal().array() += untouched.model_error * untouched.model_error;
+    const MatrixXd weighted = covariance.ldlt().solve(slopes[t]);
+    information += slopes[t].transpose() * weighted;
     right += weighted.transpose() * tip.by_numbers;
   }
-  const Eigen::LDLT<Matrix6> factor(information);
-  if (factor.vectorD().minCoeff() <= 1e-12 * factor.vectorD().maxCoeff()) return std::nullopt;
-  return -factor.solve(right);
+  const Eigen::LDLT<Matrix6> base(information.topLeftCorner<6, 6>());
+  if (base.vectorD().minCoeff() <= 1e-12 * base.vectorD().maxCoeff()) return std::nullopt;
+  return -(untouched.information + information).ldlt().solve(right);
 }
 
 /// Derivative of the deflection's mean length: what a number does to the deflected tip less what it does to the rigid
@@ -154,14 +159,15 @@ void addUncompensated(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
   });
 }
 
-void addErrors(const SensitivityTask& task, const Tips& work, const MatrixXd& response,
+void addErrors(const SensitivityTask& task, const Tips& work, const Estimate& untouched, const MatrixXd& response,
                std::vector<NumberSensitivity>& numbers) {
   const Matrix3d counted = countedPart(task);
+  const auto slopes = tipSensitivities(untouched, task.work, task.load);
   for (std::size_t n = 0; n < numbers.size(); ++n) {
     std::vector<Vector3d> known, placed;
-    for (const auto& tip : work.tips) {
-      known.emplace_back(tip.by_numbers.col(static_cast<Index>(n)));
-      placed.emplace_back(known.back() + tip.by_base * response.col(static_cast<Index>(n)));
+    for (std::size_t w = 0; w < work.tips.size(); ++w) {
+      known.emplace_back(work.tips[w].by_numbers.col(static_cast<Index>(n)));
+      placed.emplace_back(known.back() + slopes[w] * response.col(static_cast<Index>(n)));
     }
     numbers[n].error_base_known = meanLength(known, counted);
     numbers[n].error = meanLength(placed, counted);
@@ -212,7 +218,8 @@ Sensitivity findSensitivities(const deflection::Arm& arm, const Eigen::Isometry3
     result.reason = task.work.empty() ? "no posture to work at" : "the deflected shape does not converge";
     return result;
   }
-  const auto response = baseResponse(arm, touches, task.touch_sigma, static_cast<Index>(result.numbers.size()));
+  const Estimate untouched = estimateFrom(arm, X_WB, false, {}, {{}, true}, task.doubt);
+  const auto response = calibratedResponse(untouched, task, touches, static_cast<Index>(result.numbers.size()));
   if (!response) {
     result.status = SensitivityStatus::kTouchesTellNoBase;
     result.reason = "the touches do not place the base: three different places that are not on a line are needed";
@@ -222,7 +229,7 @@ Sensitivity findSensitivities(const deflection::Arm& arm, const Eigen::Isometry3
   result.mean_uncompensated = meanUncompensatedError(arm, X_WB, task);
   addDeflection(arm, X_WB, task, work, result.numbers);
   addUncompensated(arm, X_WB, task, result.numbers);
-  addErrors(task, work, *response, result.numbers);
+  addErrors(task, work, untouched, *response, result.numbers);
   result.status = SensitivityStatus::kDone;
   return result;
 }

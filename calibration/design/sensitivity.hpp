@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/estimation/estimate.hpp"
 #include "deflection/parameters.hpp"
 
 namespace tubeplan::calibration {
@@ -20,6 +21,7 @@ struct SensitivityTask {
   double load = 0;                             ///< N, hung on the tip at work; touches are made without
   std::vector<Eigen::VectorXd> touches;        ///< postures that place the base, three or more; none: the base is known
   double touch_sigma = 1.27e-4;                ///< m per coordinate
+  DoubtBeside doubt = {};                      ///< of the arm, beside which the touches are fitted
   std::optional<Eigen::Vector3d> hole_axis_W;  ///< only what is across it counts as centring error; none: all of it
 };
 
@@ -30,7 +32,7 @@ struct NumberSensitivity {
   double deflection = std::numeric_limits<double>::quiet_NaN();  ///< of the mean deflection by the number [m per unit]
   double centring = std::numeric_limits<double>::quiet_NaN();  ///< of the mean error without compensation [m per unit]
   /// Mean error at work, with compensation, for an unknown error of the number [m per unit]: the base being known, and
-  /// placed by the touches, which absorb a part.
+  /// placed by the touches, which absorb a part, in the base and in the numbers beside which they are fitted.
   double error_base_known = std::numeric_limits<double>::quiet_NaN();
   double error = std::numeric_limits<double>::quiet_NaN();
 };

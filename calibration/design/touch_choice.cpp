@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/design/next_readings.hpp"
 
 namespace tubeplan::calibration {
 
@@ -121,19 +121,14 @@ BestSet bestTriple(const TouchBlocks& blocks) {
   return *std::ranges::min_element(best, {}, &BestSet::variance);
 }
 
-/// Whitened slopes by the base of a touch of no load, and what the tip's are in the postures of the work.
-DesignProblem exactProblem(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
-                           const std::vector<TouchPlan>& candidates, const std::vector<Eigen::VectorXd>& work,
-                           double sigma) {
-  DesignProblem problem;
-  problem.information = Matrix6::Zero();
-  for (const auto& candidate : candidates) {
-    const Prediction tip = predictTip(arm, X_WB, candidate.q_start, 0);
-    const Matrix3d noise = sigma * sigma * Matrix3d::Identity() + encoderCovariance(arm, tip.by_joints);
-    problem.candidates.emplace_back(noise.llt().matrixL().solve(tip.by_base));
-  }
-  for (const auto& q : work) problem.work.emplace_back(predictTip(arm, X_WB, q, 0).by_base);
-  return problem;
+ProposedMeasurement proposedTouch(const TouchPlan& plan, double sigma) {
+  ProposedMeasurement touch;
+  touch.kind = MeasurementKind::kTouch;
+  touch.point = plan.hole;
+  touch.known_W = plan.p_WH;
+  touch.q = plan.q_start;
+  touch.sigma = sigma;
+  return touch;
 }
 
 }  // namespace
@@ -163,7 +158,14 @@ TouchChoice chooseTouches(const DesignProblem& problem, int count) {
 TouchChoice chooseTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                           const std::vector<TouchPlan>& candidates, const std::vector<Eigen::VectorXd>& work,
                           const TouchChoiceOptions& options) {
-  return chooseTouches(exactProblem(arm, X_WB, candidates, work, options.sigma), options.count);
+  if (candidates.empty()) return chooseTouches(DesignProblem{}, options.count);
+  std::vector<ReadingCandidate> touches;
+  for (const auto& plan : candidates) touches.push_back({{proposedTouch(plan, options.sigma)}});
+  const Estimate untouched = estimateFrom(arm, X_WB, false, {}, {{}, true}, options.doubt);
+  const PosedDesign posed = poseDesign(untouched, touches, {work, 0});
+  TouchChoice choice = chooseTouches(posed.problem, options.count);
+  for (int& k : choice.chosen) k = posed.candidates[static_cast<std::size_t>(k)];
+  return choice;
 }
 
 }  // namespace tubeplan::calibration

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "calibration/design/optimal_design.hpp"
+#include "calibration/estimation/estimate.hpp"
 #include "calibration/simulation/simulated_touch.hpp"
 
 namespace tubeplan::calibration {
@@ -17,6 +18,7 @@ namespace tubeplan::calibration {
 struct TouchChoiceOptions {
   int count = 3;
   double sigma = 1.27e-4;  ///< m, centring noise of each coordinate
+  DoubtBeside doubt = {};  ///< of the arm, beside which the touches will be fitted
 };
 
 enum class TouchChoiceStatus { kNotRun, kDone, kTooFewCandidates };
@@ -34,7 +36,8 @@ struct TouchChoice {
 /// reading tells anything yet; every candidate has three rows.
 [[nodiscard]] TouchChoice chooseTouches(const DesignProblem& problem, int count);
 
-/// Chooses touches for an arm whose numbers are exact.
+/// Chooses touches for an arm that stands near X_WB, nothing being touched yet. Its tip shall be known in the postures
+/// of the work, under no load.
 [[nodiscard]] TouchChoice chooseTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                         const std::vector<TouchPlan>& candidates,
                                         const std::vector<Eigen::VectorXd>& work,

@@ -20,4 +20,8 @@ struct BaseDoubt {
                                                    const std::vector<TouchPlan>& candidates,
                                                    const BaseDoubt& doubt = {});
 
+/// The same; all candidates where those are fewer than `count`.
+[[nodiscard]] std::vector<TouchPlan> surelyTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                                                     const std::vector<TouchPlan>& candidates, int count);
+
 }  // namespace tubeplan::calibration

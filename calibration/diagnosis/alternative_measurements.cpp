@@ -18,7 +18,6 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 namespace {
 
 constexpr std::size_t kMostCandidates = 24;
-constexpr double kWarmer = 10;                         // K
 constexpr double kTilt = 20 * std::numbers::pi / 180;  // rad, of another set-up
 constexpr double kUnknownLoad = 0.25;                  // of the arm's weight, where no load was hung yet
 constexpr double kSigmaStep = 1e-3;                    // of an unknown's sigma, for a difference quotient
@@ -183,10 +182,14 @@ std::vector<AlternativeMeasurements> findAlternativeMeasurements(const std::vect
         heaviest > 0 ? 2 * heaviest : kUnknownLoad * deflection::weightOf(rivals.front().model.placed.arm);
     attempt(heaviest > 0 ? "hang a load twice as heavy" : "hang a load on the tip", rivals,
             changed(some, [&](ProposedMeasurement& reading) { reading.load = load; }));
-    const double reference = rivals.front().model.placed.arm.reference_temperature;
-    attempt("measure some 10 K warmer", rivals, changed(some, [&](ProposedMeasurement& reading) {
-              reading.temperature = (std::isfinite(reading.temperature) ? reading.temperature : reference) + kWarmer;
-            }));
+    const auto& usual = rivals.front().model.placed.arm.reference;
+    for (const auto& kind : deflection::kConditionKinds) {
+      if (kind.change == 0) continue;
+      attempt(kind.change_words, rivals, changed(some, [&](ProposedMeasurement& reading) {
+                double& value = reading.conditions[kind.condition];
+                value = (std::isfinite(value) ? value : usual[kind.condition]) + kind.change;
+              }));
+    }
     attempt("set the base up once more, leaning by some 20 deg", placedAgain(rivals), some);
     addLinks(rivals, some, options, means);
   }

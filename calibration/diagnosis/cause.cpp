@@ -35,10 +35,9 @@ std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::v
         return std::any_of(m.approach_directions.begin(), m.approach_directions.end(), [](int s) { return s != 0; });
       }))
     return "the readings do not state the direction of the joints' last motion (<joint>_dir)";
-  if (kind.needs.temperature && !any([](const Measurement& m) { return std::isfinite(m.temperature); }))
-    return "the readings do not state the temperature";
-  if (kind.needs.time && !any([](const Measurement& m) { return std::isfinite(m.time); }))
-    return "the readings do not state the time";
+  for (const auto condition : conditionsOf(kind))
+    if (!any([&](const Measurement& m) { return m.conditions.states(condition); }))
+      return std::string("the readings do not state the ") + deflection::kindOf(condition).name;
   if (kind.needs.load && !has_load) return "no reading is under a load";
   if (kind.needs.moments && !is_loaded && !hasWeights(arm))
     return "the arm file states no weights and no reading is under a load";
@@ -80,7 +79,7 @@ std::vector<double> momentsAt(const PlacedArm& placed, const std::vector<Measure
 std::vector<double> timesBetween(const std::vector<Measurement>& readings) {
   std::set<double> times;
   for (const auto& reading : readings)
-    if (std::isfinite(reading.time)) times.insert(reading.time);
+    if (reading.conditions.states(Condition::kTime)) times.insert(reading.conditions[Condition::kTime]);
   std::vector<double> between;
   for (auto at = times.begin(); at != times.end() && std::next(at) != times.end(); ++at)
     between.push_back((*at + *std::next(at)) / 2);

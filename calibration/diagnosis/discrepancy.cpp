@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kWaves = 3;
 constexpr int kBumps = 10;
-constexpr int kTimeWaves = 4;
+constexpr int kSlowWaves = 4;
 constexpr int kManyJoints = 5;                  // from which only neighbouring joints are multiplied
 constexpr std::size_t kReadingsForScale = 300;  // that a term's root mean square is taken over
 // Amplitudes against that of the first wave of a joint: rough functions are smaller.
@@ -129,7 +129,8 @@ std::vector<Feature> productsOf(const JointFeatures& a, const JointFeatures& b) 
 
 /// Everything that the readings differ in beside the joints.
 struct Conditions {
-  std::vector<Feature> load, time, temperature;
+  std::vector<Feature> load;
+  deflection::OfEachCondition<std::vector<Feature>> stated;
 
   explicit Conditions(const std::vector<Measurement>& readings) {
     const Range loads = rangeOf(readings, [](const Measurement& m) { return m.load; });
@@ -137,23 +138,28 @@ struct Conditions {
       const auto share = [most = loads.high](const Measurement& m) { return m.load / most; };
       load = {{"load", share, 1}, {"load", product(share, share), 1}};
     }
-    const Range times = rangeOf(readings, [](const Measurement& m) { return m.time; });
-    for (int k = 1; times.isWide() && k <= kTimeWaves; ++k)
-      time.push_back({"time",
-                      [k, times](const Measurement& m) {
-                        const double share = (m.time - times.low) / (times.high - times.low);
-                        return std::isfinite(share) ? std::cos(k * std::numbers::pi * share) : 0.;
-                      },
-                      1. / k});
-    const Range warmth = rangeOf(readings, [](const Measurement& m) { return m.temperature; });
-    if (warmth.isWide())
-      temperature = {{"temperature",
-                      [warmth](const Measurement& m) {
-                        const double middle = (warmth.low + warmth.high) / 2;
-                        return std::isfinite(m.temperature) ? 2 * (m.temperature - middle) / (warmth.high - warmth.low)
-                                                            : 0.;
-                      },
-                      1}};
+    for (const auto& kind : deflection::kConditionKinds) stated[kind.condition] = featuresOf(kind, readings);
+  }
+
+ private:
+  /// From -1 to 1, or waves over the range; nothing at a reading that does not state the condition.
+  static std::vector<Feature> featuresOf(const deflection::ConditionKind& kind,
+                                         const std::vector<Measurement>& readings) {
+    const auto value = [of = kind.condition](const Measurement& m) { return m.conditions[of]; };
+    const Range range = rangeOf(readings, value);
+    if (!range.isWide()) return {};
+    const auto share = [value, range](const Measurement& m) {
+      return (value(m) - range.low) / (range.high - range.low);
+    };
+    const auto orNothing = [](double x) { return std::isfinite(x) ? x : 0.; };
+    if (kind.course == deflection::Course::kProportional)
+      return {{kind.name, [=](const Measurement& m) { return orNothing(2 * share(m) - 1); }, 1}};
+    std::vector<Feature> waves;
+    for (int k = 1; k <= kSlowWaves; ++k)
+      waves.push_back({kind.name,
+                       [=](const Measurement& m) { return orNothing(std::cos(k * std::numbers::pi * share(m))); },
+                       1. / k});
+    return waves;
   }
 };
 
@@ -187,6 +193,10 @@ class TermMaker {
     }
   }
 
+  void addConditions(const std::string& place, int channel, double amplitude) {
+    for (const auto& features : conditions_.stated.all) add(place, channel, features, amplitude);
+  }
+
   void addJointError(std::size_t j) {
     const int channel = static_cast<int>(j);
     const std::string& place = joints_[j].name();
@@ -204,8 +214,7 @@ class TermMaker {
     for (const Feature& load : conditions_.load)
       for (const auto& f : {joints_[j].sine(1), joints_[j].cosine(1)})
         add(place, channel, {{"load", product(load.function, f), kMinor}});
-    add(place, channel, conditions_.time, kMinor);
-    add(place, channel, conditions_.temperature, kMinor);
+    addConditions(place, channel, kMinor);
   }
 
   void addToolShift(int channel) {
@@ -214,14 +223,14 @@ class TermMaker {
     for (const JointFeatures& joint : joints_)
       if (has_directions_) add("tool", channel, {joint.direction().front()}, kShift);
     add("tool", channel, conditions_.load, kShift);
-    add("tool", channel, conditions_.temperature, kShift);
+    for (const auto& kind : deflection::kConditionKinds)
+      if (kind.moves_tool) add("tool", channel, conditions_.stated[kind.condition], kShift);
   }
 
   void addBaseShift(int channel) {
     if (!joints_.empty() && joints_.front().moves()) add("base", channel, joints_.front().waves(2), kShift);
     add("base", channel, conditions_.load, kShift);
-    add("base", channel, conditions_.time, kShift);
-    add("base", channel, conditions_.temperature, kShift);
+    addConditions("base", channel, kShift);
   }
 
   /// What the arm stands on gives way by the arm's weight, which follows the joints.
@@ -232,8 +241,7 @@ class TermMaker {
       if (j > 0 && joints_.front().moves()) add("base's turn", channel, productsOf(joints_.front(), joints_[j]), kTurn);
     }
     add("base's turn", channel, conditions_.load, kTurn);
-    add("base's turn", channel, conditions_.time, kTurn);
-    add("base's turn", channel, conditions_.temperature, kTurn);
+    addConditions("base's turn", channel, kTurn);
   }
 
   Conditions conditions_;

@@ -1,10 +1,10 @@
-// What a model may miss that no catalogue names: a smooth function of the joints, the direction of motion, the load,
-// the time and the temperature, as a Gaussian process (Kennedy and O'Hagan 2001, "Bayesian calibration of computer
-// models").
+// What a model may miss that no catalogue names: a smooth function of the joints, the direction of motion, the load
+// and the conditions that readings state, as a Gaussian process (Kennedy and O'Hagan 2001, "Bayesian calibration of
+// computer models").
 //
 // The process is a sum of a few functions with independent normal weights. Each is an error of one joint's reading, a
 // shift of the tip in the tool's frame, a shift or a turn of the base, times a smooth function of what the readings
-// state: waves and local bumps of a joint's angle, products of two, load, direction, time, temperature. It weighs the
+// state: waves and local bumps of a joint's angle, products of two, load, direction, conditions. It weighs the
 // unknown against causes that have names; it never names one. Of a displacement, from another reading or from where the
 // tip rests unloaded, it is the difference of the functions at both postures.
 #pragma once
@@ -20,7 +20,7 @@ namespace tubeplan::calibration {
 
 /// One function of the process.
 struct DiscrepancyTerm {
-  std::string follows;  ///< "theta3", "direction of theta3", "load", "time", "temperature": what a remainder follows
+  std::string follows;  ///< "theta3", "direction of theta3", "load", "time": what a remainder follows
   int channel = 0;      ///< a joint's reading by its number, then the tip along the tool's axes, the base, its turn
   int source = 0;       ///< terms that one source makes have the same
   std::function<double(const Measurement&)> function;

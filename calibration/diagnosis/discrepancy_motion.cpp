@@ -23,12 +23,9 @@ MatrixXd rigidDisplacements(const MeasuredSlope& slope, const ToolPose& tool, co
 /// Of a displacement: its own posture, and the one that it is taken from with the other sign. What errs there errs by
 /// what the function is there.
 std::vector<Motion> motionsOfDisplacement(ReadingPredictor& predictor, const PlacedArm& placed,
-                                          const Eigen::Isometry3d& X_WB, const Measurement& reading) {
-  std::vector<Motion> motions{{reading, {}}, {reading, {}}};
-  if (const Measurement* from = referenceOf(reading))
-    motions.back().at = *from;
-  else
-    motions.back().at = unloaded(reading);
+                                          const Eigen::Isometry3d& X_WB, const Measurement& reading,
+                                          const Departure& from) {
+  std::vector<Motion> motions{{reading, {}}, {readingAt(from), {}}};
   PredictionRequest request;
   request.by_joints = true;
   const Index joints = reading.q.size();
@@ -55,7 +52,7 @@ std::vector<Motion> motionsOfDisplacement(ReadingPredictor& predictor, const Pla
 
 std::vector<Motion> motionsOf(ReadingPredictor& predictor, const PlacedArm& placed, const Measurement& reading) {
   const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
-  if (kindOf(reading).is_displacement) return motionsOfDisplacement(predictor, placed, X_WB, reading);
+  if (const auto from = departureOf(reading)) return motionsOfDisplacement(predictor, placed, X_WB, reading, *from);
   PredictionRequest request;
   request.by_joints = true;
   const Prediction prediction = predictor.predict(X_WB, reading, request);

@@ -126,15 +126,15 @@ std::vector<Item> picked(const std::vector<Item>& all, const std::vector<int>& w
 
 /// What to write down beside a reading, for effects that the readings gave no chance.
 std::vector<std::string> columnsMissing(const Diagnosis& diagnosis) {
-  std::vector<std::string> approach_directions, temperature, time, columns;
+  std::vector<std::string> approach_directions, columns;
+  deflection::OfEachCondition<std::vector<std::string>> of_condition;
   for (const auto& kind : deflection::effectKinds()) {
     const std::string name = kind.name;
     const bool was_left_out = std::any_of(diagnosis.not_tried.begin(), diagnosis.not_tried.end(),
                                           [&](const std::string& why) { return why.starts_with(name + ":"); });
     if (!was_left_out) continue;
     if (kind.needs.approach_directions) approach_directions.push_back(name);
-    if (kind.needs.temperature) temperature.push_back(name);
-    if (kind.needs.time) time.push_back(name);
+    for (const auto condition : conditionsOf(kind)) of_condition[condition].push_back(name);
   }
   const auto add = [&](const std::vector<std::string>& effects, const std::string& what) {
     if (effects.empty()) return;
@@ -143,8 +143,8 @@ std::vector<std::string> columnsMissing(const Diagnosis& diagnosis) {
     columns.push_back(what + " (" + names + " could not be tried without)");
   };
   add(approach_directions, "record the direction of each joint's last motion, <joint>_dir");
-  add(temperature, "record the temperature");
-  add(time, "record the time");
+  for (const auto& kind : deflection::kConditionKinds)
+    add(of_condition[kind.condition], std::string("record the ") + kind.name);
   return columns;
 }
 

@@ -102,7 +102,7 @@ MatrixXd Signatures::columnsAt(const std::vector<Measurement>& readings, const R
         column = residual.jacobian.col(k);
         if (layer.times.empty()) continue;
         for (std::size_t r = 0; r < readings.size(); ++r)
-          if (readings[r].time < layer.times[block])
+          if (readings[r].conditions[Condition::kTime] < layer.times[block])
             column.segment(weights.first_row[r], rowsOf(readings[r])).setZero();
       }
   }

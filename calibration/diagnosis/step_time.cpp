@@ -16,7 +16,7 @@ constexpr std::size_t kMostTimes = 12;  // tried at once
 std::vector<double> gapsBetween(const std::vector<Measurement>& readings, double from, double to) {
   std::vector<double> times;
   for (const auto& reading : readings)
-    if (std::isfinite(reading.time)) times.push_back(reading.time);
+    if (reading.conditions.states(Condition::kTime)) times.push_back(reading.conditions[Condition::kTime]);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   std::vector<double> gaps;

@@ -5,7 +5,6 @@
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/predict_all.hpp"
-#include "calibration/measurements/reading_batch.hpp"
 #include "calibration/measurements/surfaces.hpp"
 #include "deflection/rotation.hpp"
 
@@ -85,32 +84,26 @@ CampaignResidual::CampaignResidual(const PlacedArm& start, const std::vector<Unk
       placed_(start) {
   if (priors == Priors::kAppended) prior_slopes_ = priorSlopes(unknowns);
   base_pose_of_ = basePosesOf(start, readings);
-  is_for_batch_ = isForBatch(placed_.arm, readings);
   if (touchSurfaces(readings)) settled_ = readings;
   bases_.resize(start.base_poses.size());
-  bool has_base = false;
   for (std::size_t k = 0; k < unknowns.size(); ++k) {
     const Unknown& unknown = unknowns[k];
     if (unknown.owner == Unknown::Owner::kArm) {
-      variables_.push_back(deflection::Variable::number(unknown.path));
+      slopes_asked_.numbers.push_back(deflection::Variable::number(unknown.path));
       numbers_.push_back(static_cast<Index>(k));
       continue;
     }
-    has_base = true;
+    slopes_asked_.by_base = true;
     auto& base = bases_[static_cast<std::size_t>(unknown.base_pose)];
     base.resize(6, -1);
     base[static_cast<std::size_t>(unknown.component)] = static_cast<Index>(k);
   }
   slopes_.resize(numbers_.size());
-  if (!has_base) return;
-  for (int axis = 0; axis < 3; ++axis) variables_.push_back(deflection::Variable::gravityTurn(axis));
+  if (numbers_.empty()) prepared_.emplace(placed_.arm);
 }
-
-CampaignResidual::~CampaignResidual() = default;
 
 void CampaignResidual::moveTo(const VectorXd& x) {
   apply(start_, unknowns_, x, placed_);
-  if (!numbers_.empty()) batch_.reset();
   for (std::size_t n = 0; n < numbers_.size(); ++n)
     slopes_[n] = slopeAt(unknowns_[static_cast<std::size_t>(numbers_[n])], x[numbers_[n]]);
   turns_.clear();
@@ -147,7 +140,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   last_.error.resize(weights_.rows);
   last_.jacobian.setZero(with_jacobian ? weights_.rows : 0, with_jacobian ? x.size() : 0);
   if (!settled_.empty() && !settleSurfaces(placed_, settled_)) return false;
-  if (!(is_for_batch_ ? fillSideBySide(with_jacobian) : fillOneByOne(with_jacobian))) {
+  if (!fill(with_jacobian)) {
     goOn(stop_);  // rows that were left out by a stop are no figures
     return false;
   }
@@ -177,96 +170,16 @@ void CampaignResidual::applyWeights(VectorXd& r, MatrixXd* jacobian) const {
 }
 
 /// False where a shape does not converge.
-bool CampaignResidual::fillSideBySide(bool with_jacobian) {
-  if (!batch_) batch_ = std::make_unique<ReadingBatch>(placed_.arm);
-  if (readings_.size() <= kReadingsOfCore) return fillBlock(*batch_, 0, readings_.size(), with_jacobian);
-  return inBlocks(readings_.size(), kReadingsOfCore, stop_, [&](std::size_t first, std::size_t count) {
-    ReadingBatch own(placed_.arm);
-    return fillBlock(own, first, count, with_jacobian);
-  });
-}
-
-bool CampaignResidual::fillBlock(ReadingBatch& batch, std::size_t first, std::size_t count, bool with_jacobian) {
-  static const std::vector<deflection::Variable> kNone;
-  if (!batch.solve(placed_.base_poses, readings_, base_pose_of_, first, count, with_jacobian ? variables_ : kNone))
-    return false;
-  for (std::size_t k = 0; k < count; ++k) fillTip(batch, k, first + k, with_jacobian);
-  return true;
-}
-
-void CampaignResidual::fillTip(const ReadingBatch& batch, std::size_t k, std::size_t reading, bool with_jacobian) {
-  const Measurement& measured = taken()[reading];
-  const Eigen::Isometry3d& X_WB = placed_.base_poses[static_cast<std::size_t>(base_pose_of_[reading])].X_WB;
-  const Index row = weights_.first_row[reading];
-  const ToolPose tool = toolOf(batch, k, X_WB, measured);
-  const MeasuredValue error = predictedValue(measured, tool) - kindOf(measured).measured(measured);
-  last_.error.segment(row, error.size()) = error;
-  if (!with_jacobian) return;
-  const MeasuredSlope by = predictedSlope(measured, tool);
-  fillNumbers(batch, k, X_WB.linear(), by, row);
-  if (!bases_[static_cast<std::size_t>(base_pose_of_[reading])].empty()) fillBase(batch, k, reading, by);
-}
-
-void CampaignResidual::fillNumbers(const ReadingBatch& batch, std::size_t k, const Matrix3d& R_WB,
-                                   const MeasuredSlope& by, Index row) {
-  const MeasuredRows by_tip = by.by_place * R_WB;
-  const MeasuredRows by_turn = by.by_turn.size() ? MeasuredRows(by.by_turn * R_WB) : MeasuredRows();
-  for (std::size_t n = 0; n < numbers_.size(); ++n) {
-    const Vector3d moved = slopes_[n] * batch.column(k, n);
-    for (Index i = 0; i < by_tip.rows(); ++i) last_.jacobian(row + i, numbers_[n]) = by_tip.row(i).dot(moved);
-    if (by_turn.size() == 0) continue;
-    const Vector3d turned = slopes_[n] * batch.turnColumn(k, n);
-    for (Index i = 0; i < by_tip.rows(); ++i) last_.jacobian(row + i, numbers_[n]) += by_turn.row(i).dot(turned);
-  }
-}
-
-void CampaignResidual::fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading,
-                                const MeasuredSlope& by) {
-  const auto base_pose = static_cast<std::size_t>(base_pose_of_[reading]);
-  const Matrix3d R = placed_.base_poses[base_pose].X_WB.linear();
-  Matrix3d by_gravity;
-  for (Index axis = 0; axis < 3; ++axis)
-    by_gravity.col(axis) = batch.column(k, numbers_.size() + static_cast<std::size_t>(axis));
-  // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
-  const Matrix3d by_turn = -deflection::crossMatrix<double>(R * batch.tip(k)) - R * by_gravity * R.transpose();
-  Eigen::Matrix<double, 3, 6> place;
-  place.leftCols<3>().setIdentity();
-  if (kindOf(readings_[reading]).is_displacement) place.leftCols<3>().setZero();
-  place.rightCols<3>() = by_turn * turns_[base_pose];
-  Eigen::Matrix<double, 3, 6> turn = Eigen::Matrix<double, 3, 6>::Zero();
-  if (by.by_turn.size()) {
-    for (Index axis = 0; axis < 3; ++axis)
-      by_gravity.col(axis) = batch.turnColumn(k, numbers_.size() + static_cast<std::size_t>(axis));
-    turn.rightCols<3>() = (Matrix3d::Identity() - R * by_gravity * R.transpose()) * turns_[base_pose];
-  }
-  for (Index c = 0; c < 6; ++c) {
-    const Index column = bases_[base_pose][static_cast<std::size_t>(c)];
-    if (column < 0) continue;
-    for (Index i = 0; i < by.by_place.rows(); ++i) {
-      double& entry = last_.jacobian(weights_.first_row[reading] + i, column);
-      entry = by.by_place.row(i).dot(place.col(c));
-      if (by.by_turn.size()) entry += by.by_turn.row(i).dot(turn.col(c));
-    }
-  }
-}
-
-bool CampaignResidual::fillOneByOne(bool with_jacobian) {
-  return predictAll(placed_, readings_.size(), stop_, [&](ReadingPredictor& predictor, std::size_t k) {
-    const auto base_pose = static_cast<std::size_t>(base_pose_of_[k]);
-    PredictionRequest request;
-    if (with_jacobian) {
-      request.numbers.assign(variables_.begin(), variables_.begin() + static_cast<Index>(numbers_.size()));
-      request.by_base = !bases_[base_pose].empty();
-    }
-    const Measurement& reading = taken()[k];
-    const Prediction prediction = predictor.predict(placed_.base_poses[base_pose].X_WB, reading, request);
-    if (!prediction.ok) return false;
-    const Index row = weights_.first_row[k];
-    const VectorXd error = prediction.value - kindOf(reading).measured(reading);
-    last_.error.segment(row, error.size()) = error;
-    if (with_jacobian) scatter(base_pose_of_[k], prediction, row);
-    return true;
-  });
+bool CampaignResidual::fill(bool with_jacobian) {
+  static const PredictionRequest kValues;
+  const auto& readings = taken();
+  const auto put = [&](std::size_t k, const Prediction& prediction) {
+    last_.error.segment(weights_.first_row[k], prediction.value.size()) =
+        prediction.value - kindOf(readings[k]).measured(readings[k]);
+    if (with_jacobian) scatter(base_pose_of_[k], prediction, weights_.first_row[k]);
+  };
+  return predictAll(placed_, readings, base_pose_of_, with_jacobian ? slopes_asked_ : kValues, stop_, put,
+                    prepared_ ? &*prepared_ : nullptr);
 }
 
 void CampaignResidual::scatter(int base_pose, const Prediction& prediction, Index row) {
@@ -275,8 +188,8 @@ void CampaignResidual::scatter(int base_pose, const Prediction& prediction, Inde
     last_.jacobian.block(row, numbers_[n], rows, 1) = prediction.by_numbers.col(static_cast<Index>(n)) * slopes_[n];
   const auto& base = bases_[static_cast<std::size_t>(base_pose)];
   if (base.empty()) return;
-  MatrixXd by_base = prediction.by_base;
-  by_base.rightCols<3>() = (by_base.rightCols<3>() * turns_[static_cast<std::size_t>(base_pose)]).eval();
+  Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 6, 6> by_base = prediction.by_base;
+  by_base.rightCols<3>() = prediction.by_base.rightCols<3>().lazyProduct(turns_[static_cast<std::size_t>(base_pose)]);
   for (Index k = 0; k < 6; ++k)
     if (base[static_cast<std::size_t>(k)] >= 0)
       last_.jacobian.block(row, base[static_cast<std::size_t>(k)], rows, 1) = by_base.col(k);

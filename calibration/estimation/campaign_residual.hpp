@@ -2,14 +2,11 @@
 // worked out once, and at the state asked for last only the weights are applied anew.
 #pragma once
 
-#include <memory>
-
 #include "calibration/estimation/whitened_residual.hpp"
-#include "calibration/measurements/measurement_kind.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "deflection/kinematics.hpp"
 
 namespace tubeplan::calibration {
-
-class ReadingBatch;
 
 /// Index of the base pose that each reading was made at.
 [[nodiscard]] std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurement>& readings);
@@ -23,7 +20,8 @@ class CampaignResidual {
   CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                    const std::vector<Measurement>& readings, const ReadingWeights& weights,
                    Priors priors = Priors::kNone, StopQuestion stop = {});
-  ~CampaignResidual();
+  CampaignResidual(const CampaignResidual&) = delete;
+  CampaignResidual& operator=(const CampaignResidual&) = delete;
 
   /// The residual at variables x, its Jacobian where it is not null; false where the model cannot be evaluated.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
@@ -45,14 +43,8 @@ class CampaignResidual {
   void moveTo(const Eigen::VectorXd& x);
   bool linearize(const Eigen::VectorXd& x, bool with_jacobian);
   void applyWeights(Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) const;
-  bool fillSideBySide(bool with_jacobian);
-  bool fillBlock(ReadingBatch& batch, std::size_t first, std::size_t count, bool with_jacobian);
-  void fillTip(const ReadingBatch& batch, std::size_t k, std::size_t reading, bool with_jacobian);
-  void fillNumbers(const ReadingBatch& batch, std::size_t k, const Eigen::Matrix3d& R_WB, const MeasuredSlope& by,
-                   Eigen::Index row);
-  void fillBase(const ReadingBatch& batch, std::size_t k, std::size_t reading, const MeasuredSlope& by);
-  bool fillOneByOne(bool with_jacobian);
-  void scatter(int base_pose, const struct Prediction& prediction, Eigen::Index row);
+  bool fill(bool with_jacobian);
+  void scatter(int base_pose, const Prediction& prediction, Eigen::Index row);
 
   /// The readings, those of surfaces with the surface as the arm at the variables asked for last touches it.
   [[nodiscard]] const std::vector<Measurement>& taken() const { return settled_.empty() ? readings_ : settled_; }
@@ -63,16 +55,15 @@ class CampaignResidual {
   const ReadingWeights& weights_;
   Eigen::VectorXd prior_slopes_;  ///< none where no priors are appended
   StopQuestion stop_;
-  bool is_for_batch_ = true;
-  std::vector<Measurement> settled_;              ///< none where no surface is touched
-  std::vector<int> base_pose_of_;                 ///< of each reading
-  std::vector<deflection::Variable> variables_;   ///< the numbers, then gravity turned, where a base is free
-  std::vector<Eigen::Index> numbers_;             ///< column of each number
-  std::vector<std::vector<Eigen::Index>> bases_;  ///< of each placing: six columns, or none
-  std::unique_ptr<ReadingBatch> batch_;           ///< of the arm as it is; none where it has changed
-  PlacedArm placed_;                              ///< at the variables asked for last, with ...
-  std::vector<double> slopes_;                    ///< ... the slope of each number by its variable ...
-  std::vector<Eigen::Matrix3d> turns_;            ///< ... and from the rotation vector's rate to the turn's
+  std::vector<Measurement> settled_;                ///< none where no surface is touched
+  std::vector<int> base_pose_of_;                   ///< of each reading
+  PredictionRequest slopes_asked_;                  ///< the numbers, and the base where one is free
+  std::vector<Eigen::Index> numbers_;               ///< column of each number
+  std::vector<std::vector<Eigen::Index>> bases_;    ///< of each placing: six columns, or none
+  PlacedArm placed_;                                ///< at the variables asked for last, with ...
+  std::vector<double> slopes_;                      ///< ... the slope of each number by its variable ...
+  std::vector<Eigen::Matrix3d> turns_;              ///< ... and from the rotation vector's rate to the turn's
+  std::optional<deflection::Kinematics> prepared_;  ///< of the placed arm, where no variable changes that
   Unweighted last_;
 };
 

@@ -179,13 +179,12 @@ bool fitFromStarts(FittedModel& model, Identification& result) {
 
 /// The error of the model as it is placed; its readings' weights, or nothing where it cannot be evaluated.
 std::optional<ReadingWeights> measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitted,
-                                           ErrorSize& size, double* chi2) {
+                                           ErrorSize& size) {
   auto weights = weighReadings(placed, fitted);
   if (!weights) return weights;
   const auto residual = whitenedResidual(placed, {}, fitted, *weights, {}, false);
   if (!residual.ok) return std::nullopt;
   size = errorSize(fitted, *weights, residual.error);
-  if (chi2) *chi2 = residual.r.squaredNorm();
   return weights;
 }
 
@@ -272,13 +271,13 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
     result.status = IdentificationStatus::kRefused;
     return result;
   }
-  model.start_weights = measureStart(start, fitted, result.before, &result.chi2_before);
+  model.start_weights = measureStart(start, fitted, result.before);
   fitBases(model, result);
   result.start = model.start;
   if (basesOf(model.unknowns).empty())
     result.after_base = result.before;
   else
-    model.start_weights = measureStart(model.start, fitted, result.after_base, nullptr);
+    model.start_weights = measureStart(model.start, fitted, result.after_base);
   if (!fitFromStarts(model, result)) {
     result.status = IdentificationStatus::kNotConverged;
     result.reason =

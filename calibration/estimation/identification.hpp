@@ -118,7 +118,6 @@ struct Identification {
   ErrorSize heldout_before, heldout;    ///< on readings kept from the fit; before: with only the bases fitted
   int not_judged = 0;                   ///< readings kept from the fit that it cannot judge (judgeable())
   double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms that noise alone leaves [m]
-  double chi2_before = std::numeric_limits<double>::quiet_NaN();
   double chi2 = std::numeric_limits<double>::quiet_NaN();
   int degrees_of_freedom = 0;  ///< of the readings, less the numbers that they determine; may be none
   double p_value = std::numeric_limits<double>::quiet_NaN();

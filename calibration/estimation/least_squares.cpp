@@ -53,33 +53,13 @@ LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, cons
 std::span<const LeastSquaresMethodKind> leastSquaresMethods() {
   using Method = LeastSquaresMethod;
   static constexpr std::array kMethods{
-      LeastSquaresMethodKind{Method::kHybrid,
-                             "in-turn",
-                             "Levenberg-Marquardt; where that does not converge soon, the interior point too",
-                             {1e-9, 400},
-                             minimizeHybrid},
+      // Levenberg-Marquardt; where that does not converge soon, the interior point too.
+      LeastSquaresMethodKind{Method::kHybrid, "in-turn", {1e-9, 400}, minimizeHybrid},
+      // Ipopt on the Gauss-Newton Hessian, until the gradient is within tolerance.
+      LeastSquaresMethodKind{Method::kInteriorPoint, "ipopt", {1e-10, 200}, minimizeByInteriorPoint},
+      // Damped Gauss-Newton, until no step would lower chi2 by more than a relative tolerance.
       LeastSquaresMethodKind{
-          Method::kInteriorPoint,
-          "ipopt",
-          "interior point (Ipopt) on the Gauss-Newton Hessian, until the gradient is within tolerance",
-          {1e-10, 200},
-          minimizeByInteriorPoint},
-      LeastSquaresMethodKind{
-          Method::kLevenbergMarquardt,
-          "levenberg-marquardt",
-          "damped Gauss-Newton, until no step would lower chi-square by more than a relative tolerance",
-          {1e-9, 100},
-          minimizeByLevenbergMarquardt},
-      LeastSquaresMethodKind{Method::kHookeJeeves,
-                             "hooke-jeeves",
-                             "pattern search without derivatives, until its step is within tolerance",
-                             {1e-6, 10000},
-                             minimizeByHookeJeeves},
-      LeastSquaresMethodKind{Method::kSteepestDescent,
-                             "steepest-descent",
-                             "steepest descent with a line search, until the gradient is within tolerance",
-                             {1e-6, 1000},
-                             minimizeBySteepestDescent},
+          Method::kLevenbergMarquardt, "levenberg-marquardt", {1e-9, 100}, minimizeByLevenbergMarquardt},
   };
   return kMethods;
 }

@@ -23,7 +23,7 @@ struct LeastSquaresProblem {
   std::function<bool(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian)> evaluate;
 };
 
-enum class LeastSquaresMethod { kHybrid, kInteriorPoint, kLevenbergMarquardt, kHookeJeeves, kSteepestDescent };
+enum class LeastSquaresMethod { kHybrid, kInteriorPoint, kLevenbergMarquardt };
 
 /// When a method rests. What the tolerance is measured on is the method's own affair: see leastSquaresMethods().
 struct LeastSquaresStop {
@@ -67,9 +67,8 @@ struct LeastSquaresResult {
 /// A way of minimising: one row of the table.
 struct LeastSquaresMethodKind {
   LeastSquaresMethod method;
-  std::string_view name;     ///< on the command line
-  std::string_view summary;  ///< one line: how it works and what its tolerance is measured on
-  LeastSquaresStop stop;     ///< where the caller states none
+  std::string_view name;  ///< on the command line
+  LeastSquaresStop stop;  ///< where the caller states none
   LeastSquaresResult (*minimize)(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
                                  const IterationObserver& observe);
 };
@@ -89,9 +88,5 @@ LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, c
                                            const IterationObserver& observe);
 LeastSquaresResult minimizeByLevenbergMarquardt(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
                                                 const IterationObserver& observe);
-LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
-                                         const IterationObserver& observe);
-LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
-                                             const IterationObserver& observe);
 
 }  // namespace tubeplan::calibration

@@ -246,7 +246,7 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
   std::vector<MeasurementKind> kinds;
   for (const auto& kind : measurementKinds()) {
     const bool needs_more =
-        kind.has_direction || kind.is_to_gravity || kind.is_displacement || kind.has_anchor || kind.settle;
+        kind.has_direction || kind.is_to_gravity || kind.departure || kind.has_anchor || kind.settle;
     if (needs_more || kind.counts_steps) continue;
     for (std::size_t k = 0; k < readings.size(); k += std::max<std::size_t>(1, readings.size() / 20)) {
       Measurement asked = readings[k];

@@ -7,7 +7,6 @@
 #include "calibration/estimation/campaign_residual.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/predict_all.hpp"
-#include "calibration/measurements/reading_batch.hpp"
 #include "calibration/measurements/surfaces.hpp"
 
 namespace tubeplan::calibration {
@@ -75,52 +74,14 @@ MatrixXd whitenerOf(const MatrixXd& covariance) {
   return Eigen::LLT<Square>(Square(covariance)).matrixL().solve(Square::Identity(covariance.rows(), covariance.rows()));
 }
 
-/// How a reading changes with the joints, from the tip of a batch.
-MatrixXd jointSlopesOf(const ReadingBatch& batch, std::size_t k, const Eigen::Isometry3d& X_WB,
-                       const Measurement& reading, std::size_t joints) {
-  const Eigen::Matrix3d R = X_WB.linear();
-  const MeasuredSlope slope = predictedSlope(reading, toolOf(batch, k, X_WB, reading));
-  const bool has_reference = referenceOf(reading) != nullptr;
-  MatrixXd slopes(slope.by_place.rows(), (has_reference ? 2 : 1) * static_cast<Index>(joints));
-  if (has_reference) {  // two postures, each with the encoders' noise of its own
-    for (std::size_t j = 0; j < joints; ++j) {
-      slopes.col(static_cast<Index>(j)) = slope.by_place * (R * batch.ownColumn(k, j));
-      slopes.col(static_cast<Index>(joints + j)) = -slope.by_place * (R * batch.referenceColumn(k, j));
-    }
-    return slopes;
-  }
-  for (std::size_t j = 0; j < joints; ++j) {
-    slopes.col(static_cast<Index>(j)) = slope.by_place * (R * batch.column(k, j));
-    if (slope.by_turn.size()) slopes.col(static_cast<Index>(j)) += slope.by_turn * (R * batch.turnColumn(k, j));
-  }
-  return slopes;
-}
-
 /// How each reading changes with the joints that it was read at.
 bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readings, std::vector<MatrixXd>& by_joints,
                  const StopQuestion& stop) {
   by_joints.resize(readings.size());
-  const auto base_pose_of = basePosesOf(placed, readings);
-  const auto joints = deflection::jointVariables(placed.arm);
-  if (isForBatch(placed.arm, readings)) {
-    return inBlocks(readings.size(), kReadingsOfCore, stop, [&](std::size_t first, std::size_t count) {
-      ReadingBatch batch(placed.arm);
-      if (!batch.solve(placed.base_poses, readings, base_pose_of, first, count, joints)) return false;
-      for (std::size_t k = first; k < first + count; ++k)
-        by_joints[k] =
-            jointSlopesOf(batch, k - first, placed.base_poses[static_cast<std::size_t>(base_pose_of[k])].X_WB,
-                          readings[k], joints.size());
-      return true;
-    });
-  }
   PredictionRequest request;
   request.by_joints = true;
-  return predictAll(placed, readings.size(), stop, [&](ReadingPredictor& predictor, std::size_t k) {
-    Prediction prediction =
-        predictor.predict(placed.base_poses[static_cast<std::size_t>(base_pose_of[k])].X_WB, readings[k], request);
-    by_joints[k] = std::move(prediction.by_joints);
-    return prediction.ok;
-  });
+  return predictAll(placed, readings, basePosesOf(placed, readings), request, stop,
+                    [&](std::size_t k, const Prediction& prediction) { by_joints[k] = prediction.by_joints; });
 }
 
 }  // namespace

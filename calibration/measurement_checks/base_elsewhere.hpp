@@ -41,7 +41,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
 
 /// Where all readings have a time, a base that slips once is an effect of the catalogue.
 inline std::vector<StepForm> steps(const CheckedReadings& checked) {
-  const bool are_timed = std::ranges::all_of(checked.readings, [](const auto& m) { return std::isfinite(m.time); });
+  const bool are_timed =
+      std::ranges::all_of(checked.readings, [](const auto& m) { return m.conditions.states(Condition::kTime); });
   std::vector<StepForm> forms;
   for (const BasePose& base_pose : checked.start.base_poses)
     forms.push_back({.numbers = 6,

@@ -18,6 +18,8 @@ auto contentOf(const Measurement& m) {
   const Eigen::Vector3d tool = m.p_TQ.value_or(Eigen::Vector3d::Zero());
   const TipWrench wrench = m.wrench.value_or(TipWrench{});
   const auto number = [](double value) { return std::isfinite(value) ? value : 0; };
+  std::vector<double> conditions;
+  for (const auto& kind : deflection::kConditionKinds) conditions.push_back(number(m.conditions[kind.condition]));
   return std::tuple{static_cast<int>(m.kind),
                     m.row,
                     m.point,
@@ -34,7 +36,7 @@ auto contentOf(const Measurement& m) {
                     number(m.own[0]),
                     number(m.own[1]),
                     number(m.own[2]),
-                    number(m.time)};
+                    conditions};
 }
 
 /// A reading all of whose numbers an earlier one has.

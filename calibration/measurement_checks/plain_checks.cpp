@@ -141,6 +141,15 @@ std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
                           {}};
 }
 
+/// "base-slip or base-drift", the effects that vary with a condition.
+std::string effectsOf(Condition condition) {
+  std::string names;
+  for (const auto& kind : deflection::effectKinds())
+    if (std::ranges::count(conditionsOf(kind), condition) > 0)
+      names += (names.empty() ? "" : " or ") + std::string(kind.name);
+  return names;
+}
+
 }  // namespace
 
 std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readings) {
@@ -154,10 +163,10 @@ std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readin
     missing.push_back(
         {"load",
          "with several loads, compliance could be distinguished from geometry, and a load's offset be detected"});
-  if (none([](const Measurement& m) { return std::isfinite(m.temperature); }))
-    missing.push_back({"temperature", "with the temperature, thermal growth could be detected"});
-  if (none([](const Measurement& m) { return std::isfinite(m.time); }))
-    missing.push_back({"time", "with the time, slip or drift of the base could be detected"});
+  for (const auto& kind : deflection::kConditionKinds)
+    if (none([&](const Measurement& m) { return m.conditions.states(kind.condition); }))
+      if (const std::string effects = effectsOf(kind.condition); !effects.empty())
+        missing.push_back({kind.name, std::string("with the ") + kind.name + ", " + effects + " could be detected"});
   return missing;
 }
 

@@ -208,8 +208,9 @@ std::vector<std::vector<VectorXd>> StepScan::courses(const StepForm& form) const
     if (with_square) courses.push_back({along, along.cwiseAbs2()});
   };
   add(by([](const auto&, Index k) { return static_cast<double>(k); }), true);
-  add(by([](const auto& m, Index) { return m.time; }), true);
-  add(by([](const auto& m, Index) { return m.temperature; }), false);
+  for (const auto& kind : deflection::kConditionKinds)
+    add(by([&](const auto& m, Index) { return m.conditions[kind.condition]; }),
+        kind.course == deflection::Course::kSlow);
   add(by([](const auto& m, Index) { return m.load; }), true);
   for (const double share : {0.25, 0.1})  // warming up
     add(by([&](const auto&, Index k) {

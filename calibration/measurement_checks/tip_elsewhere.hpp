@@ -19,7 +19,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   mend.change =
       [by = Eigen::Vector3d(Eigen::Vector3d(offset->data()) * unit.factor)](std::vector<Measurement>& readings) {
         for (auto& reading : readings)
-          if (!kindOf(reading).is_displacement && !reading.row)
+          if (!isDisplacement(reading) && !reading.row)
             reading.p_TQ = reading.p_TQ.value_or(Eigen::Vector3d::Zero()) + by;
       };
   mend.numbers_fitted = 3;

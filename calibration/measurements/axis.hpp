@@ -16,6 +16,17 @@ inline void record(const ToolPose& tool, double scale, const MeasuredValue& nois
   reading.own[0] = scale * value(reading, tool)[0] + noise[0];
 }
 
+inline void state(const KnownPlaces& places, Measurement& reading) {
+  distance::stateAnchor(places, reading);
+  reading.direction_W = places.direction_W;
+}
+
+inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string& kind) {
+  if (!reading.p_W || reading.direction_W) return lackOfPlace(reading, kind);
+  return ReadingLack{"a reading of kind " + kind + " without a direction",
+                     "its direction in the columns dx, dy, dz (of any length)"};
+}
+
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kAxis,
           .name = "axis",
@@ -26,7 +37,9 @@ inline MeasurementKindRow kind() {
           .value = value,
           .slope = slope,
           .measured = distance::measured,
-          .record = record};
+          .record = record,
+          .lack = lack,
+          .state = state};
 }
 
 }  // namespace tubeplan::calibration::axis

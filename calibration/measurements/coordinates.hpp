@@ -14,6 +14,9 @@ inline void record(const ToolPose& tool, double scale, const MeasuredValue& nois
   reading.p_W = scale * tool.p_W + noise.head<3>();
 }
 
+/// Of a hole or mark: its place, where that is known.
+inline void statePoint(const KnownPlaces& places, Measurement& reading) { reading.p_W = places.point_W; }
+
 inline MeasurementKindRow row(MeasurementKind kind, const char* name) {
   return {.kind = kind,
           .name = name,
@@ -21,7 +24,8 @@ inline MeasurementKindRow row(MeasurementKind kind, const char* name) {
           .value = value,
           .slope = slope,
           .measured = measured,
-          .record = record};
+          .record = record,
+          .value_columns = placeAndOwn};
 }
 
 }  // namespace tubeplan::calibration::coordinates

@@ -5,9 +5,12 @@
 
 namespace tubeplan::calibration::deflection_reading {
 
+/// From where the tip rests unloaded at the same joint readings.
+inline Departure departure(const Measurement& reading) { return {&reading, true}; }
+
 inline MeasurementKindRow kind() {
   MeasurementKindRow row = coordinates::row(MeasurementKind::kDeflection, "deflection");
-  row.is_displacement = true;
+  row.departure = departure;
   return row;
 }
 

@@ -75,14 +75,14 @@ inline MeasurementKindRow kind() {
           .rows = 2,
           .turn_rows = 2,
           .columns = kColumns,
-          .is_without_place = true,
           .is_by_scale = false,
           .sees_turn = true,
           .may_be_of_row = true,
           .value = value,
           .slope = slope,
           .measured = measured,
-          .record = record};
+          .record = record,
+          .lack = nullptr};
 }
 
 }  // namespace tubeplan::calibration::direction

@@ -15,9 +15,15 @@ inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
 inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
   return {(tool.p_W - *reading.p_W).normalized().transpose(), {}};
 }
+inline bool isPossible(const Measurement& reading) { return !(reading.own[0] <= 0); }
 inline MeasuredValue measured(const Measurement& reading) { return MeasuredValue::Constant(1, reading.own[0]); }
 inline void record(const ToolPose& tool, double scale, const MeasuredValue& noise, Measurement& reading) {
   reading.own[0] = scale * value(reading, tool)[0] + noise[0];
+}
+
+/// The anchor; of kinds that may do without, the world's origin.
+inline void stateAnchor(const KnownPlaces& places, Measurement& reading) {
+  reading.p_W = places.anchor_W.value_or(Eigen::Vector3d::Zero());
 }
 
 inline MeasurementKindRow kind() {
@@ -26,11 +32,12 @@ inline MeasurementKindRow kind() {
           .rows = 1,
           .columns = kColumns,
           .has_anchor = true,
-          .is_above_zero = true,
           .value = value,
           .slope = slope,
           .measured = measured,
-          .record = record};
+          .record = record,
+          .is_possible = isPossible,
+          .state = stateAnchor};
 }
 
 }  // namespace tubeplan::calibration::distance

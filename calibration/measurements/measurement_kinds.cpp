@@ -80,6 +80,14 @@ double ownNumber(const Measurement& reading, std::string_view name) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+bool statesEnough(const Measurement& reading) {
+  const ValueColumns values = valueColumnsOf(kindOf(reading));
+  const auto isStated = [&](const MeasuredColumn& column) { return std::isfinite(ownNumber(reading, column.name)); };
+  auto stated = std::ranges::count_if(values.numbers, isStated);
+  if (values.has_place && reading.p_W) stated += static_cast<std::ptrdiff_t>(kPlaceColumns.size());
+  return stated >= values.least && isPossible(reading);
+}
+
 void linkReferences(std::vector<Measurement>& readings) {
   const auto isLinked = [](const Measurement& reading) { return reading.reference != nullptr; };
   if (std::none_of(readings.begin(), readings.end(), isLinked)) return;

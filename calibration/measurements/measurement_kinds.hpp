@@ -49,12 +49,41 @@ namespace tubeplan::calibration {
 /// The number of that name among its kind's own; not a number where the kind has none.
 [[nodiscard]] double ownNumber(const Measurement& reading, std::string_view name);
 
+<<<<<<< HEAD
 /// Whether it states how a frame is turned, by roll, pitch and yaw.
 [[nodiscard]] inline bool statesFrame(const Measurement& reading) { return std::isfinite(ownNumber(reading, "roll")); }
+=======
+/// The columns that hold what a kind measures.
+[[nodiscard]] inline ValueColumns valueColumnsOf(const MeasurementKindRow& kind) {
+  return kind.value_columns(kind.columns);
+}
+
+/// Returns whether a kind measures x, y, z, which else are the place of what it is measured from.
+[[nodiscard]] inline bool measuresPlace(const MeasurementKindRow& kind) { return valueColumnsOf(kind).has_place; }
+
+/// Whether the numbers that a reading states may be right: a length without a sign is above zero.
+[[nodiscard]] inline bool isPossible(const Measurement& reading) {
+  const auto is_possible = kindOf(reading).is_possible;
+  return !is_possible || is_possible(reading);
+}
+
+/// Whether a reading states as many numbers as its kind asks for, such as may be right.
+[[nodiscard]] bool statesEnough(const Measurement& reading);
+
+/// What a displacement is taken from; nothing of what is none. It points into the reading.
+[[nodiscard]] inline std::optional<Departure> departureOf(const Measurement& reading) {
+  const auto departure = kindOf(reading).departure;
+  return departure ? std::optional(departure(reading)) : std::nullopt;
+}
+
+/// Whether it is how far the tip moved, which no base's place changes.
+[[nodiscard]] inline bool isDisplacement(const Measurement& reading) { return kindOf(reading).departure != nullptr; }
+>>>>>>> main
 
 /// The reading that a way is taken from; null of readings that are no such way, whatever they were made from.
 [[nodiscard]] inline const Measurement* referenceOf(const Measurement& reading) {
-  return kindOf(reading).is_from_reading ? reading.reference.get() : nullptr;
+  const auto from = departureOf(reading);
+  return from && !from->is_unloaded ? from->reading : nullptr;
 }
 
 /// Takes every reading's reference as it stands among these readings now; one that is not there any more stays as it

@@ -19,14 +19,15 @@ namespace tubeplan::calibration {
   }
   posture.side_q = reading.side_q;
   posture.approach_directions = reading.approach_directions;
-  posture.temperature = reading.temperature;
-  posture.time = reading.time;
+  posture.conditions = reading.conditions;
   posture.setup = reading.setup;
   return posture;
 }
 
-/// The same reading with nothing on its tip.
-[[nodiscard]] inline Measurement unloaded(Measurement reading) {
+/// Of a displacement, the reading that it is taken from: another, or the same with nothing on its tip.
+[[nodiscard]] inline Measurement readingAt(const Departure& from) {
+  Measurement reading = *from.reading;
+  if (!from.is_unloaded) return reading;
   reading.load = 0;
   reading.wrench.reset();
   return reading;
@@ -36,9 +37,11 @@ namespace tubeplan::calibration {
 [[nodiscard]] inline std::optional<deflection::Posture> referencePostureOf(const Measurement& reading,
                                                                            const deflection::Arm& arm,
                                                                            const Eigen::Isometry3d& X_WB) {
-  if (!kindOf(reading).is_displacement) return std::nullopt;
-  if (const auto* from = referenceOf(reading)) return postureOf(*from, arm, X_WB);
-  return postureOf(unloaded(reading), arm, X_WB);
+  const auto from = departureOf(reading);
+  if (!from) return std::nullopt;
+  auto posture = postureOf(*from->reading, arm, X_WB);
+  if (from->is_unloaded) posture.load = 0, posture.wrench.reset();
+  return posture;
 }
 
 }  // namespace tubeplan::calibration

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "calibration/measurements/coordinates.hpp"
 #include "calibration/measurements/partly_seen.hpp"
 #include "deflection/rotation.hpp"
 
@@ -39,14 +40,15 @@ inline MeasurementKindRow kind() {
           .name = "offset",
           .rows_of = partly_seen::statedRows,
           .columns = kColumns,
-          .is_partly_seen = true,
           .names_hole = true,
           .is_by_scale = false,
           .sees_turn = true,
           .value = value,
           .slope = slope,
           .measured = measured,
-          .record = record};
+          .record = record,
+          .value_columns = someOfOwn,
+          .state = coordinates::statePoint};
 }
 
 }  // namespace tubeplan::calibration::offset

@@ -37,13 +37,13 @@ inline MeasurementKindRow kind() {
           .name = "orientation",
           .turn_rows = 3,
           .columns = kColumns,
-          .is_without_place = true,
           .is_by_scale = false,
           .sees_turn = true,
           .value = value,
           .slope = slope,
           .measured = measured,
-          .record = record};
+          .record = record,
+          .lack = nullptr};
 }
 
 }  // namespace tubeplan::calibration::orientation

@@ -56,16 +56,28 @@ inline Eigen::Vector3d nearest(const Surface& surface, const Eigen::Vector3d& p_
 /// Where it touches is the plane's place.
 inline void recordNothing(const ToolPose&, double, const MeasuredValue&, Measurement&) {}
 
+inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string& kind) {
+  if (reading.point.empty())
+    return ReadingLack{"a " + kind + " without a name", "the " + kind + "'s name in the column 'point'",
+                       "readings of one name touched the same"};
+  if (!reading.p_W && !reading.direction_W) return std::nullopt;
+  return ReadingLack{
+      "the place of a reading of kind " + kind, "nothing in x, y, z, dx, dy, dz: where it is, its readings say",
+      "of a plane of known place make readings of kind axis, of a ball of known centre of kind distance"};
+}
+
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kPlane,
           .name = "plane",
           .rows = 1,
-          .is_without_place = true,
           .is_by_scale = false,
           .value = value,
           .slope = slope,
           .measured = measured,
           .record = recordNothing,
+          .lack = lack,
+          .usual_sigma = kTouchSigma,
+          .value_columns = jointsAlone,
           .place_numbers = numbersOf,
           .by_place_numbers = byPlaceNumbers,
           .settle = settle,

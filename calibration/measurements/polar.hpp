@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "calibration/measurements/measurement_kind.hpp"
+#include "calibration/measurements/distance.hpp"
 
 namespace tubeplan::calibration::polar {
 
@@ -58,11 +58,12 @@ inline MeasurementKindRow kind() {
           .columns = kColumns,
           .has_anchor = true,
           .is_from_origin = true,
-          .is_above_zero = true,
           .value = value,
           .slope = slope,
           .measured = measured,
           .record = record,
+          .is_possible = distance::isPossible,
+          .state = distance::stateAnchor,
           .place = place};
 }
 

@@ -38,7 +38,8 @@ inline MeasurementKindRow kind() {
           .value = value,
           .slope = slope,
           .measured = measured,
-          .record = record};
+          .record = record,
+          .value_columns = placeAndOwn};
 }
 
 }  // namespace tubeplan::calibration::pose

@@ -1,37 +1,28 @@
 // Readings predicted on all cores.
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
-#include <atomic>
+#include <functional>
 
 #include "calibration/hooks.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 
+namespace tubeplan::deflection {
+class Kinematics;
+}
+
 namespace tubeplan::calibration {
 
-/// Calls `each(first, count)` for blocks of readings, on all cores; false as soon as one call is, or where it was asked
-/// to stop.
-template <class Each>
-bool inBlocks(std::size_t readings, std::size_t at_once, const StopQuestion& stop, const Each& each) {
-  std::atomic<bool> ok = true;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings, at_once), [&](const auto& range) {
-    if (ok && (shouldStop(stop) || !each(range.begin(), range.size()))) ok = false;
-  });
-  return ok;
-}
+/// Whether joints, load and gravity are all that matters to the model of any of the readings: arms without effects,
+/// tips on which nothing but a load hangs, no frames of rows. Their shapes are solved side by side.
+[[nodiscard]] bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& readings);
 
-/// Calls `each(predictor, k)` for every reading; false as soon as one call is, or where it was asked to stop.
-template <class Each>
-bool predictAll(const PlacedArm& placed, std::size_t readings, const StopQuestion& stop, const Each& each) {
-  constexpr std::size_t kAtOnce = 16;  // readings that share what is prepared of the arm
-  return inBlocks(readings, kAtOnce, stop, [&](std::size_t first, std::size_t count) {
-    ReadingPredictor predictor(placed.arm);
-    for (std::size_t k = first; k < first + count; ++k)
-      if (!each(predictor, k)) return false;
-    return true;
-  });
-}
+/// Calls `each(k, prediction)` for every reading, the order and the thread left open; reading k is made at base pose
+/// `base_pose_of[k]`. False where a shape does not converge, or as soon as it is asked to stop: some are left out then.
+/// `prepared`, where not null, is of the arm, for few readings that are asked for at one base after another.
+[[nodiscard]] bool predictAll(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                              const std::vector<int>& base_pose_of, const PredictionRequest& request,
+                              const StopQuestion& stop,
+                              const std::function<void(std::size_t k, const Prediction& prediction)>& each,
+                              deflection::Kinematics* prepared = nullptr);
 
 }  // namespace tubeplan::calibration

@@ -39,12 +39,11 @@ Measurement conditionsOf(const ProposedMeasurement& proposed) {
   reading.reference = proposed.reference;
   reading.row = proposed.row;
   reading.surface = proposed.surface;
-  if (kindOf(proposed.kind).are_columns_given) reading.own[0] = proposed.given;
+  reading.own[0] = proposed.given;
   reading.sigma = proposed.sigma;
   reading.turn_sigma = proposed.turn_sigma;
   reading.approach_directions = proposed.approach_directions;
-  reading.temperature = proposed.temperature;
-  reading.time = proposed.time;
+  reading.conditions = proposed.conditions;
   return reading;
 }
 
@@ -55,9 +54,8 @@ std::optional<Measurement> expectedReading(const PlacedArm& placed, const Propos
   reading.setup = placed.base_poses.back().setup;
   auto tool = frameAt(placed.arm, X_WB, reading);
   if (!tool) return std::nullopt;
-  if (kind.is_displacement) {
-    const Measurement* from = referenceOf(reading);
-    const auto rest = toolAt(placed.arm, X_WB, from ? *from : unloaded(reading));
+  if (const auto from = departureOf(reading)) {
+    const auto rest = toolAt(placed.arm, X_WB, readingAt(*from));
     if (!rest) return std::nullopt;
     tool->p_W -= rest->p_W;
   }

@@ -30,10 +30,9 @@ struct ProposedMeasurement {
   std::optional<Surface> surface;                           ///< that `point` is taken to be, of kinds that touch one
   double given = std::numeric_limits<double>::quiet_NaN();  ///< m, of it what its own column states (a ball's radius)
   double sigma = std::numeric_limits<double>::quiet_NaN();  ///< m, that a coordinate would have
-  double turn_sigma = std::numeric_limits<double>::quiet_NaN();   ///< rad, that an angle would have
-  std::vector<int> approach_directions;                           ///< in which the joints are to arrive
-  double temperature = std::numeric_limits<double>::quiet_NaN();  ///< K, that is expected
-  double time = std::numeric_limits<double>::quiet_NaN();         ///< s, of which nothing earlier can be read
+  double turn_sigma = std::numeric_limits<double>::quiet_NaN();  ///< rad, that an angle would have
+  std::vector<int> approach_directions;                          ///< in which the joints are to arrive
+  deflection::ConditionValues conditions;  ///< that are expected; nothing can be read before the time among them
 };
 
 /// Return whether a proposed reading touches a point whose place is, or is not, known.

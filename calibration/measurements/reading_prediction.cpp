@@ -1,110 +1,24 @@
 #include "calibration/measurements/reading_prediction.hpp"
 
 #include <cassert>
-#include <cmath>
-#include <utility>
 
-#include "deflection/effects/effect.hpp"
-#include "deflection/rotation.hpp"
+#include "calibration/measurements/frame_motion.hpp"
 #include "deflection/tip_differentiation.hpp"
 
 namespace tubeplan::calibration {
 
-using Eigen::Matrix3d, Eigen::Matrix3Xd, Eigen::MatrixXd, Eigen::Vector3d;
+using Eigen::Matrix3d, Eigen::MatrixXd;
 
 namespace {
 
-bool isMeasurementScale(const deflection::Arm& arm, const deflection::Variable& variable) {
-  if (variable.type != deflection::Variable::Type::kParameter || variable.parameter.effect < 0) return false;
-  const auto& effect = arm.effects.at(static_cast<std::size_t>(variable.parameter.effect));
-  return deflection::effectKinds().at(static_cast<std::size_t>(effect.kind)).stage ==
-         deflection::EffectStage::kMeasurement;
-}
-
-/// True lengths to measured ones, where the arm carries an error of the measuring scale: the first rows, all but turns.
-/// Touches of unknown points measure nothing in the world.
-void scaleCoordinates(const deflection::Arm& arm, const Measurement& reading, const PredictionRequest& request,
-                      Prediction& prediction) {
-  const double scale = deflection::measurementScale(arm);
-  const Eigen::Index rows = prediction.value.size() - kindOf(reading).turn_rows;
-  if (!kindOf(reading).is_by_scale) return;
-  for (std::size_t k = 0; k < request.numbers.size(); ++k) {
-    auto column = prediction.by_numbers.col(static_cast<Eigen::Index>(k)).head(rows);
-    if (isMeasurementScale(arm, request.numbers[k]))
-      column = prediction.value.head(rows);
-    else if (scale != 1)
-      column *= scale;
-  }
-  if (scale == 1) return;
-  prediction.value.head(rows) *= scale;
-  if (prediction.by_base.size()) prediction.by_base.topRows(rows) *= scale;
-  if (prediction.by_joints.size()) prediction.by_joints.topRows(rows) *= scale;
-}
-
-/// The pose of the tool, or of a row's frame, with its derivatives, 6 rows: its place [m], then the turn [rad] about
-/// the world's axes.
-struct ToolPrediction {
-  bool ok = false;
-  ToolPose pose;
-  Eigen::MatrixXd by_numbers, by_base, by_joints;
-};
-
-ToolPrediction predictTool(deflection::TipDifferentiation& tip, const Eigen::Isometry3d& X_WB,
-                           const deflection::Posture& posture, const PredictionRequest& request,
-                           const std::optional<int>& row = {}) {
-  std::vector<deflection::Variable> variables = request.numbers;
-  const auto numbers = static_cast<Eigen::Index>(variables.size());
-  if (request.by_base)
-    for (int axis = 0; axis < 3; ++axis) variables.push_back(deflection::Variable::gravityTurn(axis));
-  if (request.by_joints)
-    for (int joint = 0; joint < posture.q.size(); ++joint) variables.push_back(deflection::Variable::joint(joint));
-  ToolPrediction tool;
-  const Matrix3d R = X_WB.linear();
-  tool.ok = (row ? tip.solveRow(*row, posture, variables) : tip.solve(posture, variables)) ==
-            deflection::KinematicsStatus::kConverged;
+/// The tool's frame, or a row's, and its motion; false where the shape does not converge.
+bool solveFrame(deflection::TipDifferentiation& tip, const deflection::Posture& posture,
+                const std::vector<deflection::Variable>& variables, const std::optional<int>& row, FrameMotion& frame) {
+  const auto status = row ? tip.solveRow(*row, posture, variables) : tip.solve(posture, variables);
   const auto X_BF = row ? tip.arm().X_BL(*row) : tip.arm().X_BD();
-  const Vector3d r_W = R * X_BF.p;
-  tool.pose = {X_WB.translation() + r_W, R * X_BF.R};
-  if (variables.empty()) return tool;
-  MatrixXd by(6, tip.columns().cols());
-  by << R * tip.columns().topRows<3>(), R * tip.columns().bottomRows<3>();
-  tool.by_numbers = by.leftCols(numbers);
-  if (request.by_base) {
-    tool.by_base = MatrixXd::Identity(6, 6);
-    // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
-    tool.by_base.rightCols<3>() -= by.middleCols<3>(numbers) * R.transpose();
-    tool.by_base.topRightCorner<3, 3>() -= deflection::crossMatrix<double>(r_W);
-  }
-  if (request.by_joints) tool.by_joints = by.rightCols(posture.q.size());
-  return tool;
-}
-
-/// From the tool to what is measured of it; of a displacement to how far the tip is from where it rests unloaded.
-Prediction measured(const Measurement& reading, const ToolPrediction& tool) {
-  const MeasuredSlope slope = predictedSlope(reading, tool.pose);
-  const auto seen = [&](const MatrixXd& by) -> MatrixXd {
-    if (by.size() == 0) return {};
-    MatrixXd rows = slope.by_place * by.topRows<3>();
-    if (slope.by_turn.size()) rows += slope.by_turn * by.bottomRows<3>();
-    return rows;
-  };
-  return {tool.ok, predictedValue(reading, tool.pose), seen(tool.by_numbers), seen(tool.by_base), seen(tool.by_joints)};
-}
-
-/// `shares_joints` where both stand at the same joint readings, and so share the encoders' noise.
-void subtract(ToolPrediction& a, const ToolPrediction& b, bool shares_joints) {
-  a.ok = a.ok && b.ok;
-  a.pose.p_W -= b.pose.p_W;
-  if (a.by_numbers.size()) a.by_numbers -= b.by_numbers;
-  if (a.by_base.size()) a.by_base -= b.by_base;
-  if (!a.by_joints.size()) return;
-  if (shares_joints) {
-    a.by_joints -= b.by_joints;
-    return;
-  }
-  MatrixXd both(6, 2 * a.by_joints.cols());
-  both << a.by_joints, -b.by_joints;
-  a.by_joints = std::move(both);
+  frame = {X_BF.p, X_BF.R, tip.columns()};
+  if (!row) frame.R_BF *= toolFrame(tip.arm().effective());
+  return status == deflection::KinematicsStatus::kConverged;
 }
 
 /// Of the tool, or of a row's frame.
@@ -126,11 +40,12 @@ ReadingPredictor::~ReadingPredictor() = default;
 
 Prediction ReadingPredictor::predictTip(const Eigen::Isometry3d& X_WB, const deflection::Posture& posture,
                                         const PredictionRequest& request) {
-  const ToolPrediction tool = predictTool(*tip_, X_WB, posture, request);
-  const auto placeOf = [](const MatrixXd& by) -> MatrixXd {
-    return by.size() ? MatrixXd(by.topRows<3>()) : MatrixXd();
-  };
-  return {tool.ok, tool.pose.p_W, placeOf(tool.by_numbers), placeOf(tool.by_base), placeOf(tool.by_joints)};
+  FrameMotion frame;
+  Prediction prediction;
+  prediction.ok = solveFrame(*tip_, posture, variablesOf(request, arm_), std::nullopt, frame);
+  prediction.value = X_WB * frame.p_BF;
+  if (request.asksForSlopes()) deriveOf(frame, {Matrix3d::Identity(), {}}, X_WB, request, false, prediction);
+  return prediction;
 }
 
 Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
@@ -140,12 +55,16 @@ Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X
 
 Prediction ReadingPredictor::predict(const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                      const PredictionRequest& request) {
-  ToolPrediction tool = predictTool(*tip_, X_WB, postureOf(reading, arm_, X_WB), request, reading.row);
-  if (!reading.row) tool.pose.R_WT *= toolFrame(tip_->arm().effective());
-  if (const auto from = referencePostureOf(reading, arm_, X_WB))
-    subtract(tool, predictTool(*tip_, X_WB, *from, request), !referenceOf(reading));
-  Prediction prediction = measured(reading, tool);
-  if (!touchesUnknownPoint(reading)) scaleCoordinates(arm_, reading, request, prediction);
+  const auto variables = variablesOf(request, arm_);
+  FrameMotion frame;
+  Prediction prediction;
+  prediction.ok = solveFrame(*tip_, postureOf(reading, arm_, X_WB), variables, reading.row, frame);
+  if (const auto from = referencePostureOf(reading, arm_, X_WB)) {
+    FrameMotion reference;
+    prediction.ok = solveFrame(*tip_, *from, variables, std::nullopt, reference) && prediction.ok;
+    frame.takeOff(reference, ownJointsOf(reading, request, arm_));
+  }
+  predictOf(frame, arm_, X_WB, reading, request, prediction);
   return prediction;
 }
 

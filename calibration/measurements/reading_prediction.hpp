@@ -21,6 +21,8 @@ struct PredictionRequest {
   std::vector<deflection::Variable> numbers;  ///< of the arm; also any other variable of the tip
   bool by_base = false;
   bool by_joints = false;
+
+  [[nodiscard]] bool asksForSlopes() const { return !numbers.empty() || by_base || by_joints; }
 };
 
 /// What the reading's kind measures of the tool (measurements/): up to 6 rows, m.

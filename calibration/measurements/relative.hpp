@@ -23,11 +23,25 @@ inline MeasuredValue measured(const Measurement& reading) {
   return reading.p_W ? MeasuredValue(*reading.p_W) : distance::measured(reading);
 }
 
+/// The way's coordinates or its length, not both.
+inline bool isPossible(const Measurement& reading) {
+  return reading.p_W ? std::isnan(reading.own[0]) : distance::isPossible(reading);
+}
+
+/// From where the tip was at the other reading; until that is known, from where it rests unloaded.
+inline Departure departure(const Measurement& reading) {
+  return reading.reference ? Departure{reading.reference.get(), false} : Departure{&reading, true};
+}
+
 inline MeasurementKindRow kind() {
   MeasurementKindRow row = coordinates::row(MeasurementKind::kRelative, "relative");
   row.rows_of = rowsOf;
   row.columns = distance::kColumns;
-  row.is_displacement = row.is_from_reading = row.is_above_zero = true;
+  row.is_from_reading = true;
+  row.lack = nullptr;
+  row.departure = departure;
+  row.value_columns = placeOrOwn;
+  row.is_possible = isPossible;
   row.value = value;
   row.slope = slope;
   row.measured = measured;

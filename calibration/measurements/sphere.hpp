@@ -12,6 +12,9 @@ namespace tubeplan::calibration::sphere {
 
 inline constexpr std::array<MeasuredColumn, 1> kColumns{{{"radius", deflection::Quantity::kLength}}};
 
+/// The radius is given, where it is.
+inline bool isPossible(const Measurement& reading) { return !(reading.own[0] <= 0); }
+
 inline bool isRadiusKnown(const Measurement& reading) { return !std::isnan(reading.own[0]); }
 inline int numbersOf(const Measurement& reading) { return isRadiusKnown(reading) ? 3 : 4; }
 
@@ -120,7 +123,7 @@ inline MeasurementKindRow kind() {
   row.kind = MeasurementKind::kSphere;
   row.name = "sphere";
   row.columns = kColumns;
-  row.are_columns_given = row.is_above_zero = true;
+  row.is_possible = isPossible;
   row.value = value;
   row.slope = slope;
   row.place_numbers = numbersOf;

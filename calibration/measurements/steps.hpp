@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "calibration/measurements/measurement_kind.hpp"
+#include "calibration/measurements/coordinates.hpp"
 
 namespace tubeplan::calibration::steps {
 
@@ -57,7 +57,9 @@ inline MeasurementKindRow kind() {
           .value = value,
           .slope = slope,
           .measured = measured,
-          .record = record};
+          .record = record,
+          .usual_sigma = kVisitSigma,
+          .state = coordinates::statePoint};
 }
 
 }  // namespace tubeplan::calibration::steps

@@ -38,14 +38,14 @@ inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Mea
   reading.own = partly_seen::without(angles + noise.tail<3>() / kTurnLever, unseen);
 }
 
+inline void state(const KnownPlaces& places, Measurement& reading) { reading.direction_W = places.up_W; }
+
 inline MeasurementKindRow kind() {
   return {.kind = MeasurementKind::kTilt,
           .name = "tilt",
           .turn_rows = 3,
           .rows_of = partly_seen::statedRows,
           .columns = kColumns,
-          .is_without_place = true,
-          .is_partly_seen = true,
           .is_to_gravity = true,
           .is_by_scale = false,
           .sees_turn = true,
@@ -53,7 +53,10 @@ inline MeasurementKindRow kind() {
           .value = value,
           .slope = slope,
           .measured = measured,
-          .record = record};
+          .record = record,
+          .lack = nullptr,
+          .value_columns = someOfOwn,
+          .state = state};
 }
 
 }  // namespace tubeplan::calibration::tilt

@@ -8,10 +8,19 @@ namespace tubeplan::calibration::touch {
 /// Where it rests is its point's place, known or not.
 inline void recordNothing(const ToolPose&, double, const MeasuredValue&, Measurement&) {}
 
+inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string&) {
+  if (!reading.point.empty()) return std::nullopt;
+  return ReadingLack{"a touch without a point", "the point's name in the column 'point'"};
+}
+
 inline MeasurementKindRow kind() {
   MeasurementKindRow row = coordinates::row(MeasurementKind::kTouch, "touch");
   row.is_touch = row.is_place = row.names_hole = row.is_centring = true;
   row.record = recordNothing;
+  row.lack = lack;
+  row.usual_sigma = kTouchSigma;
+  row.value_columns = jointsAlone;
+  row.state = coordinates::statePoint;
   return row;
 }
 

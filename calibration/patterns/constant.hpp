@@ -9,7 +9,7 @@ namespace tubeplan::calibration::patterns::constant {
 
 inline std::vector<Variable> variables(const ReadingScene& scene) {
   const auto n = static_cast<Eigen::Index>(scene.readings.size());
-  return {{"constant", VariableUnit::kNone, Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Ones(n, 1), {}}};
+  return {{"constant", {}, Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Ones(n, 1), {}}};
 }
 
 inline PatternKind kind() { return {.name = "constant", .needs = "readings", .variables = variables}; }

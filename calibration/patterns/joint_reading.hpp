@@ -17,7 +17,7 @@ inline std::vector<Variable> variables(const ReadingScene& scene) {
   for (Eigen::Index j = 0; j < scene.placed.arm.jointCount(); ++j) {
     const auto& joint = scene.placed.arm.joint(j);
     const bool slides = joint.type == deflection::JointType::kPrismatic;
-    Variable variable{joint.name, slides ? VariableUnit::kLength : VariableUnit::kAngle, {}, {}, {}};
+    Variable variable{joint.name, {slides ? deflection::Quantity::kLength : deflection::Quantity::kAngle}, {}, {}, {}};
     variable.value.resize(static_cast<Eigen::Index>(scene.readings.size()));
     for (std::size_t k = 0; k < scene.readings.size(); ++k)
       variable.value[static_cast<Eigen::Index>(k)] = scene.readings[k].q[j];

@@ -10,7 +10,7 @@ namespace tubeplan::calibration::patterns::joint_sense {
 inline std::vector<Variable> variables(const ReadingScene& scene) {
   std::vector<Variable> list;
   for (Eigen::Index j = 0; j < scene.placed.arm.jointCount(); ++j) {
-    Variable variable{"sense of " + scene.placed.arm.joint(j).name, VariableUnit::kNone, {}, {}, {}};
+    Variable variable{"sense of " + scene.placed.arm.joint(j).name, {}, {}, {}, {}};
     variable.value.resize(static_cast<Eigen::Index>(scene.readings.size()));
     for (std::size_t k = 0; k < scene.readings.size(); ++k) {
       const auto& approach_directions = scene.readings[k].approach_directions;

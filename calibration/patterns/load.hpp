@@ -10,8 +10,11 @@
 namespace tubeplan::calibration::patterns::load {
 
 inline std::vector<Variable> variables(const ReadingScene& scene) {
-  Variable variable{
-      "load", VariableUnit::kForce, Eigen::VectorXd(static_cast<Eigen::Index>(scene.readings.size())), {}, {}};
+  Variable variable{"load",
+                    {deflection::Quantity::kForce},
+                    Eigen::VectorXd(static_cast<Eigen::Index>(scene.readings.size())),
+                    {},
+                    {}};
   std::set<double> loads;
   for (std::size_t k = 0; k < scene.readings.size(); ++k) {
     variable.value[static_cast<Eigen::Index>(k)] = scene.readings[k].load;

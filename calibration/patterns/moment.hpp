@@ -34,7 +34,7 @@ inline std::vector<Variable> variables(const ReadingScene& scene) {
   for (std::size_t row = 0; row < scene.placed.arm.rows.size(); ++row)
     for (int axis = 0; axis < 3; ++axis) {
       Variable variable{"moment " + scene.placed.arm.rows[row].name + "." + "xyz" [axis],
-                        VariableUnit::kTorque,
+                        { deflection::Quantity::kTorque },
                         momentsAbout(scene, static_cast<Eigen::Index>(row), axis),
                         {},
                         {}};

@@ -10,8 +10,7 @@ namespace tubeplan::calibration::patterns::order {
 inline std::vector<Variable> variables(const ReadingScene& scene) {
   const auto n = static_cast<Eigen::Index>(scene.readings.size());
   if (n < 4) return {};
-  Variable variable{
-      "order of the readings", VariableUnit::kNone, Eigen::VectorXd::LinSpaced(n, 1, static_cast<double>(n)), {}, {}};
+  Variable variable{"order of the readings", {}, Eigen::VectorXd::LinSpaced(n, 1, static_cast<double>(n)), {}, {}};
   variable.basis = slowWaves(variable.value);
   return {variable};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,6 @@
 #include "calibration/placed_arm.hpp"
 
 namespace tubeplan::calibration {
-
-/// What a variable is measured in; says how it is printed.
-enum class VariableUnit { kNone, kAngle, kLength, kForce, kTorque, kTemperature, kTime };
 
 /// The readings, and what the model says of each beyond the error.
 struct ReadingScene {
@@ -37,7 +35,7 @@ struct ReadingScene {
 /// One variable at all readings, and the small basis of functions of it that is tried.
 struct Variable {
   std::string name;  ///< "theta3", "moment forearm.z"
-  VariableUnit unit = VariableUnit::kNone;
+  deflection::ValueUnit unit;
   Eigen::VectorXd value;  ///< of each reading, internal units; NaN where not stated; of groups: the group's number
   Eigen::MatrixXd basis;  ///< readings x functions; zero where not stated; empty of groups
   std::vector<std::string> groups;  ///< names of the groups, where the variable is the group a reading belongs to
@@ -46,8 +44,8 @@ struct Variable {
 /// One row of the table.
 struct PatternKind {
   const char* name;
-  const char* needs;                                        ///< what the readings must have to be asked
-  std::vector<Variable> (*variables)(const ReadingScene&);  ///< empty where the readings do not have it
+  std::string needs;                                                    ///< what the readings must have to be asked
+  std::function<std::vector<Variable>(const ReadingScene&)> variables;  ///< empty where the readings do not have it
 };
 
 const std::vector<PatternKind>& patternKinds();

@@ -29,7 +29,7 @@ struct TrendStep {
 struct PatternTest {
   std::string kind;      ///< row of the table
   std::string variable;  ///< its name
-  VariableUnit unit = VariableUnit::kNone;
+  deflection::ValueUnit unit;
   PatternFrame frame = PatternFrame::kWorld;
   double fall = 0;  ///< of chi-square
   int numbers = 0;  ///< columns that were not absorbed

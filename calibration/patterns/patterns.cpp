@@ -8,6 +8,7 @@
 
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/measurements/surfaces.hpp"
+#include "calibration/patterns/condition.hpp"
 #include "calibration/patterns/constant.hpp"
 #include "calibration/patterns/joint_reading.hpp"
 #include "calibration/patterns/joint_sense.hpp"
@@ -18,8 +19,6 @@
 #include "calibration/patterns/place.hpp"
 #include "calibration/patterns/point.hpp"
 #include "calibration/patterns/setup.hpp"
-#include "calibration/patterns/temperature.hpp"
-#include "calibration/patterns/time.hpp"
 
 namespace tubeplan::calibration {
 
@@ -51,12 +50,14 @@ std::pair<double, double> rangeOf(const VectorXd& value) {
 }  // namespace
 
 const std::vector<PatternKind>& patternKinds() {
-  static const std::vector<PatternKind> kKinds = {
-      patterns::constant::kind(), patterns::joint_reading::kind(), patterns::joint_sense::kind(),
-      patterns::load::kind(),     patterns::moment::kind(),        patterns::temperature::kind(),
-      patterns::time::kind(),     patterns::order::kind(),         patterns::place::kind(),
-      patterns::point::kind(),    patterns::setup::kind(),
-  };
+  static const std::vector<PatternKind> kKinds = [] {
+    std::vector<PatternKind> kinds = {patterns::constant::kind(), patterns::joint_reading::kind(),
+                                      patterns::joint_sense::kind(), patterns::load::kind(), patterns::moment::kind()};
+    for (const auto& condition : deflection::kConditionKinds) kinds.push_back(patterns::condition::kind(condition));
+    for (auto* kind : {patterns::order::kind, patterns::place::kind, patterns::point::kind, patterns::setup::kind})
+      kinds.push_back(kind());
+    return kinds;
+  }();
   return kKinds;
 }
 
@@ -136,7 +137,7 @@ MatrixXd fasterWaves(const VectorXd& value) {
 }
 
 Variable groupVariable(const std::string& name, const std::vector<std::string>& group_of_reading) {
-  Variable variable{name, VariableUnit::kNone, VectorXd(static_cast<Index>(group_of_reading.size())), {}, {}};
+  Variable variable{name, {}, VectorXd(static_cast<Index>(group_of_reading.size())), {}, {}};
   std::map<std::string, std::size_t> index;
   for (std::size_t k = 0; k < group_of_reading.size(); ++k) {
     const auto [at, is_new] = index.emplace(group_of_reading[k], index.size());

@@ -23,7 +23,7 @@ inline std::vector<Variable> variables(const ReadingScene& scene) {
   const double least = kLeastShare * deflection::reachOf(scene.placed.arm);
   std::vector<Variable> list;
   for (int axis = 0; axis < 3; ++axis) {
-    Variable variable{std::string("position ") + "xyz"[axis], VariableUnit::kLength, at.row(axis), {}, {}};
+    Variable variable{std::string("position ") + "xyz" [axis], { deflection::Quantity::kLength }, at.row(axis), {}, {}};
     if (variable.value.maxCoeff() - variable.value.minCoeff() < least) continue;
     variable.basis.resize(variable.value.size(), 2);
     variable.basis.col(0) = centred(variable.value, [](double p) { return p; });

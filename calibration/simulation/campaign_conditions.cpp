@@ -13,6 +13,8 @@ namespace {
 constexpr double kWidest = deflection::kFullTurn / 2;  // rad or m, of a side chain's joint without limits
 constexpr double kNoMotion = 1e-9;                     // rad or m: less is no motion
 
+bool swings(const deflection::ConditionKind& kind) { return kind.swing.amplitude > 0 || kind.swing.flutter > 0; }
+
 }  // namespace
 
 std::vector<int> ReadingConditions::approach_directions(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
@@ -30,26 +32,36 @@ ConditionSeries::ConditionSeries(const deflection::Arm& arm, const CampaignPace&
       noise_factor_(noiseFactor(design)),
       turn_sigma_(design.turn_sigma),
       push_(design.push),
-      reference_(arm.reference_temperature),
       period_(std::min(pace.longest_period, readings * (pace.shortest + pace.longest))),
+      usual_(arm.reference),
       conditions_(seed, CampaignRandom::Stream::kConditions),
       noise_(seed, CampaignRandom::Stream::kNoise),
       pushes_(seed, CampaignRandom::Stream::kPushes),
       side_chains_(seed, CampaignRandom::Stream::kSideChains) {
   for (const auto* joint : deflection::sideJoints(arm))
     side_limits_.emplace_back(std::max(joint->lower, -kWidest), std::min(joint->upper, kWidest));
-  phase_ = conditions_.uniform(0, deflection::kFullTurn);
+  for (const auto& kind : deflection::kConditionKinds)
+    if (swings(kind)) phases_[kind.condition] = conditions_.uniform(0, deflection::kFullTurn);
   for (const auto& joint : arm.joints()) encoder_sigmas_.push_back(joint.encoder_sigma);
+}
+
+/// Whatever swings follows the clock. Draws are in the table's order.
+void ConditionSeries::drawConditions(deflection::ConditionValues& stated) {
+  const double wait = conditions_.uniform(pace_.shortest, pace_.longest);
+  time_ += is_first_ ? 0 : wait;
+  is_first_ = false;
+  stated[Condition::kTime] = time_;
+  for (const auto& kind : deflection::kConditionKinds) {
+    if (!swings(kind)) continue;
+    const double phase = deflection::kFullTurn * time_ / period_ + phases_[kind.condition];
+    stated[kind.condition] =
+        usual_[kind.condition] + kind.swing.amplitude * std::sin(phase) + conditions_.normal(kind.swing.flutter);
+  }
 }
 
 ReadingConditions ConditionSeries::next() {
   ReadingConditions reading;
-  const double wait = conditions_.uniform(pace_.shortest, pace_.longest);
-  time_ += is_first_ ? 0 : wait;
-  is_first_ = false;
-  reading.time = time_;
-  reading.temperature = reference_ + pace_.swing * std::sin(deflection::kFullTurn * time_ / period_ + phase_) +
-                        conditions_.normal(pace_.flutter);
+  drawConditions(reading.stated);
   for (std::size_t k = 0; k < encoder_sigmas_.size(); ++k) {
     reading.turns.push_back(conditions_.uniform(0, 1) < pace_.overshoot ? -1 : 1);
     reading.rests.push_back(conditions_.uniform(0, 1) < 0.5 ? -1 : 1);

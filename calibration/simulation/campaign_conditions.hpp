@@ -1,4 +1,5 @@
-// What a simulated reading is taken under: when, how warm, in which sense each joint arrived, and with what noise.
+// What a simulated reading is taken under: when, under which conditions, in which sense each joint
+// arrived, and with what noise.
 #pragma once
 
 #include "calibration/measurement.hpp"
@@ -10,17 +11,14 @@ namespace tubeplan::calibration {
 
 struct CampaignPace {
   double shortest = 60, longest = 180;  ///< s between two readings
-  double swing = 6;                     ///< K, amplitude of the slow drift about the arm's reference temperature
-  double longest_period = 28800;        ///< s, of that drift; a campaign sees half a period at least
-  double flutter = 0.3;                 ///< K, one standard deviation of what comes on top at each reading
+  double longest_period = 28800;        ///< s, of the conditions' swings; a campaign sees half a period at least
   double overshoot = 0.5;               ///< how often a joint passes its goal and comes back
 };
 
 /// Those of one reading, drawn before its posture is known.
 struct ReadingConditions {
-  double time = 0;         ///< s since the campaign began
-  double temperature = 0;  ///< K
-  std::vector<int> turns;  ///< of each joint: +1 it stops where it arrives, -1 it passes and comes back
+  deflection::ConditionValues stated;  ///< time: since the campaign began
+  std::vector<int> turns;              ///< of each joint: +1 it stops where it arrives, -1 it passes and comes back
   std::vector<int> rests;  ///< of each joint, the sense in which one that need not move comes back to its place
   Eigen::Vector3d coordinate_noise = Eigen::Vector3d::Zero();  ///< m
   Eigen::Vector3d turn_noise = Eigen::Vector3d::Zero();        ///< rad
@@ -41,9 +39,12 @@ class ConditionSeries {
   [[nodiscard]] ReadingConditions next();
 
  private:
+  void drawConditions(deflection::ConditionValues& stated);
+
   CampaignPace pace_;
   Eigen::Matrix3d noise_factor_;
-  double turn_sigma_, push_, reference_, period_, phase_ = 0, time_ = 0;
+  double turn_sigma_, push_, period_, time_ = 0;
+  deflection::ConditionValues usual_, phases_;
   std::vector<double> encoder_sigmas_;
   std::vector<std::pair<double, double>> side_limits_;
   bool is_first_ = true;

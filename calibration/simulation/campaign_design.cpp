@@ -70,7 +70,7 @@ std::string findLoadProblem(const CampaignDesign& design) {
   if (loads.empty()) return "no loads";
   if (!std::all_of(loads.begin(), loads.end(), [](double load) { return std::isfinite(load) && load >= 0; }))
     return "a load that is negative or not finite";
-  if (kindOf(design.kind).is_displacement && !kindOf(design.kind).is_from_reading &&
+  if (kindOf(design.kind).departure && !kindOf(design.kind).is_from_reading &&
       *std::min_element(loads.begin(), loads.end()) <= 0)
     return "a deflection without a load, which is zero";
   const bool is_seen = !kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "calibration/measurement.hpp"
+#include "calibration/measurements/measurement_kind.hpp"
 
 namespace tubeplan::calibration {
 
@@ -20,10 +20,7 @@ enum class CampaignPlace {
   kHoles,     ///< at holes of the sheet: in them for a touch, below them for what looks at them
 };
 
-inline constexpr double kPositionSigma = 7.62e-5;  ///< m per coordinate, of a tracker (0.003 in)
-inline constexpr double kAngleSigma = 8.7e-5;      ///< rad, of an inclinometer or a six-degree probe (0.005 deg)
-inline constexpr double kVisitSigma = 7.62e-4;     ///< m per coordinate, of a tip brought under a hole (0.030 in)
-inline constexpr double kTouchSigma = 1.27e-4;     ///< m per coordinate, of a tip centred by hand (0.005 in)
+inline constexpr double kAngleSigma = 8.7e-5;  ///< rad, of an inclinometer or a six-degree probe (0.005 deg)
 
 struct CampaignDesign {
   std::string name;

@@ -17,20 +17,15 @@ std::optional<ToolPose> toolIn(const deflection::Arm& arm, const CampaignSite& s
   return toolAt(arm, site.X_WB, reading, kShapeExactly);
 }
 
-/// What the reading states beside what it measures.
-void stateConditions(const deflection::Arm& arm, const CampaignDesign& design, const std::optional<Vector3d>& point_W,
-                     Measurement& reading) {
-  const MeasurementKindRow& kind = kindOf(reading);
-  if (kind.names_hole && (!kind.is_touch || design.points_known)) reading.p_W = point_W;
-  if (kind.has_anchor) reading.p_W = design.anchor_W.value_or(Vector3d::Zero());
-  if (kind.has_direction) reading.direction_W = design.direction_W;
-  if (kind.is_to_gravity) reading.direction_W = -arm.gravity_W;
+/// What is known of where readings of that point are taken.
+KnownPlaces knownPlaces(const deflection::Arm& arm, const CampaignDesign& design,
+                        const std::optional<Vector3d>& point_W) {
+  return {design.points_known ? point_W : std::nullopt, design.anchor_W, design.direction_W, -arm.gravity_W};
 }
 
-/// Of each row [m]; a tip that is centred has its noise in where it is.
+/// Of each row [m]; kinds whose tip is centred take none, for theirs is in where it stands.
 MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& conditions) {
   MeasuredValue noise = MeasuredValue::Zero(kind.rows);
-  if (kind.is_centring) return noise;
   const int turns = kind.turn_rows;
   noise.head(kind.rows - turns) = conditions.coordinate_noise.head(kind.rows - turns);
   noise.tail(turns) = kTurnLever * conditions.turn_noise.head(turns);
@@ -41,8 +36,8 @@ MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& c
 PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, const ReadingConditions& conditions,
                        ToolPose tool, const std::optional<Surface>& surface, Measurement& reading) {
   const MeasurementKindRow& kind = kindOf(reading);
-  if (kind.is_displacement && !kind.is_from_reading) {
-    const auto rest = toolIn(arm, site, unloaded(reading));
+  if (const auto from = departureOf(reading); from && !kind.is_from_reading) {
+    const auto rest = toolIn(arm, site, readingAt(*from));
     if (!rest) return PostureRefusal::kNotConverged;
     tool.p_W -= rest->p_W;
   }
@@ -54,7 +49,7 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
   reading.surface = surface;
   kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), reading);
   reading.surface.reset();  // nobody knows it
-  return kind.is_above_zero && reading.own[0] <= 0 ? PostureRefusal::kOutsideRegion : PostureRefusal::kNone;
+  return isPossible(reading) ? PostureRefusal::kNone : PostureRefusal::kOutsideRegion;
 }
 
 Measurement readingUnder(const CampaignDesign& design, const CampaignSite& site, std::size_t index,
@@ -75,8 +70,7 @@ Measurement readingUnder(const CampaignDesign& design, const CampaignSite& site,
     reading.correlation_W = design.correlation_W;
   }
   if (design.turn_sigma > 0 && kind.turn_rows > 0) reading.turn_sigma = design.turn_sigma;
-  reading.temperature = conditions.temperature;
-  reading.time = conditions.time;
+  reading.conditions = conditions.stated;
   return reading;
 }
 
@@ -183,7 +177,7 @@ PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingCond
   }
   const TipTrial trial = check(site, reading);
   if (trial.refusal != PostureRefusal::kNone) return trial.refusal;
-  stateConditions(arm_, design_, taken.p_W, reading);
+  if (const auto state = kindOf(reading).state) state(knownPlaces(arm_, design_, taken.p_W), reading);
   tip_W = trial.tool.p_W;
   return measure(arm_, site, conditions, trial.tool, taken.surface, reading);
 }

@@ -14,8 +14,9 @@ namespace tubeplan::deflection::base_drift {
 
 template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
-  if (std::isnan(context.asked.time)) return;
-  for (int k = 0; k < 3; ++k) context.X_BM.p[k] += effect.values[k] * context.asked.time;
+  const double time = context.asked.conditions[Condition::kTime];
+  if (std::isnan(time)) return;
+  for (int k = 0; k < 3; ++k) context.X_BM.p[k] += effect.values[k] * time;
 }
 
 inline EffectKind kind() {
@@ -29,8 +30,8 @@ inline EffectKind kind() {
           .word = "base",
           .odds = 0.5,
           .odds_reason = "creep of a mount is slow",
-          .varies_with = {EffectVariable::kTime},
-          .needs = {.time = true},
+          .varies_with = {Condition::kTime},
+          .needs = {},
           .parameters = {{"x", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-6},
                          {"y", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-6},
                          {"z", Quantity::kSpeed, 0, -kUnbounded, kUnbounded, 1e-6}},

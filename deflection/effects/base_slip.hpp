@@ -12,7 +12,7 @@ namespace tubeplan::deflection::base_slip {
 
 template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
-  if (context.asked.time < valueOf(effect.values[4])) return;
+  if (context.asked.conditions[Condition::kTime] < valueOf(effect.values[4])) return;
   for (int k = 0; k < 3; ++k) context.X_BM.p[k] += effect.values[k];
   context.X_BM.R = context.X_BM.R * rotationZ<S>(effect.values[3]);
 }
@@ -28,8 +28,8 @@ inline EffectKind kind() {
           .word = "base",
           .odds = 1,
           .odds_reason = "clamps yield once",
-          .varies_with = {EffectVariable::kTime},
-          .needs = {.time = true},
+          .varies_with = {Condition::kTime},
+          .needs = {},
           .parameters = {{"x", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
                          {"y", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},
                          {"z", Quantity::kLength, 0, -kUnbounded, kUnbounded, 0.02},

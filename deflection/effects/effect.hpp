@@ -25,10 +25,26 @@ struct EffectParameter {
   double (*least)(const Arm&, const Place&) = nullptr;  ///< in the place of `lower`, where the arm decides it
 };
 
-/// What a law may hang on.
-enum class EffectVariable { kJoint, kDirection, kLoad, kMoment, kTemperature, kTime, kPosition, kSetup };
+/// What a law may hang on: one of these, or a condition.
+class EffectVariable {
+ public:
+  enum Of { kJoint, kDirection, kLoad, kMoment, kPosition, kSetup };
 
-/// joint, sense, load, moment, temperature, time, position, set-up
+  constexpr EffectVariable(Of of) : of_(of) {}                              // NOLINT: a table's entry
+  constexpr EffectVariable(Condition condition) : condition_(condition) {}  // NOLINT: a table's entry
+
+  [[nodiscard]] constexpr std::optional<Condition> condition() const { return condition_; }
+  [[nodiscard]] constexpr bool is(Of of) const { return !condition_ && of_ == of; }
+  [[nodiscard]] constexpr bool operator==(const EffectVariable&) const = default;
+
+ private:
+  friend const char* nameOf(EffectVariable variable);
+
+  Of of_ = kJoint;  // unless it is a condition
+  std::optional<Condition> condition_;
+};
+
+/// joint, sense, load, moment, position, set-up, or a condition's name
 [[nodiscard]] const char* nameOf(EffectVariable variable);
 
 /// What an effect acts on.
@@ -38,11 +54,11 @@ enum class EffectStage { kReading, kGeometry, kLoad, kFlexibility, kBase, kMeasu
 /// kind's fixed word.
 enum class PlaceRule { kJoint, kJointPair, kLink, kRowAxis, kSetup, kWord };
 
-/// What there must be for an effect to be seen: columns of the measurements, a hung load, moments at all (weights of
-/// the arm, or a load), an arm whose weights nobody stated, or readings that the tool's turn reaches.
+/// What there must be for an effect to be seen, beside the conditions that it varies with: columns of the measurements,
+/// a hung load, moments at all (weights of the arm, or a load), an arm whose weights nobody stated, or readings that
+/// the tool's turn reaches.
 struct EffectNeeds {
-  bool approach_directions = false, temperature = false, time = false, load = false, moments = false,
-       no_weights = false, tool_turn = false;
+  bool approach_directions = false, load = false, moments = false, no_weights = false, tool_turn = false;
 };
 
 /// One row of the effect table.
@@ -68,6 +84,9 @@ struct EffectKind {
 };
 
 const std::vector<EffectKind>& effectKinds();
+
+/// The conditions that it varies with, which readings must state for it to be seen.
+[[nodiscard]] std::vector<Condition> conditionsOf(const EffectKind& kind);
 
 /// The row of the catalogue that an effect is of.
 [[nodiscard]] const EffectKind& kindOf(const Effect& effect);

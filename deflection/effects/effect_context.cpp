@@ -24,7 +24,7 @@ void copyWithoutEffects(const ArmOf<S>& from, ArmOf<S>& to) {
   to.tool_axis_L = from.tool_axis_L;
   to.R_LT = from.R_LT;
   to.tool_turn_L = from.tool_turn_L;
-  to.reference_temperature = from.reference_temperature;
+  to.reference = from.reference;
   to.tip_load = from.tip_load;
 }
 

@@ -55,7 +55,8 @@ const std::vector<EffectKind>& effectKinds() {
 }
 
 const char* nameOf(EffectVariable variable) {
-  switch (variable) {
+  if (const auto condition = variable.condition()) return kindOf(*condition).name;
+  switch (variable.of_) {
     case EffectVariable::kJoint:
       return "joint";
     case EffectVariable::kDirection:
@@ -64,16 +65,19 @@ const char* nameOf(EffectVariable variable) {
       return "load";
     case EffectVariable::kMoment:
       return "moment";
-    case EffectVariable::kTemperature:
-      return "temperature";
-    case EffectVariable::kTime:
-      return "time";
     case EffectVariable::kPosition:
       return "position";
     case EffectVariable::kSetup:
       return "set-up";
   }
   return "";
+}
+
+std::vector<Condition> conditionsOf(const EffectKind& kind) {
+  std::vector<Condition> conditions;
+  for (const EffectVariable variable : kind.varies_with)
+    if (const auto condition = variable.condition()) conditions.push_back(*condition);
+  return conditions;
 }
 
 const EffectKind& kindOf(const Effect& effect) { return effectKinds().at(static_cast<std::size_t>(effect.kind)); }

@@ -173,6 +173,9 @@ class Expression::Borrowed {
 Expression::Expression(std::unique_ptr<Pool> pool) : pool_(std::move(pool)) {}
 Expression::~Expression() = default;
 
+namespace {
+
+/// Names that a text may call as functions.
 const std::vector<std::string>& expressionFunctions() {
   static const std::vector<std::string> kFunctions = [] {
     const std::lock_guard lock(buildMutex());
@@ -183,6 +186,8 @@ const std::vector<std::string>& expressionFunctions() {
   }();
   return kFunctions;
 }
+
+}  // namespace
 
 std::shared_ptr<const Expression> Expression::parse(const std::string& text, ExpressionProblem& problem) {
   if (const auto foreign = findForeign(text)) {

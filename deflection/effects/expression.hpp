@@ -51,7 +51,4 @@ class Expression {
   std::unique_ptr<Pool> pool_;
 };
 
-/// Names that a text may call as functions.
-[[nodiscard]] const std::vector<std::string>& expressionFunctions();
-
 }  // namespace tubeplan::deflection

@@ -246,8 +246,10 @@ std::vector<NamedSymbol> formulaSymbols(const Arm& arm, const FormulaUnits& unit
       symbols.push_back({"moment_" + symbolNameOf(arm.rows[row].name) + "_" + "xyz" [axis],
                          { Of::kMoment, row, axis, units.force *units.length, 0 }});
   symbols.push_back({"load", {Of::kLoad, -1, -1, units.force, 0}});
-  symbols.push_back({"temperature", {Of::kTemperature, -1, -1, units.temperature, units.temperature_zero}});
-  symbols.push_back({"time", {Of::kTime, -1, -1, units.time, 0}});
+  for (const ConditionKind& kind : kConditionKinds) {
+    const auto& [unit, zero] = units.conditions[kind.condition];
+    symbols.push_back({kind.name, {Of::kCondition, -1, -1, unit, zero, kind.condition}});
+  }
   return symbols;
 }
 

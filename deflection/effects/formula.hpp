@@ -4,9 +4,9 @@
 // base.x, base.y, base.z, base.yaw (the base stands shifted and turned, as base-slip's).
 // Symbols: a joint's name (its reading: radians, of a slide a length), JOINT_dir (the sense of its last motion, -1, 0,
 // 1), moment_ROW_x, _y, _z (about the axes of a row, of the arm undeflected under its weights and the hung load), load,
-// temperature, time. In names with other signs than letters and digits those become _. A reading without a temperature
-// has the arm's reference temperature, one without a time is at zero.
-// Numbers are those of the file's units: lengths, forces, temperatures and times among the symbols have them, and the
+// the conditions by their names. In names with other signs than letters and digits those become _. A reading without
+// a condition has the arm's reference value of it.
+// Numbers are those of the file's units: lengths, forces and conditions among the symbols have them, and the
 // expression's value has the target's, an angle's degrees where the file has degrees.
 // All other names are parameters. The largest set of them in which the formula is linear, and without which it is
 // nothing, are its sizes: they start at 0 and have the target's unit. The others are shapes: plain numbers that need a
@@ -23,9 +23,15 @@
 
 namespace tubeplan::deflection {
 
-/// A file's units in internal ones; a temperature is (number + temperature_zero) * temperature [K].
+/// Of a condition: its internal value is (number + zero) * unit.
+struct ConditionScale {
+  double unit = 1, zero = 0;
+};
+
+/// A file's units in internal ones.
 struct FormulaUnits {
-  double length = 1, angle = 1, force = 1, temperature = 1, temperature_zero = 0, time = 1;
+  double length = 1, angle = 1, force = 1;
+  OfEachCondition<ConditionScale> conditions{};
 };
 
 struct FormulaTarget {
@@ -37,10 +43,11 @@ struct FormulaTarget {
 
 /// What a name in an expression stands for: (internal value) / unit - zero.
 struct FormulaSymbol {
-  enum class Of { kJoint, kApproachDirection, kMoment, kLoad, kTemperature, kTime };
+  enum class Of { kJoint, kApproachDirection, kMoment, kLoad, kCondition };
   Of of = Of::kLoad;
   int row = -1, axis = -1;
   double unit = 1, zero = 0;
+  Condition condition{};  ///< of kCondition
 };
 
 struct NamedSymbol {

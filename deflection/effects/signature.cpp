@@ -20,13 +20,13 @@ constexpr double kOfReach = 1e-9;   // what rounding alone may leave of a shift
 constexpr double kOfRange = 0.05;   // of a joint's range, kept from its limits
 
 /// Half of what a real machine has, and an event half way through the sweep of time.
-Effect ofUsualSize(const Arm& arm, Effect effect, double duration) {
+Effect ofUsualSize(const Arm& arm, Effect effect) {
   const auto& numbers = numbersOf(effect);
   for (std::size_t v = 0; v < numbers.size(); ++v) {
     const auto bounds = numberOf(arm, effect, static_cast<int>(v));
     double value = numbers[v].neutral;
     if (numbers[v].quantity == Quantity::kTime && numbers[v].is_shape)
-      value = duration / 2;
+      value = kindOf(Condition::kTime).sweep.high / 2;
     else if (std::isfinite(numbers[v].plausible))
       value += numbers[v].plausible / 2;
     effect.values[v] = std::clamp(value, bounds.lower, bounds.upper);
@@ -49,7 +49,7 @@ class Sweeper {
  public:
   Sweeper(const Arm& arm, const Effect& effect, const Vector3d& gravity_B, const SignatureOptions& options)
       : options_(options), without_(arm), with_(arm) {
-    with_.effects.push_back(ofUsualSize(arm, effect, options.duration));
+    with_.effects.push_back(ofUsualSize(arm, effect));
     const Index joints = arm.jointCount();
     middle_.q.resize(joints);
     for (Index j = 0; j < joints; ++j) {
@@ -61,8 +61,8 @@ class Sweeper {
     middle_.gravity_B = gravity_B;
     middle_.load = options.most_load / 2;
     middle_.approach_directions.assign(static_cast<std::size_t>(joints), 1);
-    middle_.temperature = arm.reference_temperature + options.temperatures / 2;
-    middle_.time = 0.75 * options.duration;
+    for (const ConditionKind& kind : kConditionKinds)
+      middle_.conditions[kind.condition] = arm.reference[kind.condition] + kind.sweep.otherwise;
   }
 
   Signature best() {
@@ -75,14 +75,18 @@ class Sweeper {
     }
     if (options_.most_load > 0)
       sweep(EffectVariable::kLoad, -1, {0, options_.most_load}, [](Posture& posture, double at) { posture.load = at; });
-    const double reference = without_.reference_temperature;
-    sweep(EffectVariable::kTemperature, -1, {reference - options_.temperatures, reference + options_.temperatures},
-          [](Posture& posture, double at) { posture.temperature = at; });
-    sweep(EffectVariable::kTime, -1, {0, options_.duration}, [](Posture& posture, double at) { posture.time = at; });
+    for (const ConditionKind& kind : kConditionKinds)
+      if (kind.sweep.low < kind.sweep.high) sweepCondition(kind);
     return std::move(best_);
   }
 
  private:
+  void sweepCondition(const ConditionKind& kind) {
+    const double usual = without_.reference[kind.condition];
+    sweep(kind.condition, -1, {usual + kind.sweep.low, usual + kind.sweep.high},
+          [&](Posture& posture, double at) { posture.conditions[kind.condition] = at; });
+  }
+
   /// In the tool frame, where a base that turns with the first joint does not turn it.
   [[nodiscard]] Vector3d shiftAt(const Posture& posture) const {
     const auto without = solveFlexibleKinematics(without_, posture), with = solveFlexibleKinematics(with_, posture);
@@ -93,7 +97,7 @@ class Sweeper {
 
   template <class Set>
   void sweep(EffectVariable kind, int joint, Range range, Set set) {
-    const int steps = kind == EffectVariable::kDirection ? 1 : options_.steps;
+    const int steps = kind.is(EffectVariable::kDirection) ? 1 : options_.steps;
     Signature found{kind, joint, {}, {}};
     Matrix3Xd shifts(3, steps + 1);
     for (int k = 0; k <= steps; ++k) {
@@ -106,9 +110,8 @@ class Sweeper {
   }
 
   [[nodiscard]] double weightOf(const Signature& found) const {
-    using enum EffectVariable;
-    if (found.kind == kLoad) return 1;
-    if (found.kind != kJoint) return kOfCondition;
+    if (found.kind->is(EffectVariable::kLoad)) return 1;
+    if (!found.kind->is(EffectVariable::kJoint)) return kOfCondition;
     const int row = activeRows(without_)[static_cast<std::size_t>(found.joint)];
     const Place& place = with_.effects.back().place;
     return row == place.row || row == place.other ? kOfOwnJoint : 1;

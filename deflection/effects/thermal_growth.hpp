@@ -20,6 +20,7 @@ void grow(const Row<S>& given, Row<S>& row, const S& strain) {
   if (auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement)) {
     const auto& drawn = std::get<DenavitHartenberg<S>>(given.placement);
     dh->a += drawn.a * strain;
+    dh->b += drawn.b * strain;
     dh->d += drawn.d * strain;
   } else {
     std::get<Origin<S>>(row.placement).position += std::get<Origin<S>>(given.placement).position * strain;
@@ -28,8 +29,9 @@ void grow(const Row<S>& given, Row<S>& row, const S& strain) {
 
 template <class S>
 void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
-  if (std::isnan(context.asked.temperature)) return;
-  const S strain = effect.values[0] * (context.asked.temperature - context.given.reference_temperature);
+  const double temperature = context.asked.conditions[Condition::kTemperature];
+  if (std::isnan(temperature)) return;
+  const S strain = effect.values[0] * (temperature - context.given.reference[Condition::kTemperature]);
   bool moves = false;
   for (std::size_t i = 0; i < context.given.rows.size(); ++i) {
     const Row<S>& given = context.given.rows[i];
@@ -50,8 +52,8 @@ inline EffectKind kind() {
           .word = "arm",
           .odds = 1,
           .odds_reason = "halls warm by some degrees during a shift",
-          .varies_with = {EffectVariable::kTemperature},
-          .needs = {.temperature = true},
+          .varies_with = {Condition::kTemperature},
+          .needs = {},
           .parameters = {{"expansion", Quantity::kPerTemperature, 0, -0.01, 0.01, 1e-4}},
           .places = places::theOnly,
           .apply = apply<double>,

@@ -32,10 +32,10 @@ S valueOf(const FormulaSymbol& symbol, EffectContext<S>& context) {
       return inUnit(rigidMomentOf(context, symbol.row)[symbol.axis]);
     case Of::kLoad:
       return inUnit(asked.load);
-    case Of::kTemperature:
-      return inUnit(S(std::isnan(asked.temperature) ? given.reference_temperature : asked.temperature));
-    case Of::kTime:
-      return inUnit(S(std::isnan(asked.time) ? 0 : asked.time));
+    case Of::kCondition: {
+      const double stated = asked.conditions[symbol.condition];
+      return inUnit(S(std::isnan(stated) ? given.reference[symbol.condition] : stated));
+    }
   }
   return S(0);
 }

@@ -11,7 +11,7 @@ namespace tubeplan::deflection {
 
 namespace {
 
-using Eigen::Matrix, Eigen::Vector3d, Eigen::VectorXd;
+using Eigen::Dynamic, Eigen::Index, Eigen::Matrix, Eigen::Vector3d, Eigen::VectorXd;
 constexpr double kMoved = 1e-4;  ///< of the axes, as a share of the reach and in rad
 
 /// Even in any number of dimensions: the n-th of a low-discrepancy sequence in (-1, 1).
@@ -30,33 +30,37 @@ AxesAtZero movedALittle(AxesAtZero axes, double reach) {
   return axes;
 }
 
-/// Where a matrix polynomial a + b x + c x^2 is singular. x = (1 + y) / (1 - y) makes all that is asked of it that it
-/// be regular at one place.
-template <int N>
-std::vector<std::complex<double>> rootsOf(const std::array<Matrix<double, N, N>, 3>& polynomial) {
+/// Matrices of both sizes of loop, without memory from the heap. The solvers are compiled for this one type: instances
+/// of fixed sizes take the compiler ten times as long.
+using Matrices = Matrix<double, Dynamic, Dynamic, 0, 14, 12>;
+using Companion = Matrix<double, Dynamic, Dynamic, 0, 24, 24>;
+
+/// Returns where the matrix polynomial a + b x + c x^2 is singular. x = (1 + y) / (1 - y) makes all that is asked of it
+/// that it be regular at one place.
+std::vector<std::complex<double>> rootsOf(const std::array<Matrices, 3>& polynomial) {
   const auto& [a, b, c] = polynomial;
-  const Eigen::PartialPivLU<Matrix<double, N, N>> lead(a - b + c);
-  Matrix<double, 2 * N, 2 * N> companion = Matrix<double, 2 * N, 2 * N>::Zero();
-  companion.template topRightCorner<N, N>().setIdentity();
-  companion.template bottomLeftCorner<N, N>() = -lead.solve(a + b + c);
-  companion.template bottomRightCorner<N, N>() = -lead.solve(2 * (c - a));
+  const Index n = a.rows();
+  const Eigen::PartialPivLU<Companion> lead(a - b + c);
+  Companion companion = Companion::Zero(2 * n, 2 * n);
+  companion.topRightCorner(n, n).setIdentity();
+  companion.bottomLeftCorner(n, n) = -lead.solve(Companion(a + b + c));
+  companion.bottomRightCorner(n, n) = -lead.solve(Companion(2 * (c - a)));
   if (!companion.allFinite()) return {};
-  const Eigen::EigenSolver<Matrix<double, 2 * N, 2 * N>> eigen(companion, false);
+  const Eigen::EigenSolver<Companion> eigen(companion, false);
   if (eigen.info() != Eigen::Success) return {};
   std::vector<std::complex<double>> roots;
   for (const std::complex<double>& y : eigen.eigenvalues()) roots.push_back((1. + y) / (1. - y));
   return roots;
 }
 
-/// The direction that a matrix which is all but singular takes to nothing.
-template <int N>
-Matrix<double, N, 1> nullVector(Matrix<double, N, N> m) {
+/// Returns the direction that a matrix which is all but singular takes to nothing.
+Matrix<double, Dynamic, 1, 0, 12, 1> nullVector(Matrices m) {
+  const Index n = m.rows();
   m.rowwise().normalize();
-  const Eigen::ColPivHouseholderQR<Matrix<double, N, N>> qr(m);
-  Matrix<double, N, 1> v = Matrix<double, N, 1>::Ones();
-  const Matrix<double, N, N> R = qr.matrixR();
-  v.template head<N - 1>() = -R.template topLeftCorner<N - 1, N - 1>().template triangularView<Eigen::Upper>().solve(
-      R.col(N - 1).template head<N - 1>());
+  const Eigen::ColPivHouseholderQR<Matrices> qr(m);
+  Matrix<double, Dynamic, 1, 0, 12, 1> v = Matrix<double, Dynamic, 1, 0, 12, 1>::Ones(n);
+  const Matrices R = qr.matrixR();
+  v.head(n - 1) = -R.topLeftCorner(n - 1, n - 1).triangularView<Eigen::Upper>().solve(R.col(n - 1).head(n - 1));
   return qr.colsPermutation() * v;
 }
 
@@ -74,8 +78,8 @@ template <int Size>
 struct ClosedLoop<Size>::Sides {
   Outer outer;
   /// Of all equations but that of 1, terms but that of 1.
-  Eigen::ColPivHouseholderQR<Matrix<double, Size - 1, kOuterTerms - 1>> outer_solver;
-  std::array<Matrix<double, kUnknowns, kUnknowns>, 3> polynomial;
+  Eigen::ColPivHouseholderQR<Matrices> outer_solver;
+  std::array<Matrices, 3> polynomial;
 };
 
 template <int Size>
@@ -187,7 +191,7 @@ Closure<Size> ClosedLoop<Size>::innerSide(const VectorXd& q) const {
 template <int Size>
 VectorXd ClosedLoop<Size>::readingsAt(const Sides& sides, double x) const {
   VectorXd q(kJoints);
-  setInner(nullVector<kUnknowns>(sides.polynomial[0] + x * (sides.polynomial[1] + x * sides.polynomial[2])), x, q);
+  setInner(nullVector(sides.polynomial[0] + x * (sides.polynomial[1] + x * sides.polynomial[2])), x, q);
   // The outer joints' terms, that of 1 left out, are what the goal then asks of them.
   const Matrix<double, kOuterTerms - 1, 1> outer =
       sides.outer_solver.solve((innerSide(q) - sides.outer.col(0)).template head<Size - 1>());
@@ -215,13 +219,13 @@ void ClosedLoop<Size>::addRoots(const Vector3d& p_B, const Vector3d& axis_B, dou
   const Eigen::Matrix<double, kEquations, 3 * kInnerTerms> left = equations.template bottomRows<kEquations>();
   for (int a = 0; a < 3; ++a) {
     auto& m = sides.polynomial[static_cast<std::size_t>(a)];
-    m.setZero();
+    m.setZero(kUnknowns, kUnknowns);
     constexpr int kNext = kUnknowns - kInnerTerms;  // columns by which a power more of the eliminated joint shifts
     const auto terms = left.template middleCols<kInnerTerms>(a * kInnerTerms);
     m.template topLeftCorner<kEquations, kInnerTerms>() = terms;
     m.template block<kEquations, kInnerTerms>(kEquations, kNext) = terms;
   }
-  for (const std::complex<double>& x : rootsOf<kUnknowns>(sides.polynomial)) {
+  for (const std::complex<double>& x : rootsOf(sides.polynomial)) {
     if (x.imag() < 0) continue;
     const double imaginary = slides_[kOuter] ? x.imag() : 2 * x.imag() / (1 + x.real() * x.real());
     if (!(imaginary <= most_imaginary)) continue;

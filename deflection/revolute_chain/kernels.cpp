@@ -30,13 +30,12 @@ void meet(const RevoluteArm&, const Tool&, const Goals&, Reached&);
 namespace {
 
 std::vector<Kernel> runnable() {
-  std::vector<Kernel> found{{"none", 1, one_lane::solve, one_lane::place, one_lane::meet},
-                            {"none", 2, two_lanes::solve, two_lanes::place, two_lanes::meet}};
+  std::vector<Kernel> found{{1, one_lane::solve, one_lane::place, one_lane::meet},
+                            {2, two_lanes::solve, two_lanes::place, two_lanes::meet}};
 #ifdef TUBEPLAN_X86_KERNELS
-  if (__builtin_cpu_supports("avx2"))
-    found.push_back({"avx2", 4, four_lanes::solve, four_lanes::place, four_lanes::meet});
+  if (__builtin_cpu_supports("avx2")) found.push_back({4, four_lanes::solve, four_lanes::place, four_lanes::meet});
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-    found.push_back({"avx512f", 8, eight_lanes::solve, eight_lanes::place, eight_lanes::meet});
+    found.push_back({8, eight_lanes::solve, eight_lanes::place, eight_lanes::meet});
 #endif
   return found;
 }

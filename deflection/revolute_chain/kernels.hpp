@@ -9,7 +9,6 @@
 namespace tubeplan::deflection::simd {
 
 struct Kernel {
-  const char* instructions;  ///< what the processor must have
   int lanes;
   SolveShapes solve;
   PlaceRows place;

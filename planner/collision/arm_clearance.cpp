@@ -117,7 +117,7 @@ ArmClearance::ArmClearance(const Workcell& cell, double padding)
     : cell_(cell),
       padding_(cell, padding),
       arms_(std::make_unique<PreparedArms>(cell)),
-      travel_(armTravelOf(cell, CollisionWorld(cell.scene).bodyReach())) {
+      travel_(armTravelOf(cell, bodyReachOf(cell.scene))) {
   travel_.bound.reach_per_joint *= 1 + padding_.slope();
 }
 

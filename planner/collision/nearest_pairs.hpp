@@ -1,4 +1,4 @@
-// The nearest pair of many placed postures at once: what CollisionWorld::closest says of each, found side by side.
+// The nearest pair of many placed postures at once: of each the one with the least margin, found side by side.
 //
 // Capsules are measured by kernels, from planes, spheres, boxes, cylinders and each other
 // (kernels/distance_kernel.hpp). For every other pair (a mesh, an arm's body that is no capsule) a kernel gives a lower

@@ -26,7 +26,7 @@ struct TravelBound {
 struct LinkReach {
   double step =
       0;  ///< m; greatest distance between the origins of this link's frame and the next one's (unused for the last)
-  double body = 0;  ///< m; greatest distance of a body point from the frame's origin (CollisionWorld::bodyReach)
+  double body = 0;  ///< m; greatest distance of a body point from the frame's origin (bodyReachOf)
   enum class Joint {
     kNone,
     kRevolute,

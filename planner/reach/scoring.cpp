@@ -1,7 +1,5 @@
 #include "planner/reach/scoring.hpp"
 
-#include <cassert>
-
 namespace tubeplan::planner {
 
 Centring scoreVisit(TipPrediction& tips, const Workcell& truth, const Eigen::Vector3d& hole_W, const TubeBranch& visit,
@@ -22,15 +20,6 @@ Centring scoreVisit(const Workcell& truth, const Eigen::Vector3d& hole_W, const 
                     const Eigen::Vector3d& tip_error_W) {
   TipPrediction tips(truth);
   return scoreVisit(tips, truth, hole_W, visit, tip_error_W);
-}
-
-std::vector<Centring> scoreVisits(const Workcell& truth, std::span<const Eigen::Vector3d> holes_W,
-                                  std::span<const TubeBranch> visits) {
-  assert(holes_W.size() == visits.size());
-  TipPrediction tips(truth);
-  std::vector<Centring> scores;
-  for (std::size_t k = 0; k < visits.size(); ++k) scores.push_back(scoreVisit(tips, truth, holes_W[k], visits[k]));
-  return scores;
 }
 
 std::vector<int> countSteps(const std::vector<Centring>& scores, int steps) {

@@ -1,7 +1,6 @@
 // How well the tool is centred under each hole by the true arm, and how far the stepped tool would go in.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "planner/reach/tip_prediction.hpp"
@@ -30,10 +29,6 @@ struct Centring {
 [[nodiscard]] Centring scoreVisit(TipPrediction& tips, const Workcell& truth, const Eigen::Vector3d& hole_W,
                                   const TubeBranch& visit,
                                   const Eigen::Vector3d& tip_error_W = Eigen::Vector3d::Zero());
-
-/// Visits of one truth: `visits[k]` under `holes_W[k]`.
-[[nodiscard]] std::vector<Centring> scoreVisits(const Workcell& truth, std::span<const Eigen::Vector3d> holes_W,
-                                                std::span<const TubeBranch> visits);
 
 /// How many of the scored visits took 0, 1, ... steps.
 [[nodiscard]] std::vector<int> countSteps(const std::vector<Centring>& scores, int steps);

@@ -16,7 +16,6 @@ class MeshShape : public Shape {
   [[nodiscard]] Separation separationFrom(const Eigen::Isometry3d& X_FB, const Solid& body) const override;
   [[nodiscard]] Separation separationFrom(const Capsule& body_F) const override;
   [[nodiscard]] bool isFartherThan(double distance, const Capsule& body_F) const override;
-  [[nodiscard]] bool isSearched() const override { return true; }
 
   [[nodiscard]] const MeshSurvey& survey() const { return survey_; }
   [[nodiscard]] const TriangleTree& tree() const { return tree_; }

@@ -47,9 +47,6 @@ class Shape {
   /// Whether the shape is known to be `distance` [m] or more from the capsule, where that is found quicker than how
   /// far.
   [[nodiscard]] virtual bool isFartherThan(double /*distance*/, const Capsule& /*body_F*/) const { return false; }
-
-  /// Whether a distance takes a search among many parts, so that what is quicker had better be asked first.
-  [[nodiscard]] virtual bool isSearched() const { return false; }
 };
 
 using ShapePointer = std::shared_ptr<const Shape>;

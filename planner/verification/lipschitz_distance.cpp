@@ -112,9 +112,4 @@ double LipschitzMargins::at(std::span<const Eigen::Isometry3d> X_WL, double accu
   return enough - scene_.clearance;
 }
 
-double lipschitzMargin(const Scene& scene, std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share,
-                       std::string* names) {
-  return LipschitzMargins(scene).at(X_WL, accuracy, share, names);
-}
-
 }  // namespace tubeplan::planner

@@ -61,8 +61,4 @@ class LipschitzMargins {
   std::vector<Look> looks_;
 };
 
-/// The same of one posture.
-[[nodiscard]] double lipschitzMargin(const Scene& scene, std::span<const Eigen::Isometry3d> X_WL, double accuracy,
-                                     double share, std::string* names);
-
 }  // namespace tubeplan::planner

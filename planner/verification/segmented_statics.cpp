@@ -40,9 +40,9 @@ struct Placement {
 };
 Placement placementOf(const Row& row) {
   if (const auto* dh = std::get_if<deflection::DenavitHartenberg<double>>(&row.placement)) {
-    const Matrix3d to_axis =
-        (AngleAxisd(dh->alpha, Vector3d::UnitX()) * AngleAxisd(dh->beta, Vector3d::UnitY())).toRotationMatrix();
-    return {Vector3d(dh->a, 0, 0) + to_axis * Vector3d(0, 0, dh->d),
+    const AngleAxisd twist(dh->alpha, Vector3d::UnitX());
+    const Matrix3d to_axis = (twist * AngleAxisd(dh->beta, Vector3d::UnitY())).toRotationMatrix();
+    return {Vector3d(dh->a, 0, 0) + twist * Vector3d(0, dh->b, 0) + to_axis * Vector3d(0, 0, dh->d),
             to_axis * AngleAxisd(dh->theta, Vector3d::UnitZ()).toRotationMatrix()};
   }
   const auto& origin = std::get<deflection::Origin<double>>(row.placement);

@@ -45,11 +45,11 @@ inline std::vector<Measurement> makeCampaign(const deflection::Arm& truth, std::
     reading.q[1] += 1.2;
     for (Eigen::Index j = 0; j < truth.jointCount(); ++j)
       reading.approach_directions.push_back(share(random) < 0.5 ? -1 : 1);
-    reading.temperature = truth.reference_temperature + 20 * (share(random) - 0.5);
+    reading.conditions[Condition::kTemperature] = truth.reference[Condition::kTemperature] + 20 * (share(random) - 0.5);
     reading.sigma = plan.stated;
     for (int again = 0; again < plan.repeats; ++again) {
       Measurement one = reading;
-      one.time = 60. * static_cast<double>(readings.size());
+      one.conditions[Condition::kTime] = 60. * static_cast<double>(readings.size());
       one.id = std::to_string(readings.size() + 1);
       one.p_W = predictReading(truth, Eigen::Isometry3d::Identity(), one).value;
       for (int c = 0; c < 3; ++c) (*one.p_W)[c] += plan.noise * normal(random);

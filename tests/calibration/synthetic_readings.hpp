@@ -162,7 +162,7 @@ class ReadingMaker {
     ToolPose tool = *frameAt(truth_.arm, X_WB, m);
     Measurement unloaded = m;
     unloaded.load = 0;
-    if (kindOf(m).is_displacement && !kindOf(m).is_from_reading) tool.p_W -= toolAt(truth_.arm, X_WB, unloaded)->p_W;
+    if (kindOf(m).departure && !kindOf(m).is_from_reading) tool.p_W -= toolAt(truth_.arm, X_WB, unloaded)->p_W;
     return tool;
   }
 
@@ -248,7 +248,7 @@ inline void addUntouched(ReadingMaker& maker, int count, const std::string& setu
   for (const MeasurementKindRow& row : measurementKinds())
     if (!row.is_touch && !row.settle) maker.add(row.kind, count, setup);
   for (std::size_t k = first; k < maker.readings.size(); k += 2)
-    if (!kindOf(maker.readings[k]).is_displacement) maker.readings[k].p_TQ = Eigen::Vector3d(0.03, -0.02, 0.05);
+    if (!isDisplacement(maker.readings[k])) maker.readings[k].p_TQ = Eigen::Vector3d(0.03, -0.02, 0.05);
 }
 
 /// A few readings of positions, displacements, lengths and touches, known and unknown points, at a set-up.

@@ -60,6 +60,7 @@ PARTS = [
          [DEFLECTION_TEST]),
     Part("residuals", "calibration",
          own("calibration/estimation/campaign_residual.cpp", "calibration/estimation/whitened_residual.cpp",
+             "calibration/measurements/frame_motion.cpp", "calibration/measurements/predict_all.cpp",
              "calibration/measurements/reading_prediction.cpp"),
          [(CALIBRATION_TEST, "*")]),
     Part("evidence", "calibration",

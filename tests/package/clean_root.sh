@@ -32,7 +32,7 @@ inside apt-get install -qq -y --no-install-recommends /root/tubeplan.deb > "$roo
 installed=$(date +%s.%N)
 inside tubeplan plan $cells/mockup.yaml --tubes spread:60 --touches auto --truth $cells/mockup-true.yaml --seed 1 --out /root/demo
 shown=$(date +%s.%N)
-grep -q '<footer' "$root/root/demo/report.html"
+grep -q 'The arm from the side' "$root/root/demo/report.html"
 inside tubeplan verify $cells/mockup.yaml /root/demo
 inside tubeplan --version
 

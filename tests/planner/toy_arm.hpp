@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/motion/motion_planner.hpp"
+#include "tests/planner/collision_world.hpp"
 #include "tests/planner/random_draws.hpp"
 
 namespace tubeplan::planner::testing {
@@ -59,9 +60,10 @@ struct ToyArm {
   }
 
   TravelBound travel(const CollisionWorld& world) const {
+    const std::vector<double> body_reach = bodyReachOf(world.scene());
     std::vector<LinkReach> reach;
     for (std::size_t i = 0; i < lengths.size(); ++i)
-      reach.push_back({lengths[i], world.bodyReach()[i], LinkReach::Joint::kRevolute});
+      reach.push_back({lengths[i], body_reach[i], LinkReach::Joint::kRevolute});
     return travelBoundOf(reach, 1.0);
   }
 

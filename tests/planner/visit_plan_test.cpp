@@ -9,6 +9,7 @@
 #include "planner/timing/flowing_timing.hpp"
 #include "planner/travel_network.hpp"
 #include "planner/verification/plan_checks.hpp"
+#include "tests/planner/collision_world.hpp"
 #include "tests/planner/plan_bytes.hpp"
 #include "tests/planner/workcell.hpp"
 

@@ -55,7 +55,7 @@ class StepChanceTrials {
     for (int k = 0; k < static_cast<int>(table.size()); ++k) {
       const auto& kind = table[static_cast<std::size_t>(k)];
       const bool is_seen =
-          !kind.needs.time && !kind.needs.temperature && !kind.needs.approach_directions && !kind.needs.load;
+          deflection::conditionsOf(kind).empty() && !kind.needs.approach_directions && !kind.needs.load;
       if (is_seen && kind.places && !kind.parameters.empty() && kind.stage != deflection::EffectStage::kMeasurement &&
           kind.at != deflection::PlaceRule::kSetup && !kind.places(model_.arm).empty())
         kinds_.push_back(k);

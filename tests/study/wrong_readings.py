@@ -200,8 +200,9 @@ def contradictions(command, figures):
             found.append(f"adequate at p = {refit['p_value']}")
         if figures["verdict"] == "falls-short" and not figures["grounds"]:
             found.append("falls short on no ground")
-    if command == "identify" and (figures.get("p_value") or 1) < 1e-6 and not figures["warnings"] and not figures.get("checks"):
-        found.append(f"p = {figures['p_value']} without a word")
+    if command == "identify" and figures["p_value"] is not None and figures["p_value"] < 1e-6:
+        if figures["adequacy"] != "falls-short" and not figures["warnings"]:
+            found.append(f"p = {figures['p_value']} without a word")
     if command not in ("compare", "diagnose"):
         return found
     numbers = [rms.get(key) for key in ("noise_floor", "before")]

@@ -19,7 +19,7 @@ TEST_P(RoundTrip, IsExactInEveryUnit) {
   for (std::size_t i = 0; i < sheet.tubes.size(); i += 7) sheet.tubes[i].state = static_cast<TubeState>(i % 7);
   for (const LengthUnit& unit : lengthUnits()) {
     const HoleMap map = parseHoleMap(formatHoleMap(sheet, unit));
-    ASSERT_EQ(map.status, HoleMapStatus::kRead) << map.problem->sentence();
+    ASSERT_EQ(map.status, TubeTextStatus::kRead) << map.problem->sentence();
     ASSERT_EQ(map.tubes.size(), sheet.tubes.size());
     for (std::size_t i = 0; i < sheet.tubes.size(); ++i) {
       EXPECT_EQ(map.tubes[i].row, sheet.tubes[i].row);
@@ -69,7 +69,7 @@ TEST(ParseHoleMap, ReadsColumnsInAnyOrderWithUnitsLegAndStates) {
       "# drilled 1988\r\n\r\n"
       "CL,plugged,-25.4,50.8,3,2,\"leaks, see log\"\r\n"
       "cold,,-5e1,0,1,1,\r\n");
-  ASSERT_EQ(map.status, HoleMapStatus::kRead) << map.problem->sentence();
+  ASSERT_EQ(map.status, TubeTextStatus::kRead) << map.problem->sentence();
   ASSERT_EQ(map.tubes.size(), 2u);
   EXPECT_EQ(map.leg, Leg::kCold);
   EXPECT_EQ(map.tubes[0].row, 2);
@@ -83,7 +83,7 @@ TEST(ParseHoleMap, ReadsColumnsInAnyOrderWithUnitsLegAndStates) {
 
 TEST(ParseHoleMap, TheStateColumnIsOptional) {
   const HoleMap map = parseHoleMap("row,column,x_m,y_m\n1,1,0.5,0.25\n");
-  ASSERT_EQ(map.status, HoleMapStatus::kRead);
+  ASSERT_EQ(map.status, TubeTextStatus::kRead);
   EXPECT_EQ(map.tubes[0].x, 0.5);
   EXPECT_EQ(map.tubes[0].state, TubeState::kOpen);
   EXPECT_FALSE(map.leg.has_value());
@@ -102,7 +102,7 @@ class RefusedHoleMap : public testing::TestWithParam<BadText> {};
 
 TEST_P(RefusedHoleMap, SaysWhereAndWhat) {
   const HoleMap map = parseHoleMap(GetParam().text);
-  ASSERT_EQ(map.status, HoleMapStatus::kRefused);
+  ASSERT_EQ(map.status, TubeTextStatus::kRefused);
   ASSERT_TRUE(map.problem.has_value());
   EXPECT_TRUE(map.tubes.empty());
   EXPECT_EQ(map.problem->line, GetParam().line) << map.problem->sentence();
@@ -161,8 +161,8 @@ TEST(ParseHoleMap, SurvivesAnyBytes) {
       std::string text = good;
       for (int change = 0; change < 3; ++change) text[random() % text.size()] = static_cast<char>(random() % 256);
       const HoleMap map = parseHoleMap(text);
-      EXPECT_NE(map.status, HoleMapStatus::kNotRun);
-      EXPECT_EQ(map.status == HoleMapStatus::kRefused, map.problem.has_value());
+      EXPECT_NE(map.status, TubeTextStatus::kNotRun);
+      EXPECT_EQ(map.status == TubeTextStatus::kRefused, map.problem.has_value());
     }
   }
 }

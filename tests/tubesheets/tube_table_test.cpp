@@ -135,10 +135,67 @@ TEST(TubeCodes, SayWhichTubesOfAListAreVisited) {
     }
 }
 
+/// Tables in words that no heading of ours has, and which column is the row, the column and the stay.
+TEST(TubeTable, IsReadByColumnsThatAreChosenWhateverTheirHeadings) {
+  const auto place = [](TubeColumn column, std::size_t at) { return ChosenTubeColumn{column, at}; };
+  const struct {
+    const char* text;
+    std::vector<ChosenTubeColumn> chosen;
+  } rows[] = {
+      {"Reihe;Spalte;Dauer\n2;3;30\n4;4;\n",
+       {place(TubeColumn::kRow, 0), place(TubeColumn::kColumn, 1), place(TubeColumn::kDwell, 2)}},
+      {"3,2,30\n4,4,0\n", {place(TubeColumn::kRow, 1), place(TubeColumn::kColumn, 0), place(TubeColumn::kDwell, 2)}},
+      {"Rohr\tHalt\nR2C3\tNDD\nR4C4\tNDD\n", {place(TubeColumn::kTube, 0), place(TubeColumn::kCode, 1)}},
+      {"Auftrag 7\nReihe|Spalte|Zone\n2|3|a\n4|4|b\n", {place(TubeColumn::kRow, 0), place(TubeColumn::kColumn, 1)}},
+      {"# row,column\n2,3\n4,4\n", {place(TubeColumn::kRow, 0), place(TubeColumn::kColumn, 1)}}};
+  const Sheet sheet = foreignSheet();
+  for (const auto& [text, chosen] : rows) {
+    TextTable table = parseTubeText(text);
+    ASSERT_FALSE(table.problem) << table.problem->sentence() << text;
+    const WorkList list = readWorkListTable(text, tubeTableOf(std::move(table), chosen));
+    ASSERT_EQ(list.status, TubeTextStatus::kRead) << list.problem->sentence() << text;
+    const Selection selection = selectTubes(sheet, list);
+    EXPECT_EQ(selectedNames(sheet, selection), (std::vector<std::string>{"R2C3", "R4C4"})) << text;
+    if (chosen.back().column != TubeColumn::kDwell) continue;
+    EXPECT_EQ(list.items[0].dwell, 30) << text;
+  }
+}
+
+TEST(TubeTable, RefusesColumnsThatAreChosenTwiceOrNameNoTube) {
+  const std::string text = "Reihe;Spalte;x;y\n2;3;1;2\n";
+  const auto problemOf = [&](const std::vector<ChosenTubeColumn>& chosen) {
+    return tubeTableOf(parseTubeText(text), chosen).problem.has_value();
+  };
+  const ChosenTubeColumn row{TubeColumn::kRow, 0}, column{TubeColumn::kColumn, 1};
+  EXPECT_FALSE(problemOf({row, column}));
+  EXPECT_FALSE(problemOf({row, column, {TubeColumn::kX, 2, &kInch}, {TubeColumn::kY, 3, &kInch}}));
+  EXPECT_TRUE(problemOf({}));
+  EXPECT_TRUE(problemOf({row}));
+  EXPECT_TRUE(problemOf({row, column, {TubeColumn::kRow, 2}}));
+  EXPECT_TRUE(problemOf({row, column, {TubeColumn::kX, 2, &kInch}, {TubeColumn::kY, 3, &kMillimetre}}));
+}
+
+TEST(TubeTable, OffersEveryQuantityOnceWithTheNameThatItsHeadingHas) {
+  std::set<TubeColumn> seen;
+  for (const auto& [column, name, units] : tubeQuantities()) {
+    EXPECT_TRUE(seen.insert(column).second) << name;
+    const std::string heading = std::string(name) + (units.empty() ? "" : "_" + std::string(units.front()));
+    EXPECT_EQ(readTubeHeading(heading).column, column) << heading;
+  }
+  EXPECT_TRUE(seen.contains(TubeColumn::kTube));
+}
+
+TEST(TextTables, StateTheirUnitsInALineOfTheirOwn) {
+  for (const char* line : {"Units: mm", "# unit = mm", "// UNITS : mm", "Coordinates in units: mm"})
+    EXPECT_EQ(trimBlanks(behindUnits(line)), "mm") << line;
+  for (const char* line : {"", "units", "unity: mm", "runit: mm", "mm", "Units mm", "uni"})
+    EXPECT_EQ(behindUnits(line), "") << line;
+}
+
 TEST(TubeCodes, AreTheStatesOfAMap) {
   const HoleMap map =
       parseHoleMap("Row;Col;X (mm);Y (mm);Status\n1;1;0,5;25,0;PLG\n1;2;30,5;25,0;OBS\n1;3;60,5;25,0;NDD\n");
-  ASSERT_EQ(map.status, HoleMapStatus::kRead) << map.problem->sentence();
+  ASSERT_EQ(map.status, TubeTextStatus::kRead) << map.problem->sentence();
   EXPECT_EQ(map.tubes[0].state, TubeState::kPlugged);
   EXPECT_EQ(map.tubes[1].state, TubeState::kInaccessible);
   EXPECT_EQ(map.tubes[2].state, TubeState::kOpen);
@@ -150,7 +207,7 @@ TEST(TubeTable, AMapStatesItsUnitInTheHeadingBelowItOrBeforeIt) {
                            "Row;Col;X;Y\n;;in;in\n1;1;2,0;3\n", "// Units: Inches\nRow,Col,X,Y\n1,1,2,3\n",
                            "Units = mm\nRow,Col,X,Y\n1,1,50.8,76.2\n", "# row|col|x_mm|y_mm\n1|1|50,8|76,2\n"}) {
     const HoleMap map = parseHoleMap(text);
-    ASSERT_EQ(map.status, HoleMapStatus::kRead) << map.problem->sentence() << "\n" << text;
+    ASSERT_EQ(map.status, TubeTextStatus::kRead) << map.problem->sentence() << "\n" << text;
     EXPECT_NEAR(map.tubes[0].x, 0.0508, 1e-12) << text;
     EXPECT_NEAR(map.tubes[0].y, 0.0762, 1e-12) << text;
   }
@@ -206,7 +263,7 @@ TEST(TableText, KeepsUnitsRowsCommentsAndEmptyFieldsBehindTabs) {
 /// A cell's sheet as the reader makes it of a map.
 Sheet sheetOfMap(const std::string& text) {
   auto map = std::make_shared<HoleMap>(parseHoleMap(text));
-  EXPECT_EQ(map->status, HoleMapStatus::kRead) << map->problem->sentence();
+  EXPECT_EQ(map->status, TubeTextStatus::kRead) << map->problem->sentence();
   SheetDescription description = smallDescription();
   description.layout.type = "map";
   Sheet sheet = makeSheet(description, map->tubes);

@@ -17,7 +17,7 @@ Sheet smallSheet(Leg leg = Leg::kHot) {
 TEST(WorkListCsv, SelectsInSheetOrder) {
   const Sheet sheet = smallSheet();
   const WorkList list = parseWorkListCsv("priority,row,column,comment\n1,4,4,\"first, please\"\n2,1,1,\n9,2,3,late\n");
-  ASSERT_EQ(list.status, WorkListStatus::kRead) << list.problem->sentence();
+  ASSERT_EQ(list.status, TubeTextStatus::kRead) << list.problem->sentence();
   const Selection selection = selectTubes(sheet, list);
   ASSERT_EQ(selection.status, SelectionStatus::kSelected) << selection.reason;
   EXPECT_EQ(selection.tube_indices,
@@ -88,7 +88,7 @@ class RefusedWorkList : public testing::TestWithParam<BadList> {};
 
 TEST_P(RefusedWorkList, SaysWhereAndWhat) {
   const WorkList list = parseWorkListCsv(GetParam().text);
-  ASSERT_EQ(list.status, WorkListStatus::kRefused);
+  ASSERT_EQ(list.status, TubeTextStatus::kRefused);
   ASSERT_TRUE(list.problem.has_value());
   EXPECT_EQ(list.problem->line, GetParam().line) << list.problem->sentence();
   EXPECT_NE(list.problem->sentence().find(GetParam().found), std::string::npos) << list.problem->sentence();
@@ -142,7 +142,7 @@ TEST(WorkListCsv, RefusesCoordinatesOfAnotherHole) {
 }
 
 TEST(WorkListCsv, RefusesTwoSteamGenerators) {
-  EXPECT_EQ(parseWorkListCsv("row,column,sg\n1,1,A\n1,2,A\n").status, WorkListStatus::kRead);
+  EXPECT_EQ(parseWorkListCsv("row,column,sg\n1,1,A\n1,2,A\n").status, TubeTextStatus::kRead);
   EXPECT_EQ(parseWorkListCsv("row,column,sg\n1,1,A\n1,2,B\n").problem->what, "sg");
 }
 

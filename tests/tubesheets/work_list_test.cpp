@@ -90,7 +90,7 @@ TEST(SelectTubes, AWorkListsStateCountsBeforeTheSheets) {
   ASSERT_EQ(selection.status, SelectionStatus::kSelected) << selection.reason;
   EXPECT_EQ(selection.tube_indices, (std::vector<int>{*sheet.indexOf(1, 2), *sheet.indexOf(1, 3)}));
   EXPECT_EQ(leftOutText(selection), "1 plugged, 1 plugged according to the list");
-  EXPECT_EQ(parseWorkListCsv("row,column,state\n1,1,plugd\n").status, WorkListStatus::kRefused);
+  EXPECT_EQ(parseWorkListCsv("row,column,state\n1,1,plugd\n").status, TubeTextStatus::kRefused);
 }
 
 TEST(SelectTubes, InaccessibleAndUnresolvedOnesAreTakenOnlyWhereTheyAreNamedAndThenReported) {

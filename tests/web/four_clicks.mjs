@@ -4,7 +4,7 @@
 //   node tests/web/four_clicks.mjs [EFFECT ...]
 import path from "node:path";
 import {readFileSync} from "node:fs";
-import {launch, makeFolder, openTab, serve, simulate, source, writeWeightless} from "./workbench.mjs";
+import {launch, makeFolder, openTab, serve, simulate, source, writeDesign, writeWeightless} from "./workbench.mjs";
 
 const MOST_CLICKS = 4;
 const NEAR = 0.05; // of what was promised
@@ -35,7 +35,9 @@ async function run(browser, folder, row, index) {
   const {hide} = row,
     name = hide.split(":")[0],
     cell = row.weightless ? writeWeightless(folder, row.cell ?? "bench") : (row.cell ?? "bench");
-  const file = simulate(folder, `hidden-${index}`, {hide, cell: `${cell}.yaml`, spread: row.cell ? "0" : "0.1"});
+  const design = row.kind ? writeDesign(folder, row.kind) : "bench";
+  const options = {hide, design, cell: `${cell}.yaml`, spread: row.cell ? "0" : "0.1"};
+  const file = simulate(folder, `hidden-${index}`, options);
   const server = await serve(folder, `${cell}.yaml`, [file]);
   const tab = await openTab(browser, server.address);
   let clicks = 0;

@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {execFileSync} from "node:child_process";
+import {readFileSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {pathToFileURL} from "node:url";
 import {it} from "./limits.mjs";
@@ -39,6 +40,14 @@ async function opened(name, unrecorded = []) {
   assert.deepEqual(tab.errors, []);
   assert.deepEqual(asked, []);
   assert.deepEqual(await tab.locator(".missing").allInnerTexts(), unrecorded);
+  // Two pixels and more for one of the page: sharp on paper.
+  const ratios = await tab.evaluate(() =>
+    [...document.querySelectorAll("canvas")].map(({width, clientWidth}) => width / (clientWidth || width)),
+  );
+  assert.ok(
+    ratios.every((ratio) => ratio > 1.9),
+    ratios.join(" "),
+  );
   const {sections, links} = await tab.evaluate(() => ({
     sections: document.querySelectorAll("main section").length,
     links: document.querySelectorAll("nav a").length,
@@ -47,11 +56,30 @@ async function opened(name, unrecorded = []) {
   return tab;
 }
 
+/** How many pixels of a canvas have a colour of the style sheet, or next to it. */
+function inkOf(tab, canvas, colour) {
+  return tab
+    .locator(canvas)
+    .first()
+    .evaluate((element, name) => {
+      const paint = document.createElement("canvas").getContext("2d");
+      paint.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(`--${name}`);
+      paint.fillRect(0, 0, 1, 1);
+      const [r, g, b] = paint.getImageData(0, 0, 1, 1).data;
+      const {data} = element.getContext("2d").getImageData(0, 0, element.width, element.height);
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4)
+        if (data[i + 3] > 200 && Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 12)
+          count += 1;
+      return count;
+    }, colour);
+}
+
 describe("reports", () => {
   it("of a diagnosis say the verdict, what the effect is, and how large", async () => {
     run("diagnose", "bench.yaml", readings, "--effects", "1", "--report", "diagnosis.html");
     const tab = await opened("diagnosis.html");
-    assert.equal(await tab.innerText(".verdict b"), "Explained");
+    assert.equal(await tab.innerText(".report-verdict b"), "Explained");
     assert.match(
       await tab.innerText(".answer"),
       /^Missing: hysteresis at theta4 \(half width 0\.0\d+ ± 0\.0\d+\sdeg\)\./,
@@ -60,30 +88,32 @@ describe("reports", () => {
       await tab.innerText("#ranking tbody tr"),
       /a joint's position depends on the direction of its last motion/,
     );
-    assert.match(await tab.textContent("#why .chart >> nth=0"), /error as that of theta4, deg/);
-    assert.match(await tab.textContent("#why .chart >> nth=0"), /direction of theta4/);
-    assert.equal(await tab.locator("#why .law-line").count(), 2); // one for each direction
-    assert.equal(await tab.locator("#why .mean").count(), 2);
+    const plot = await tab.getAttribute("#why .plot", "aria-label");
+    assert.match(plot, /^error as that of theta4, deg against direction of theta4, of 60 readings: before.*; after/);
+    assert.equal(await tab.locator("#why .law-sign").count(), 1);
+    assert.ok((await inkOf(tab, "#why canvas", "violet")) > 100); // the law, one line for each direction
     assert.equal(await tab.locator("#joints .joint-panel.loud").count(), 1);
-    assert.match(
-      await tab.getAttribute("#joints .loud .stage", "aria-label"),
-      /theta4 against direction of theta4, p = .*e−/,
-    );
-    assert.ok((await tab.locator("#maps path.arrow-before").count()) > 0);
-    assert.ok((await tab.locator("#charts svg").count()) > 4);
+    assert.match(await tab.getAttribute("#joints .loud", "aria-label"), /theta4 against direction of theta4, p = .*e−/);
+    for (const [k, colour] of ["case0", "accent", "case0", "accent"].entries())
+      assert.ok((await inkOf(tab, `#maps canvas >> nth=${k}`, colour)) > 50, `arrows ${k}`);
+    assert.ok((await tab.locator("#charts .plot").count()) > 4);
+    const size = await tab.getAttribute("#charts .plot >> nth=0", "aria-label");
+    await tab.click('#charts .segments >> text="z"');
+    const z = await tab.getAttribute("#charts .plot >> nth=0", "aria-label");
+    assert.ok(/^error, in against/.test(size) && /^error along z, in against/.test(z), `${size} ${z}`);
     await tab.context().close();
   });
 
   it("of a comparison and of a ladder draw the errors of their models", async () => {
     run("compare", "bench.yaml", readings, "--report", "comparison.html");
     const compared = await opened("comparison.html");
-    assert.equal(await compared.innerText(".verdict b"), "The model falls short");
-    assert.equal(await compared.locator("#ladder .error-fitted").count(), 3); // two bars and the legend's
-    assert.match(await compared.textContent("#why .chart"), /direction of theta4/);
+    assert.equal(await compared.innerText(".report-verdict b"), "The model falls short");
+    assert.equal(await compared.locator("#ladder .bar.fitted").count(), 2);
+    assert.match(await compared.getAttribute("#why .plot", "aria-label"), /direction of theta4/);
     await compared.context().close();
     run("ladder", readings, "bench.yaml", "--rigid", "--report", "ladder.html");
     const ladder = await opened("ladder.html");
-    assert.match(await ladder.textContent("#ladder svg.chart"), /bench, rigid/);
+    assert.match(await ladder.textContent("#ladder .ladder-rows"), /bench, rigid/);
     await ladder.context().close();
   });
 
@@ -93,8 +123,9 @@ describe("reports", () => {
     const steps = await tab.locator(".improvement-step").allInnerTexts();
     assert.match(steps[0], /Step 1: Explained[^]*Added: hysteresis@theta4: certain/);
     assert.match(steps.at(-1), /Nothing was added: nothing is missing\./);
-    assert.match(await tab.textContent(".improvement-step >> nth=0 >> .chart"), /error as that of theta4, deg/);
-    assert.equal(await tab.locator("#ladder .error-fitted").count(), 3); // two models and the legend's
+    const plot = await tab.getAttribute(".improvement-step >> nth=0 >> .plot", "aria-label");
+    assert.match(plot, /error as that of theta4, deg/);
+    assert.equal(await tab.locator("#ladder .bar.fitted").count(), 2);
     await tab.context().close();
   });
 
@@ -119,26 +150,25 @@ describe("reports", () => {
     const legend = await tab.innerText("#sheet .legend >> nth=1");
     for (const words of ["no step enters", "all three steps enter", "cannot be visited"])
       assert.ok(legend.includes(words), words);
-    assert.deepEqual(await tab.locator("#sheet .choice button").allInnerTexts(), [
+    assert.deepEqual(await tab.locator("#sheet .segments button").allInnerTexts(), [
       "via-point",
       "goal-point",
       "predicted",
     ]);
-    const isDrawn = await tab.evaluate(() => {
-      const canvas = document.querySelector("#tour canvas");
-      return canvas
-        .getContext("2d")
-        .getImageData(0, 0, canvas.width, canvas.height)
-        .data.some((value) => value !== 0);
-    });
-    assert.ok(isDrawn);
+    // The ground, the holes, and the tour over them.
+    for (const [k, colour] of ["rim", "faint", "ink"].entries())
+      assert.ok((await inkOf(tab, `#tour canvas >> nth=${k}`, colour)) > 20, colour);
+    assert.ok((await inkOf(tab, "#clearance canvas", "accent")) > 100);
+    await tab.fill("#tour input[type=range]", "1");
+    assert.match(await tab.innerText("#tour .note"), /^Last reached: R\d+\sC\d+ \(visit 8 of 8\)$/);
     await tab.context().close();
   });
 
   it("of campaigns name their ways and what became of the runs", async () => {
     run("campaign", "mockup.yaml", "--runs", "4", "--touches", "3", "--out", "centring");
     const centring = await opened("centring/report.html", ["Holes visited ten times or more: not recorded."]);
-    assert.deepEqual(await centring.locator("#curves .choice button").allInnerTexts(), [
+    assert.ok((await inkOf(centring, "#curves canvas", "accent")) > 100);
+    assert.deepEqual(await centring.locator("#curves .segments button").allInnerTexts(), [
       "with compensation",
       "without compensation",
     ]);
@@ -160,5 +190,27 @@ describe("reports", () => {
     const found = await opened("found/report.html", ["Nothing hidden: not recorded."]); // of two runs both hide something
     assert.match(await found.innerText("#effects thead"), /the truth named/);
     await found.context().close();
+  });
+
+  it("print in light colours whatever the screen has, and stay text of what is hostile", async () => {
+    const hostile = "</script><script>window.isHit=1</script><img src=x onerror=window.isHit=1>";
+    const text = readFileSync(path.join(made.folder, "diagnosis.html"), "utf8");
+    const escaped = JSON.stringify(hostile).replaceAll("<", "\\u003c");
+    writeFileSync(
+      path.join(made.folder, "hostile.html"),
+      text.replace(/"title":"[^"]*"/, () => `"title":${escaped}`),
+    );
+    const tab = await opened("hostile.html");
+    assert.equal(await tab.innerText("h1"), hostile);
+    assert.equal(await tab.evaluate(() => window.isHit), undefined);
+    await tab.emulateMedia({colorScheme: "dark"});
+    const scheme = () => tab.evaluate(() => document.documentElement.dataset.scheme);
+    await tab.waitForFunction(() => document.documentElement.dataset.scheme === "dark");
+    await tab.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    assert.equal(await scheme(), "light");
+    assert.ok((await inkOf(tab, "#why canvas", "case0")) > 50); // drawn anew with the colours of paper
+    await tab.evaluate(() => dispatchEvent(new Event("afterprint")));
+    assert.equal(await scheme(), "dark");
+    await tab.context().close();
   });
 });

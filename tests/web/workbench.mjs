@@ -39,6 +39,13 @@ export function makeFolder() {
   };
 }
 
+/** A design file: readings of that kind anywhere in the room. */
+export function writeDesign(folder, kind) {
+  const file = path.join(folder, `design-${kind}.yaml`);
+  writeFileSync(file, `kind: ${kind}\nat: anywhere\nloads: [0, 20, 40]\n`);
+  return file;
+}
+
 /** Practice readings made by the program, as NAME.csv in the folder. */
 export function simulate(folder, name, options) {
   const out = path.join(folder, `${name}-made`);

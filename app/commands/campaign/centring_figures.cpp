@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
+#include "app/documents/pose_json.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/units_json.hpp"
 
@@ -122,11 +124,19 @@ json waysJson() {
   return ways;
 }
 
+/// Of what all counts are: bases that each run calibrates anew.
+BaseStanding standingOf(const std::vector<CentringSetting>& settings) {
+  const int touches = settings.front().touches;
+  const bool is_one = std::ranges::all_of(settings, [&](const auto& other) { return other.touches == touches; });
+  return standingOfEachRun(is_one ? touches : 0);
+}
+
 json settingJson(const CentringResults& results, std::size_t index) {
   const auto& setting = results.task.options.settings[index];
   const auto& tally = results.tally.settings()[index];
   const std::uint64_t scored = tally.failures[0].runs;
   json figures = {
+      {"base", standingJson(standingOfEachRun(setting.touches))},
       {"touches", setting.touches},
       {"choice", touchRules()[static_cast<std::size_t>(setting.rule)].name},
       {"touch_sigma", lengthJson(setting.touch_sigma, results.task.cell.units)},
@@ -139,36 +149,24 @@ json settingJson(const CentringResults& results, std::size_t index) {
   return figures;
 }
 
-std::string probabilityText(const json& probability) {
-  if (probability["value"].is_null()) return "      -       ";
-  return fmt::format("{:5.1f} ({:.1f}-{:.1f})", 100 * probability["value"].get<double>(),
-                     100 * probability["low"].get<double>(), 100 * probability["high"].get<double>());
-}
+constexpr TextLine kVisitStepWords[] = {
+    {"steps", "  {probability/value:>5.1%} ({probability/low:.1%}-{probability/high:.1%})"}, {"", "\n"}};
+constexpr std::string_view kWayRow =
+    "  {@:<12}{mean/value:>9.4r} +-{mean/sigma:>9.4r}  {quantiles/50:>9.4r}  {quantiles/90:>9.4r}  "
+    "{quantiles/95:>9.4r}  "
+    "{quantiles/99:>9.4r}";
+constexpr TextLine kSettingWords[] = {{"refused", "  {runs} runs: {reason} (first: run {first_run})\n"},
+                                      {"none", kWayRow, kVisitStepWords, "without"},
+                                      {"compensated", kWayRow, kVisitStepWords, "compensated"}};
 
-std::string numberText(const json& value) {
-  return value.is_null() ? "        -" : fmt::format("{:9.4g}", value.get<double>());
-}
-
-std::string wayText(const std::string& name, const json& way) {
-  std::string text =
-      fmt::format("  {:<12}{} +-{}", name, numberText(way["mean"]["value"]), numberText(way["mean"]["sigma"]));
-  for (const char* share : {"50", "90", "95", "99"}) text += "  " + numberText(way["quantiles"][share]);
-  for (const auto& step : way["steps"]) text += fmt::format("  {:<18}", probabilityText(step["probability"]));
-  while (text.ends_with(' ')) text.pop_back();
-  return text + "\n";
-}
-
-std::string settingText(const json& setting, const std::string& length) {
-  std::string text =
-      fmt::format("{} touches, {}, touch sigma {:.4g} {}: {} of {} runs scored\n", setting["touches"].get<int>(),
-                  setting["choice"].get<std::string>(), setting["touch_sigma"].get<double>(), length,
-                  setting["scored"].get<std::uint64_t>(), setting["runs"].get<std::uint64_t>());
-  for (const auto& reason : setting["refused"])
-    text += fmt::format("  {} runs: {} (first: run {})\n", reason["runs"].get<std::uint64_t>(),
-                        reason["reason"].get<std::string>(), reason["first_run"].get<std::uint64_t>());
-  for (const auto way : kWays) text += wayText(way == "none" ? "without" : "compensated", setting[std::string(way)]);
-  return text;
-}
+constexpr TextLine kCentringWords[] = {
+    {"",
+     "{runs_done} of {runs} runs, {holes_in_a_run} holes in each of {tubes/in_reach} in reach of {tubes/asked}, {base/words}\n"
+     "error, {units/length:<7}     mean                   50 %       90 %       95 %       99 %  % of the visits by so "
+     "many steps or more: 1, 2, ...\n"},
+    {"settings",
+     "{touches} touches, {choice}, touch sigma {touch_sigma:.4r units/length}: {scored} of {runs} runs scored\n",
+     kSettingWords}};
 
 }  // namespace
 
@@ -184,6 +182,7 @@ json centringJson(const CentringResults& results) {
                   {"runs", progress.runs},
                   {"runs_done", progress.done},
                   {"units", unitsJson(task.cell.units)},
+                  {"base", standingJson(standingOf(task.options.settings))},
                   {"drawn", drawnJson(results)},
                   {"holes_in_a_run", task.options.holes},
                   {"tubes", {{"asked", task.tubes}, {"in_reach", task.holes.visited.size()}}},
@@ -194,20 +193,6 @@ json centringJson(const CentringResults& results) {
   return figures;
 }
 
-std::string centringText(const json& figures) {
-  const std::string length = figures["units"]["length"];
-  std::string text =
-      fmt::format("{} of {} runs, {} holes in each of {} in reach of {}\n", figures["runs_done"].get<std::uint64_t>(),
-                  figures["runs"].get<std::uint64_t>(), figures["holes_in_a_run"].get<int>(),
-                  figures["tubes"]["in_reach"].get<int>(), figures["tubes"]["asked"].get<int>());
-  text += fmt::format("{:<14}{:>9}   {:>9}", "error, " + length, "mean", "");
-  for (const char* share : {"50 %", "90 %", "95 %", "99 %"}) text += fmt::format("  {:>9}", share);
-  for (std::size_t k = 1; k <= figures["step_tolerances"].size(); ++k)
-    text += fmt::format("  {:<18}", fmt::format("{} or more steps, %", k));
-  while (text.ends_with(' ')) text.pop_back();
-  text += "\n";
-  for (const auto& setting : figures["settings"]) text += settingText(setting, length);
-  return text;
-}
+std::string centringText(const json& figures) { return textOf(figures, kCentringWords); }
 
 }  // namespace tubeplan::app

@@ -152,7 +152,7 @@ CentringTask centringTask(const CampaignRequest& request) {
     for (auto* arm : {&task.model.arm, &task.truth.arm})
       setEncoderSigma(angleFrom("--encoder-sigma", request.encoder_sigma, 0, task.cell.units), *arm);
   task.options.spread = spreadOf(request, task.cell.units);
-  task.options.uncertainty = task.cell.uncertainty;
+  task.options.doubt = doubtBeside(task.cell);
   task.options.holes = request.holes;
   task.options.seed = request.seed;
   task.options.settings = settingsOf(request, task);
@@ -179,6 +179,7 @@ PlanKey centringKey(const CentringTask& task, const CampaignRequest& request) {
           {"base", numbersFingerprint(task.model.X_WB.matrix())},
           {"uncertainty of the arm's numbers",
            fingerprintOf(uncertaintyText(task.cell.uncertainty, task.cell.arm, task.cell.units))},
+          {"model error", fmt::format("{} m", task.options.doubt.model_error)},
           {"true arm", modelFingerprint(truth)},
           {"true base", numbersFingerprint(task.truth.X_WB.matrix())},
           {"sheet", task.model.sheet.fingerprint()},

@@ -5,6 +5,7 @@
 #include "app/commands/campaign/diagnosis_trial.hpp"
 #include "app/documents/effect_words_json.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "app/files/units_json.hpp"
@@ -249,12 +250,7 @@ json diagnosisFigures(const DiagnosisTask& task, const CampaignRequest& request,
   return figures;
 }
 
-std::string shareText(const json& share) {
-  if (share["value"].is_null()) return "-";
-  return fmt::format("{} of {}, {:.1f} % ({:.1f} to {:.1f})", share["count"].get<std::uint64_t>(),
-                     share["of"].get<std::uint64_t>(), 100 * share["value"].get<double>(),
-                     100 * share["low"].get<double>(), 100 * share["high"].get<double>());
-}
+constexpr std::string_view kShareWords = "{count} of {of}, {value:.1%} % ({low:.1%} to {high:.1%})\n";
 
 /// What no rate says apart: diagnoses without a verdict, and readings that could not be diagnosed at all.
 std::string undecidedText(const std::string& hidden, const json& outcomes) {
@@ -269,18 +265,15 @@ std::string undecidedText(const std::string& hidden, const json& outcomes) {
 
 std::string diagnosisCampaignText(const json& figures) {
   const auto& hidden = figures["hidden"];
-  std::string text = fmt::format("{} of {} runs, {} readings of {} in each\n",
-                                 figures["runs_done"].get<std::uint64_t>(), figures["runs"].get<std::uint64_t>(),
-                                 figures["readings"].get<int>(), figures["design"].get<std::string>());
-  text += "nothing hidden: false alarms " + shareText(figures["nothing_hidden"]["false_alarms"]) + "\n";
+  std::string text = textOf(figures, "{runs_done} of {runs} runs, {readings} readings of {design} in each\n");
+  text += "nothing hidden: false alarms " + textOf(figures["nothing_hidden"]["false_alarms"], kShareWords);
   for (const auto& [key, words] : kRates)
-    text += fmt::format("an effect hidden: {:<24}{}\n", words, shareText(hidden[key]));
+    text += fmt::format("an effect hidden: {:<24}", words) + textOf(hidden[key], kShareWords);
   text += undecidedText("nothing hidden", figures["nothing_hidden"]["outcomes"]);
   text += undecidedText("an effect hidden", hidden["outcomes"]);
   for (const auto& entry : figures["by_size"])
-    text += fmt::format("  of {:.2g} to {:.2g} of the largest plausible size: truth among the answers {}\n",
-                        entry["size"][0].get<double>(), entry["size"][1].get<double>(),
-                        shareText(entry["truth_among_answers"]));
+    text += textOf(entry, "  of {size:.2i} of the largest plausible size: truth among the answers ") +
+            textOf(entry["truth_among_answers"], kShareWords);
   return text;
 }
 

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "app/files/foreign/foreign_heading.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
+#include "tubesheets/text_table.hpp"
 
 namespace tubeplan::app {
 
@@ -58,6 +60,24 @@ void requireOneForm(const ForeignTable& table, std::size_t column, bool is_state
                    fmt::format("rename the heading to '{0} [hms]' or '{0} [dms]', or write --column NAME_hms='{0}' or "
                                "NAME_dms='{0}'",
                                heading));
+}
+
+bool mayBeHours(const ForeignTable& table, std::size_t column) {
+  constexpr std::array<std::string_view, 5> kHourNames{"ha", "hourangle", "hourang", "ra", "rightascension"};
+  constexpr double kLeastHour = -12, kMostHour = 24;
+  constexpr int kFewest = 3;
+  const auto isUnit = [](std::string_view word) { return findUnitWord(word) != nullptr; };
+  if (std::ranges::find(kHourNames, tubesheets::splitHeading(table.columns[column], isUnit).name) == kHourNames.end())
+    return false;
+  int numbers = 0;
+  for (const auto& row : table.rows) {
+    const std::string& field = row.fields[column];
+    if (isBlankField(field)) continue;
+    const auto number = signedNumber(field);
+    if (!number || *number < kLeastHour || *number > kMostHour) return false;
+    ++numbers;
+  }
+  return numbers >= kFewest;
 }
 
 std::optional<double> numberIn(std::string_view field, const Unit* unit) {

@@ -19,6 +19,10 @@ namespace tubeplan::app {
 /// `is_stated` where its heading or the user does.
 void requireOneForm(const ForeignTable& table, std::size_t column, bool is_stated);
 
+/// Returns whether a column is called an hour angle or a right ascension and all its numbers, three at least, are such
+/// as hours have, so that its degrees may be hours.
+[[nodiscard]] bool mayBeHours(const ForeignTable& table, std::size_t column);
+
 /// Returns the number of a field in the unit of its column, of an angle in sixtieths too; nothing where it is none or
 /// contradicts the unit.
 [[nodiscard]] std::optional<double> numberIn(std::string_view field, const Unit* unit);

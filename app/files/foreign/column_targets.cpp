@@ -48,6 +48,17 @@ void addOwn(std::vector<ColumnTarget>& targets) {
     }
 }
 
+ColumnTarget conditionTarget(const deflection::ConditionKind& kind) {
+  const bool has_own_unit = kind.unit.quantity == deflection::Quantity::kNone;
+  ColumnTarget target{.quantity = has_own_unit ? conditionColumn(kind, Units()) : kind.name, .unit = std::nullopt};
+  if (!has_own_unit) target.unit = unitKindOf(kind.unit.quantity);
+  target.aliases = {parseHeading(kind.name).name};
+  if (has_own_unit) target.aliases.push_back(parseHeading(target.quantity).name);
+  for (const char* alias : kind.aliases)
+    if (alias) target.aliases.emplace_back(alias);
+  return target;
+}
+
 void addForms(std::vector<ColumnTarget>& targets) {
   for (const auto& form : writtenForms())
     for (std::size_t part = 0; part < form.numbers.size(); ++part)
@@ -99,8 +110,7 @@ std::vector<ColumnTarget> columnTargets(const deflection::Arm& arm) {
     for (const char* axis : {"x", "y", "z"})
       targets.push_back(number(fmt::format("{}_{}", word, axis), unit,
                                {fmt::format("{}{}", letter, axis), fmt::format("{}{}", word, axis)}));
-  targets.push_back(number("temperature", UnitKind::kTemperature, {"temperature", "temp"}));
-  targets.push_back(number("time", UnitKind::kTime, {"time", "timestamp", "t"}));
+  for (const auto& kind : deflection::kConditionKinds) targets.push_back(conditionTarget(kind));
   addForms(targets);
   return targets;
 }

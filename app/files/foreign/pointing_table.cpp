@@ -1,14 +1,11 @@
 #include "app/files/foreign/pointing_table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <optional>
-#include <sstream>
 
+#include "app/files/foreign/pointing_head.hpp"
 #include "app/files/foreign/sexagesimal.hpp"
 #include "app/files/foreign/sky_directions.hpp"
 #include "app/files/input_error.hpp"
@@ -21,58 +18,6 @@ constexpr std::size_t kAltazNumbers = 4, kStarNumbers = 14, kMeanNumbers = 17, k
 constexpr std::size_t kSiderealMinutesAt = 13;
 constexpr std::size_t kEquinoxAt = 8;  // of rows with proper motions; elsewhere seconds stand there
 
-struct PointingLine {
-  int number = 0;
-  std::string text;
-  std::vector<std::string> fields;
-};
-
-/// The fields of a line: apart by blanks, angles also by colons.
-std::vector<std::string> fieldsIn(std::string text) {
-  std::ranges::replace(text, ':', ' ');
-  std::istringstream words(text);
-  std::vector<std::string> fields;
-  for (std::string word; words >> word;) fields.push_back(word);
-  return fields;
-}
-
-/// The lines that count, up to END: no empty ones and no comments.
-std::vector<PointingLine> pointingLines(std::string_view text) {
-  std::vector<PointingLine> lines;
-  for (const auto& line : tubesheets::textLines(text)) {
-    if (line.text.empty() || line.text.starts_with('!')) continue;
-    lines.push_back({line.number, std::string(line.text), fieldsIn(std::string(line.text))});
-    if (lines.back().fields == std::vector<std::string>{"END"}) {
-      lines.pop_back();
-      break;
-    }
-  }
-  return lines;
-}
-
-bool areAllNumbers(const std::vector<std::string>& fields) {
-  return !fields.empty() && std::ranges::all_of(fields, [](const auto& f) { return signedNumber(f).has_value(); });
-}
-
-bool isOption(const PointingLine& line) {
-  return line.text.starts_with(':') && !line.fields.empty() &&
-         std::isalpha(static_cast<unsigned char>(line.fields[0][0])) != 0;
-}
-
-std::string capitals(std::string word) {
-  std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return word;
-}
-
-/// Of what mount, and what else the options and the record of the place say.
-struct PointingHead {
-  std::optional<bool> is_altaz;
-  bool is_without_diurnal = false;
-  double latitude = 0;
-  std::optional<double> temperature, pressure;
-  std::size_t rows_from = 0;  ///< index of the first observation
-};
-
 class PointingParser {
  public:
   PointingParser(std::string_view text, const std::string& file) : file_(file), lines_(pointingLines(text)) {
@@ -83,10 +28,7 @@ class PointingParser {
   }
 
   ForeignTable read() {
-    std::size_t k = 1;
-    for (; k < lines_.size() && isOption(lines_[k]); ++k) takeOptions(lines_[k]);
-    takePlace(k);
-    head_.rows_from = k + 1;
+    head_ = readPointingHead(lines_, file_);
     if (head_.rows_from >= lines_.size())
       throw InputError(file_, "no observations", "lines of 4 or 14 numbers behind the record of the latitude");
     width_ = lines_[head_.rows_from].fields.size();
@@ -97,59 +39,20 @@ class PointingParser {
   }
 
  private:
-  [[nodiscard]] std::string at(const PointingLine& line) const { return fmt::format("{}:{}", file_, line.number); }
-
-  void takeOptions(const PointingLine& line) {
-    static constexpr std::array kHarmless{"ALLSKY", "ROTTEL", "ROTNL", "ROTNR", "ROTCL", "ROTCR"};
-    for (const auto& field : line.fields) {
-      const std::string word = capitals(field);
-      if (word == "EQUAT" || word == "ALTAZ") {
-        const bool is_altaz = word == "ALTAZ";
-        if (head_.is_altaz.value_or(is_altaz) != is_altaz)
-          throw InputError(at(line), "both ALTAZ and EQUAT", "the one kind of mount that the readings are of");
-        head_.is_altaz = is_altaz;
-      } else if (word == "NODA") {
-        head_.is_without_diurnal = true;
-      } else if (std::ranges::find(kHarmless, word) == kHarmless.end()) {
-        throw InputError(at(line), "the option " + inQuotes(field),
-                         fmt::format("EQUAT, ALTAZ, NODA, {}", fmt::join(kHarmless, ", ")),
-                         "give apparent places of date and the mount's own readings, and take the option out");
-      }
-    }
-  }
-
-  /// Latitude d m s, then the date, temperature [degC] and pressure [hPa] and what else refraction hangs on.
-  void takePlace(std::size_t k) {
-    constexpr std::size_t kLatitude = 3, kTemperatureAt = 6, kPressureAt = 7, kMost = 12;
-    if (k >= lines_.size() || !areAllNumbers(lines_[k].fields) || lines_[k].fields.size() < kLatitude ||
-        lines_[k].fields.size() > kMost)
-      throw InputError(k < lines_.size() ? at(lines_[k]) : file_,
-                       k < lines_.size() ? inQuotes(lines_[k].text) : "nothing behind the options",
-                       "the latitude as degrees, minutes and seconds, then year, month, day, temperature, pressure");
-    const PointingLine& line = lines_[k];
-    head_.latitude = sexagesimal(line, 0, 3, 90);
-    if (line.fields.size() > kTemperatureAt) head_.temperature = signedNumber(line.fields[kTemperatureAt]);
-    if (line.fields.size() > kPressureAt) head_.pressure = signedNumber(line.fields[kPressureAt]);
-    if (head_.temperature && (*head_.temperature < -90 || *head_.temperature > 60))
-      throw InputError(at(line), fmt::format("a temperature of {}", line.fields[kTemperatureAt]), "one in degC");
-    if (head_.pressure && (*head_.pressure < 0 || *head_.pressure > 1100))
-      throw InputError(at(line), fmt::format("a pressure of {}", line.fields[kPressureAt]),
-                       "one in hPa, 0 where places are with refraction");
-  }
-
   void checkKind(const PointingLine& line) {
     const auto isOf = [&](std::size_t numbers) { return width_ >= numbers && width_ <= numbers + kMostAuxiliary; };
     if (width_ >= kMeanNumbers && signedNumber(line.fields[kEquinoxAt]).value_or(0) > 1000)
-      throw InputError(at(line), fmt::format("a mean place of the equinox {}", line.fields[kEquinoxAt]),
+      throw InputError(lineOf(file_, line), fmt::format("a mean place of the equinox {}", line.fields[kEquinoxAt]),
                        "rows with the apparent place of date (14 numbers), or with azimuths and elevations (4)",
                        "convert the places: precession, nutation and aberration are not made here");
     if (!isOf(kAltazNumbers) && !isOf(kStarNumbers))
-      throw InputError(at(line), fmt::format("{} numbers", width_),
+      throw InputError(lineOf(file_, line), fmt::format("{} numbers", width_),
                        "4 (azimuth, elevation, both as read) or 14 (right ascension, declination, both as read, "
                        "sidereal time), and up to 3 of auxiliary readings");
     is_stars_ = isOf(kStarNumbers);
     if (!is_stars_ && !head_.is_altaz.value_or(false))
-      throw InputError(at(line), "4 angles and no option ALTAZ", "`: ALTAZ`, or observations of stars (14 numbers)",
+      throw InputError(lineOf(file_, line), "4 angles and no option ALTAZ",
+                       "`: ALTAZ`, or observations of stars (14 numbers)",
                        "say above the latitude of which mount they are");
     refuseSidereal(line);
   }
@@ -160,37 +63,23 @@ class PointingParser {
     for (std::size_t row = head_.rows_from; row < lines_.size(); ++row)
       if (const auto& fields = lines_[row].fields; fields.size() > kSiderealMinutesAt)
         if (fields[kSiderealMinutesAt].find('.') != std::string::npos) return;
-    throw InputError(at(line), "a sidereal time of whole minutes, and further numbers",
+    throw InputError(lineOf(file_, line), "a sidereal time of whole minutes, and further numbers",
                      "hours and minutes with decimals, as 16 23.130", "write the seconds as decimals of the minutes");
-  }
-
-  /// Two or three numbers, of which the first has the sign [the unit of the first].
-  [[nodiscard]] double sexagesimal(const PointingLine& line, std::size_t from, std::size_t count, double most) const {
-    std::vector<double> parts;
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto number = signedNumber(line.fields[from + k]);
-      const bool is_fit = number && (k == 0 ? std::abs(*number) <= most : isSixtieth(*number));
-      if (!is_fit)
-        throw InputError(at(line), inQuotes(line.fields[from + k]) + fmt::format(" as number {}", from + k + 1),
-                         k == 0 ? fmt::format("no more than {}", most) : "minutes or seconds, 0 to 60");
-      parts.push_back(std::abs(*number));
-    }
-    return sumOfSixtieths(line.fields[from].starts_with('-'), parts);
   }
 
   /// Of a right ascension or a sidereal time [deg].
   [[nodiscard]] double hours(const PointingLine& line, std::size_t from, std::size_t count) const {
-    const double value = sexagesimal(line, from, count, 24);
-    if (value < 0) throw InputError(at(line), inQuotes(line.fields[from]) + " hours", "0 to 24");
+    const double value = sixtiethsIn(file_, line, from, count, 24);
+    if (value < 0) throw InputError(lineOf(file_, line), inQuotes(line.fields[from]) + " hours", "0 to 24");
     return kDegreesPerHour * value;
   }
 
   void addObservation(const PointingLine& line) {
     if (line.fields.size() != width_)
-      throw InputError(at(line), fmt::format("{} numbers", line.fields.size()),
+      throw InputError(lineOf(file_, line), fmt::format("{} numbers", line.fields.size()),
                        fmt::format("{}, as in line {}", width_, lines_[head_.rows_from].number));
     for (const auto& field : line.fields)
-      if (!signedNumber(field)) throw InputError(at(line), inQuotes(field), "a number with a decimal point");
+      if (!signedNumber(field)) throw InputError(lineOf(file_, line), inQuotes(field), "a number with a decimal point");
     if (is_stars_)
       addStar(line);
     else
@@ -203,15 +92,16 @@ class PointingParser {
       numbers[k] = *signedNumber(line.fields[k]);
       const double most = k % 2 == 0 ? 720 : 180;
       if (std::abs(numbers[k]) > most)
-        throw InputError(at(line), line.fields[k], k % 2 == 0 ? "an azimuth in degrees" : "an elevation in degrees");
+        throw InputError(lineOf(file_, line), line.fields[k],
+                         k % 2 == 0 ? "an azimuth in degrees" : "an elevation in degrees");
     }
     addRow(line, {nearestTurn(-numbers[0]), numbers[1]}, nearestTurn(-numbers[2]), numbers[3]);
   }
 
   void addStar(const PointingLine& line) {
     const double time = hours(line, 12, 2);
-    SkyDirection star = fromHourAngle(time - hours(line, 0, 3), sexagesimal(line, 3, 3, 90), head_.latitude);
-    const double hour_angle = time - hours(line, 6, 3), declination = sexagesimal(line, 9, 3, 180);
+    SkyDirection star = fromHourAngle(time - hours(line, 0, 3), sixtiethsIn(file_, line, 3, 3, 90), head_.latitude);
+    const double hour_angle = time - hours(line, 6, 3), declination = sixtiethsIn(file_, line, 9, 3, 180);
     SkyDirection read{nearestTurn(-hour_angle), declination};
     if (head_.is_altaz.value_or(false)) read = fromHourAngle(hour_angle, declination, head_.latitude);
     const double refraction = refractionAt(star.altitude, head_.pressure.value_or(0), head_.temperature.value_or(0));
@@ -222,7 +112,7 @@ class PointingParser {
 
   void addRow(const PointingLine& line, const SkyDirection& seen, double first, double second) {
     if (seen.altitude < 0)
-      throw InputError(at(line), fmt::format("a direction {:.2f} deg below the horizon", -seen.altitude),
+      throw InputError(lineOf(file_, line), fmt::format("a direction {:.2f} deg below the horizon", -seen.altitude),
                        "one above it", "check the latitude's sign, the sidereal time and the order of the numbers");
     const auto text = [](double degrees) { return fmt::format("{:.7f}", degrees); };
     table_.rows.push_back(
@@ -272,7 +162,7 @@ bool isPointingData(std::string_view text) {
   constexpr std::size_t kPlace = 1, kFirst = 2;
   const auto lines = pointingLines(text);
   if (lines.size() < 2 || areAllNumbers(lines[0].fields) || lines[0].text.starts_with(':')) return false;
-  if (isOption(lines[1])) return true;
+  if (isPointingOption(lines[1])) return true;
   return lines.size() > kFirst && areAllNumbers(lines[kPlace].fields) && lines[kPlace].fields.size() >= 3 &&
          lines[kPlace].fields.size() <= 12 && areAllNumbers(lines[kFirst].fields) &&
          lines[kFirst].fields.size() >= kStarNumbers && lines[kFirst].fields.size() != lines[kPlace].fields.size();

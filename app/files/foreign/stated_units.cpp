@@ -8,7 +8,7 @@
 #include "app/files/foreign/foreign_heading.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/lower_case.hpp"
-#include "tubesheets/csv_table.hpp"
+#include "tubesheets/text_table.hpp"
 
 namespace tubeplan::app {
 
@@ -17,17 +17,6 @@ namespace {
 /// What may stand beside the units: "length mm, angle deg".
 constexpr std::array<std::string_view, 8> kBesideUnits{"length", "lengths",  "angle",   "angles",
                                                        "linear", "distance", "angular", "and"};
-
-/// What stands behind "unit:" or "units ="; empty where nothing does.
-std::string_view behindUnits(std::string_view line) {
-  const std::string small = lowerCase(line);
-  const std::size_t at = small.find("unit");
-  if (at == std::string::npos || (at > 0 && small[at - 1] >= 'a' && small[at - 1] <= 'z')) return {};
-  line.remove_prefix(at + (small.compare(at, 5, "units") == 0 ? 5 : 4));
-  line = tubesheets::trimBlanks(line);
-  if (line.empty() || (line.front() != ':' && line.front() != '=')) return {};
-  return line.substr(1);
-}
 
 /// The units of a text of units; none where it holds anything else.
 std::vector<const Unit*> unitsIn(std::string_view text) {
@@ -47,12 +36,12 @@ std::vector<const Unit*> unitsIn(std::string_view text) {
 
 }  // namespace
 
-bool statesUnits(std::string_view line) { return !unitsIn(behindUnits(line)).empty(); }
+bool statesUnits(std::string_view line) { return !unitsIn(tubesheets::behindUnits(line)).empty(); }
 
 std::map<UnitKind, StatedUnit> statedUnits(const std::vector<std::string>& lines, const std::string& file) {
   std::map<UnitKind, StatedUnit> stated;
   for (const auto& line : lines)
-    for (const Unit* unit : unitsIn(behindUnits(line))) {
+    for (const Unit* unit : unitsIn(tubesheets::behindUnits(line))) {
       const auto [known, is_new] = stated.try_emplace(unit->kind, StatedUnit{unit, line});
       if (!is_new && known->second.unit->name != unit->name)
         throw InputError(file, fmt::format("{} and {}", inQuotes(known->second.line), inQuotes(line)),

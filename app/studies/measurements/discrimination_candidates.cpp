@@ -33,7 +33,8 @@ struct Custom {
   MeasurementKind kind = MeasurementKind::kPosition;
   bool has_known_points = false;  ///< is taken at holes or marks
   std::vector<double> loads;
-  double sigma = 0, turn_sigma = 0, temperature = 0, time = 0;
+  double sigma = 0, turn_sigma = 0;
+  deflection::ConditionValues conditions;
   std::set<std::optional<int>> rows;  ///< of the arm, whose frames were read; none of them: the tool
   bool has_approach_directions = false;
   std::optional<Eigen::Vector3d> anchor, direction;
@@ -59,19 +60,32 @@ std::vector<double> thinnedOut(const std::set<double>& all, int most) {
   return some;
 }
 
+/// The median of each condition, and the last time, for nothing earlier can be read.
+deflection::ConditionValues usualConditionsOf(const std::vector<Measurement>& readings, MeasurementKind of) {
+  deflection::ConditionValues usual;
+  for (const auto& kind : deflection::kConditionKinds) {
+    std::vector<double> stated;
+    for (const auto& reading : readings)
+      if (reading.kind == of && reading.conditions.states(kind.condition))
+        stated.push_back(reading.conditions[kind.condition]);
+    if (stated.empty()) continue;
+    const bool is_clock = kind.condition == deflection::Condition::kTime;
+    usual[kind.condition] = is_clock ? std::ranges::max(stated) : calibration::median(stated);
+  }
+  return usual;
+}
+
 Custom customOf(const std::vector<Measurement>& readings, int most_loads) {
   Custom custom;
   custom.kind = usualKind(readings);
   std::set<double> loads;
-  std::vector<double> sigmas, temperatures, times;
+  std::vector<double> sigmas;
   for (const auto& reading : readings) {
     if (reading.kind != custom.kind) continue;
     loads.insert(reading.load);
     sigmas.push_back(reading.sigma);
     custom.turn_sigma = reading.turn_sigma;
     custom.rows.insert(reading.row);
-    if (std::isfinite(reading.temperature)) temperatures.push_back(reading.temperature);
-    if (std::isfinite(reading.time)) times.push_back(reading.time);
     if (reading.p_W) custom.anchor = reading.p_W;
     if (reading.direction_W) custom.direction = reading.direction_W;
     custom.side_q = reading.side_q;
@@ -83,9 +97,7 @@ Custom customOf(const std::vector<Measurement>& readings, int most_loads) {
   custom.has_known_points = kindOf(custom.kind).names_hole && custom.anchor;
   custom.loads = thinnedOut(loads, most_loads);
   custom.sigma = calibration::median(sigmas);
-  custom.temperature = calibration::median(temperatures);
-  custom.time =
-      times.empty() ? std::numeric_limits<double>::quiet_NaN() : *std::max_element(times.begin(), times.end());
+  custom.conditions = usualConditionsOf(readings, custom.kind);
   return custom;
 }
 
@@ -235,11 +247,10 @@ void makeAsUsual(const Custom& custom, const std::string& setup, std::size_t num
   reading.setup = setup;
   reading.side_q = custom.side_q;
   reading.sigma = custom.sigma;
-  reading.temperature = custom.temperature;
-  reading.time = custom.time;
+  reading.conditions = custom.conditions;
   if (kind.has_anchor) reading.known_W = custom.anchor;
-  if (kind.has_direction || kind.is_to_gravity) reading.direction_W = custom.direction;
-  if (kind.is_from_reading) reading.reference = custom.reference;
+  reading.direction_W = custom.direction;
+  reading.reference = custom.reference;
   reading.is_length_alone = custom.is_length_alone;
   if (kind.turn_rows == 0) return;
   reading.turn_sigma = custom.turn_sigma;

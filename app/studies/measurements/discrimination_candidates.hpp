@@ -20,7 +20,7 @@ struct DiscriminationCandidateOptions {
 /// Postures within the limits and clear of the scene, or where none is described within the room that the readings
 /// took (measured_room.hpp), or points of the readings and holes of the sheet, reached by the
 /// model as fitted where it stood last. Each has senses drawn at random where readings state them, the middle of their
-/// temperatures, and their last time. Angles are proposed on the tool or on the rows that they were read on.
+/// conditions, and their last time. Angles are proposed on the tool or on the rows that they were read on.
 [[nodiscard]] std::vector<calibration::ReadingCandidate> discriminationCandidates(
     const CellModel& cell, const calibration::PlacedArm& fitted, const std::vector<calibration::Measurement>& readings,
     const DiscriminationCandidateOptions& options = {});

@@ -36,21 +36,31 @@ int tubeOf(const calibration::TouchPlan& candidate, const tubesheets::Sheet& she
   return *sheet.indexOf(name->row, name->column);
 }
 
-BestTouches bestTouches(const planner::Workcell& cell, const std::vector<calibration::TouchPlan>& candidates,
-                        int count) {
+BestTouches bestTouches(const planner::Workcell& cell, const std::vector<calibration::TouchPlan>& candidates, int count,
+                        const calibration::DoubtBeside& doubt) {
   std::vector<Eigen::VectorXd> work;
   for (const auto& candidate : candidates) work.push_back(candidate.q_start);
-  auto touchable = calibration::keepTouchable(cell.arm, cell.X_WB, candidates);
-  if (static_cast<int>(touchable.size()) < count) touchable = candidates;
-  const auto choice =
-      calibration::chooseTouches(cell.arm, cell.X_WB, touchable, work, {count, touchSigmaOf(cell.tool)});
+  return bestTouches(cell, candidates, work, count, doubt);
+}
+
+BestTouches bestTouches(const planner::Workcell& cell, const std::vector<calibration::TouchPlan>& candidates,
+                        const std::vector<Eigen::VectorXd>& work, int count, const calibration::DoubtBeside& doubt) {
+  return bestTouches(cell.arm, cell.X_WB, calibration::surelyTouchable(cell.arm, cell.X_WB, candidates, count), work,
+                     {count, touchSigmaOf(cell.tool), doubt});
+}
+
+BestTouches bestTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                        const std::vector<calibration::TouchPlan>& touchable, const std::vector<Eigen::VectorXd>& work,
+                        const calibration::TouchChoiceOptions& options) {
+  const auto choice = calibration::chooseTouches(arm, X_WB, touchable, work, options);
   if (choice.status != calibration::TouchChoiceStatus::kDone) return {{}, choice.reason};
-  std::vector<calibration::TouchPlan> plans;
+  BestTouches best;
   for (int index : choice.chosen) {
-    plans.push_back(touchable[static_cast<std::size_t>(index)]);
-    plans.back().id = "T" + std::to_string(plans.size());
+    best.plans.push_back(touchable[static_cast<std::size_t>(index)]);
+    best.plans.back().id = "T" + std::to_string(best.plans.size());
   }
-  return {std::move(plans), {}};
+  best.mean_sigma = choice.mean_sigma;
+  return best;
 }
 
 namespace {
@@ -79,10 +89,11 @@ BothCalibrations calibrateBoth(const planner::Workcell& placed, const CellModel&
 }
 
 BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
-                               const calibration::ArmUncertainty& uncertainty, const Eigen::Isometry3d& X_WB_start,
+                               const calibration::DoubtBeside& doubt, const Eigen::Isometry3d& X_WB_start,
                                const tubesheets::Sheet& sheet, const std::vector<calibration::Measurement>& touches) {
   calibration::BaseCalibrationOptions options;
-  options.arm = uncertainty;
+  options.arm = doubt.arm;
+  options.model_error = doubt.model_error;
   options.finds_suspects = false;
   options.method = calibration::LeastSquaresMethod::kLevenbergMarquardt;
   options.neighbours = neighboursOn(sheet);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,14 +20,30 @@ namespace tubeplan::app {
 [[nodiscard]] std::vector<calibration::TouchPlan> touchCandidates(const planner::Workcell& cell,
                                                                   const std::vector<int>& tubes);
 
-/// The candidates that place the base best where the candidates are, `count` of them, named T1, T2, ... Those that
+/// The candidates that place the base best beside the doubt of the arm, `count` of them, named T1, T2, ... Those that
 /// could be out of reach from where the base really stands are taken only where there are too few others.
 struct BestTouches {
   std::vector<calibration::TouchPlan> plans;
-  std::string reason;  ///< why there are none; empty where there are
+  std::string reason;                                            ///< why there are none; empty where there are
+  double mean_sigma = std::numeric_limits<double>::quiet_NaN();  ///< as calibration::TouchChoice has it
 };
+
+/// Best for the tip at the candidates.
 [[nodiscard]] BestTouches bestTouches(const planner::Workcell& cell,
-                                      const std::vector<calibration::TouchPlan>& candidates, int count);
+                                      const std::vector<calibration::TouchPlan>& candidates, int count,
+                                      const calibration::DoubtBeside& doubt);
+
+/// Best for the tip in the postures of the work.
+[[nodiscard]] BestTouches bestTouches(const planner::Workcell& cell,
+                                      const std::vector<calibration::TouchPlan>& candidates,
+                                      const std::vector<Eigen::VectorXd>& work, int count,
+                                      const calibration::DoubtBeside& doubt);
+
+/// The best of candidates that can surely be touched.
+[[nodiscard]] BestTouches bestTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
+                                      const std::vector<calibration::TouchPlan>& touchable,
+                                      const std::vector<Eigen::VectorXd>& work,
+                                      const calibration::TouchChoiceOptions& options);
 
 /// The tube whose hole a candidate names, by its index in the sheet.
 [[nodiscard]] int tubeOf(const calibration::TouchPlan& candidate, const tubesheets::Sheet& sheet);
@@ -40,8 +57,8 @@ struct BothCalibrations {
 
 /// Calibrates with both arms at hand, for many calibrations of a model: nothing is said of touches that do not fit.
 [[nodiscard]] BothCalibrations calibrateBoth(const deflection::Arm& flexible, const deflection::Arm& rigid,
-                                             const calibration::ArmUncertainty& uncertainty,
-                                             const Eigen::Isometry3d& X_WB_start, const tubesheets::Sheet& sheet,
+                                             const calibration::DoubtBeside& doubt, const Eigen::Isometry3d& X_WB_start,
+                                             const tubesheets::Sheet& sheet,
                                              const std::vector<calibration::Measurement>& touches);
 
 /// Returns the cell with its base as calibrated, and its arm as the touches have it.

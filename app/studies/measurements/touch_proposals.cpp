@@ -88,9 +88,8 @@ class TouchSearch {
       plans.push_back({std::to_string(k), "",
                        planner::holeCentre(cell.sheet.tubes[static_cast<std::size_t>(holes[k].tube)]), holes[k].q});
     std::vector<ReachedHole> kept;
-    for (const auto& plan : calibration::keepTouchable(cell.arm, cell.X_WB, plans))
+    for (const auto& plan : calibration::surelyTouchable(cell.arm, cell.X_WB, plans, count))
       kept.push_back(holes[std::stoul(plan.id)]);
-    if (static_cast<int>(kept.size()) < count) return holes;
     result_.holes = static_cast<int>(holes.size());
     result_.holes_unsure = static_cast<int>(holes.size() - kept.size());
     return kept;

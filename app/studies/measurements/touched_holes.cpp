@@ -20,10 +20,16 @@ calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet) {
   };
 }
 
+calibration::DoubtBeside doubtBeside(const CellModel& cell) {
+  const auto known = cell.knownModelError();
+  return {cell.uncertainty, known ? known->sigma : 0};
+}
+
 calibration::BaseCalibrationOptions calibrationOptionsOf(const CellModel& cell) {
   calibration::BaseCalibrationOptions options;
-  options.arm = cell.uncertainty;
-  if (const auto known = cell.knownModelError()) options.model_error = known->sigma;
+  const calibration::DoubtBeside doubt = doubtBeside(cell);
+  options.arm = doubt.arm;
+  options.model_error = doubt.model_error;
   if (cell.sheet) options.neighbours = neighboursOn(*cell.sheet);
   return options;
 }

@@ -108,7 +108,7 @@ std::vector<CentringTrials::Hole> CentringTrials::prepared(const std::vector<Tou
 std::vector<CentringTrials::Hole> CentringTrials::fixedHoles(const planner::Workcell& model, const CentringHoles& holes,
                                                              const CentringSetting& setting) {
   if (setting.rule == TouchRule::kBest) {
-    const BestTouches best = bestTouches(model, holes.touchable, setting.touches);
+    const BestTouches best = bestTouches(model, holes.touchable, setting.touches, options_.doubt);
     if (problem_.empty()) problem_ = best.reason;
     return prepared(best.plans);
   }
@@ -176,7 +176,7 @@ Trial CentringTrials::runSetting(const Run& run, std::size_t index) const {
     trial.failure = TrialFailure::kUntouchable;
     return trial;
   }
-  const auto base = calibrateBoth(flexible_, rigid_, options_.uncertainty, X_WB_, sheet_, touches);
+  const auto base = calibrateBoth(flexible_, rigid_, options_.doubt, X_WB_, sheet_, touches);
   trial.failure = failureOf(base);
   if (trial.failure != TrialFailure::kNone) return trial;
   trial.touch_error = meanResidual(base.flexible);

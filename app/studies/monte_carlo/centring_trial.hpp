@@ -11,6 +11,7 @@
 #include "app/studies/monte_carlo/true_arm.hpp"
 #include "app/studies/monte_carlo/true_touches.hpp"
 #include "app/studies/positioning/step_score.hpp"
+#include "calibration/estimation/estimate.hpp"
 
 namespace tubeplan::app {
 
@@ -42,8 +43,8 @@ struct CentringHoles {
 
 struct CentringOptions {
   TruthSpread spread;
-  calibration::ArmUncertainty uncertainty;  ///< of the arm's numbers, beside which bases are calibrated
-  int holes = 10;  ///< visited in a run, each time others
+  calibration::DoubtBeside doubt;  ///< beside which touches are chosen and bases calibrated
+  int holes = 10;                  ///< visited in a run, each time others
   std::uint64_t seed = 1;
   std::vector<CentringSetting> settings;
 };

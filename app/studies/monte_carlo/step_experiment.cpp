@@ -11,12 +11,12 @@ namespace {
 constexpr std::uint64_t kTouchFits = 20;
 
 CentringTrials trialsOf(const planner::Workcell& model, const planner::Workcell& truth, const CentringHoles& holes,
-                        const StepExperimentOptions& options, const calibration::ArmUncertainty& uncertainty,
-                        int touches, TouchRule rule) {
+                        const StepExperimentOptions& options, const calibration::DoubtBeside& doubt, int touches,
+                        TouchRule rule) {
   return {model,
           truth,
           holes,
-          {options.spread, uncertainty, options.test_holes, options.seed, {{touches, rule, touchSigmaOf(model.tool)}}}};
+          {options.spread, doubt, options.test_holes, options.seed, {{touches, rule, touchSigmaOf(model.tool)}}}};
 }
 
 /// At the hole goal-point and via-point compensation are one.
@@ -66,7 +66,7 @@ StepExperiment runStepExperiment(const planner::Workcell& model, const planner::
     return experiment;
   }
   const auto trials =
-      trialsOf(model, truth, holes, options, options.uncertainty, options.calibration_holes, TouchRule::kTested);
+      trialsOf(model, truth, holes, options, options.doubt, options.calibration_holes, TouchRule::kTested);
   const auto steps = static_cast<int>(model.tool.steps.size());
   const auto runs = static_cast<std::size_t>(options.runs);
   for (std::size_t run = 0; run < runs; ++run) {
@@ -84,8 +84,8 @@ StepExperiment runStepExperiment(const planner::Workcell& model, const planner::
     for (double& count : experiment.mean_counts[mode]) count /= std::max(1, experiment.runs);
     experiment.mean_error[mode] /= std::max(1, experiment.scored[mode]);
   }
-  experiment.mean_touch_error = meanTouchError(trialsOf(
-      model, truth, holes, options, calibration::ArmUncertainty::none(), options.touch_fit_points, TouchRule::kRandom));
+  experiment.mean_touch_error = meanTouchError(trialsOf(model, truth, holes, options, calibration::DoubtBeside{},
+                                                        options.touch_fit_points, TouchRule::kRandom));
   const bool complete = experiment.runs + static_cast<int>(experiment.refused.size()) == options.runs;
   experiment.status = complete ? StepExperimentStatus::kDone : StepExperimentStatus::kStopped;
   if (!complete) experiment.reason = "stopped after " + std::to_string(experiment.runs) + " runs, which are kept";

@@ -12,8 +12,8 @@
 namespace tubeplan::app {
 
 struct StepExperimentOptions {
-  calibration::ArmUncertainty uncertainty;  ///< as CentringOptions has it
-  std::vector<int> tubes;  ///< of the model's sheet; each run touches and visits some of those in reach
+  calibration::DoubtBeside doubt;  ///< as CentringOptions has it
+  std::vector<int> tubes;          ///< of the model's sheet; each run touches and visits some of those in reach
   TruthSpread spread;
   int runs = 100;
   std::uint64_t seed = 1;

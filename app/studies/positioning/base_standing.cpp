@@ -35,7 +35,8 @@ const PlacingRow& rowOf(BasePlacing placing) {
 }
 
 std::string withTouches(const char* text, std::size_t touches) {
-  return fmt::format(fmt::runtime(text), fmt::format("{} touch{}", touches, touches == 1 ? "" : "es"));
+  const std::string count = touches == 0 ? "" : fmt::format("{} ", touches);
+  return fmt::format(fmt::runtime(text), fmt::format("{}touch{}", count, touches == 1 ? "" : "es"));
 }
 
 }  // namespace

@@ -14,12 +14,17 @@ enum class BasePlacing { kNominal, kStated, kIdentified, kCalibrated, kMisfit, k
 
 struct BaseStanding {
   BasePlacing placing = BasePlacing::kNominal;
-  std::size_t touches = 0;  ///< that placed it
+  std::size_t touches = 0;  ///< that placed it; of bases that each run calibrates none where their numbers differ
 };
 
 /// Returns how the base of a cell was placed: by `placed_by` where a calibration has just found it, else by what the
 /// cell says of it.
 [[nodiscard]] BaseStanding standingOf(const CellModel& cell, const calibration::BaseCalibration* placed_by = nullptr);
+
+/// Returns the standing of the bases that runs calibrate, each run its own, by so many touches.
+[[nodiscard]] inline BaseStanding standingOfEachRun(int touches) {
+  return {BasePlacing::kEachRun, static_cast<std::size_t>(touches)};
+}
 
 /// Returns the name that documents have for it: "nominal", "calibrated", ...
 [[nodiscard]] std::string nameOf(BasePlacing placing);

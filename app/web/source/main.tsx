@@ -6,11 +6,11 @@ import "./style/tokens.css";
 import "./style/page.css";
 import "./style/views.css";
 import {render} from "preact";
-import {followColours} from "./drawing/colours";
+import {followChosenColours} from "./drawing/colours";
 import {dropTokenFromAddress, followServer} from "./server/workbench";
 import {Workbench} from "./shell/workbench";
 
 dropTokenFromAddress();
-followColours();
+followChosenColours();
 followServer();
 render(<Workbench />, document.getElementById("page")!);

@@ -51,3 +51,36 @@ describe("columns of foreign tables", () => {
     expect(missingOf(document, choices)).toEqual(["a column for q1", "only one column for q2"]);
   });
 });
+
+describe("columns of a work list", () => {
+  const list: ColumnsDocument = {
+    tables: [{name: "list.csv", columns: ["Reihe", "Spalte", "Dauer"], rows: [["1", "2", "30"]], count: 1, names: null}],
+    targets: ["row", "column", "tube", "dwell"].map((quantity) => ({
+      quantity,
+      units: quantity === "dwell" ? ["s"] : [],
+      is_required: false,
+      found: null,
+    })),
+    options: [],
+    needs: [["tube"], ["row", "column"]],
+  };
+  const chosen = (...quantities: string[]) => [
+    quantities.map((quantity) => ({quantity, unit: quantity === "dwell" ? "s" : ""})),
+  ];
+
+  it("are enough where one list of what is needed is whole", () => {
+    const lacks = "a column for tube, or for row and column";
+    expect(missingOf(list, guessed(list))).toEqual([lacks]);
+    expect(missingOf(list, chosen("row", "", ""))).toEqual([lacks]);
+    expect(missingOf(list, chosen("row", "column", "dwell"))).toEqual([]);
+    expect(missingOf(list, chosen("", "tube", ""))).toEqual([]);
+  });
+
+  it("are said as the server takes them", () => {
+    expect(chosenColumns(list, chosen("row", "column", "dwell"))).toEqual([
+      "row=list.csv:Reihe",
+      "column=list.csv:Spalte",
+      "dwell_s=list.csv:Dauer",
+    ]);
+  });
+});

@@ -20,7 +20,7 @@ import type {EffectAt, ErrorReading, LeverageDocument, MomentsDocument, Vector3}
 // Two turning joints in a plane, the second at the end of a link of 10; sixty readings, the world's z up.
 const COUNT = 60;
 const wave = (k: number) => ((k * 0.618034) % 1) * 2 - 1;
-const readings: ErrorReading[] = Array.from({length: COUNT}, (_, k) => ({
+const readings: (ErrorReading & {temperature: number; time: number})[] = Array.from({length: COUNT}, (_, k) => ({
   id: String(k + 1),
   kind: "position",
   point: `P${k % 6}`,
@@ -56,7 +56,11 @@ const leverage: LeverageDocument = {
   readings: byId((k) => [...levers[k][0], ...levers[k][1], ...levers[k][1]]),
 };
 const source = {readings, joints: [{name: "theta1"}, {name: "theta2"}], places};
-const variables = variablesOf(source, {angle: "deg", force: "lbf"}, moments);
+const conditions = [
+  {name: "temperature", unit: "degC"},
+  {name: "time", unit: "min"},
+];
+const variables = variablesOf(source, {angle: "deg", force: "lbf", conditions}, moments);
 const parts = partsOf({ids: readings.map(({id}) => id), places, unit: {length: "in", angle: "deg"}, leverage});
 
 const scaled = (v: Vector3, by: number): Vector3 => [v[0] * by, v[1] * by, v[2] * by];
@@ -135,12 +139,12 @@ describe("the plot opens on the variable that the cause lives on", () => {
     ).toEqual(["moment_tool_z", "as tool.z"]);
   });
   it("for errors of base, lengths and measurement", () => {
-    expect(opened("base-slip", "base", (k) => (readings[k].time! > 50 ? [0.05, 0.01, 0] : [0, 0, 0]))).toEqual([
+    expect(opened("base-slip", "base", (k) => (readings[k].time > 50 ? [0.05, 0.01, 0] : [0, 0, 0]))).toEqual([
       "time",
       "x",
     ]);
-    expect(opened("base-drift", "base", (k) => [0, 0.001 * readings[k].time!, 0])).toEqual(["time", "y"]);
-    const grown = (k: number) => scaled(places[k], 1e-4 * (readings[k].temperature! - 20));
+    expect(opened("base-drift", "base", (k) => [0, 0.001 * readings[k].time, 0])).toEqual(["time", "y"]);
+    const grown = (k: number) => scaled(places[k], 1e-4 * (readings[k].temperature - 20));
     expect(opened("thermal-growth", "arm", grown)).toEqual(["temperature", "radial"]);
     expect(opened("tool-remount", "tool", (k) => (k % 2 ? [0.1, 0, 0] : [0, 0, 0]))).toEqual(["set-up", "x"]);
     expect(opened("scale-error", "measurement", (k) => scaled(places[k], 0.001))[0]).toMatch(/^position_[xy]$/);
@@ -167,6 +171,19 @@ describe("variables", () => {
     );
     expect(own.map(variableTitle)).toEqual(["slide, mm", "order of the readings"]);
     expect(variables.map(({kind}) => kind)).toContain("moment");
+  });
+
+  it("are whatever conditions the program serves", () => {
+    const joints = [{name: "turn"}];
+    const damp = [40, 55, 70].map((humidity, k) => ({id: String(k), joints: [k], humidity}));
+    const found = variablesOf(
+      {readings: damp, joints, places: []},
+      {conditions: [{name: "humidity", unit: "percent"}]},
+    );
+    const own = found.find(({kind}) => kind === "humidity")!;
+    expect(variableTitle(own)).toBe("humidity, percent");
+    expect(damp.map(own.of)).toEqual([40, 55, 70]);
+    expect(variablesOf({readings: damp, joints, places: []}, {}).map(({kind}) => kind)).not.toContain("humidity");
   });
 });
 

@@ -67,7 +67,7 @@ TEST_F(OtherArms, ASlideCalledAsACoordinateHasAColumnOfItsOwn) {
   (void)write("readings.csv", rows);
   const Outcome compared = run("compare cell.yaml readings.csv");
   EXPECT_NE(compared.exit_code, 2) << compared.err;
-  expectSays(compared.out, "as joint errors (mean, spread): x ");
+  expectSays(compared.out, "as an error of x: mean ");
 }
 
 TEST_F(OtherArms, WhereNothingIsFreeTheCellIsNamed) {

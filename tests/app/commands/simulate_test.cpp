@@ -70,7 +70,9 @@ TEST_F(Simulate, EveryDesignAndKindIsReadBack) {
   ASSERT_EQ(bench.size(), 120u);
   for (const auto& m : bench) {
     EXPECT_EQ(m.kind, MeasurementKind::kPosition);
-    EXPECT_TRUE(m.p_W && m.approach_directions.size() == 4 && std::isfinite(m.temperature) && std::isfinite(m.time));
+    EXPECT_TRUE(m.p_W && m.approach_directions.size() == 4);
+    for (const auto condition : {deflection::Condition::kTemperature, deflection::Condition::kTime})
+      EXPECT_TRUE(m.conditions.states(condition));
     EXPECT_NEAR(m.sigma, 0.003 * kInch, 1e-15);
   }
   for (const auto& m : simulate("bowl.yaml", "--design bowl --readings 30"))
@@ -193,7 +195,7 @@ TEST_F(Simulate, PosturesKeepClearOfTheScene) {
       work.load = m.load;
       const auto frames = planner::bodyFrames(work, m.q, nullptr);
       std::string names;
-      const double margin = planner::lipschitzMargin(work.scene, frames, 1e-5, 0.01, &names);
+      const double margin = planner::LipschitzMargins(work.scene).at(frames, 1e-5, 0.01, &names);
       // The encoders' noise at a lever of 80 in may be missing, and nothing more.
       EXPECT_GE(margin, -5 * 0.002 * kDegree * 80 * kInch) << design << " " << m.id << " " << names;
     }

@@ -131,6 +131,29 @@ TEST_F(BaseStandings, AreNamedByRepeatedScores) {
   }
 }
 
+TEST_F(BaseStandings, ACampaignIsForTheBaseOfEachRun) {
+  constexpr const char* kWords = "for the base that each run calibrates from ";
+  for (const std::string touches : {"3", "4", "3,5"}) {
+    SCOPED_TRACE(touches);
+    const std::string out = "many" + touches;
+    const Outcome outcome =
+        run("campaign mockup.yaml --runs 2 --tubes spread:20 --touches " + touches + " --out " + out);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json document = documentIn(out + "/campaign.json");
+    const bool differ = touches.find(',') != std::string::npos;
+    EXPECT_EQ(document["base"]["status"], "each-run");
+    EXPECT_EQ(document["base"]["placed"], true);
+    EXPECT_EQ(document["base"]["touches"], differ ? 0 : std::stoi(touches));
+    EXPECT_EQ(document["base"]["words"], kWords + (differ ? "touches" : touches + " touches"));
+    for (const auto& setting : document["settings"]) {
+      EXPECT_EQ(setting["base"]["status"], "each-run");
+      EXPECT_EQ(setting["base"]["touches"], setting["touches"]);
+    }
+    expectSays(outcome.out, document["base"]["words"]);
+    expectSays(contentOf(folder / out / "report.html"), document["settings"][0]["base"]["words"]);
+  }
+}
+
 TEST_F(BaseStandings, ARefusedCalibrationLeavesTheNominalBaseAndSaysSo) {
   for (const char* question : {"calibrate mockup.yaml wrong.csv --out placed.yaml",
                                "plan mockup.yaml --tubes spread:3 --touches wrong.csv --out refused"}) {

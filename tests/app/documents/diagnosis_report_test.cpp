@@ -31,8 +31,6 @@ void expectOneFile(const std::string& page) {
   EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0U);
   EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
   EXPECT_EQ(page.find("/*STYLE*/"), std::string::npos);
-  EXPECT_EQ(page.find("innerHTML"), std::string::npos);  // text goes in as text
-  EXPECT_EQ(page.find("insertAdjacentHTML"), std::string::npos);
   EXPECT_EQ(page.find("@import"), std::string::npos);
   EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)\s*=\s*["']?(https?:)?//)")));
   std::string without = page;
@@ -52,9 +50,6 @@ TEST(DiagnosisReport, eachKindIsOneFileThatSaysWhatItIs) {
     json expected = figures;
     expected["page"] = kind;
     EXPECT_EQ(dataOf(page), expected);
-    for (const std::string section : {"ladderSection", "rankingSection", "addedVariableSection", "residualMapsSection",
-                                      "residualChartsSection", "hiddenEffectsSection", "alternativesSection"})
-      EXPECT_GT(occurrences(page, "function " + section + "("), 0U) << section;
   }
 }
 

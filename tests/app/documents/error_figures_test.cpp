@@ -97,7 +97,7 @@ TEST_F(ErrorFigures, areInTheUnitOfWhatWasMeasured) {
     expectAddsUp(figures, kind.name);
     for (const json& worst : figures["worst"]) EXPECT_EQ(worst["unit"], unit);
     for (const json& reading : figures["readings"]) EXPECT_EQ(reading["size_unit"], unit);
-    expectSays(comparisonText(result, readings, 0, units), " " + unit + " as it stands");
+    expectSays(comparisonText(figures), " " + unit + " as it stands");
     if (!is_angle) continue;
     EXPECT_EQ(figures["worst"][0]["id"], readings[3].id);
     EXPECT_NEAR(figures["worst"][0]["size"].get<double>(), 0.5, 0.01);

@@ -78,7 +78,7 @@ TEST(ArmReader, readsOriginsPrismaticJointsLumpsAndTheAxis) {
   EXPECT_DOUBLE_EQ(arm.rows[0].weight.lumps.at(0).at.z(), 0.003);
   EXPECT_TRUE(arm.tool_axis_L.isApprox(Eigen::Vector3d(0, 0.6, 0.8)));
   EXPECT_TRUE(arm.tool_turn_L.isApprox(Eigen::Vector3d(0, 0.5 * std::numbers::pi / 180, 0)));
-  EXPECT_DOUBLE_EQ(arm.reference_temperature, 298.15);
+  EXPECT_DOUBLE_EQ(arm.reference[deflection::Condition::kTemperature], 298.15);
 }
 
 TEST(ArmReader, refusesUnknownMissingAndIllTypedKeys) {

@@ -4,8 +4,10 @@
 #include <numbers>
 
 #include "app/files/cell_reader.hpp"
+#include "app/files/measurement_columns.hpp"
 #include "app/files/measurements_writer.hpp"
 #include "app/files/reading_input.hpp"
+#include "app/files/yaml/strict_yaml.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "tests/app/test_files.hpp"
 #include "tests/units.hpp"
@@ -42,7 +44,7 @@ TEST_F(MeasurementsReader, readsAPosition) {
   EXPECT_NEAR(m.sigma, 0.003 * kInch, 1e-18);
   EXPECT_EQ(m.line, 2);
   EXPECT_TRUE(m.approach_directions.empty());
-  EXPECT_TRUE(std::isnan(m.temperature));
+  EXPECT_TRUE(std::isnan(m.conditions[deflection::Condition::kTemperature]));
 }
 
 TEST_F(MeasurementsReader, takesAHolesCentreFromTheSheet) {
@@ -63,12 +65,30 @@ TEST_F(MeasurementsReader, readsOptionalColumnsAndOtherUnits) {
   EXPECT_EQ(m.id, "a,b");
   EXPECT_EQ(m.setup, "s1");
   EXPECT_TRUE(m.is_held_out);
-  EXPECT_EQ(m.time, 60);
-  EXPECT_EQ(m.temperature, 293.15);
+  EXPECT_EQ(m.conditions[deflection::Condition::kTime], 60);
+  EXPECT_EQ(m.conditions[deflection::Condition::kTemperature], 293.15);
   EXPECT_DOUBLE_EQ(m.own[0], 0.1);
   EXPECT_EQ(m.q[0], 0.5);
   EXPECT_EQ(m.p_W->z(), 3);
   EXPECT_EQ(m.approach_directions, (std::vector<int>{-1, 0, 1, 1}));
+}
+
+TEST_F(MeasurementsReader, readsEveryConditionInEachOfItsUnits) {
+  const std::string joints = "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in";
+  for (const char* block : {"{length: in, angle: deg, force: lbf, temperature: degF, time: min}",
+                            "{length: mm, angle: rad, force: N, temperature: K, time: h}"}) {
+    const Units units(parseYaml(std::string("units: ") + block + "\n", "f.yaml").at("units"));
+    for (const auto& kind : deflection::kConditionKinds) {
+      const std::string header = joints + "," + conditionColumn(kind, units) + "\n";
+      const auto readings = read(header + "1,position,0,90,0,0,1,2,3,12.5\n2,position,0,90,0,0,1,2,3,\n");
+      EXPECT_DOUBLE_EQ(readings[0].conditions[kind.condition], units.toInternal(12.5, kind.unit)) << kind.name;
+      EXPECT_FALSE(readings[1].conditions.states(kind.condition)) << kind.name;
+      if (kind.least > -1e300) {
+        const std::string less = formatNumber(units.toFile(kind.least, kind.unit) - 1);
+        expectSays(refusal(header + "1,position,0,90,0,0,1,2,3," + less + "\n"), kind.least_words);
+      }
+    }
+  }
 }
 
 TEST_F(MeasurementsReader, refusesNumbersBeyondAnyQuantity) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/files/cell_reader.hpp"
+#include "app/files/measurement_columns.hpp"
 #include "app/files/measurements_reader.hpp"
 #include "app/files/touch_input.hpp"
 #include "app/files/yaml/strict_yaml.hpp"
@@ -36,13 +37,15 @@ class MeasurementsWriter : public ::testing::Test {
     if (m.kind != MeasurementKind::kTouch || random.index(2) == 0) m.p_W = random.vector(1);
     const auto columns = static_cast<Eigen::Index>(kindOf(m).columns.size());
     for (Eigen::Index k = 0; k < columns; ++k)
-      if (k == 0 || !kindOf(m).is_partly_seen || random.index(2) == 0) m.own[k] = random.uniform(0.1, 2);
+      if (k == 0 || calibration::valueColumnsOf(kindOf(m)).least > 1 || random.index(2) == 0)
+        m.own[k] = random.uniform(0.1, 2);
     if (kindOf(m).is_to_gravity) m.direction_W = -cell.arm.gravity_W;
-    if (kindOf(m).is_without_place) m.p_W.reset();
+    if ((!kindOf(m).lack && !kindOf(m).is_from_reading) || kindOf(m).settle) m.p_W.reset();
     if (kindOf(m).turn_rows > 0) m.turn_sigma = random.uniform(1e-5, 1e-3);
     if (kindOf(m).is_place && random.index(3) == 0) m.p_TQ = random.vector(0.1);
     if (kindOf(m).has_direction) m.direction_W = random.vector(1).normalized();
-    if (kindOf(m).are_columns_given) m.own[0] = 0.01;  // of one point every reading states the same
+    if (!kindOf(m).columns.empty() && calibration::valueColumnsOf(kindOf(m)).numbers.empty())
+      m.own[0] = 0.01;  // of one point every reading states the same
     m.sigma = random.uniform(1e-5, 1e-3);
     if (kindOf(m).has_coordinates && random.index(3) == 0) {
       m.sigma_W = Eigen::Vector3d(random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3), random.uniform(1e-5, 1e-3));
@@ -72,8 +75,8 @@ class MeasurementsWriter : public ::testing::Test {
     const int number = std::stoi(m.id.substr(8));
     m.setup = "S" + std::to_string((kindOf(m).is_from_reading ? number - 1 : number) / 100);
     for (int k = 0; k < 4; ++k) m.approach_directions.push_back(random.index(3) - 1);
-    m.temperature = random.uniform(270, 310);
-    m.time = random.uniform(0, 1e5);
+    for (const auto& kind : deflection::kConditionKinds)
+      m.conditions[kind.condition] = kind.usual + random.uniform(0, 1e4);
     m.is_held_out = random.index(2) == 1;
   }
 
@@ -120,8 +123,8 @@ class MeasurementsWriter : public ::testing::Test {
     if (a.reference) {
       EXPECT_EQ(a.reference->id, b.reference->id);
     }
-    expectNear(a.temperature, b.temperature, 1e-8);
-    expectNear(a.time, b.time, 1e-6);
+    for (const auto& kind : deflection::kConditionKinds)
+      expectNear(a.conditions[kind.condition], b.conditions[kind.condition], 1e-7);
   }
 
   void expectRoundTrip(const std::vector<Measurement>& readings, const Units& units) const {
@@ -157,10 +160,14 @@ TEST_F(MeasurementsWriter, WritesTheColumnsThatReadingsHaveInTheirOrder) {
   reading.kind = MeasurementKind::kDistance;
   reading.own[0] = 1;
   reading.p_TQ.reset();
+  std::string conditions;
+  for (const auto& kind : deflection::kConditionKinds) conditions += conditionColumn(kind, cell.units) + ",";
+  EXPECT_TRUE(conditions.starts_with("temperature_degF,time_min,"));
   expectSays(
       measurementsCsv({reading}, cell.arm, cell.units),
       "id,kind,point,setup,load_lbf,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,distance_in,sigma_in,"
-      "theta1_dir,theta2_dir,theta3_dir,theta4_dir,temperature_degF,time_min,split\n");
+      "theta1_dir,theta2_dir,theta3_dir,theta4_dir," +
+          conditions + "split\n");
 }
 
 TEST_F(MeasurementsWriter, KeepsNamesWithCommasAndQuotesWhole) {

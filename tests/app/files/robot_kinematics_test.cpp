@@ -7,6 +7,8 @@
 
 #include "app/documents/arm_figures.hpp"
 #include "app/files/arm_reader.hpp"
+#include "app/files/input_error.hpp"
+#include "deflection/flexible_kinematics.hpp"
 #include "tests/app/test_files.hpp"
 
 namespace tubeplan::app {
@@ -33,13 +35,13 @@ const std::string kArm =
     "  - {name: w3, origin: {position: [0, 92.1, 0], rpy: [90, 180, 180]}, joint: {name: q6, type: revolute}}\n"
     "tool: {tip: [0, 0, 100]}  # measured\n";
 
-YamlFile armOf(const std::string& text) { return {"arm.yaml", text, parseYaml(text, "arm.yaml")}; }
+YamlFile calibratedArmOf(const std::string& text) { return {"arm.yaml", text, parseYaml(text, "arm.yaml")}; }
 RobotKinematics kinematicsOf(const std::string& text) { return readRobotKinematics(parseYaml(text, "ur.yaml")); }
 
 TEST(RobotKinematics, replacesTheOriginsAndKeepsTheHalfTurnOfTheBase) {
   const RobotKinematics kinematics = kinematicsOf(kKinematics);
   EXPECT_EQ(kinematics.hash, "calib_1234567890");
-  const std::string text = withRobotKinematics(armOf(kArm), kinematics);
+  const std::string text = withRobotKinematics(calibratedArmOf(kArm), kinematics);
   expectSays(text, "# measured");
   const ArmSource found = readArm(parseYaml(text, "found.yaml"));
   ASSERT_EQ(found.arm.rows.size(), 6u);
@@ -51,8 +53,61 @@ TEST(RobotKinematics, replacesTheOriginsAndKeepsTheHalfTurnOfTheBase) {
     EXPECT_NEAR((origin.rpy - expected.rpy).norm(), 0, 2e-11) << k;  // twelve digits of 180 deg
   }
   const std::string as_root = changed(kArm, "rpy: [0, 0, 180]}, joint: {name: q1", "rpy: [0, 0, 0]}, joint: {name: q1");
-  const ArmSource straight = readArm(parseYaml(withRobotKinematics(armOf(as_root), kinematics), "found.yaml"));
+  const ArmSource straight = readArm(parseYaml(withRobotKinematics(calibratedArmOf(as_root), kinematics), "found.yaml"));
   EXPECT_NEAR(std::get<deflection::Origin<double>>(straight.arm.rows[0].placement).rpy.z(), -1.5e-5, 1e-15);
+}
+
+TEST(RobotKinematics, comeBackFromTextToTheLastBit) {
+  for (const std::string& text : {kKinematics, changed(kKinematics, "  hash: calib_1234567890\n", "")}) {
+    const RobotKinematics read = kinematicsOf(text), again = kinematicsOf(robotKinematicsText(read));
+    EXPECT_EQ(again.hash, read.hash);
+    for (std::size_t k = 0; k < 6; ++k) {
+      EXPECT_EQ(again.origins[k].position, read.origins[k].position) << k;
+      EXPECT_EQ(again.origins[k].rpy, read.origins[k].rpy) << k;
+    }
+  }
+}
+
+TEST(RobotKinematics, ofAnArmAreThoseThatItWasGivenWhicheverWayItsBaseStands) {
+  const RobotKinematics given = kinematicsOf(kKinematics);
+  for (const char* yaw : {"180", "0"}) {
+    const std::string arm = changed(kArm, "rpy: [0, 0, 180]}, joint: {name: q1",
+                                    std::string("rpy: [0, 0, ") + yaw + "]}, joint: {name: q1");
+    const ArmSource calibrated = readArm(parseYaml(withRobotKinematics(calibratedArmOf(arm), given), "found.yaml"));
+    const RobotKinematics again = robotKinematicsOf(calibrated.arm, "found.yaml");
+    for (std::size_t k = 0; k < 6; ++k) {
+      EXPECT_NEAR((again.origins[k].position - given.origins[k].position).norm(), 0, 1e-12) << yaw << k;
+      EXPECT_NEAR((again.origins[k].rpy - given.origins[k].rpy).norm(), 0, 2e-11) << yaw << k;
+    }
+  }
+}
+
+/// Offsets, leans and passive rows: the tip stands where it did.
+TEST(RobotKinematics, ofAnIdentifiedArmHoldItsOffsetsLeansAndPassiveRows) {
+  const std::string text =
+      changed(changed(changed(kArm, "{name: q2, type: revolute}", "{name: q2, type: revolute, offset: 3}"),
+                      "rpy: [0, 0, 0]}, joint: {name: q3", "rpy: [0, 0, 0], beta: 2}, joint: {name: q3"),
+              "  - {name: w1,", "  - {name: flange, origin: {position: [5, 6, 7], rpy: [1, 2, 3]}}\n  - {name: w1,");
+  const deflection::Arm arm = readArm(parseYaml(text, "arm.yaml")).arm;
+  deflection::Arm plain = readArm(parseYaml(kArm, "arm.yaml")).arm;
+  RobotKinematics kinematics = robotKinematicsOf(arm, "arm.yaml");
+  kinematics.origins[0].position.head<2>() *= -1;  // the base's half turn
+  kinematics.origins[0].rpy.z() += std::numbers::pi;
+  for (std::size_t k = 0; k < 6; ++k) plain.rows[k].placement = kinematics.origins[k];
+  const Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(6, -1, 2);
+  const auto tip = [&](const deflection::Arm& of) { return deflection::solveFlexibleKinematics(of, {q}).X_BD.p; };
+  EXPECT_NEAR((tip(arm) - tip(plain)).norm(), 0, 1e-12);
+}
+
+TEST(RobotKinematics, ofOtherArmsAreRefused) {
+  const auto of = [](const std::string& text) {
+    return robotKinematicsOf(readArm(parseYaml(text, "arm.yaml")).arm, "arm.yaml");
+  };
+  EXPECT_THROW((void)of(changed(kArm, ", joint: {name: q6, type: revolute}", "")), InputError);
+  EXPECT_THROW((void)of(changed(kArm, "{name: q6, type: revolute}", "{name: q6, type: prismatic}")), InputError);
+  EXPECT_THROW(
+      (void)of(changed(kArm, "origin: {position: [-243.65, 0, 0], rpy: [0, 0, 0]}", "dh: {alpha: 0, a: 1, d: 0}")),
+      InputError);
 }
 
 TEST(RobotKinematics, whatTheFileLacksIsNamed) {
@@ -83,10 +138,10 @@ TEST(RobotKinematics, anArmThatItIsNotOfIsRefused) {
   };
   for (const auto& [from, to, says] : kWrong)
     expectSays(
-        messageOf([&, &f = from, &t = to] { (void)withRobotKinematics(armOf(changed(kArm, f, t)), kinematics); }),
+        messageOf([&, &f = from, &t = to] { (void)withRobotKinematics(calibratedArmOf(changed(kArm, f, t)), kinematics); }),
         says);
   const std::string two = changed(changed(kArm, "-213, 0, 131.05", "-392, 0, 109"), "-243.65, 0", "-425, 0");
-  expectSays(messageOf([&] { (void)withRobotKinematics(armOf(two), kinematics); }), "'f'");
+  expectSays(messageOf([&] { (void)withRobotKinematics(calibratedArmOf(two), kinematics); }), "'f'");
 }
 
 TEST(ArmText, showsOriginsAsTheFileHasThem) {

@@ -29,14 +29,23 @@ TEST(Units, convertsByExactFactors) {
 
 TEST(Units, showLengthsToATenThousandthOfAnInch) {
   for (const auto& [unit, decimals] : {std::pair("in", 4), {"mm", 4}, {"cm", 4}, {"ft", 6}, {"m", 6}})
-    EXPECT_EQ(lengthDecimals(unitsOf(std::string("{length: ") + unit + ", angle: deg, force: N}")), decimals) << unit;
+    EXPECT_EQ(lengthDecimals(*findUnit(UnitKind::kLength, unit)), decimals) << unit;
 }
 
 TEST(Units, convertsTemperatures) {
-  EXPECT_NEAR(cobraUnits().temperatureToInternal(68), 293.15, 1e-12);
-  EXPECT_NEAR(cobraUnits().temperatureToInternal(32), 273.15, 1e-12);
-  EXPECT_EQ(cobraUnits().temperatureToFile(293.15), 68);
-  EXPECT_EQ(unitsOf("{length: m, angle: rad, force: N}").temperatureToInternal(20), 293.15);
+  const deflection::ValueUnit absolute{deflection::Quantity::kTemperature};
+  EXPECT_NEAR(cobraUnits().toInternal(68, absolute), 293.15, 1e-12);
+  EXPECT_NEAR(cobraUnits().toInternal(32, absolute), 273.15, 1e-12);
+  EXPECT_EQ(cobraUnits().toFile(293.15, absolute), 68);
+  EXPECT_EQ(unitsOf("{length: m, angle: rad, force: N}").toInternal(20, absolute), 293.15);
+}
+
+TEST(Units, LeaveNumbersOfAUnitOfTheirOwn) {
+  const deflection::ValueUnit percent{deflection::Quantity::kNone, "percent"};
+  EXPECT_EQ(cobraUnits().toInternal(45, percent), 45);
+  EXPECT_EQ(cobraUnits().toFile(45, percent), 45);
+  EXPECT_EQ(cobraUnits().nameOf(percent), "percent");
+  EXPECT_EQ(cobraUnits().nameOf(deflection::ValueUnit{deflection::Quantity::kTemperature}), "degF");
 }
 
 TEST(Units, namesQuantities) {

@@ -1,4 +1,4 @@
-// What compare, identify and diagnose say of the same readings agrees: a mistake that one names, all of them name.
+// What commands say of the same readings agrees: a mistake that one names, all of them name, and end alike.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 #include "app/jobs/comparison.hpp"
 #include "app/jobs/diagnosis.hpp"
 #include "app/jobs/identification.hpp"
-#include "tests/app/test_files.hpp"
+#include "tests/app/program.hpp"
 #include "tests/calibration/spoils.hpp"
 
 namespace tubeplan::app {
@@ -42,6 +42,7 @@ bool expectAgreement(const CellReadings& input) {
     EXPECT_NE(identified.fit.status, calibration::IdentificationStatus::kNotRun);
     EXPECT_FALSE(identified.figures["parameters"].empty());
     EXPECT_EQ(identified.set_aside, compared.set_aside);
+    EXPECT_EQ(identified.figures["adequacy"], compared.figures["after_refit"]["verdict"]);
     return false;
   }
   EXPECT_EQ(diagnosed.figures["verdict"], "inconclusive");
@@ -53,6 +54,7 @@ bool expectAgreement(const CellReadings& input) {
   for (const char* model : {"as_it_stands", "after_refit"})
     EXPECT_EQ(compared.figures[model]["verdict"], "inconclusive") << model;
   EXPECT_EQ(identified.figures["status"], "not-run");
+  EXPECT_EQ(identified.figures["adequacy"], compared.figures["verdict"]);
   EXPECT_EQ(identified.figures["reason"], mistake);
   EXPECT_TRUE(identified.figures["parameters"].empty());
   EXPECT_TRUE(identified.set_aside.empty() && compared.set_aside.empty()) << "readings are no outliers of a mistake";
@@ -83,6 +85,81 @@ TEST_P(OneVerdict, OfTwoMistakesAtOnce) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEverySpoil, OneVerdict, testing::Range<std::size_t>(0, calibration::spoils().size()));
+
+/// A command on m.csv, and where its figures give the verdict; nowhere of one that gives none.
+struct Asked {
+  const char *command, *where, *over_a_mistake;
+};
+constexpr Asked kOfBench[] = {{"compare bench.yaml m.csv --folds 0", "/verdict", "inconclusive"},
+                              {"diagnose bench.yaml m.csv --effects 1", "/verdict", "inconclusive"},
+                              {"identify bench.yaml m.csv --folds 0", "/adequacy", "inconclusive"},
+                              {"identify bench.yaml m.csv --folds 0 --out written", "/adequacy", "inconclusive"},
+                              {"improve bench.yaml m.csv --steps 1 --out written", "/end", "mistake"},
+                              {"ladder m.csv bench.yaml", "", ""},
+                              {"touches bench.yaml --readings m.csv --candidates 20 --count 2 --csv written", "", ""},
+                              {"sensitivity bench.yaml --readings m.csv --postures 10", "", ""}};
+constexpr Asked kOfMockup[] = {
+    {"compare mockup.yaml m.csv --folds 0", "/verdict", "inconclusive"},
+    {"calibrate mockup.yaml m.csv --out written", "", ""},
+    {"touches mockup.yaml --readings m.csv --goal base --tubes spread:5 --candidates 10 --csv written", "", ""}};
+
+class OneAnswer : public ProgramTest {
+ protected:
+  OneAnswer() {
+    for (const char* file : {"bench.yaml", "mockup.yaml", "cobra-arm.yaml"})
+      write(file, contentOf(shippedCells() / file));
+  }
+
+  /// Writes m.csv, and the same with a joint's sign turned, and with two of them.
+  void simulate(const std::string& words) const {
+    const auto made = run("simulate " + words + " --seed 7 --out made");
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    Cell cell = readCell((folder / words.substr(0, words.find(' '))).string());
+    const std::string table = contentOf(folder / "made/measurements.csv");
+    for (const int turned : {0, 1, 2}) {
+      auto readings = parseReadings(table, "made", cell, 0);
+      for (auto& reading : readings)
+        for (int joint = 2; joint < 2 + turned; ++joint) reading.q[joint] = -reading.q[joint];
+      write("turned" + std::to_string(turned) + ".csv", measurementsCsv(readings, cell.arm, cell.units));
+    }
+  }
+
+  void expectOneAnswer(std::span<const Asked> questions, int turned) const {
+    SCOPED_TRACE(std::to_string(turned) + " signs turned");
+    write("m.csv", contentOf(folder / ("turned" + std::to_string(turned) + ".csv")));
+    nlohmann::json checks;
+    for (const auto& asked : questions) {
+      SCOPED_TRACE(asked.command);
+      const auto outcome = run(std::string(asked.command) + " --json -");
+      EXPECT_EQ(outcome.exit_code, turned > 0 ? 1 : 0) << outcome.err;
+      const auto figures = nlohmann::json::parse(outcome.out, nullptr, false);
+      ASSERT_TRUE(figures.is_object()) << outcome.out;
+      if (checks.is_null()) checks = figures["checks"];
+      EXPECT_EQ(figures["checks"], checks);
+      if (turned > 0) {
+        ASSERT_FALSE(checks.empty());
+        EXPECT_EQ(checks[0]["severity"], "mistake");
+        if (*asked.where) {
+          EXPECT_EQ(figures[nlohmann::json::json_pointer(asked.where)], asked.over_a_mistake);
+        }
+      }
+      const bool writes = std::string(asked.command).ends_with("written");
+      EXPECT_EQ(std::filesystem::exists(folder / "written"), writes && turned == 0);
+      std::filesystem::remove(folder / "written");
+      std::filesystem::remove(folder / "written-arm.yaml");
+    }
+  }
+};
+
+TEST_F(OneAnswer, OfAllWhoTakeReadingsOfABench) {
+  ASSERT_NO_FATAL_FAILURE(simulate("bench.yaml --design bench --readings 40 --spread 0.1"));
+  for (const int turned : {0, 1, 2}) expectOneAnswer(kOfBench, turned);
+}
+
+TEST_F(OneAnswer, OfAllWhoTakeTouchesOfHoles) {
+  ASSERT_NO_FATAL_FAILURE(simulate("mockup.yaml --design bowl --readings 8 --loads 0"));
+  for (const int turned : {0, 1, 2}) expectOneAnswer(kOfMockup, turned);
+}
 
 }  // namespace
 }  // namespace tubeplan::app

@@ -325,8 +325,7 @@ TEST_F(WorkbenchRoutes, touchingHolesPlacesTheBase) {
 
 TEST_F(WorkbenchRoutes, touchesThatPlaceNoBaseAreShownAndLeaveTheModel) {
   serve("mockup.yaml", "mockup.yaml");
-  for (const int hole : {0, 11, 90, 6})
-    ASSERT_EQ(post("/api/touch", {{"hole", hole}, {"simulate", true}}).status, 200);
+  for (const int hole : {0, 11, 90, 6}) ASSERT_EQ(post("/api/touch", {{"hole", hole}, {"simulate", true}}).status, 200);
   const json last = get("/api/touches").body["touches"][3];
   std::vector<double> joints = last["joints"];
   joints[0] += 3;  // degrees
@@ -379,10 +378,50 @@ TEST_F(WorkbenchRoutes, aWorkListSelectsItsTubesAndSaysWhatItLeavesOut) {
   EXPECT_NE(notes.find("Weather"), std::string::npos) << notes;
   const auto stays = of("row,column,dwell_s\n1,1,30\n");
   ASSERT_EQ(stays.status, 200);
-  EXPECT_NE(stays.body["notes"].dump().find("how long to stay"), std::string::npos);
+  EXPECT_EQ(stays.body["stays"].size(), 1u);
+  EXPECT_EQ(stays.body["stays"].begin().value(), 30);
   for (const char* wrong : {"", "a,b\n1,2\n", "row,column\n99,99\n", "row,column\n1\n", "row,column\none,two\n",
                             "row,column,status\n1,1,PLG\n1,1,open\n", "row,column,status\n1,99,melted\n"})
     EXPECT_EQ(of(wrong).status, 422) << wrong;
+}
+
+TEST_F(WorkbenchRoutes, aWorkListIsReadByTheColumnsThatAreNamed) {
+  serve("mockup.yaml");
+  const auto columnsOf = [&](const std::string& text) {
+    return post("/api/tubes/columns", {{"tables", json::array({{{"name", "work.csv"}, {"text", text}}})}});
+  };
+  const auto states = [&](const std::string& text) { return columnsOf(text).body["states"]; };
+  EXPECT_EQ(states("Row;Col\n1;1\n"), "tubes");
+  EXPECT_EQ(states("Reihe;Spalte;Dauer\n1;1;20\n"), "neither");
+  EXPECT_EQ(states("hole,J1,J2,J3,J4\nR1C1,10,20,30,40\n"), "joints");
+  const std::string text = "Reihe;Spalte;Dauer;x\n1;1;20;3\n1;2;;3\n";
+  const json columns = columnsOf(text).body;
+  EXPECT_EQ(columns["tables"][0]["columns"], json::array({"Reihe", "Spalte", "Dauer", "x"}));
+  EXPECT_FALSE(columns["is_understood"]);
+  const auto of = [&](const json& chosen) {
+    return post("/api/tubes", {{"name", "work.csv"}, {"text", text}, {"columns", chosen}});
+  };
+  const auto list = of({"row=work.csv:Reihe", "column=work.csv:Spalte", "dwell_s=work.csv:Dauer"});
+  ASSERT_EQ(list.status, 200) << list.body.dump();
+  EXPECT_EQ(list.body["tubes"].size(), 2u);
+  EXPECT_EQ(list.body["stays"].size(), 1u);
+  for (const json& wrong : {json::array({"row=Reihe"}), json::array({"row=Reihe", "column=Reihen"}),
+                            json::array({"row=Reihe", "column=Spalte", "dwell=Dauer"}),
+                            json::array({"row=Reihe", "row=Spalte", "column=x"}), json::array({"Reihe"})})
+    EXPECT_EQ(of(wrong).status, 422) << wrong;
+  EXPECT_EQ(columnsOf("").status, 422);
+  EXPECT_EQ(post("/api/tubes/columns", {{"tables", json::array()}}).status, 422);
+}
+
+TEST_F(WorkbenchRoutes, aPlanStaysAsLongAsAskedAtItsTubes) {
+  serve("mockup.yaml");
+  done("/api/plan", {{"tubes", json::array({3, 40, 41})}, {"seed", 2}, {"stays", {{"40", 25}, {"77", 10}}}});
+  std::map<double, int> stays;
+  for (const json& tube : get("/api/results/plan").body["tubes"]) ++stays[tube.value("dwell_s", 0.0)];
+  EXPECT_EQ(stays[25], 1);
+  EXPECT_FALSE(stays.contains(10));
+  for (const json& wrong : {json{{"40", -1}}, json{{"40", 1e6}}, json{{"9999", 1}}, json{{"x", 1}}, json{{"40", "1"}}})
+    EXPECT_EQ(post("/api/plan", {{"tubes", json::array({3, 40})}, {"stays", wrong}}).status, 422) << wrong;
 }
 
 TEST_F(WorkbenchRoutes, aPlanCanBePlayedAndExported) {

@@ -14,8 +14,6 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr double kTouchSigma = 0.005 * kInch;
-
 /// An arm, where it stands, what it may touch and where it works: postures at random.
 struct DoubtedCell {
   deflection::Arm arm;
@@ -144,17 +142,22 @@ TEST_P(TouchDoubt, MoreDoubtOfStiffnessesLowersNoSigma) {
   }
 }
 
-TEST_P(TouchDoubt, WithoutDoubtTheChoiceIsThatOfAnExactArm) {
+/// An arm whose numbers are exact, and one that is off also by its own error.
+TEST_P(TouchDoubt, PlansAreChosenAsTheirReadingsAre) {
   const auto cell = doubtedCell(GetParam());
-  const auto posed = poseDesign(nothingTouched(cell, ArmUncertainty::none()), cell.candidates, cell.work);
   std::vector<TouchPlan> plans;
-  for (const auto& candidate : cell.candidates) plans.push_back({"", "", {}, candidate.readings.front().q});
-  for (const int count : {3, 5}) {
-    const auto by_problem = chooseTouches(posed.problem, count);
-    const auto by_arm = chooseTouches(cell.arm, cell.X_WB, plans, cell.work.postures, {count, kTouchSigma});
-    EXPECT_EQ(by_problem.chosen, by_arm.chosen);
-    EXPECT_NEAR(by_problem.mean_sigma, by_arm.mean_sigma, 1e-4 * by_arm.mean_sigma);
+  for (const auto& candidate : cell.candidates) {
+    const auto& touch = candidate.readings.front();
+    plans.push_back({"", touch.point, *touch.known_W, touch.q});
   }
+  for (const auto& doubt : {DoubtBeside{}, DoubtBeside{ArmUncertainty{}, 0}, DoubtBeside{ArmUncertainty{}, 1e-3}})
+    for (const int count : {3, 5}) {
+      const auto posed = poseDesign(nothingTouched(cell, doubt.arm, doubt.model_error), cell.candidates, cell.work);
+      const auto by_problem = chooseTouches(posed.problem, count);
+      const auto by_arm = chooseTouches(cell.arm, cell.X_WB, plans, cell.work.postures, {count, kTouchSigma, doubt});
+      EXPECT_EQ(by_problem.chosen, by_arm.chosen);
+      EXPECT_NEAR(by_problem.mean_sigma, by_arm.mean_sigma, 1e-9 * by_arm.mean_sigma);
+    }
 }
 
 /// Touches of an arm whose numbers are off as they may be show no lack of fit, and leave what a calibration states.

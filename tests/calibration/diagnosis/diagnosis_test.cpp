@@ -196,7 +196,7 @@ TEST(Diagnosis, DoesNotCallScatterWhatFollowsAPattern) {
   for (const auto& [cycles, follows] : {std::pair(3, "time"), std::pair(7, "cycles of time")}) {
     auto readings = benchReadings(cell, "", "", {}, 120, 5);
     for (std::size_t k = 0; k < readings.size(); ++k) {
-      readings[k].time = 60. * static_cast<double>(k);
+      readings[k].conditions[Condition::kTime] = 60. * static_cast<double>(k);
       const double phase = 2 * std::numbers::pi * cycles * static_cast<double>(k) / 120;
       readings[k].p_W->z() += 4 * readings[k].sigma * std::sin(phase);
     }
@@ -296,7 +296,7 @@ TEST(Diagnosis, LeavesOutWhatOnlyACoarseTimeAskedFor) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 1000, 1);
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    readings[k].time = 60. * static_cast<double>(k);
+    readings[k].conditions[Condition::kTime] = 60. * static_cast<double>(k);
     if (k < 500) continue;
     const Eigen::AngleAxisd yaw(0.1 * kDegree, Eigen::Vector3d::UnitZ());
     readings[k].p_W = yaw * *readings[k].p_W + Eigen::Vector3d(0.1 * kInch, 0, 0);
@@ -348,8 +348,8 @@ TEST(Diagnosis, NamesASlowDrift) {
   const auto cell = shippedBench();
   auto readings = benchReadings(cell, "", "", {}, 90, 4);
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    readings[k].time = 120. * static_cast<double>(k);
-    *readings[k].p_W += readings[k].time * Eigen::Vector3d(1e-8, -1.5e-8, 2.5e-8);
+    readings[k].conditions[Condition::kTime] = 120. * static_cast<double>(k);
+    *readings[k].p_W += readings[k].conditions[Condition::kTime] * Eigen::Vector3d(1e-8, -1.5e-8, 2.5e-8);
   }
   const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
   EXPECT_EQ(found.verdict, Verdict::kExplained);
@@ -369,7 +369,8 @@ TEST(Diagnosis, AnOutlierAmongTouchesIsNoSlip) {
   ReadingMaker maker(start, 3, ReadingMaker::Noise::kStated);
   maker.addTouches(31, {0, 30 * kPound}, false);
   auto& readings = maker.readings;
-  for (std::size_t k = 0; k < readings.size(); ++k) readings[k].time = 60. * static_cast<double>(k);
+  for (std::size_t k = 0; k < readings.size(); ++k)
+    readings[k].conditions[Condition::kTime] = 60. * static_cast<double>(k);
   readings[41].q[2] += 0.1 * kDegree;
   DiagnosisOptions options;
   options.baseline.free = {{"tool.joint_stiffness.z"}, false};

@@ -79,7 +79,7 @@ std::vector<Measurement> countsAtPredictedTips(const app::Cell& cell, int visits
     visit.kind = MeasurementKind::kSteps;
     visit.q = maker.drawPosture();
     visit.p_W = toolAt(cell.arm, cell.X_WB, visit)->p_W;
-    visit.time = 120. * k;
+    visit.conditions[Condition::kTime] = 120. * k;
     const bool is_before = 2 * k < visits;
     visit.own = {is_before ? 3. : 2., is_before ? 0 : beyond, is_before ? beyond : within};
     visit.sigma = steps::sigmaBetween(visit.own[1], visit.own[2]);

@@ -161,7 +161,8 @@ TEST(Identifiability, BesideAKnownBaseTheFirstAxisIsFound) {
   makePrecise(placed);
   placed.base_poses[0].is_known = true;
   const Seen seen = see(placed, preciseReadings(placed, 60), {{"geometry"}, true});
-  for (const char* name : {"link1.dh.alpha", "link1.dh.a", "link1.dh.d", "link1.dh.beta", "link1.joint.offset"})
+  for (const char* name :
+       {"link1.dh.alpha", "link1.dh.a", "link1.dh.d", "link1.dh.beta", "link1.dh.b", "link1.joint.offset"})
     EXPECT_EQ(seen.of(name).verdict, kYes) << name;
   EXPECT_EQ(static_cast<std::size_t>(rankOf(seen)), seen.unknowns.size() - 1);  // the turn of the tip
 }

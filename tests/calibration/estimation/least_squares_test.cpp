@@ -23,7 +23,6 @@ class EveryMethod : public testing::TestWithParam<std::string_view> {
   LeastSquaresResult minimize(const LeastSquaresProblem& problem, std::optional<int> max_iterations = 100000) const {
     return minimizeLeastSquares(problem, {std::nullopt, max_iterations, method()});
   }
-  bool asksForJacobians() const { return method() != LeastSquaresMethod::kHookeJeeves; }
 };
 
 std::vector<std::string_view> methodNames() {
@@ -130,7 +129,7 @@ TEST_P(EveryMethod, CountsWhatItAsks) {
       const auto found = minimize(watched(problem, asked), limit);
       EXPECT_EQ(found.evaluations, asked.values);
       EXPECT_EQ(found.jacobian_evaluations, asked.jacobians);
-      EXPECT_EQ(asked.jacobians > 0, asksForJacobians());
+      EXPECT_GT(asked.jacobians, 0);
       EXPECT_LE(found.iterations, limit);
     }
 }
@@ -191,7 +190,7 @@ TEST_P(EveryMethod, SaysWhenTheModelCannotBeDifferentiated) {
     return inner(x, r, J) && !(J && x[0] > 0.5);
   };
   const auto found = minimize(problem);
-  EXPECT_EQ(found.status, asksForJacobians() ? Status::kFailed : Status::kConverged) << found.reason;
+  EXPECT_EQ(found.status, Status::kFailed) << found.reason;
   EXPECT_FALSE(found.reason.empty());
   EXPECT_LT(found.chi2, chi2Of(rosenbrock(), rosenbrock().start));
   EXPECT_DOUBLE_EQ(found.chi2, chi2Of(rosenbrock(), found.x));
@@ -291,7 +290,6 @@ TEST(LeastSquaresMethods, EachHasItsOwnName) {
   for (const auto& kind : leastSquaresMethods()) {
     EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
     EXPECT_TRUE(methods.insert(kind.method).second) << kind.name;
-    EXPECT_FALSE(kind.summary.empty());
   }
   EXPECT_TRUE(methods.contains(LeastSquaresOptions{}.method));
 }

@@ -346,7 +346,7 @@ TEST(MeasurementChecksOf, MissingColumnsSayWhatTheyWouldShow) {
   auto readings = *set;
   for (auto& m : readings.table.readings) {
     m.approach_directions.clear();
-    m.temperature = m.time = std::numeric_limits<double>::quiet_NaN();
+    m.conditions = {};
   }
   std::vector<std::string> columns;
   for (const auto& missing : checksOf(readings).missing) columns.push_back(missing.column);
@@ -415,7 +415,7 @@ TEST(MeasurementChecksOf, ManyReadingsAreThinnedOut) {
   for (int copy = 1; copy < 100; ++copy)
     for (auto m : few) {
       m.id += "-" + std::to_string(copy);
-      m.time += copy;
+      m.conditions[Condition::kTime] += copy;
       set->table.readings.push_back(m);
     }
   SeededRandom random(1);

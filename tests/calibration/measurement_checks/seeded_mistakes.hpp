@@ -433,7 +433,7 @@ inline Made baseFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const std::string setup = s.table.readings[step->first].setup;
   for (std::size_t k = 0; k < s.table.readings.size(); ++k) {
     auto& m = s.table.readings[k];
-    m.time = std::numeric_limits<double>::quiet_NaN();
+    m.conditions[Condition::kTime] = std::numeric_limits<double>::quiet_NaN();
     if (k >= step->first && m.setup == setup) *m.p_W = turn * *m.p_W + by;
   }
   return "base=unknown@" + step->from;

@@ -20,7 +20,7 @@ Measurement anyReading(const MeasurementKindRow& row) {
   m.p_W = Eigen::Vector3d(0.3, -0.2, 0.5);
   m.direction_W = Eigen::Vector3d(0.6, 0, 0.8);
   if (row.settle) m.surface = Surface{{0.4, 0.1, -0.2}, {0.48, -0.6, 0.64}, 0.3};
-  m.own = {0.7, row.is_partly_seen ? kNothing : 0.2, -0.3};
+  m.own = {0.7, valueColumnsOf(row).least == 1 && row.columns.size() > 1 ? kNothing : 0.2, -0.3};
   return m;
 }
 
@@ -85,6 +85,25 @@ TEST(MeasurementKinds, WhatIsRecordedWasMeasured) {
     Measurement m = anyReading(row);
     row.record(tool, 1, MeasuredValue::Zero(row.rows), m);
     EXPECT_LE((row.measured(m) - row.value(m, tool)).norm(), 1e-12) << row.name;
+  }
+}
+
+TEST(MeasurementKinds, WhatIsRecordedIsAllThatAReadingHasToState) {
+  const KnownPlaces places{Eigen::Vector3d(0.3, -0.2, 0.5), Eigen::Vector3d(0.1, 0.2, -0.4),
+                           Eigen::Vector3d(0.6, 0, 0.8), Eigen::Vector3d::UnitZ()};
+  for (const MeasurementKindRow& row : measurementKinds()) {
+    Measurement m;
+    m.kind = row.kind;
+    EXPECT_EQ(statesEnough(m), valueColumnsOf(row).least == 0) << row.name;
+    if (row.state) row.state(places, m);
+    row.record(anyTool(), 1, MeasuredValue::Zero(row.rows), m);
+    if (row.counts_steps) m.own[0] = 3;  // whoever has the tool counts them
+    m.point = "P1";
+    EXPECT_TRUE(statesEnough(m)) << row.name;
+    EXPECT_FALSE(row.lack && row.lack(m, row.name)) << row.name;
+    if (!row.is_possible) continue;
+    m.own[0] = -0.1;
+    EXPECT_FALSE(statesEnough(m)) << row.name << ": a length below zero";
   }
 }
 

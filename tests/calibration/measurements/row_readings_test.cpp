@@ -3,7 +3,7 @@
 
 #include "calibration/estimation/identification.hpp"
 #include "calibration/estimation/whitened_residual.hpp"
-#include "calibration/measurements/reading_batch.hpp"
+#include "calibration/measurements/predict_all.hpp"
 #include "deflection/effects/effect.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
@@ -116,8 +116,8 @@ TEST(RowReadings, AmongOthersChangeNothingOfThem) {
   const auto alone = maker.readings;
   for (const auto kind : kindsOfRows())
     for (int row = 0; row < 6; ++row) maker.add(kind, 1, "B", row);
-  ASSERT_TRUE(isForBatch(placed.arm, alone));
-  ASSERT_FALSE(isForBatch(placed.arm, maker.readings));
+  ASSERT_TRUE(areForKernels(placed.arm, alone));
+  ASSERT_FALSE(areForKernels(placed.arm, maker.readings));
   PlacedArm start = placed;
   const auto unknowns = chooseUnknowns(start, {{"tool.joint_stiffness.z", "forearm.dh.a"}, true}).list;
   const auto weights = weighReadings(start, alone), all_weights = weighReadings(start, maker.readings);

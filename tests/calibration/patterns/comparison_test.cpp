@@ -1,5 +1,4 @@
 // What a residual follows is found where it was planted, and nowhere else more often than promised.
-#include "calibration/measurements/reading_placement.hpp"
 #include "calibration/patterns/comparison.hpp"
 
 #include <gtest/gtest.h>
@@ -7,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/measurements/reading_placement.hpp"
 #include "tests/calibration/campaign.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 #include "tests/units.hpp"
@@ -155,6 +155,28 @@ TEST(Comparison, plantedGrowthIsFoundByTemperature) {
   EXPECT_EQ(first.frame, PatternFrame::kRadial);
   EXPECT_NE(first.component, 1) << "links that grow move the tip in the arm's plane";
   EXPECT_EQ(first.high, static_cast<int>(first.trend.size()) - 1) << "the model predicts too little where it is warm";
+}
+
+TEST(Comparison, whatGoesWithAConditionIsFoundByIt) {
+  const auto isCondition = [](const std::string& name) {
+    return std::ranges::any_of(deflection::kConditionKinds, [&](const auto& kind) { return kind.name == name; });
+  };
+  for (const auto& kind : deflection::kConditionKinds) {
+    auto readings = makeCampaign(deflection::cobraArm(), 6);
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      const double share = std::fmod(0.618034 * static_cast<double>(k), 1);
+      readings[k].conditions = {};
+      readings[k].conditions[kind.condition] = kind.usual + 10 * share;
+      readings[k].p_W->z() += 30 * kReadingSigma * share;
+    }
+    const auto result = compareCobra(readings);
+    EXPECT_EQ(result.verdict, Adequacy::kInadequate) << kind.name;
+    ASSERT_FALSE(result.patterns.findings.empty()) << kind.name;
+    EXPECT_EQ(result.patterns.findings.front().kind, kind.name);
+    EXPECT_EQ(result.patterns.findings.front().variable, kind.name);
+    for (const auto& test : result.patterns.tests)
+      EXPECT_TRUE(test.kind == kind.name || !isCondition(test.kind)) << test.kind << " is not stated";
+  }
 }
 
 TEST(Comparison, aPlantedOffsetIsSeenAndGoneOnceItIsFitted) {

@@ -225,21 +225,23 @@ TEST(SimulatedCampaign, TimeGoesOnAndTheTemperatureDriftsSlowly) {
   for (const int readings : {60, 1200}) {
     const auto campaign = simulate(benchTruth(), designOf(MeasurementKind::kPosition, 1e-4), readings);
     double coldest = 1e9, warmest = -1e9, roughest = 0;
-    EXPECT_EQ(campaign.readings.front().time, 0);
+    EXPECT_EQ(campaign.readings.front().conditions[Condition::kTime], 0);
     for (std::size_t k = 0; k < campaign.readings.size(); ++k) {
-      const double temperature = campaign.readings[k].temperature;
+      const double temperature = campaign.readings[k].conditions[Condition::kTemperature];
       coldest = std::min(coldest, temperature);
       warmest = std::max(warmest, temperature);
       if (k == 0) continue;
-      const double wait = campaign.readings[k].time - campaign.readings[k - 1].time;
+      const double wait =
+          campaign.readings[k].conditions[Condition::kTime] - campaign.readings[k - 1].conditions[Condition::kTime];
       EXPECT_GE(wait, 60);
       EXPECT_LE(wait, 180);
-      roughest = std::max(roughest, std::abs(temperature - campaign.readings[k - 1].temperature));
+      roughest =
+          std::max(roughest, std::abs(temperature - campaign.readings[k - 1].conditions[Condition::kTemperature]));
     }
     EXPECT_GT(warmest - coldest, 5);
     EXPECT_LT(warmest - coldest, 16);
     EXPECT_LT(roughest, 3) << "slow against its range";
-    EXPECT_NEAR((warmest + coldest) / 2, benchCell().arm.reference_temperature, 6);
+    EXPECT_NEAR((warmest + coldest) / 2, benchCell().arm.reference[Condition::kTemperature], 6);
   }
 }
 
@@ -251,7 +253,7 @@ TEST(SimulatedCampaign, TheSameSeedReadsTheSameAndAnotherDoesNot) {
   for (std::size_t k = 0; k < one.size(); ++k) {
     EXPECT_EQ(one[k].q, same[k].q);
     EXPECT_EQ(one[k].approach_directions, same[k].approach_directions);
-    EXPECT_EQ(one[k].temperature, same[k].temperature);
+    EXPECT_EQ(one[k].conditions[Condition::kTemperature], same[k].conditions[Condition::kTemperature]);
     EXPECT_NE(one[k].q, other[k].q);
   }
 }
@@ -262,7 +264,7 @@ TEST(SimulatedCampaign, MoreNoiseDoesNotMeanOtherPostures) {
              loud = simulate(truth, designOf(MeasurementKind::kPosition, 1e-3), 90).readings;
   for (std::size_t k = 0; k < quiet.size(); ++k) {
     EXPECT_EQ(quiet[k].q, loud[k].q);
-    EXPECT_EQ(quiet[k].time, loud[k].time);
+    EXPECT_EQ(quiet[k].conditions[Condition::kTime], loud[k].conditions[Condition::kTime]);
     EXPECT_NE(*quiet[k].p_W, *loud[k].p_W);
   }
 }

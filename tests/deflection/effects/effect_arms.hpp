@@ -109,8 +109,8 @@ inline Posture randomPosture(const Arm& arm, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   Posture posture{randomJoints(arm, random), 180 * unit(random), randomDirection(random)};
   for (int k = 0; k < posture.q.size(); ++k) posture.approach_directions.push_back(static_cast<int>(random() % 3) - 1);
-  posture.temperature = 283 + 20 * unit(random);
-  posture.time = -1000 + 2000 * unit(random);
+  posture.conditions[Condition::kTemperature] = 283 + 20 * unit(random);
+  posture.conditions[Condition::kTime] = -1000 + 2000 * unit(random);
   return posture;
 }
 

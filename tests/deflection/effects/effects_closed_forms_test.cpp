@@ -169,11 +169,11 @@ void toolTurn() {
 void thermalGrowth() {
   Arm arm = elbow();
   arm.rows[0].placement = DenavitHartenberg<double>{0, 0.5, 0, 0};
-  arm.reference_temperature = 290;
+  arm.reference[Condition::kTemperature] = 290;
   const Arm warm = withEffect(arm, "thermal-growth", "arm", {2e-5});
   Posture posture = at({0, 0}, 0);
   EXPECT_NEAR(solve(warm, posture).X_BD.p.x(), 0.5 + 2 * kLength, 1e-15);
-  posture.temperature = 320;
+  posture.conditions[Condition::kTemperature] = 320;
   // The way to the first joint belongs to the base and stands.
   EXPECT_NEAR(solve(warm, posture).X_BD.p.x(), 0.5 + 2 * kLength * (1 + 2e-5 * 30), 1e-15);
 }
@@ -308,9 +308,9 @@ void baseSlip() {
   const Arm arm = boom(), slipped = withEffect(arm, "base-slip", "base", {0.01, -0.02, 0.03, 0.1, 500});
   Posture posture = at({0.3});
   const auto now = solve(slipped, posture);
-  posture.time = 499;
+  posture.conditions[Condition::kTime] = 499;
   expectSame(slipped, posture, arm, posture);
-  posture.time = 500;
+  posture.conditions[Condition::kTime] = 500;
   expectSame(slipped, posture, slipped, at({0.3}));
   // Turned by the yaw the arm stands as with another reading, under the same gravity.
   const auto as_read = solve(arm, at({0.3 + 0.1}));
@@ -324,7 +324,7 @@ void baseDrift() {
   const Arm arm = boom(), drifting = withEffect(arm, "base-drift", "base", {1e-6, 2e-6, -3e-6});
   Posture posture = at({0.3});
   expectSame(drifting, posture, arm, posture);
-  posture.time = 2000;
+  posture.conditions[Condition::kTime] = 2000;
   const Vector3d moved = solve(drifting, posture).X_BD.p - solve(arm, posture).X_BD.p;
   EXPECT_LE((moved - Vector3d(2e-3, 4e-3, -6e-3)).norm(), 1e-15);
 }

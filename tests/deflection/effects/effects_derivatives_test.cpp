@@ -173,8 +173,8 @@ RC_GTEST_PROP(EffectsDerivatives, OfRandomArms, ()) {
   arm.effects.push_back(sized(bare, all[static_cast<std::size_t>(below(static_cast<int>(all.size())))], 0.05));
   Posture posture = randomPostureOf(arm, 300);
   for (Eigen::Index k = 0; k < posture.q.size(); ++k) posture.approach_directions.push_back(below(3) - 1);
-  posture.temperature = between(283, 303);
-  posture.time = between(-1000, 1000);
+  posture.conditions[Condition::kTemperature] = between(283, 303);
+  posture.conditions[Condition::kTime] = between(-1000, 1000);
   const auto shape = solveFlexibleKinematics(arm, posture, kTight);
   RC_PRE(isModest(arm, shape) && !isNearAKink(arm, posture));
   auto variables = effectVariables(arm);

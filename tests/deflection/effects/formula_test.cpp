@@ -11,7 +11,7 @@
 namespace tubeplan::deflection {
 namespace {
 
-const FormulaUnits kCobraUnits{kInch, kDegree, kPound, 5. / 9, 459.67, 60};  // in, deg, lbf, degF, min
+const FormulaUnits kCobraUnits{kInch, kDegree, kPound, {{{{5. / 9, 459.67}, {60, 0}}}}};  // in, deg, lbf, degF, min
 
 Arm withFormula(Arm arm, const std::string& text, const FormulaUnits& units = {}) {
   const MadeFormula made = makeFormula(arm, text, units);
@@ -70,7 +70,8 @@ TEST(Formula, HasTheUnitsOfItsFile) {
   const Arm arm = cobraArm();
   std::mt19937_64 random(43);
   const Posture posture = randomPosture(arm, random);
-  const double load = posture.load / kPound, degF = posture.temperature * 9 / 5 - 459.67, minutes = posture.time / 60;
+  const double load = posture.load / kPound, degF = posture.conditions[Condition::kTemperature] * 9 / 5 - 459.67,
+               minutes = posture.conditions[Condition::kTime] / 60;
   const std::pair<const char*, double> turns[] = {
       {"theta1 += 0.5", 0.5 * kDegree},
       {"theta1 += c*theta2; c=0.5", 0.5 * kDegree * posture.q[1]},

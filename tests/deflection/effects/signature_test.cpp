@@ -34,14 +34,11 @@ TEST(Signature, IsAgainstWhatTheLawFollows) {
     Kind kind;
     int joint;
   };
-  const Row rows[] = {{"hysteresis", "theta4", Kind::kDirection, 3},
-                      {"hysteresis", "theta2", Kind::kDirection, 1},
-                      {"encoder-eccentricity", "theta3", Kind::kJoint, 2},
-                      {"transmission-error", "theta2", Kind::kJoint, 1},
-                      {"joint-scale", "theta3", Kind::kJoint, 2},
-                      {"thermal-growth", "arm", Kind::kTemperature, -1},
-                      {"base-drift", "base", Kind::kTime, -1},
-                      {"base-slip", "base", Kind::kTime, -1}};
+  const Row rows[] = {
+      {"hysteresis", "theta4", Kind::kDirection, 3},       {"hysteresis", "theta2", Kind::kDirection, 1},
+      {"encoder-eccentricity", "theta3", Kind::kJoint, 2}, {"transmission-error", "theta2", Kind::kJoint, 1},
+      {"joint-scale", "theta3", Kind::kJoint, 2},          {"thermal-growth", "arm", Condition::kTemperature, -1},
+      {"base-drift", "base", Condition::kTime, -1},        {"base-slip", "base", Condition::kTime, -1}};
   for (const auto& [name, at, kind, joint] : rows) {
     const Signature found = signatureAt(name, at);
     EXPECT_EQ(found.kind, kind) << name << "@" << at;

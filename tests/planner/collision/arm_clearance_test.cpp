@@ -4,6 +4,7 @@
 
 #include "planner/reach/compensation.hpp"
 #include "planner/scene/separation.hpp"
+#include "tests/planner/collision_world.hpp"
 #include "tests/planner/workcell.hpp"
 
 namespace tubeplan::planner {

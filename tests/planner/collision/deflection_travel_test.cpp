@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 
-std::vector<double> bodyReachOf(const Workcell& cell) { return CollisionWorld(cell.scene).bodyReach(); }
-
 /// Ends of all bodies in a posture, with the bow taken as a point that moves too.
 std::vector<Vector3d> pointsAt(const Workcell& cell, const VectorXd& q, double* bow) {
   const auto frames = bodyFrames(cell, q, bow);
@@ -29,7 +27,7 @@ std::vector<Vector3d> pointsAt(const Workcell& cell, const VectorXd& q, double* 
 
 /// Travel beyond what a rigid arm's bound allows never exceeds the bound, for steps great and small.
 void expectBounded(const Workcell& cell, std::uint64_t seed) {
-  const ArmTravel travel = armTravelOf(cell, bodyReachOf(cell));
+  const ArmTravel travel = armTravelOf(cell, bodyReachOf(cell.scene));
   ASSERT_TRUE(travel.is_proved) << travel.reason;
   std::mt19937_64 random(seed);
   for (int k = 0; k < 300; ++k) {
@@ -93,7 +91,7 @@ TEST(DeflectionTravel, BoundsEachElementsOwnPart) {
         cell.arm.rows[row].joint_stiffness = nominal.arm.rows[row].joint_stiffness;
       else
         cell.arm.rows[row].beam = nominal.arm.rows[row].beam;
-      const auto travel = deflectionTravelOf(cell, bodyReachOf(cell));
+      const auto travel = deflectionTravelOf(cell, bodyReachOf(cell.scene));
       ASSERT_TRUE(travel.is_proved) << travel.reason;
       std::mt19937_64 random(row);
       for (int k = 0; k < 50; ++k) {
@@ -125,7 +123,7 @@ TEST(DeflectionTravel, BoundsWhatASlideGains) {
       row.beam = testing::mockup("column.yaml").arm.rows[0].beam;
     else
       row.joint_stiffness.setConstant(3e4);
-    const auto travel = deflectionTravelOf(cell, bodyReachOf(cell));
+    const auto travel = deflectionTravelOf(cell, bodyReachOf(cell.scene));
     ASSERT_TRUE(travel.is_proved) << travel.reason;
     std::mt19937_64 random(1);
     double most = 0;
@@ -259,7 +257,7 @@ TEST(DeflectionTravel, AGapLetsEverythingBeyondItJump) {
 
 TEST(DeflectionTravel, ARigidArmAddsNothing) {
   const Workcell cell = testing::rigid(testing::mockup());
-  const auto travel = deflectionTravelOf(cell, bodyReachOf(cell));
+  const auto travel = deflectionTravelOf(cell, bodyReachOf(cell.scene));
   EXPECT_TRUE(travel.is_proved);
   EXPECT_TRUE(travel.per_joint.isZero(0));
 }
@@ -267,12 +265,12 @@ TEST(DeflectionTravel, ARigidArmAddsNothing) {
 TEST(DeflectionTravel, TellsWhereItProvesNothing) {
   Workcell cell = testing::mockup();
   cell.load = 1e5;
-  EXPECT_FALSE(deflectionTravelOf(cell, bodyReachOf(cell)).is_proved);
+  EXPECT_FALSE(deflectionTravelOf(cell, bodyReachOf(cell.scene)).is_proved);
   cell = testing::mockup();
   auto& slide = cell.arm.rows.back().joint;
   slide.type = deflection::JointType::kPrismatic;
   slide.upper = std::numeric_limits<double>::infinity();
-  const auto travel = deflectionTravelOf(cell, bodyReachOf(cell));
+  const auto travel = deflectionTravelOf(cell, bodyReachOf(cell.scene));
   EXPECT_FALSE(travel.is_proved);
   EXPECT_NE(travel.reason.find("slide without limits"), std::string::npos) << travel.reason;
 }

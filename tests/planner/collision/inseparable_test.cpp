@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "planner/collision/clearance.hpp"
 #include "tests/planner/toy_arm.hpp"
 
 namespace tubeplan::planner {

@@ -7,6 +7,7 @@
 #include "planner/collision/arm_clearance.hpp"
 #include "planner/scene/separation.hpp"
 #include "planner/verification/lipschitz_distance.hpp"
+#include "tests/planner/collision_world.hpp"
 #include "tests/planner/workcell.hpp"
 
 namespace tubeplan::planner {

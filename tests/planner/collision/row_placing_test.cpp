@@ -5,6 +5,7 @@
 #include "deflection/effects/effect.hpp"
 #include "deflection/revolute_chain/revolute_chain.hpp"
 #include "planner/collision/arm_clearance.hpp"
+#include "tests/planner/collision_world.hpp"
 #include "tests/planner/workcell.hpp"
 
 namespace tubeplan::planner {

@@ -105,24 +105,19 @@ TEST(CountSteps, CountsEachScoreOnceAndNothingElse) {
   EXPECT_EQ(countSteps({}, 3), (std::vector<int>{0, 0, 0, 0}));
 }
 
-TEST(Scoring, ManyVisitsScoreAsEachAlone) {
+TEST(Scoring, AVisitScoresAloneAsAfterOthers) {
   const Workcell cell = mockup();
   Workcell truth = cell;
   truth.load += 30;
-  std::vector<Vector3d> holes_W;
-  std::vector<TubeBranch> visits;
+  TipPrediction tips(truth);
   for (int tube : testing::tubesOf(cell, "spread:6")) {
-    holes_W.push_back(holeOf(cell, tube));
-    visits.push_back(visitOf(cell, tube));
-  }
-  const auto together = scoreVisits(truth, holes_W, visits);
-  ASSERT_EQ(together.size(), visits.size());
-  for (std::size_t k = 0; k < visits.size(); ++k) {
-    const Centring alone = scoreVisit(truth, holes_W[k], visits[k]);
-    EXPECT_EQ(together[k].offset, alone.offset) << k;
-    EXPECT_EQ(together[k].approach_deviation, alone.approach_deviation) << k;
-    EXPECT_EQ(together[k].steps, alone.steps) << k;
-    EXPECT_GT(alone.error, 0) << k;
+    const Vector3d hole_W = holeOf(cell, tube);
+    const TubeBranch visit = visitOf(cell, tube);
+    const Centring after_others = scoreVisit(tips, truth, hole_W, visit), alone = scoreVisit(truth, hole_W, visit);
+    EXPECT_EQ(after_others.offset, alone.offset) << tube;
+    EXPECT_EQ(after_others.approach_deviation, alone.approach_deviation) << tube;
+    EXPECT_EQ(after_others.steps, alone.steps) << tube;
+    EXPECT_GT(alone.error, 0) << tube;
   }
 }
 

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "planner/collision/arm_clearance.hpp"
-#include "planner/collision/clearance.hpp"
+#include "tests/planner/collision_world.hpp"
 #include "tests/planner/workcell.hpp"
 
 namespace tubeplan::planner {
@@ -159,7 +159,7 @@ TEST_P(ByOtherMeans, TheLeastMarginOfOtherSolidsIsTheCollisionWorlds) {
   for (int round = 0; round < 1000; ++round) {
     const auto frames = bodyFrames(cell, testing::randomPosture(cell.arm, generator), nullptr);
     const Clearance known = world.closest(frames);
-    const double found = lipschitzMargin(cell.scene, frames, kAccuracy, 0, nullptr);
+    const double found = LipschitzMargins(cell.scene).at(frames, kAccuracy, 0, nullptr);
     if (known.distance <= 0) {
       EXPECT_LE(found, -cell.scene.clearance + 1e-8);
       continue;
@@ -173,7 +173,7 @@ TEST_P(ByOtherMeans, TheLeastMarginOfOtherSolidsIsTheCollisionWorlds) {
       body.shape = shape("capsule", {around.from.x(), around.from.y(), around.from.z(), around.to.x(), around.to.y(),
                                      around.to.z(), around.radius});
     }
-    saved += lipschitzMargin(rounded, frames, kAccuracy, 0, nullptr) < found - 0.001;
+    saved += LipschitzMargins(rounded).at(frames, kAccuracy, 0, nullptr) < found - 0.001;
   }
   EXPECT_GT(free, 50);
   EXPECT_GT(saved, 20);
@@ -189,8 +189,8 @@ TEST_P(ByOtherMeans, TheLeastMarginAndItsPairAreTheCollisionWorlds) {
     const auto frames = bodyFrames(cell, testing::randomPosture(cell.arm, generator), nullptr);
     const Clearance known = world.closest(frames);
     std::string names;
-    const double found = lipschitzMargin(cell.scene, frames, kAccuracy, 0, &names);
-    const double coarse = lipschitzMargin(cell.scene, frames, kAccuracy, kShare, nullptr);
+    const double found = LipschitzMargins(cell.scene).at(frames, kAccuracy, 0, &names);
+    const double coarse = LipschitzMargins(cell.scene).at(frames, kAccuracy, kShare, nullptr);
     if (known.distance <= 0) {
       EXPECT_LE(found, -cell.scene.clearance + 1e-8);
       continue;
@@ -215,7 +215,7 @@ TEST(LipschitzMargin, NothingThatMayNotTouchIsInfinitelyFar) {
   Workcell cell = testing::alone(mockup());
   cell.scene.bodies.resize(1);
   const auto frames = bodyFrames(cell, Eigen::Vector4d(0, 1.5, -1, 0.2), nullptr);
-  EXPECT_EQ(lipschitzMargin(cell.scene, frames, 1e-6, 0, nullptr), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(LipschitzMargins(cell.scene).at(frames, 1e-6, 0, nullptr), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

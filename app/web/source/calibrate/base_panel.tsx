@@ -1,12 +1,12 @@
 // Where the base stands: its place with sigmas, what is left at each touch, distances, correlations.
-import {fixed, isNumber, lengthFigure, short} from "../../../drawing/numbers.js";
-import {MARKED, TOUCH_SIGMAS, valueAndSigma} from "../../../drawing/sigma_text.js";
-import type {CalibrateDocument, TouchResidual} from "../server/documents";
+import {fixed, isNumber, short} from "../../../drawing/numbers.js";
+import {MARKED} from "../../../drawing/sigma_text.js";
+import type {CalibrateDocument} from "../server/documents";
 import {units} from "../server/workbench";
 import {OtherModel} from "../shell/other_model";
 import {ProblemWords} from "../shell/states";
+import {BasePose, isFallingShort, TouchFigures} from "./base_figures";
 import {Covariance} from "./covariance";
-import {suspicionOf} from "./suspicion";
 import {outcome} from "./touches";
 
 export function BasePanel() {
@@ -59,9 +59,9 @@ function FoundBase({document}: {document: CalibrateDocument}) {
           <p class="warning">{warning}</p>
         ))}
         {to_do.length > 0 ? <ToDo steps={to_do} /> : null}
-        <BasePose document={document} />
+        <BasePose document={document} {...units.value} />
         {nominal ? <FromNominal nominal={nominal} /> : null}
-        <TouchFigures document={document} />
+        <TouchFigures document={document} unit={units.value.length} />
         {covariance ? (
           <>
             <h3>Correlations of the base's numbers</h3>
@@ -85,25 +85,6 @@ function FitFigure({document}: {document: CalibrateDocument}) {
   );
 }
 
-/** What is left at each touch and between them; nothing where no base was fitted. */
-function TouchFigures({document}: {document: CalibrateDocument}) {
-  const {length} = units.value;
-  const {residuals = [], distances = []} = document;
-  if (residuals.length === 0) return null;
-  return (
-    <>
-      <h3>Residual at each touch, {length}</h3>
-      <TouchResiduals residuals={residuals} document={document} />
-      <h3>Distances by arm and sheet, {length}</h3>
-      <Distances distances={distances} />
-    </>
-  );
-}
-
-function isFallingShort({verdict}: CalibrateDocument): boolean {
-  return verdict === "falls-short";
-}
-
 function ToDo({steps}: {steps: string[]}) {
   return (
     <>
@@ -119,35 +100,6 @@ function ToDo({steps}: {steps: string[]}) {
   );
 }
 
-function BasePose({document}: {document: CalibrateDocument}) {
-  const {length, angle} = units.value;
-  const {base, sigma} = document;
-  if (!base || !sigma) return null;
-  return (
-    <table>
-      <thead>
-        <tr>
-          <th />
-          <th class="number">x</th>
-          <th class="number">y</th>
-          <th class="number">z</th>
-        </tr>
-      </thead>
-      <tbody>
-        <FigureRows name={`position, ${length}`} values={base.position} sigmas={sigma.position} />
-        <FigureRows name={`turn, ${angle}`} values={base.rpy} sigmas={sigma.rotation} />
-        {isFallingShort(document) ? (
-          <tr>
-            <td colSpan={4} class="bad">
-              {MARKED}the touches do not fit: these sigmas hold only where they do
-            </td>
-          </tr>
-        ) : null}
-      </tbody>
-    </table>
-  );
-}
-
 function FromNominal({nominal}: {nominal: NonNullable<CalibrateDocument["nominal"]>}) {
   const {length, angle} = units.value;
   return (
@@ -158,90 +110,6 @@ function FromNominal({nominal}: {nominal: NonNullable<CalibrateDocument["nominal
         : ""}{" "}
       and {short(nominal.angle)} {angle} from nominal
     </p>
-  );
-}
-
-function TouchResiduals({residuals, document}: {residuals: TouchResidual[]; document: CalibrateDocument}) {
-  return (
-    <table>
-      <tbody>
-        {residuals.map((touch) => (
-          <>
-            <tr>
-              <td>{touch.id}</td>
-              <td>{touch.hole}</td>
-              {touch.residual.map((value, k) => (
-                <Left value={value} sigma={touch.sigma[k]} />
-              ))}
-            </tr>
-            <Suspected document={document} touch={touch.id} />
-          </>
-        ))}
-      </tbody>
-    </table>
-  );
-}
-
-/** What is suspected of a touch, below its residual. */
-function Suspected({document, touch}: {document: CalibrateDocument; touch: string}) {
-  const suspicion = suspicionOf(document, touch);
-  if (!suspicion) return null;
-  return (
-    <tr>
-      <td />
-      <td colSpan={4} class={suspicion.isOdd ? "bad" : ""}>
-        {suspicion.isOdd ? MARKED : ""}
-        {suspicion.words}
-      </td>
-    </tr>
-  );
-}
-
-function Distances({distances}: {distances: NonNullable<CalibrateDocument["distances"]>}) {
-  const {length} = units.value;
-  return (
-    <table>
-      <tbody>
-        {distances.map((row) => (
-          <tr>
-            <td>
-              {row.from} to {row.to}
-            </td>
-            <td class="number">{lengthFigure(row.by_arm, length)}</td>
-            <td class="number">{lengthFigure(row.on_sheet, length)}</td>
-            <td class="number">{lengthFigure(row.difference, length, 4)}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
-  );
-}
-
-function Left({value, sigma}: {value: number; sigma: number}) {
-  const times = Math.abs(value) / sigma;
-  const isBad = times > TOUCH_SIGMAS;
-  return (
-    <td class={`number ${isBad ? "bad" : ""}`} title={isNumber(times) ? `${short(times)} sigmas` : ""}>
-      {isBad ? MARKED : ""}
-      {valueAndSigma(value, sigma)[0]}
-    </td>
-  );
-}
-
-/** Values and their sigmas below them, to the digits that those carry. */
-function FigureRows({name, values, sigmas}: {name: string; values: readonly number[]; sigmas: readonly number[]}) {
-  const pairs = values.map((value, k) => valueAndSigma(value, sigmas[k]));
-  return (
-    <>
-      {[name, "± sigma"].map((title, k) => (
-        <tr>
-          <th>{title}</th>
-          {pairs.map((pair) => (
-            <td class="number">{pair[k]}</td>
-          ))}
-        </tr>
-      ))}
-    </>
   );
 }
 

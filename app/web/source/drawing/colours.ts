@@ -45,7 +45,16 @@ export type ColourScheme = "auto" | "light" | "dark";
 const KEPT = "tubeplan.scheme";
 const wantsDark = matchMedia("(prefers-color-scheme: dark)");
 
-export const scheme = signal<ColourScheme>((localStorage.getItem(KEPT) as ColourScheme | null) ?? "auto");
+/** A file that is opened in a frame of its own may ask no browser what it keeps. */
+function keptScheme(): ColourScheme {
+  try {
+    return (localStorage.getItem(KEPT) as ColourScheme | null) ?? "auto";
+  } catch {
+    return "auto";
+  }
+}
+
+export const scheme = signal<ColourScheme>("auto");
 
 export function isDark(): boolean {
   return scheme.value === "dark" || (scheme.value === "auto" && wantsDark.matches);
@@ -62,13 +71,19 @@ export function chooseScheme(next: ColourScheme): void {
   applyScheme();
 }
 
-/** Paper is white: what is drawn for it is drawn in black on white, and put back afterwards. */
-export function followColours(): void {
+/** Paper is white: what is drawn for it is drawn in black on white, or in light colours, and put back afterwards. */
+export function followColours(onPaper: "print" | "light" = "print"): void {
   wantsDark.addEventListener("change", applyScheme);
   window.addEventListener("beforeprint", () => {
-    document.documentElement.dataset.scheme = "print";
+    document.documentElement.dataset.scheme = onPaper;
     palette.value = readPalette();
   });
   window.addEventListener("afterprint", applyScheme);
   applyScheme();
+}
+
+/** The workbench's: as its user chose. */
+export function followChosenColours(): void {
+  scheme.value = keptScheme();
+  followColours();
 }

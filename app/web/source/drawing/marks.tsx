@@ -51,20 +51,36 @@ export function marksPath(shape: Shape, places: Iterable<readonly [number, numbe
   return all;
 }
 
+/** A mark about a place in an SVG picture; a hollow one has a line where it would be filled. */
+export function MarkAt({
+  mark,
+  x,
+  y,
+  r,
+  isHollow = false,
+}: {
+  mark: Mark;
+  x: number;
+  y: number;
+  r: number;
+  isHollow?: boolean;
+}) {
+  const colour = `var(--${mark.colour})`;
+  if (isHollow) return <path d={hollowPath(mark.shape, x, y, r)} fill="none" stroke={colour} stroke-width={0.28 * r} />;
+  const {fill, line, width} = outlineOf(mark.shape, x, y, r);
+  return (
+    <>
+      {fill ? <path d={fill} fill={colour} /> : null}
+      {line ? <path d={line} fill="none" stroke={colour} stroke-width={Math.max(0.23, width) * r} /> : null}
+    </>
+  );
+}
+
 /** A mark as a small picture beside text. */
 export function MarkIcon({mark, size = 14, isHollow = false}: {mark: Mark; size?: number; isHollow?: boolean}) {
-  const colour = `var(--${mark.colour})`;
-  const {fill, line, width} = outlineOf(mark.shape, 8, 8, 6);
   return (
     <svg class="mark" width={size} height={size} viewBox="0 0 16 16" aria-hidden="true" stroke-linejoin="round">
-      {isHollow ? (
-        <path d={hollowPath(mark.shape, 8, 8, 6)} fill="none" stroke={colour} stroke-width={1.7} />
-      ) : (
-        <>
-          {fill ? <path d={fill} fill={colour} /> : null}
-          {line ? <path d={line} fill="none" stroke={colour} stroke-width={Math.max(1.4, 6 * width)} /> : null}
-        </>
-      )}
+      <MarkAt mark={mark} x={8} y={8} r={6} isHollow={isHollow} />
     </svg>
   );
 }

@@ -1,5 +1,5 @@
 // uPlot in the page's clothes: sized by its box, redrawn when colours change.
-import {useEffect, useRef} from "preact/hooks";
+import {useLayoutEffect, useRef} from "preact/hooks";
 import uPlot from "uplot";
 import {TYPEFACE} from "./canvas";
 import type {Palette} from "./colours";
@@ -31,12 +31,16 @@ export function axis(colours: Palette, label: string, more: Partial<uPlot.Axis> 
 
 export function Plot({options, data, label, onReady}: PlotProps) {
   const box = useRef<HTMLDivElement>(null);
-  useEffect(() => {
+  // At once, so that paper has its own colours.
+  useLayoutEffect(() => {
     const element = box.current!;
     const size = () => ({width: Math.max(80, element.clientWidth), height: Math.max(60, element.clientHeight)});
     const plot = new uPlot({...options, ...size(), padding: options.padding ?? [10, 14, 0, 0]}, data, element);
     onReady?.(plot);
-    const observer = new ResizeObserver(() => plot.setSize(size()));
+    const observer = new ResizeObserver(() => {
+      const {width, height} = size();
+      if (width !== plot.width || height !== plot.height) plot.setSize({width, height});
+    });
     observer.observe(element);
     return () => {
       observer.disconnect();

@@ -9,15 +9,15 @@ import {
 } from "../../../drawing/explanations.js";
 import {errorUnit} from "../../../drawing/error_budget.js";
 import {isNumber, short} from "../../../drawing/numbers.js";
-import {IS_THERE, MOST_RANKED, rankingRows, triedText} from "../../../drawing/ranking.js";
-import type {DiagnoseDocument, EffectAt, Explanation, RankedEffect} from "../server/documents";
+import {MOST_RANKED, rankingRows, triedText} from "../../../drawing/ranking.js";
+import type {DiagnoseDocument, EffectAt, Explanation} from "../server/documents";
 import {currentModel, runningJob} from "../server/workbench";
 import {addEffects} from "./loop";
 import {letterOf} from "../../../drawing/reading_errors.js";
+import {type RankedRow, RankingTable} from "./ranking_table";
 import {chosenExplanation} from "./residuals";
 
 type Shown = Pick<Explanation, "effects"> & Partial<Explanation>;
-type Row = ReturnType<typeof rankingRows<RankedEffect>>[number];
 
 export function EffectRanking({document}: {document: DiagnoseDocument}) {
   const explanations: Shown[] = explanationsOf(document);
@@ -34,11 +34,11 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
           letter={explanations.length > 1 ? letterOf(index) : ""}
         />
       ))}
-      <RankingTable rows={rows.slice(0, MOST_RANKED)} />
+      <RankingTable rows={rows.slice(0, MOST_RANKED)} action={RankedAction} />
       {others.length > 0 ? (
         <details>
           <summary class="muted">the other {others.length}</summary>
-          <RankingTable rows={others} />
+          <RankingTable rows={others} action={RankedAction} />
         </details>
       ) : null}
       <p class="muted note">{triedText(document)}</p>
@@ -50,33 +50,6 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
         </ul>
       ) : null}
     </div>
-  );
-}
-
-function RankingTable({rows}: {rows: Row[]}) {
-  if (rows.length === 0) return null;
-  return (
-    <table>
-      <thead>
-        <tr>
-          <th>effect</th>
-          <th title={`${IS_THERE}; several may be`}>is there</th>
-          <th class="number">chi² falls by</th>
-          <th
-            class="size"
-            title="as this effect alone would have it, by one linear step; the cards have the fitted sizes"
-          >
-            size, alone
-          </th>
-          <th />
-        </tr>
-      </thead>
-      <tbody>
-        {rows.map((row) => (
-          <RankedRow key={row.title} row={row} />
-        ))}
-      </tbody>
-    </table>
   );
 }
 
@@ -153,40 +126,17 @@ function AddButton({explanation}: {explanation: Shown}) {
   );
 }
 
-function RankedRow({row}: {row: Row}) {
-  const {entry: effect, title, words, kept, probability, fall, size} = row;
+/** Adds a ranked effect, unless the model has it. */
+function RankedAction({row: {entry: effect, title}}: {row: RankedRow}) {
+  if (hasEffect(effect)) return <span class="good">✓</span>;
   return (
-    <tr title={[words, kept].filter((text) => text !== "").join("; ")}>
-      <td class="effect-name">
-        {effect.effect}
-        <small>{effect.at}</small>
-      </td>
-      <td>
-        <span class="chance">
-          <span class="chance-bar">
-            <i style={{width: `${100 * probability.share}%`}} />
-          </span>
-          {probability.text}
-        </span>
-      </td>
-      <td class="number">{fall.text}</td>
-      <td class="size" title={`${size.name} ${size.text}`}>
-        {size.name} {size.text}
-      </td>
-      <td class="number">
-        {hasEffect(effect) ? (
-          <span class="good">✓</span>
-        ) : (
-          <button
-            class="button small"
-            disabled={runningJob("add") !== null}
-            aria-label={`Add ${title}`}
-            onClick={() => addEffects([effect])}
-          >
-            Add
-          </button>
-        )}
-      </td>
-    </tr>
+    <button
+      class="button small"
+      disabled={runningJob("add") !== null}
+      aria-label={`Add ${title}`}
+      onClick={() => addEffects([effect])}
+    >
+      Add
+    </button>
   );
 }

@@ -50,7 +50,7 @@ function TabBody() {
   if (effectsTab.value === "formula") return <FormulaBox />;
   if (effectsTab.value === "numbers") {
     return identify.value.document ? (
-      <ParameterTable document={identify.value.document} />
+      <ParameterTable parameters={identify.value.document.parameters} />
     ) : (
       <p class="muted">The fitted numbers stand here once an effect is added or the model is identified.</p>
     );

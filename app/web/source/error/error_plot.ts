@@ -3,7 +3,14 @@ import type uPlot from "uplot";
 import type {Bin} from "../../../drawing/binned.js";
 import {exact, isNumber, plainUnit, tickTexts} from "../../../drawing/numbers.js";
 import type {View} from "../../../drawing/own_variable.js";
-import {partRange, levelRange, levelTicks, plotted, spreadAtLevel} from "../../../drawing/reading_errors.js";
+import {
+  type ErrorPair,
+  partRange,
+  levelRange,
+  levelTicks,
+  plotted,
+  spreadAtLevel,
+} from "../../../drawing/reading_errors.js";
 import {roundTicks, widened} from "../../../drawing/scales.js";
 import {isInShare, MOST_MARKS} from "../../../drawing/shares.js";
 import {variableTitle} from "../../../drawing/variables.js";
@@ -11,7 +18,6 @@ import type {Palette} from "../drawing/colours";
 import {axis} from "../drawing/plot";
 import {markPaths} from "../drawing/plot_marks";
 import {paintLaw, paintMeans} from "./plot_painting";
-import type {ReadingErrors} from "./residuals";
 
 export interface PlotRow {
   x: number;
@@ -34,7 +40,7 @@ interface PlotLook {
   isBrief: boolean;
 }
 
-export function makePlot(errors: ReadingErrors, view: View, look: PlotLook): MadePlot {
+export function makePlot(errors: ErrorPair, view: View, look: PlotLook): MadePlot {
   const {isLevel, xs, values, means, law} = plotted(errors, view);
   const rows = plotRows(errors, isLevel, xs);
   const {colours} = look;
@@ -67,7 +73,7 @@ export function makePlot(errors: ReadingErrors, view: View, look: PlotLook): Mad
 }
 
 /** The readings that have the variable, from left to right. */
-function plotRows(errors: ReadingErrors, isLevel: boolean, xs: readonly (number | undefined)[]): PlotRow[] {
+function plotRows(errors: ErrorPair, isLevel: boolean, xs: readonly (number | undefined)[]): PlotRow[] {
   return xs
     .flatMap((x, index) =>
       isNumber(x) ? [{x: spreadAtLevel(isLevel, x, index), index, id: errors.readings[index].id}] : [],

@@ -22,11 +22,7 @@ export const variables = computed<Variable[]>(() => {
   if (!errors) return [];
   const joints = errors.joints.map((name, k) => ({name, unit: cell.value?.joints[k]?.unit}));
   const {readings, places} = errors;
-  return variablesOf(
-    {readings, joints, places},
-    units.value as unknown as Record<string, string | undefined>,
-    moments.value,
-  );
+  return variablesOf({readings, joints, places}, units.value, moments.value);
 });
 
 export const parts = computed<Part[]>(() => {

@@ -3,7 +3,7 @@ import {signal, useSignal} from "@preact/signals";
 import {effectTitle} from "../../../drawing/explanations.js";
 import type {CatalogueDocument} from "../server/documents";
 import {get} from "../server/requests";
-import {cell, report, runningJob} from "../server/workbench";
+import {cell, report, runningJob, units} from "../server/workbench";
 import {addEffects, addFormula} from "./loop";
 
 /** Kept over changes of view. */
@@ -12,6 +12,7 @@ export const formulaText = signal("");
 export function FormulaBox() {
   const text = formulaText;
   const joints = cell.value?.joints.map((joint) => joint.name) ?? [];
+  const conditions = units.value.conditions?.map(({name}) => name) ?? [];
   const [a = "theta1", c = "theta3"] = [joints[0], joints[2] ?? joints[0]];
   const examples = [`${c} += c*sin(${a})`, `${c} += c*${c}_dir`, `tip.z += c*load`, `${c} += c*sin(k*${a}); k=3`];
   return (
@@ -43,8 +44,8 @@ export function FormulaBox() {
       </div>
       <p class="muted">
         Changes a joint, tip.x to tip.z, base.x to base.z or base.yaw. Knows {joints.join(", ")}, {a}_dir for the sense
-        of its last motion, load, temperature, time and moment_ROW_z. Other names are numbers that the fit finds. Undo
-        takes it back.
+        of its last motion, load, {conditions.join(", ")} and moment_ROW_z. Other names are numbers that the fit finds.
+        Undo takes it back.
       </p>
       <CatalogueMenu />
     </form>

@@ -1,36 +1,25 @@
 // What the last fit found, each parameter with its interval and whether the readings identify it.
-import {exact, plainUnit, short} from "../../../drawing/numbers.js";
+import {exact, MISSING, plainUnit, short} from "../../../drawing/numbers.js";
 import {valueAndSigma} from "../../../drawing/sigma_text.js";
+import {Table} from "../drawing/table";
 import type {IdentifyDocument} from "../server/documents";
 
-export function ParameterTable({document}: {document: IdentifyDocument}) {
-  return (
-    <table>
-      <thead>
-        <tr>
-          <th>parameter</th>
-          <th class="number">value</th>
-          <th class="number">± sigma</th>
-          <th class="number">start</th>
-          <th>unit</th>
-          <th>identifiable</th>
-        </tr>
-      </thead>
-      <tbody>
-        {document.parameters.map((parameter) => (
-          <tr key={parameter.name}>
-            <td class="wrap">{parameter.name}</td>
-            {valueAndSigma(parameter.value, parameter.sigma).map((figure) => (
-              <td class="number">{figure}</td>
-            ))}
-            <td class="number" title={exact(parameter.start)}>
-              {short(parameter.start)}
-            </td>
-            <td>{plainUnit(parameter.unit === "1" ? "" : parameter.unit)}</td>
-            <td class={parameter.identifiable === "yes" ? "" : "bad"}>{parameter.identifiable}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
-  );
+interface ParameterTableProps {
+  parameters: IdentifyDocument["parameters"];
+  /** Whether there is room for 95 % intervals. */
+  hasIntervals?: boolean;
+}
+
+export function ParameterTable({parameters, hasIntervals = false}: ParameterTableProps) {
+  const intervalOf = (interval: [number, number] | null) => interval?.map(short).join(" to ") ?? MISSING;
+  const rows = parameters.map(({name, value, sigma, interval, start, unit, identifiable}) => [
+    <span class="wrap">{name}</span>,
+    ...valueAndSigma(value, sigma),
+    ...(hasIntervals ? [intervalOf(interval)] : []),
+    <span title={exact(start)}>{short(start)}</span>,
+    plainUnit(unit === "1" ? "" : unit),
+    <span class={identifiable === "yes" ? "" : "bad"}>{identifiable}</span>,
+  ]);
+  const heads = ["parameter", "value", "± sigma", ...(hasIntervals ? ["95 %"] : []), "start", "unit", "identifiable"];
+  return <Table heads={heads} rows={rows} text={[0, heads.length - 2, heads.length - 1]} />;
 }

@@ -2,7 +2,7 @@
 import type {ComponentChildren} from "preact";
 import {shareText} from "../../../drawing/shares.js";
 import {MarkIcon} from "../drawing/marks";
-import type {ReadingErrors} from "./residuals";
+import type {ErrorPair} from "../../../drawing/reading_errors.js";
 
 export function SeriesLegend({
   errors,
@@ -10,7 +10,7 @@ export function SeriesLegend({
   most,
   children,
 }: {
-  errors: ReadingErrors | null;
+  errors: ErrorPair | null;
   /** What the series are is said above: here before and after alone. */
   isBrief?: boolean;
   /** How many of the readings are drawn. */

@@ -1,5 +1,6 @@
 // "A or B": the readings that would discriminate, and what else would.
 import {PAIR_HEADS, pairCells} from "../../../drawing/conditions.js";
+import {Table} from "../drawing/table";
 import {PosteriorPicture} from "./posterior_picture";
 import {RunSheetPanel} from "./run_sheet_panel";
 import type {DiagnoseDocument} from "../server/documents";
@@ -41,26 +42,9 @@ function Proposals({document}: {document: DiagnoseDocument}) {
           ))}
         </ul>
       ) : null}
-      {(splitting?.pairs ?? []).length > 0 && (
-        <table>
-          <thead>
-            <tr>
-              {PAIR_HEADS.map((head, k) => (
-                <th class={k < 2 ? "" : "number"}>{head}</th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {splitting!.pairs!.map((pair) => (
-              <tr>
-                {pairCells(pair).map((cell, k) => (
-                  <td class={k < 2 ? "" : "number"}>{cell}</td>
-                ))}
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      )}
+      {(splitting?.pairs ?? []).length > 0 ? (
+        <Table heads={PAIR_HEADS} rows={splitting!.pairs!.map(pairCells)} text={[0, 1]} />
+      ) : null}
     </>
   );
 }

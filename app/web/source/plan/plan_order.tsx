@@ -2,8 +2,8 @@
 import {signal} from "@preact/signals";
 import {plural} from "../../../drawing/numbers.js";
 import {cell, runJob, runningJob} from "../server/workbench";
-import {selection} from "../shell/page_state";
-import {WorkListButton} from "./work_list";
+import {selection, staysOfSelection} from "../shell/page_state";
+import {StayCount, WorkListButton} from "./work_list_button";
 
 const compensation = signal("via-point");
 const isOnLines = signal(false);
@@ -16,6 +16,7 @@ function startPlan(): Promise<boolean> {
     travel: isOnLines.value && compensation.value === "via-point" ? "line" : "joints",
     load: 0,
     seed: 1,
+    stays: staysOfSelection.value,
     ...(isParked.value && cell.value?.has_park ? {start: "park", end: "park"} : {}),
   });
 }
@@ -46,6 +47,7 @@ export function PlanOrder() {
         </label>
       ) : null}
       <WorkListButton />
+      <StayCount />
       <button class="button first" disabled={count === 0 || job !== null} onClick={startPlan}>
         {job ? "Planning …" : `Plan ${plural(count, "tube")}`}
       </button>

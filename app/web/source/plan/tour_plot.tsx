@@ -4,16 +4,15 @@ import {choicesOf, Segments} from "../drawing/segments";
 import {signal, useSignalEffect} from "@preact/signals";
 import {useMemo, useRef} from "preact/hooks";
 import uPlot from "uplot";
-import {TYPEFACE} from "../drawing/canvas";
 import {palette, type Palette} from "../drawing/colours";
 import {exact, fixed, short} from "../../../drawing/numbers.js";
-import {rootTicks, roundTicks} from "../../../drawing/scales.js";
+import {roundTicks} from "../../../drawing/scales.js";
 import {stepKinds} from "../../../drawing/steps.js";
-import {requiredText} from "../../../drawing/visits.js";
 import {axis, Plot} from "../drawing/plot";
 import type {PathDocument, PlanDocument} from "../server/documents";
 import {units} from "../server/workbench";
 import {arrivals, clearances, isPlaying, path, plan, time} from "./playback";
+import {clearanceAxes, paintRequired, ROOT_SCALE} from "./clearance_axes";
 import {sampleAt} from "./sampling";
 
 type What = "clearance" | "travel" | "centring";
@@ -122,7 +121,12 @@ function makePlot(which: What, document: PlanDocument, along: PathDocument, samp
     axes: axesOf(which, document, colours),
     series: seriesOf(which, data.length > 2, colours),
     hooks: {
-      draw: [(plot) => drawPlayhead(plot, which === "clearance" ? document.clearance_required : null)],
+      draw: [
+        (plot) => {
+          if (which === "clearance") paintRequired(plot, document.clearance_required, units.peek().length, colours);
+          drawPlayhead(plot);
+        },
+      ],
       setCursor: [
         ({cursor, posToVal}) => {
           const left = cursor.left ?? -1;
@@ -134,33 +138,20 @@ function makePlot(which: What, document: PlanDocument, along: PathDocument, samp
   return {options, data};
 }
 
-/** Clearance on a root scale: near zero it matters. */
 function scalesOf(which: What): uPlot.Scales {
-  return {
-    x: {time: false},
-    y: {
-      distr: which === "clearance" ? 100 : 1,
-      fwd: (value: number) => Math.sqrt(Math.max(0, value)),
-      bwd: (value: number) => value * value,
-      range: (_plot, _low, high) => [0, which === "centring" ? 1 : 1.08 * (high || 1)],
-    },
-  };
+  const most = (high: number) => (which === "centring" ? 1 : 1.08 * (high || 1));
+  return {x: {time: false}, y: which === "clearance" ? ROOT_SCALE : {range: (_plot, _low, high) => [0, most(high)]}};
 }
 
 function axesOf(which: What, document: PlanDocument, colours: Palette): uPlot.Axis[] {
-  const names: Record<What, string> = {
-    clearance: `clearance, ${units.peek().length}`,
-    travel: "to this tube, s",
-    centring: `chance: ${stepKinds(document).at(-1)!.name}`,
-  };
+  if (which === "clearance") return clearanceAxes(colours, units.peek().length);
+  const name = which === "travel" ? "to this tube, s" : `chance: ${stepKinds(document).at(-1)!.name}`;
   return [
     axis(colours, "time, s"),
-    axis(colours, names[which], {
+    axis(colours, name, {
       side: 3,
       values: (_plot: uPlot, splits: number[]) => splits.map((value) => (value === null ? "" : exact(value))),
-      filter: (_plot: uPlot, splits: number[]) => splits,
-      splits: (_plot: uPlot, _axis: number, _low: number, high: number) =>
-        which === "clearance" ? rootTicks(high) : roundTicks(0, high, 5),
+      splits: (_plot: uPlot, _axis: number, _low: number, high: number) => roundTicks(0, high, 5),
     }),
   ];
 }
@@ -183,31 +174,12 @@ function seriesOf(which: What, hasProved: boolean, colours: Palette): uPlot.Seri
   ];
 }
 
-function drawPlayhead(plot: uPlot, required: number | null): void {
+function drawPlayhead(plot: uPlot): void {
   const {ctx, bbox} = plot;
-  const colours = palette.peek();
-  ctx.save();
-  if (required !== null && Number.isFinite(required)) {
-    const y = plot.valToPos(required, "y", true);
-    ctx.strokeStyle = ctx.fillStyle = colours.bad;
-    ctx.setLineDash([7, 4]);
-    ctx.beginPath();
-    ctx.moveTo(bbox.left, y);
-    ctx.lineTo(bbox.left + bbox.width, y);
-    ctx.stroke();
-    ctx.font = `${11 * uPlot.pxRatio}px ${TYPEFACE}`;
-    ctx.textAlign = "right";
-    const words = requiredText(required, units.peek().length);
-    ctx.strokeStyle = colours.panel;
-    ctx.lineWidth = 4 * uPlot.pxRatio;
-    ctx.lineJoin = "round";
-    ctx.setLineDash([]);
-    ctx.strokeText(words, bbox.left + bbox.width - 4, y - 6);
-    ctx.fillText(words, bbox.left + bbox.width - 4, y - 6);
-  }
   const x = plot.valToPos(time.peek(), "x", true);
+  ctx.save();
   ctx.setLineDash([]);
-  ctx.strokeStyle = colours.ink;
+  ctx.strokeStyle = palette.peek().ink;
   ctx.lineWidth = 1.5 * uPlot.pxRatio;
   ctx.beginPath();
   ctx.moveTo(x, bbox.top);

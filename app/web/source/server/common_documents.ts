@@ -9,6 +9,8 @@ export interface Units {
   force: string;
   temperature?: string;
   time?: string;
+  /** That readings may state under these names. */
+  conditions?: {name: string; unit: string}[];
 }
 
 /** How a base was placed; `words` continue "proved" and "steps". */

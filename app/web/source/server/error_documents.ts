@@ -12,6 +12,7 @@ export interface JudgedDocument {
   units: Units;
 }
 
+/** Conditions that it states are beside these, under the names that the units have them by. */
 export interface ErrorReading {
   id: string;
   kind: string;
@@ -21,8 +22,6 @@ export interface ErrorReading {
   senses?: number[];
   load?: number;
   force?: Vector3; // on the tip beside the load, world axes
-  temperature?: number;
-  time?: number;
   sigma?: number;
   held_out?: boolean;
 }

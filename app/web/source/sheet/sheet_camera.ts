@@ -3,7 +3,8 @@ import {fit as fitted, fromPixel, type Camera, type Extent, type Size} from "../
 
 export type {Camera, Size};
 
-const MARGIN = {left: 44, right: 20, top: 34, bottom: 46};
+/** Around a sheet that is fitted to its picture. */
+export const MARGIN = {left: 44, right: 20, top: 34, bottom: 46};
 
 export function fit(extent: Extent, size: Size): Camera {
   return fitted(extent, size, MARGIN);

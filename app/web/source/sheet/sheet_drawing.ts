@@ -15,6 +15,8 @@ export type PaintOver = (context: CanvasRenderingContext2D, camera: Camera, size
 
 export interface SheetPictureProps {
   sheet: SheetModel;
+  /** Of its lengths. */
+  unit: string;
   colouring: Colouring;
   hidden?: ReadonlySet<number>;
   selection?: ReadonlySet<number>;
@@ -22,6 +24,8 @@ export interface SheetPictureProps {
   paintOver?: PaintOver;
   onPick?: (hole: number, event: {shiftKey: boolean; ctrlKey: boolean; metaKey: boolean}) => void;
   onLasso?: (holes: number[], isMore: boolean) => void;
+  /** In a page that is read and scrolled: the wheel zooms with Ctrl alone. */
+  isInText?: boolean;
 }
 
 export class SheetDrawing {

@@ -92,6 +92,7 @@ class SheetPointers {
   }
 
   wheel(event: WheelEvent): void {
+    if (this.drawing.props.isInText && !event.ctrlKey) return;
     event.preventDefault();
     this.tip.value = null;
     const step = event.deltaMode === 1 ? 0.05 : 0.0016; // by lines, or by pixels

@@ -5,7 +5,6 @@ import {useSignal, useSignalEffect, type Signal} from "@preact/signals";
 import {palette} from "../drawing/colours";
 import {Icon} from "../drawing/icons";
 import {lengthFigure, lengthAndUnit} from "../../../drawing/numbers.js";
-import {units} from "../server/workbench";
 import type {Colouring} from "./colourings";
 import {sheetWords} from "../../../drawing/sheet_model.js";
 import type {Size} from "../../../drawing/frames.js";
@@ -42,7 +41,9 @@ export function SheetPicture(props: SheetPictureProps) {
         <span>{sheet.count.toLocaleString("en")} holes</span>
       </div>
       <SheetTools drawing={drawing} isLassoing={props.onLasso ? isLassoing : null} />
-      {tip.value && <HoleTip sheet={sheet} colouring={colouring} at={tip.value} size={drawing.current!.size} />}
+      {tip.value && (
+        <HoleTip sheet={sheet} unit={props.unit} colouring={colouring} at={tip.value} size={drawing.current!.size} />
+      )}
     </div>
   );
 }
@@ -72,8 +73,9 @@ function useSheetDrawing(props: SheetPictureProps) {
   useSignalEffect(() => {
     void palette.value;
     void props.picked?.value;
-    drawing.current?.drawNow();
+    // All of it at once: paper has its own colours.
     drawing.current?.ask();
+    drawing.current?.drawNow();
   });
   return {stage, drawing};
 }
@@ -112,11 +114,13 @@ function SheetTools({drawing, isLassoing}: SheetToolsProps) {
 
 function HoleTip({
   sheet,
+  unit,
   colouring,
   at,
   size,
 }: {
   sheet: SheetModel;
+  unit: string;
   colouring: Colouring;
   at: {x: number; y: number; hole: number};
   size: Size;
@@ -136,8 +140,7 @@ function HoleTip({
         {sheet.legWords} · {holeName(sheet, hole)}
       </b>
       <span>
-        x {lengthFigure(sheet.world[3 * hole], units.value.length)}, y{" "}
-        {lengthAndUnit(sheet.world[3 * hole + 1], units.value.length)}
+        x {lengthFigure(sheet.world[3 * hole], unit)}, y {lengthAndUnit(sheet.world[3 * hole + 1], unit)}
       </span>
       <span>{sheet.stateWords[sheet.state[hole]]}</span>
       {colouring.words(hole).map((line) => (

@@ -1,6 +1,6 @@
 // What the views of a cell's tube sheet have in common: words where there is no sheet, and a panel with its picture.
 import type {ComponentChildren} from "preact";
-import {cell, sheetDocument} from "../server/workbench";
+import {cell, sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
 import {Nothing, ProblemWords, Waiting} from "../shell/states";
 import type {SheetPictureProps} from "./sheet_drawing";
@@ -27,7 +27,7 @@ export function WithSheet({
   return sheet.value ? <>{children(sheet.value)}</> : <Waiting words="Reading the sheet" isBusy />;
 }
 
-interface SheetPanelProps extends SheetPictureProps {
+interface SheetPanelProps extends Omit<SheetPictureProps, "unit"> {
   head: ComponentChildren;
   headClass?: string;
   over?: ComponentChildren;
@@ -39,7 +39,7 @@ export function SheetPanel({head, headClass, over, foot, ...picture}: SheetPanel
     <section class="panel">
       <header class={headClass}>{head}</header>
       <div class="panel-body flush">
-        <SheetPicture {...picture} />
+        <SheetPicture unit={units.value.length} {...picture} />
         {over}
       </div>
       {foot ? <footer class="stage-foot">{foot}</footer> : null}

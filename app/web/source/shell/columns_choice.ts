@@ -1,4 +1,4 @@
-// Which column of foreign tables is what: as the program guessed, as the user chose, as it was chosen before.
+// Which column of foreign tables, of readings or of a work list, is what: as the program guessed, as the user chose, as it was chosen before.
 import {keep, keptObject} from "./kept";
 
 export interface ColumnsDocument {
@@ -20,6 +20,15 @@ export interface ColumnsDocument {
   }[];
   /** What else may be said of the tables, by the name that the server takes it under. */
   options: {name: string; label: string; values: {value: string; words: string}[]}[];
+  /** Lists of quantities: those of one list must be there. */
+  needs?: string[][];
+}
+
+/** What a table seems to be to a reader of work lists. */
+export interface ListColumnsDocument extends ColumnsDocument {
+  states: "tubes" | "joints" | "neither";
+  /** Its headings need no choice. */
+  is_understood: boolean;
 }
 
 /** Of one column; an empty quantity: nothing is taken of it; a factor of its numbers, where it is stated. */
@@ -50,6 +59,9 @@ export function missingOf(document: ColumnsDocument, choices: ColumnChoice[][]):
     if (mine.some((choice) => choice.unit === "") && target.units.length > 0)
       words.push(`the unit of ${target.quantity}`);
   }
+  const has = (quantity: string) => chosen.some((choice) => choice.quantity === quantity);
+  if (document.needs && !document.needs.some((together) => together.every(has)))
+    words.push(`a column for ${document.needs.map((together) => together.join(" and ")).join(", or for ")}`);
   return words;
 }
 

@@ -1,10 +1,10 @@
 // A table that another program wrote: which of its columns is what. The program says what they seem to be; the user has
 // the last word, and what was chosen once is chosen again for a table with the same columns.
 import {signal} from "@preact/signals";
-import type {Problem, WorkbenchState} from "../server/documents";
+import type {Problem} from "../server/documents";
 import {plural} from "../../../drawing/numbers.js";
 import {asProblem, post} from "../server/requests";
-import {cell, takeState} from "../server/workbench";
+import {cell} from "../server/workbench";
 import {
   chosenColumns,
   type ColumnChoice,
@@ -19,8 +19,33 @@ import {Dialog} from "./dialog";
 import {closeDialog, dialog} from "./page_state";
 import {ProblemWords} from "./states";
 
+export interface TableText {
+  name: string;
+  text: string;
+}
+
+/** What tables are asked about for: readings or a work list. */
+export interface ColumnsUse {
+  /** Where the server says what their columns seem to be. */
+  address: string;
+  /** Whether the noise of a coordinate is asked for where no column states it. */
+  asksNoise: boolean;
+  /** Takes the tables with the columns chosen; what it throws is shown in the dialog. */
+  take: (taken: TakenTables) => Promise<void>;
+  /** Goes on once they are taken. */
+  then: () => Promise<void>;
+}
+
+export interface TakenTables {
+  tables: TableText[];
+  columns: string[];
+  options: TableOptions;
+  sigma?: number;
+}
+
 interface Foreign {
-  tables: {name: string; text: string}[];
+  use: ColumnsUse;
+  tables: TableText[];
   document: ColumnsDocument;
   choices: ColumnChoice[][];
   options: TableOptions;
@@ -29,14 +54,12 @@ interface Foreign {
 const foreign = signal<Foreign | null>(null);
 const problem = signal<Problem | null>(null);
 const sigma = signal("");
-let afterTaking: () => Promise<void> = async () => {};
 
 /** Opens the dialog where those texts are tables; else says so by throwing. */
-export async function askForColumns(tables: Foreign["tables"], then: () => Promise<void>): Promise<void> {
-  const document = await post<ColumnsDocument>("/api/measurements/columns", {tables});
-  foreign.value = {tables, document, choices: rememberedChoices(document) ?? guessed(document), options: {}};
+export async function askForColumns(tables: TableText[], use: ColumnsUse): Promise<void> {
+  const document = await post<ColumnsDocument>(use.address, {tables});
+  foreign.value = {use, tables, document, choices: rememberedChoices(document) ?? guessed(document), options: {}};
   problem.value = null;
-  afterTaking = then;
   dialog.value = "columns";
 }
 
@@ -55,7 +78,7 @@ async function changeOptions(shown: Foreign, options: TableOptions): Promise<voi
   foreign.value = {...shown, options};
   try {
     const body = {tables: shown.tables, ...options};
-    const document = await post<ColumnsDocument>("/api/measurements/columns", body);
+    const document = await post<ColumnsDocument>(shown.use.address, body);
     if (foreign.value?.options === options) foreign.value = {...shown, options, document, choices: guessed(document)};
   } catch (error) {
     problem.value = asProblem(error);
@@ -63,22 +86,21 @@ async function changeOptions(shown: Foreign, options: TableOptions): Promise<voi
 }
 
 /** What no column says: the noise of a coordinate. */
-function noise(): {sigma?: number} {
-  return sigma.value.trim() === "" ? {} : {sigma: Number(sigma.value)};
+function noise({use}: Foreign): {sigma?: number} {
+  return !use.asksNoise || sigma.value.trim() === "" ? {} : {sigma: Number(sigma.value)};
 }
 
 async function take(shown: Foreign): Promise<void> {
   try {
     const columns = chosenColumns(shown.document, shown.choices);
-    const body = {tables: shown.tables, columns, ...shown.options, ...noise()};
-    takeState(await post<WorkbenchState>("/api/measurements/foreign", body));
+    await shown.use.take({tables: shown.tables, columns, options: shown.options, ...noise(shown)});
   } catch (error) {
     problem.value = asProblem(error);
     return;
   }
   rememberChoices(shown.document, shown.choices);
   closeDialog("columns");
-  await afterTaking();
+  await shown.use.then();
 }
 
 function ColumnsForm({shown}: {shown: Foreign}) {
@@ -99,7 +121,7 @@ function ColumnsForm({shown}: {shown: Foreign}) {
           <OptionChoice shown={shown} option={option} />
         ))}
       </div>
-      {shown.choices.flat().some((choice) => choice.quantity === "sigma") ? null : (
+      {!shown.use.asksNoise || shown.choices.flat().some((choice) => choice.quantity === "sigma") ? null : (
         <label class="field narrow">
           one standard deviation of a coordinate ({cell.value?.units.length})
           <input

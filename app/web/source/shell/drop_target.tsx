@@ -1,4 +1,4 @@
-// Tables may be dropped anywhere on the page, a log of joints and a file of points together.
+// Tables may be dropped anywhere on the page: readings, a log of joints and a file of points together, or a work list.
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
 import {loadFiles} from "./load";
@@ -36,7 +36,7 @@ export function DropTarget() {
   }, []);
   return isOver.value ? (
     <div class="drop">
-      <p>Drop the readings here</p>
+      <p>Drop readings or a work list here</p>
     </div>
   ) : null;
 }

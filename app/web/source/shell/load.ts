@@ -6,7 +6,8 @@ import {startCompare, stopWorkOnReadings} from "../error/loop";
 import {freshRows, idsHere, isFilledSheet, joinReadings} from "../error/run_sheet";
 import {isOfRow, tableOf} from "../error/run_sheet_table";
 import {cell, report, runJob, takeState} from "../server/workbench";
-import {askForColumns} from "./columns_dialog";
+import {openList, seemsToBeList} from "../plan/work_list";
+import {askForColumns, type ColumnsUse} from "./columns_dialog";
 import {dialog, view} from "./page_state";
 import {openInstead} from "./project";
 
@@ -76,7 +77,15 @@ async function openTables(name: string, [first, ...others]: string[]): Promise<v
   await joinAll(others); // which are compared as they join
 }
 
-/** Measurement tables; else whatever another program wrote, in one file or in several that belong together. */
+const READINGS: ColumnsUse = {
+  address: "/api/measurements/columns",
+  asksNoise: true,
+  take: async ({options, ...taken}) =>
+    takeState(await post<WorkbenchState>("/api/measurements/foreign", {...taken, ...options})),
+  then: afterReadings,
+};
+
+/** Measurement tables or a work list; else whatever another program wrote, in one file or in several that belong together. */
 export async function loadFiles(files: File[]): Promise<void> {
   const names = files.map((file) => file.name).join(" and ");
   if (files.some(({name}) => /\.(ya?ml|tubeplan)$/i.test(name))) {
@@ -90,6 +99,7 @@ export async function loadFiles(files: File[]): Promise<void> {
     texts = tables.map(({text}) => text);
   let refused: unknown = null;
   if (texts.length === 1 && isFilledSheet(texts[0])) return joinSheet(names, texts[0]);
+  if (texts.length === 1 && idsOf(texts[0]) === null && (await seemsToBeList(tables[0]))) return openList(tables[0]);
   if (await haveOthers(texts)) {
     offered.value = {name: names, texts};
     dialog.value = "join";
@@ -109,7 +119,7 @@ export async function loadFiles(files: File[]): Promise<void> {
     }
   }
   try {
-    await askForColumns(tables, afterReadings);
+    await askForColumns(tables, READINGS);
     if (refused !== null) report(`${names} is no measurement table as it is`, refused);
   } catch (error) {
     report(`${names} cannot be read`, refused ?? error);

@@ -41,21 +41,34 @@ export const sheet = computed(() => {
 
 // ---- selection
 
-const KEPT = "tubeplan.selection";
+const KEPT = "tubeplan.selection",
+  KEPT_STAYS = "tubeplan.stays";
 
-function keptSelection(): ReadonlySet<number> {
+function keptList(key: string): unknown[] {
   try {
-    const kept = JSON.parse(sessionStorage.getItem(KEPT) ?? "[]");
-    return new Set(Array.isArray(kept) ? kept.filter((entry) => Number.isInteger(entry)) : []);
+    const kept = JSON.parse(sessionStorage.getItem(key) ?? "[]");
+    return Array.isArray(kept) ? kept : [];
   } catch {
-    return new Set();
+    return [];
   }
 }
 
-export const selection = signal<ReadonlySet<number>>(keptSelection());
+const isHole = (entry: unknown): entry is number => Number.isInteger(entry);
+const isStay = (entry: unknown): entry is [number, number] =>
+  Array.isArray(entry) && isHole(entry[0]) && typeof entry[1] === "number";
+
+export const selection = signal<ReadonlySet<number>>(new Set(keptList(KEPT).filter(isHole)));
+/** Seconds at a hole, as the work list that was opened last says. */
+export const stays = signal<ReadonlyMap<number, number>>(new Map(keptList(KEPT_STAYS).filter(isStay)));
 export const picked = signal(-1);
 
+/** Of the holes selected those that have a stay of their own, as the server takes them. */
+export const staysOfSelection = computed(() =>
+  Object.fromEntries([...stays.value].filter(([hole]) => selection.value.has(hole))),
+);
+
 effect(() => sessionStorage.setItem(KEPT, JSON.stringify([...selection.value])));
+effect(() => sessionStorage.setItem(KEPT_STAYS, JSON.stringify([...stays.value])));
 
 // Holes are numbers of one sheet: another sheet begins with none.
 let sheetName = "";
@@ -63,12 +76,17 @@ effect(() => {
   if (!sheet.value) return;
   const name = `${sheet.value.name} ${sheet.value.leg} ${sheet.value.count}`;
   if (sheetName !== "" && sheetName !== name) {
-    selection.value = new Set();
+    forgetHoles();
     picked.value = -1;
   }
   sheetName = name;
-  if ([...selection.peek()].some((hole) => hole >= sheet.value!.count)) selection.value = new Set();
+  if ([...selection.peek()].some((hole) => hole >= sheet.value!.count)) forgetHoles();
 });
+
+function forgetHoles(): void {
+  selection.value = new Set();
+  stays.value = new Map();
+}
 
 export function toggleSelected(hole: number): void {
   const next = new Set(selection.value);

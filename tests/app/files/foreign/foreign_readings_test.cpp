@@ -330,9 +330,9 @@ TEST_F(ForeignReadingsTest, ClocksPassMidnight) {
     ASSERT_EQ(table.size(), shift.seconds.size());
     for (std::size_t k = 0; k < table.size(); ++k) {
       if (std::isnan(shift.seconds[k]))
-        EXPECT_TRUE(std::isnan(table[k].time)) << log;
+        EXPECT_TRUE(std::isnan(table[k].conditions[deflection::Condition::kTime])) << log;
       else
-        EXPECT_EQ(table[k].time, shift.seconds[k]) << log;
+        EXPECT_EQ(table[k].conditions[deflection::Condition::kTime], shift.seconds[k]) << log;
     }
     const auto said = std::count_if(readings.taken.begin(), readings.taken.end(),
                                     [](const std::string& line) { return line.find("midnight") != std::string::npos; });
@@ -369,7 +369,8 @@ TEST_F(ForeignReadingsTest, DatesAreReadWhereTheyAreClear) {
       continue;
     }
     const auto table = parseMeasurementTable(readForeign(request, cell.arm).text, "r", cell.arm).readings;
-    EXPECT_EQ(table.back().time - table.front().time, dates.seconds) << log;
+    const auto timeOf = [](const auto& reading) { return reading.conditions[deflection::Condition::kTime]; };
+    EXPECT_EQ(timeOf(table.back()) - timeOf(table.front()), dates.seconds) << log;
   }
 }
 

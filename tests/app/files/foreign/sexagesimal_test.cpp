@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -101,6 +102,31 @@ TEST_F(SixtiethColumns, AreHoursOrDegreesAsHeadingOrSignsSay) {
   }
 }
 
+/// A mount's first joint is its hour angle: degrees that are all such as hours have are asked about.
+TEST_F(SixtiethColumns, DegreesOfAnHourAngleThatMayBeHoursAreAskedAbout) {
+  deflection::Arm mount = cell.arm;
+  for (auto& row : mount.rows)
+    if (row.joint.name == "theta1") row.joint.name = "ha";
+  const auto asks = [&](const std::string& heading, const std::vector<std::string>& fields,
+                        const std::vector<std::string>& columns = {}) {
+    std::string text = "id;" + heading + ";theta2_deg;theta3_deg;theta4_deg;x_mm;y_mm;z_mm\n";
+    for (std::size_t k = 0; k < fields.size(); ++k) text += fmt::format("P{};{};0;45;-35;1;2;3\n", k + 1, fields[k]);
+    ForeignRequest request{
+        {parseForeignTable(text, "log.csv")}, {columns, {{UnitKind::kAngle, findUnitWord("deg")}}}, ""};
+    const ForeignReadings found = readForeign(request, mount);
+    return std::ranges::any_of(found.taken,
+                               [](const auto& t) { return t.find("--column ha_h=") != std::string::npos; });
+  };
+  const std::vector<std::string> small{"1.5", "-2.25", "11"}, large{"1.5", "-2.25", "37.5"};
+  EXPECT_TRUE(asks("ha_deg", small));
+  EXPECT_TRUE(asks("ha", small));
+  EXPECT_FALSE(asks("ha_deg", large));
+  EXPECT_FALSE(asks("ha_h", small));
+  EXPECT_FALSE(asks("ha_hours", small));
+  EXPECT_FALSE(asks("ha_deg", small, {"ha_deg=ha_deg"}));
+  EXPECT_FALSE(asks("ha_deg", {"1.5", "2.5"}));
+}
+
 TEST_F(SixtiethColumns, AreRefusedWhereNothingSaysOfWhat) {
   for (const char* text : {"1:30:00", "1 30 00"}) {
     const auto message = refusal("theta1", {text, text});
@@ -140,7 +166,8 @@ TEST_F(SixtiethColumns, AreNotSeenInOtherColumns) {
   const auto table = parseMeasurementTable(readForeign(request, cell.arm).text, "t", cell.arm, nullptr);
   ASSERT_EQ(table.readings.size(), 2U);
   EXPECT_EQ(table.readings[1].id, "6h");
-  EXPECT_DOUBLE_EQ(table.readings[1].time - table.readings[0].time, 30);
+  const auto timeOf = [&](std::size_t k) { return table.readings[k].conditions[deflection::Condition::kTime]; };
+  EXPECT_DOUBLE_EQ(timeOf(1) - timeOf(0), 30);
 }
 
 // Horizontal and zenith angles of a total station.

@@ -1,0 +1,85 @@
+#include "app/commands/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "app/commands/command_table.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/origin.hpp"
+#include "app/files/suggestion.hpp"
+#include "app/version.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+std::string overview() {
+  std::string text = "tubeplan: plans the visits of a flexible arm to the tubes of a steam generator\n\n";
+  for (const Command& command : commands()) {
+    text += fmt::format("  {:<10}  {}\n", command.name, command.summary);
+    text += fmt::format("  {:<10}    {}\n", "", command.example.substr(0, command.example.find('\n')));
+  }
+  return text + fmt::format("\n`tubeplan COMMAND --help` describes one. Exit codes: {}.\n", kExitCodes);
+}
+
+// `help`, `help CMD` and no words are other ways to say --help.
+bool asksForOverview(std::vector<std::string>& words) {
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    if (!words.empty()) words = {words.front(), "--help"};
+  }
+  return words.empty() || words.front() == "--help" || words.front() == "-h";
+}
+
+void refuseUnknownCommand(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Command& command : commands()) names.emplace_back(command.name);
+  if (word.starts_with("-") || std::find(names.begin(), names.end(), word) != names.end()) return;
+  const std::string near = suggestion(word, names);
+  throw InputError("command line", "the unknown command " + inQuotes(word), alternatives(names),
+                   near.empty() ? "see `tubeplan help`" : near);
+}
+
+[[noreturn]] void refuse(const CLI::ParseError& error, const std::string& command) {
+  throw InputError("command line", error.what(), "words as in `tubeplan " + command + " --help`", "");
+}
+
+}  // namespace
+
+int runCommandLine(std::vector<std::string> words) {
+  if (asksForOverview(words)) {
+    fmt::print("{}", overview());
+    return kDone;
+  }
+  if (words.front() == "--version") {
+    fmt::print("tubeplan {}\n", kVersion);
+    return kDone;
+  }
+  const std::string name = words.front();
+  refuseUnknownCommand(name);
+  CLI::App cli("tubeplan");
+  cli.require_subcommand(1);
+  std::map<std::string, Run> runs;
+  for (const Command& command : commands()) {
+    CLI::App* sub = cli.add_subcommand(std::string(command.name), std::string(command.summary));
+    sub->footer(fmt::format("Example:\n  {}", command.example));
+    runs[std::string(command.name)] = command.configure(*sub);
+  }
+  try {
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    cli.parse(words);
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", cli.get_subcommand(name)->help("tubeplan"));
+    return kDone;
+  } catch (const CLI::ParseError& error) {
+    refuse(error, name);
+  }
+  const InputRecord inputs;  // of this command
+  return runs.at(cli.get_subcommands().front()->get_name())();
+}
+
+}  // namespace tubeplan::app

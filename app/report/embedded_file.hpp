@@ -1,0 +1,13 @@
+// A file that the program carries within itself.
+#pragma once
+
+#include <string_view>
+
+namespace tubeplan::app {
+
+struct EmbeddedFile {
+  std::string_view path;  ///< "index.html", "assets/index-1a2b.js", "report.js"
+  std::string_view content;
+};
+
+}  // namespace tubeplan::app

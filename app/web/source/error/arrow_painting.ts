@@ -1,0 +1,172 @@
+// The errors as arrows at the readings' places, painted on a canvas over the sheet or alone.
+import {clearedContext, TYPEFACE} from "../drawing/canvas";
+import type {Palette} from "../drawing/colours";
+import {drawArrow, usualLargest} from "../../../drawing/arrows.js";
+import {extentOf, fit, toPixel, type Camera, type Size} from "../../../drawing/frames.js";
+import {exact} from "../../../drawing/numbers.js";
+import {inPlane, type Plane} from "../../../drawing/planes.js";
+import type {ErrorPair} from "../../../drawing/reading_errors.js";
+import {roundDown125} from "../../../drawing/scales.js";
+import {isInShare, MOST_ARROWS} from "../../../drawing/shares.js";
+import {drawPlate} from "../../../drawing/sheet_ground.js";
+import type {SheetModel} from "../../../drawing/sheet_model.js";
+import type {Vector3} from "../server/documents";
+
+export interface ArrowsLook {
+  errors: ErrorPair | null;
+  plane: Plane;
+  /** Of the errors. */
+  unit: string;
+  /** Under the arrows, in the plane that it lies across; null where the cell has none. */
+  sheet: SheetModel | null;
+  /** Ids of readings that are drawn in any case. */
+  picked?: ReadonlySet<string>;
+  /** The one series that is drawn; all are without it, and their scale is that of all. */
+  only?: number;
+}
+
+/** Where each reading's place is, in pixels. */
+export type PlacesOnScreen = ([number, number] | null)[];
+
+/** The length on screen of an error that few are beyond, in pixels. */
+const LONG = 42;
+
+/** The length on screen of the ruler of places, at most, in pixels. */
+const LONGEST_RULER = 90;
+
+/** The sheet lies across the world's z. */
+export function isOverSheet({axes}: Plane): boolean {
+  return axes[0] === 0 && axes[1] === 1;
+}
+
+/** Draws them; where each reading's place is, in pixels. */
+export function drawArrows(canvas: HTMLCanvasElement, look: ArrowsLook, colours: Palette): PlacesOnScreen {
+  const {errors, plane: which, unit, sheet: onPlate, picked, only} = look;
+  const {clientWidth: width, clientHeight: height} = canvas.parentElement!;
+  const context = clearedContext(canvas, width, height);
+  if (!errors || width < 40 || height < 40) return [];
+  const places = errors.places.filter((place): place is Vector3 => place !== null);
+  if (places.length === 0) return [];
+  const onSheet = isOverSheet(which) ? onPlate : null;
+  const frame = makeFrame(which, places, onSheet, {width, height});
+  const largest = usualLargest(errors.series[0].errors.map((error) => (error ? Math.hypot(...error) : null)));
+  const grow = largest > 0 ? LONG / largest : 0;
+  if (onSheet) drawPlate(context, onSheet, frame.camera, frame.size, colours);
+  drawAxes(context, colours, which, frame.sign, height);
+  const shown = errors.places.map((place) => (place ? frame.at(place) : null));
+  const onScreen = (error: Vector3): [number, number] => {
+    const [u, v] = inPlane(which, error);
+    return [frame.sign * grow * u, -grow * v];
+  };
+  const {readings} = errors;
+  const isShown = (i: number) => isInShare(i, readings.length, MOST_ARROWS) || (picked?.has(readings[i].id) ?? false);
+  errors.series.forEach((series, k) => {
+    if (only === undefined || only === k) drawSeries(context, series, k === 0, shown, isShown, colours, onScreen);
+  });
+  drawScale(context, colours, unit, largest, grow, width, height);
+  drawRuler(context, frame.camera.scale, unit, height);
+  return shown;
+}
+
+/** Each error of a series as a dot at its place and an arrow from there; hollow before, full after, as marks are. */
+function drawSeries(
+  context: CanvasRenderingContext2D,
+  series: ErrorPair["series"][number],
+  isBefore: boolean,
+  places: PlacesOnScreen,
+  isShown: (reading: number) => boolean,
+  colours: Palette,
+  onScreen: (error: Vector3) => [number, number],
+): void {
+  context.strokeStyle = context.fillStyle = colours[series.mark.colour];
+  context.lineWidth = 1.3;
+  places.forEach((at, i) => {
+    const error = series.errors[i];
+    if (!at || !error || !isShown(i)) return;
+    context.beginPath();
+    context.arc(...at, 1.5, 0, 2 * Math.PI);
+    context.fill();
+    drawArrow(context, ...at, ...onScreen(error), isBefore);
+  });
+}
+
+interface Frame {
+  camera: Camera;
+  size: Size;
+  /** -1 where the sheet is seen from below: +x points left, as in the sheet's own picture. */
+  sign: number;
+  at: (place: Vector3) => [number, number];
+}
+
+const BESIDE_SHEET = {left: 12, right: 12, top: 12, bottom: 12};
+const BESIDE_PLACES = {left: 45, right: 45, top: 30, bottom: 30};
+
+/** Fits the places, or the whole sheet where the cell has one. */
+function makeFrame(which: Plane, places: Vector3[], onSheet: SheetModel | null, size: Size): Frame {
+  const sign = onSheet?.viewingSide === "below" ? -1 : 1;
+  const drawn = (place: Vector3): [number, number] => {
+    const [u, v] = inPlane(which, place);
+    return [sign * u, v];
+  };
+  const camera = fit(onSheet?.plate ?? extentOf(places.map(drawn)), size, onSheet ? BESIDE_SHEET : BESIDE_PLACES);
+  return {camera, size, sign, at: (place) => toPixel(camera, size, ...drawn(place))};
+}
+
+const FONT = `11px ${TYPEFACE}`;
+
+function drawAxes(
+  context: CanvasRenderingContext2D,
+  colours: Palette,
+  which: Plane,
+  sign: number,
+  height: number,
+): void {
+  const x = sign > 0 ? 16 : 46,
+    y = height - 14;
+  context.strokeStyle = context.fillStyle = colours.muted;
+  context.lineWidth = 1;
+  drawArrow(context, x, y, sign * 26, 0);
+  drawArrow(context, x, y, 0, -26);
+  context.font = FONT;
+  context.fillText(which.key[0], sign > 0 ? x + 30 : x - 38, y + 4);
+  context.fillText(which.key[1], x - 3, y - 31);
+}
+
+function drawScale(
+  context: CanvasRenderingContext2D,
+  colours: Palette,
+  unit: string,
+  largest: number,
+  grow: number,
+  width: number,
+  height: number,
+): void {
+  if (!(largest > 0)) return;
+  const size = roundDown125(largest),
+    long = size * grow;
+  context.strokeStyle = context.fillStyle = colours.ink;
+  drawArrow(context, width - 14 - long, height - 12, long, 0);
+  context.font = FONT;
+  context.textAlign = "right";
+  context.fillText(`${exact(size)} ${unit}`, width - 14, height - 20);
+  context.textAlign = "left";
+}
+
+/** A round length of the places, beside the axes. */
+function drawRuler(context: CanvasRenderingContext2D, scale: number, unit: string, height: number): void {
+  const length = roundDown125(LONGEST_RULER / scale),
+    x = 84,
+    y = height - 12;
+  context.beginPath();
+  for (const [dx, dy] of [
+    [0, -4],
+    [0, 4],
+    [0, 0],
+    [length * scale, 0],
+    [length * scale, -4],
+    [length * scale, 4],
+  ])
+    context.lineTo(x + dx, y + dy);
+  context.stroke();
+  context.fillText(`${exact(length)} ${unit}`, x, y - 8);
+}

@@ -1,0 +1,76 @@
+// Effects that were tried, most probable first. On paper nothing can be pointed at: what the page says there stands in words.
+import type {ComponentType} from "preact";
+import type {Barred} from "../../../drawing/ranking.js";
+import {IS_THERE, type rankingRows} from "../../../drawing/ranking.js";
+import type {RankedEffect} from "../server/documents";
+
+export type RankedRow = ReturnType<typeof rankingRows<RankedEffect>>[number];
+
+interface RankingTableProps {
+  rows: readonly RankedRow[];
+  /** What can be done with an effect; on paper nothing. */
+  action?: ComponentType<{row: RankedRow}>;
+}
+
+export function RankingTable({rows, action: Action}: RankingTableProps) {
+  if (rows.length === 0) return null;
+  return (
+    <table>
+      <thead>
+        <tr>
+          <th>effect</th>
+          <th title={`${IS_THERE}; several may be`}>{Action ? "is there" : IS_THERE}</th>
+          <th class="number">chi² falls by</th>
+          <th
+            class="size"
+            title="as this effect alone would have it, by one linear step; the cards have the fitted sizes"
+          >
+            size, alone
+          </th>
+          {Action ? <th /> : <th>observable</th>}
+        </tr>
+      </thead>
+      <tbody>
+        {rows.map((row) => (
+          <Ranked key={row.title} row={row} action={Action} />
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+/** A figure behind a bar of its share. */
+export function Chance({share, text}: Barred) {
+  return (
+    <span class="chance">
+      <span class="chance-bar">
+        <i style={{width: `${100 * share}%`}} />
+      </span>
+      {text}
+    </span>
+  );
+}
+
+/** Less than this share of an effect shows in the readings: on paper it is said how much. */
+const LITTLE = 0.5;
+
+function Ranked({row, action: Action}: {row: RankedRow} & Pick<RankingTableProps, "action">) {
+  const {entry, title, words, kept, probability, fall, size, shows} = row;
+  const said = Action ? [entry.at] : [words, entry.kept_fraction < LITTLE ? kept : ""];
+  return (
+    <tr title={[words, kept].filter((text) => text !== "").join("; ")}>
+      <td class="effect-name">
+        {Action ? entry.effect : title}
+        {said.map((text) => (text ? <small>{text}</small> : null))}
+      </td>
+      <td>
+        <Chance {...probability} />
+      </td>
+      <td class="number">{Action ? fall.text : <Chance {...fall} />}</td>
+      <td class="size" title={`${size.name} ${size.text}`}>
+        {size.name} {size.text}
+      </td>
+      <td class={Action ? "number" : ""}>{Action ? <Action row={row} /> : <Chance {...shows} />}</td>
+    </tr>
+  );
+}

@@ -1,0 +1,55 @@
+// What plots of the clearance over a motion's time have in common: a root scale, since it matters near zero, and the
+// required clearance as a line.
+import uPlot from "uplot";
+import {exact} from "../../../drawing/numbers.js";
+import {rootTicks} from "../../../drawing/scales.js";
+import {requiredText} from "../../../drawing/visits.js";
+import {TYPEFACE} from "../drawing/canvas";
+import type {Palette} from "../drawing/colours";
+import {axis} from "../drawing/plot";
+
+export const ROOT_SCALE: uPlot.Scale = {
+  distr: 100,
+  fwd: (value: number) => Math.sqrt(Math.max(0, value)),
+  bwd: (value: number) => value * value,
+  range: (_plot, _low, high) => [0, 1.08 * (high || 1)],
+};
+
+export function clearanceAxes(colours: Palette, unit: string): uPlot.Axis[] {
+  return [
+    axis(colours, "time, s"),
+    axis(colours, `clearance, ${unit}`, {
+      side: 3,
+      values: (_plot: uPlot, splits: number[]) => splits.map((value) => (value === null ? "" : exact(value))),
+      filter: (_plot: uPlot, splits: number[]) => splits,
+      splits: (_plot: uPlot, _axis: number, _low: number, high: number) => rootTicks(high),
+    }),
+  ];
+}
+
+export function paintRequired(plot: uPlot, required: number | null, unit: string, colours: Palette): void {
+  const {ctx, bbox} = plot;
+  if (required === null || !Number.isFinite(required)) return;
+  const y = plot.valToPos(required, "y", true);
+  ctx.save();
+  ctx.strokeStyle = ctx.fillStyle = colours.bad;
+  ctx.setLineDash([7, 4]);
+  ctx.beginPath();
+  ctx.moveTo(bbox.left, y);
+  ctx.lineTo(bbox.left + bbox.width, y);
+  ctx.stroke();
+  ctx.setLineDash([]);
+  ctx.textAlign = "right";
+  paintWords(plot, requiredText(required, unit), bbox.left + bbox.width - 4, y - 6, colours);
+  ctx.restore();
+}
+
+/** Words in the context's own colour, on a ground that parts them from the lines behind. */
+export function paintWords({ctx}: uPlot, words: string, x: number, y: number, colours: Palette): void {
+  ctx.font = `${11 * uPlot.pxRatio}px ${TYPEFACE}`;
+  ctx.strokeStyle = colours.panel;
+  ctx.lineWidth = 4 * uPlot.pxRatio;
+  ctx.lineJoin = "round";
+  ctx.strokeText(words, x, y);
+  ctx.fillText(words, x, y);
+}

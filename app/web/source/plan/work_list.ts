@@ -1,0 +1,64 @@
+// A work list from a file: its tubes become the selection, its stays go with them, and what is left out of it is said.
+// Where its headings say nothing, its columns are asked for.
+import type {ListColumnsDocument} from "../shell/columns_choice";
+import {askForColumns, type ColumnsUse, type TableText} from "../shell/columns_dialog";
+import {selection, stays, view} from "../shell/page_state";
+import {post} from "../server/requests";
+import {cell, report} from "../server/workbench";
+
+interface WorkListDocument {
+  name: string;
+  tubes: number[];
+  /** Seconds at a tube, by its index. */
+  stays: Record<string, number>;
+  notes: string[];
+}
+
+const COLUMNS = "/api/tubes/columns";
+
+async function takeList(list: TableText, columns: string[] = []): Promise<void> {
+  const {name, tubes, notes, stays: own} = await post<WorkListDocument>("/api/tubes", {...list, columns});
+  stays.value = new Map(Object.entries(own).map(([tube, seconds]) => [Number(tube), seconds]));
+  selection.value = new Set(tubes);
+  if (notes.length > 0) report(name, {message: notes.join("; ")});
+}
+
+const LIST: ColumnsUse = {
+  address: COLUMNS,
+  asksNoise: false,
+  take: ({tables: [list], columns}) => takeList(list, columns),
+  then: async () => {
+    view.value = "plan";
+  },
+};
+
+/** Whether a table is a work list: its headings name tubes, or it is opened where lists are and names no joints. */
+export async function seemsToBeList(table: TableText): Promise<boolean> {
+  if (!cell.value?.has_sheet) return false;
+  try {
+    const {states} = await post<ListColumnsDocument>(COLUMNS, {tables: [table]});
+    return states === "tubes" || (states === "neither" && view.value === "plan");
+  } catch {
+    return false; // no table of any kind: what reads readings says why
+  }
+}
+
+export async function openList(list: TableText): Promise<void> {
+  try {
+    await takeList(list);
+    await LIST.then();
+  } catch (error) {
+    await askAfter(list, error);
+  }
+}
+
+/** Its columns are asked for, unless they are understood and something else was refused. */
+async function askAfter(list: TableText, refused: unknown): Promise<void> {
+  try {
+    const document = await post<ListColumnsDocument>(COLUMNS, {tables: [list]});
+    if (document.is_understood) throw refused;
+    await askForColumns([list], LIST);
+  } catch {
+    report(`${list.name} cannot be read`, refused);
+  }
+}

@@ -1,0 +1,36 @@
+// Opens a work list from a file, and says how many of the tubes chosen have a stay of their own.
+import {plural} from "../../../drawing/numbers.js";
+import {openList} from "./work_list";
+import {staysOfSelection} from "../shell/page_state";
+
+export function WorkListButton() {
+  return (
+    <label class="button" title="a CSV of tubes, as plan --tubes LIST.csv reads it: they become the selection">
+      Work list …
+      <input
+        class="hidden"
+        type="file"
+        accept=".csv,.txt,.tsv,text/csv,text/plain"
+        onChange={async (event) => {
+          const input = event.currentTarget,
+            file = input.files?.[0];
+          if (file) await openList({name: file.name, text: await file.text()});
+          input.value = ""; // the same file may be opened again
+        }}
+      />
+    </label>
+  );
+}
+
+export function StayCount() {
+  const seconds = Object.values(staysOfSelection.value);
+  if (seconds.length === 0) return null;
+  const least = Math.min(...seconds),
+    most = Math.max(...seconds);
+  const words = least === most ? `${most} s each` : `${least} to ${most} s each`;
+  return (
+    <span class="muted" title={`${words}, as the work list says`}>
+      stays at {plural(seconds.length, "tube")}
+    </span>
+  );
+}

@@ -1,0 +1,73 @@
+// A plot of a report: as the page draws it, with what is under the pointer said beside it.
+import {useMemo, useRef} from "preact/hooks";
+import type uPlot from "uplot";
+import {nearestPlace} from "../../../../drawing/frames.js";
+import {isNumber, plainUnit, short} from "../../../../drawing/numbers.js";
+import type {View} from "../../../../drawing/own_variable.js";
+import type {ErrorPair} from "../../../../drawing/reading_errors.js";
+import {palette} from "../../drawing/colours";
+import {Plot, type PlotProps} from "../../drawing/plot";
+import {makePlot} from "../../error/error_plot";
+import {type Lines, Pointed} from "../pointed";
+import type {Report} from "../values";
+import {conditionsText, readingName} from "./pairs";
+
+/** So near a point, in pixels, is pointed at. */
+const NEAR = 12;
+
+/** `tell`: about a row of the data, in words. */
+export function PlotBox({tell, class: name = "", ...plot}: PlotProps & {tell: (row: number) => Lines; class?: string}) {
+  const held = useRef<uPlot | null>(null);
+  const find = (event: PointerEvent) => {
+    const made = held.current;
+    if (!made || event.target !== made.over) return null;
+    const [xs, ...columns] = made.data;
+    for (const column of columns) {
+      const places = [...column].map((value, row): [number, number] | null =>
+        isNumber(value) ? [made.valToPos(xs[row], "x"), made.valToPos(value, "y")] : null,
+      );
+      const row = nearestPlace(places, event.offsetX, event.offsetY, NEAR);
+      if (row >= 0) return tell(row);
+    }
+    return null;
+  };
+  return (
+    <Pointed find={find} class={`chart ${name}`}>
+      <Plot {...plot} onReady={(made) => (held.current = made)} />
+    </Pointed>
+  );
+}
+
+interface ErrorPlotBoxProps {
+  report: Report;
+  errors: ErrorPair;
+  view: View;
+  /** The end of the scale of errors where several plots share it. */
+  most?: number | null;
+  isSmall?: boolean;
+}
+
+export function ErrorPlotBox({report, errors, view, most = null, isSmall = false}: ErrorPlotBoxProps) {
+  const plot = useMemo(
+    () => makePlot(errors, view, {colours: palette.peek(), most, isBrief: isSmall}),
+    [errors, view, most, palette.value],
+  );
+  const tell = (row: number) => tellReading(report, errors, view, plot.rows[row].index);
+  return (
+    <PlotBox options={plot.options} data={plot.data} label={plot.words} tell={tell} class={isSmall ? "small" : ""} />
+  );
+}
+
+function tellReading(report: Report, errors: ErrorPair, {variable, part}: View, index: number): Lines {
+  const reading = errors.readings[index] as Report & ErrorPair["readings"][number],
+    x = variable.of(reading, index);
+  return [
+    readingName(reading),
+    `${variable.name} ${variable.levels?.[x!] ?? short(x)} ${plainUnit(variable.unit)}`,
+    ...errors.series.map(({name, errors: of}) => {
+      const error = of[index];
+      return `${name.split(":")[0]} ${short(error ? part.of(error, index) : null)} ${plainUnit(part.unit)}`;
+    }),
+    conditionsText(report, reading),
+  ];
+}

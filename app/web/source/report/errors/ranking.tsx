@@ -1,0 +1,196 @@
+// Every effect that was tried, most probable first; explanations side by side; what could still be there unseen.
+import {errorUnit} from "../../../../drawing/error_budget.js";
+import {explanationTitle, isEnough, plainName, sizeText} from "../../../../drawing/explanations.js";
+import {plural, pValue, short, whole} from "../../../../drawing/numbers.js";
+import {MOST_RANKED, rankingRows, triedText} from "../../../../drawing/ranking.js";
+import {letterOf} from "../../../../drawing/reading_errors.js";
+import {RankingTable} from "../../error/ranking_table";
+import type {RankedEffect} from "../../server/documents";
+import {Card, Lead, Missing, Named, type OfReport, Reasons, Table} from "../parts";
+import {lengthUnit, list, object, type Report, textList, textOf, vector} from "../values";
+import {noiseFloorOf} from "./ladder";
+import {conditionsText, reportExplanations, rootMeanSquare} from "./pairs";
+
+export function RankingSection({report}: OfReport) {
+  const ranking = list(report.ranking).map((entry) => ({
+    ...entry,
+    size: object(entry.size),
+  })) as unknown as RankedEffect[];
+  const rows = rankingRows(ranking),
+    others = rows.slice(MOST_RANKED);
+  if (rows.length === 0) return <Missing what="The ranking of effects" />;
+  return (
+    <>
+      <Lead>{rankingLead(report)}</Lead>
+      <Card class="ranking">
+        <RankingTable rows={rows.slice(0, MOST_RANKED)} />
+      </Card>
+      {others.length > 0 ? (
+        <details>
+          <summary>The other {whole(others.length)}</summary>
+          <Card class="ranking">
+            <RankingTable rows={others} />
+          </Card>
+        </details>
+      ) : null}
+    </>
+  );
+}
+
+function rankingLead(report: Report): string {
+  const {probability_words} = report,
+    lacks = textList(report.not_tried);
+  const isJoined = reportExplanations(report).some((entry) => entry.effects.length > 1);
+  return [
+    triedText({ranking: list(report.ranking), probability: object(report.probability), probability_words}),
+    isJoined ? "The explanation above combines several; here the reduction of chi-square is that of each alone." : "",
+    lacks.length === 0 ? "" : `Not tried: ${lacks.join("; ")}.`,
+  ]
+    .filter((text) => text !== "")
+    .join(" ");
+}
+
+// ---- explanations side by side
+
+const MOST_DIFFERING = 6;
+/** Of the noise: explanations nearer than that are the same at these readings. */
+const SAME_SHARE = 0.01;
+
+export function AlternativesSection({report}: OfReport) {
+  const explanations = reportExplanations(report),
+    unit = errorUnit(report);
+  const rows = explanations.map((entry, i) => [
+    `${letterOf(i)}: ${explanationTitle(entry)}`,
+    entry.effects.map((effect) => <div>{sizeText(effect)}</div>),
+    short(entry.rms),
+    short(entry.heldout_rms),
+    short(entry.chi2),
+    pValue(entry.p_value),
+  ]);
+  const heads = ["explanation", "sizes", `error, ${unit}`, `held-out, ${unit}`, "chi-square", "p of what is left"];
+  return (
+    <>
+      <Lead>
+        {isEnough(explanations[0])
+          ? "Each of these suffices alone; these readings cannot distinguish between them."
+          : "The best of the known effects. None of them reduces the error to the noise floor."}
+      </Lead>
+      <Card>
+        <Table heads={heads} rows={rows} text={[0, 1]} />
+      </Card>
+      <div class="pair">
+        {explanations.slice(1).map((other, i) => (
+          <Card title={`${explanationTitle(explanations[0])}, or ${explanationTitle(other)}`}>
+            <Differences report={report} index={i + 1} />
+          </Card>
+        ))}
+      </div>
+    </>
+  );
+}
+
+/** Where an explanation predicts other readings than the first, each fitted with everything that is free. */
+function Differences({report, index}: {index: number} & OfReport) {
+  const differences = list(report.readings)
+    .flatMap((reading) => {
+      const [a, b] = [vector(reading.explained?.[0]), vector(reading.explained?.[index])];
+      return a && b ? [{reading, apart: Math.hypot(...a.map((value, k) => value - b[k]))}] : [];
+    })
+    .sort((one, other) => other.apart - one.apart);
+  if (differences.length === 0) return <Missing what="Where they differ" />;
+  const unit = lengthUnit(report),
+    floor = errorUnit(report) === unit ? noiseFloorOf(report) : null;
+  const rms = rootMeanSquare(differences.map(({apart}) => apart))!;
+  if (floor !== null && rms < SAME_SHARE * floor)
+    return (
+      <p class="note">
+        At these readings both predict the same to within a hundredth of the noise: no fit to them can distinguish them.
+      </p>
+    );
+  const rows = differences
+    .slice(0, MOST_DIFFERING)
+    .map(({reading, apart}) => [textOf(reading.id), conditionsText(report, reading), short(apart)]);
+  return (
+    <>
+      <p class="note">
+        They put the tip {short(rms)} {unit} apart (root mean square over the readings)
+        {floor === null ? "" : `, where noise is ${short(floor)} ${unit}`}. They differ most at:
+      </p>
+      <Table heads={["reading", "at", `apart, ${unit}`]} rows={rows} text={[0, 1]} />
+    </>
+  );
+}
+
+// ---- what could still be there unseen, what was not tried, and which readings were left out
+
+export function HiddenSection({report}: OfReport) {
+  const detectable = list(report.detectable),
+    aside = textList(report.set_aside);
+  return (
+    <>
+      <Lead>
+        Smallest size that these readings would detect with a power of 80 %. Smaller effects may be present. Marked ▲:
+        only a size that no machine has would show, so these readings say nothing about it.
+      </Lead>
+      {detectable.length === 0 ? (
+        <Missing what="What could still hide" />
+      ) : (
+        <Card>
+          <DetectableTable detectable={detectable} />
+        </Card>
+      )}
+      <div class="pair">
+        <Card title="Not tried">
+          {textList(report.not_tried).length > 0 ? (
+            <Reasons>{textList(report.not_tried)}</Reasons>
+          ) : (
+            <NoneOf
+              given={report.not_tried}
+              what="What was not tried"
+              none="Every effect of the catalogue was tried."
+            />
+          )}
+        </Card>
+        <Card title="Readings set aside">
+          {aside.length > 0 ? (
+            <p>
+              {plural(aside.length, "reading")} stood out as no effect would move them and{" "}
+              {aside.length === 1 ? "was" : "were"} left out: {aside.join(", ")}.
+            </p>
+          ) : (
+            <NoneOf
+              given={report.set_aside}
+              what="Readings set aside"
+              none="None: no reading stands out from the others."
+            />
+          )}
+        </Card>
+      </div>
+    </>
+  );
+}
+
+function NoneOf({given, what, none}: {given: unknown; what: string; none: string}) {
+  return Array.isArray(given) ? <p class="note">{none}</p> : <Missing what={what} />;
+}
+
+/** One row for each effect's number, with all places. */
+function DetectableTable({detectable}: {detectable: Report[]}) {
+  const groups = new Map<string, Report[]>();
+  for (const entry of detectable) {
+    const key = `${entry.effect} ${entry.number} ${entry.unit}`;
+    groups.set(key, [...(groups.get(key) ?? []), entry]);
+  }
+  const rows = [...groups.values()].map((entries) => {
+    const [{effect, number, unit}] = entries;
+    const places = entries.map(({at, size, beyond_plausible: isHidden}) => (
+      <span class="places">
+        {textOf(at)} <b>{isHidden === true ? "▲" : short(size)}</b>
+      </span>
+    ));
+    return [<Named name={textOf(effect)} />, plainName(number), unit === "1" ? "" : textOf(unit), places];
+  });
+  return (
+    <Table heads={["effect", "number", "unit", "smallest detectable size, by place"]} rows={rows} text={[0, 1, 2, 3]} />
+  );
+}

@@ -1,0 +1,21 @@
+// Starts a report: its document stands in the file, which asks nothing of any network.
+import "./sharp";
+import "uplot/dist/uPlot.min.css";
+import "../../../drawing/colours.css";
+import "../style/tokens.css";
+import "../style/views.css";
+import "./report.css";
+import {render} from "preact";
+import {followColours} from "../drawing/colours";
+import {campaignPage} from "./campaign/campaign_pages";
+import {ERROR_PAGES} from "./errors/error_pages";
+import {type PageKind, ReportPage} from "./page";
+import {PLAN_PAGE} from "./plan/plan_page";
+import {object, textOf} from "./values";
+
+const report = object(JSON.parse(document.getElementById("report")!.textContent!)) ?? {};
+const PAGES: Record<string, PageKind> = {...ERROR_PAGES, plan: PLAN_PAGE, campaign: campaignPage(report)};
+const kind = Object.hasOwn(PAGES, report.page) ? PAGES[report.page] : PAGES.diagnosis;
+document.title = textOf(report.title, kind.title);
+followColours("light");
+render(<ReportPage kind={kind} report={report} />, document.getElementById("page")!);

@@ -1,0 +1,84 @@
+// What reports are made of: leads, cards, tables, legends, and what is said where something is missing.
+import type {ComponentChildren} from "preact";
+import {Icon} from "../drawing/icons";
+import {MarkIcon, type Mark} from "../drawing/marks";
+
+import type {Report} from "./values";
+
+export {Table} from "../drawing/table";
+
+export interface OfReport {
+  report: Report;
+}
+
+interface WithChildren {
+  children?: ComponentChildren;
+}
+
+export function Missing({what}: {what: string}) {
+  return <p class="missing">{what}: not recorded.</p>;
+}
+
+export function Lead({children}: WithChildren) {
+  return <p class="lead">{children}</p>;
+}
+
+export function Card({title, class: name = "", children}: {title?: ComponentChildren; class?: string} & WithChildren) {
+  return (
+    <div class={`card ${name}`}>
+      {title ? <h3>{title}</h3> : null}
+      {children}
+    </div>
+  );
+}
+
+export function Reasons({children}: {children: readonly ComponentChildren[]}) {
+  return (
+    <ul class="reasons">
+      {children.map((reason) => (
+        <li>{reason}</li>
+      ))}
+    </ul>
+  );
+}
+
+/** Marks with their words, and what else stands in a picture: a sign of the style sheet before its words. */
+export function Legend({children}: {children: readonly (readonly [Mark | string, ComponentChildren])[]}) {
+  return (
+    <ul class="legend">
+      {children.map(([mark, words]) => (
+        <li>
+          {typeof mark === "string" ? <i class={mark} aria-hidden="true" /> : <MarkIcon mark={mark} />} {words}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+/** An effect's name, or a number's, over what it is. */
+export function Named({name, words}: {name: ComponentChildren; words?: string}) {
+  return (
+    <span class="effect-name">
+      {name}
+      {words ? <small>{words}</small> : null}
+    </span>
+  );
+}
+
+/** Prints the section that it stands in, and nothing else of the page. */
+export function PrintButton({children, prepare}: {prepare?: () => void} & WithChildren) {
+  const print = (event: MouseEvent) => {
+    prepare?.();
+    const section = (event.currentTarget as HTMLElement).closest("section")!;
+    section.classList.add("printed");
+    document.body.classList.add("section-only");
+    window.print();
+    document.body.classList.remove("section-only");
+    section.classList.remove("printed");
+  };
+  return (
+    <button type="button" class="button small print" onClick={print}>
+      <Icon name="print" size={14} /> {children}
+    </button>
+  );
+}

@@ -1,0 +1,184 @@
+// The sheet before and after compensation, every visited tube by its case; the tubes that cannot be visited.
+import {useSignal} from "@preact/signals";
+import {useCallback, useMemo} from "preact/hooks";
+import {stateMark, UNREACHABLE, UNSCORED} from "../../../../drawing/kinds.js";
+import {isNumber, plural, whole} from "../../../../drawing/numbers.js";
+import {sheetWords, type SheetModel} from "../../../../drawing/sheet_model.js";
+import {stepKinds} from "../../../../drawing/steps.js";
+import {MarkIcon, type Mark} from "../../drawing/marks";
+import {choicesOf, Segments} from "../../drawing/segments";
+import {Card, Lead, Missing, type OfReport, Reasons} from "../parts";
+import {list, type Report, textOf, tubeName} from "../values";
+import {holeTeller, type Mode, predictedMode, scoredModes} from "./cases";
+import {markRadius, type Painter, paintMarks, type Place, readSheet, SheetBox, stateGroups} from "./sheet_box";
+
+export function SheetSection({report}: OfReport) {
+  const sheet = useMemo(() => readSheet(report), [report]);
+  const {before, after} = useMemo(() => {
+    const scored = scoredModes(report),
+      isBefore = ({key}: Mode) => key === "none";
+    const after = [...scored.filter((mode) => !isBefore(mode)).reverse(), predictedMode(report)];
+    return {before: scored.filter(isBefore), after};
+  }, [report]);
+  if (!sheet) return <Missing what="The sheet's holes" />;
+  return (
+    <>
+      <Lead>
+        {plural(sheet.count, "hole")}, {sheetWords(sheet)}. Every mark is a visited tube: how far the stepped
+        calibration tool goes in. Point at a hole for its figures; the boxes below a map hide and show its marks.
+        {before.length === 0
+          ? " Centring without compensation is not shown: the plan has no true arm to be scored against."
+          : ""}
+      </Lead>
+      <div class="pair">
+        {before.length > 0 ? <SheetMap report={report} sheet={sheet} heading="Before" modes={before} /> : null}
+        <SheetMap report={report} sheet={sheet} heading={before.length > 0 ? "After" : "The plan"} modes={after} />
+      </div>
+      <Unreachable report={report} />
+    </>
+  );
+}
+
+interface Group {
+  mark: Mark;
+  name: string;
+  tubes: Report[];
+}
+
+const placeOf = ({x, y}: Report): Place => [x, y];
+
+/** The groups of marks that a map shows. */
+function groupsOf(report: Report, mode: Mode): Group[] {
+  const placed = (tubes: unknown) => list(tubes).filter(({x, y}) => isNumber(x) && isNumber(y));
+  const tubes = placed(report.tubes),
+    unscored = tubes.filter((tube) => mode.caseOf(tube) === null);
+  return [
+    ...stepKinds(report).map((kind, k) => ({...kind, tubes: tubes.filter((tube) => mode.caseOf(tube) === k)})),
+    {mark: UNREACHABLE as Mark, name: "cannot be visited", tubes: placed(report.unreachable)},
+    ...(unscored.length > 0 ? [{mark: UNSCORED as Mark, name: "not scored", tubes: unscored}] : []),
+  ];
+}
+
+interface SheetMapProps {
+  report: Report;
+  sheet: SheetModel;
+  heading: string;
+  modes: readonly Mode[];
+}
+
+/** One map with its heading, a choice of mode when there are several, and its legend with live counts. */
+function SheetMap({report, sheet, heading, modes}: SheetMapProps) {
+  const chosen = useSignal(modes[0].key),
+    hidden = useSignal<ReadonlySet<string>>(new Set());
+  const mode = modes.find(({key}) => key === chosen.value)!;
+  const groups = useMemo(() => groupsOf(report, mode), [report, mode]);
+  const tell = useMemo(() => holeTeller(report, mode), [report, mode]);
+  const paint = useCallback((painter: Painter) => paintGroups(painter, groups, hidden.value), [groups, hidden.value]);
+  return (
+    <Card>
+      <div class="card-head">
+        <h3>
+          {heading}: {mode.name}
+        </h3>
+        {modes.length > 1 ? (
+          <Segments
+            label="Compensation shown"
+            choices={choicesOf(modes.map(({key, brief}) => [key, brief] as const))}
+            value={mode.key}
+            onChoose={(next) => (chosen.value = next)}
+          />
+        ) : null}
+      </div>
+      <SheetBox
+        report={report}
+        sheet={sheet}
+        label={`Tube sheet, ${sheetWords(sheet)}: ${heading.toLowerCase()}, ${mode.name}`}
+        tell={tell}
+        paint={paint}
+      />
+      <ul class="legend">
+        {groups.map(({mark, name, tubes}) => (
+          <li>
+            <label>
+              <input
+                type="checkbox"
+                checked={!hidden.value.has(name)}
+                onChange={() => (hidden.value = toggled(hidden.value, name))}
+              />
+              <MarkIcon mark={mark} /> {name} <b>{whole(tubes.length)}</b>
+            </label>
+          </li>
+        ))}
+        <OtherHoles report={report} sheet={sheet} />
+      </ul>
+    </Card>
+  );
+}
+
+function toggled(names: ReadonlySet<string>, name: string): ReadonlySet<string> {
+  const next = new Set(names);
+  if (!next.delete(name)) next.add(name);
+  return next;
+}
+
+function paintGroups(painter: Painter, groups: readonly Group[], hidden: ReadonlySet<string>): void {
+  const radius = markRadius(
+    painter,
+    groups.flatMap(({tubes}) => tubes.map(placeOf)),
+  );
+  for (const {mark, name, tubes} of groups)
+    if (!hidden.has(name)) paintMarks(painter, mark, tubes.map(placeOf), radius);
+}
+
+/** Holes that are not on the list, and those of each state. */
+function OtherHoles({report, sheet}: {sheet: SheetModel} & OfReport) {
+  const listed = list(report.tubes).length + list(report.unreachable).length;
+  const open = {mark: stateMark("open") as Mark, name: "not on the list", count: Math.max(0, sheet.count - listed)};
+  return (
+    <>
+      {[open, ...stateGroups(sheet)].map(({mark, name, count}) => (
+        <li>
+          <MarkIcon mark={mark} /> {name} <b>{whole(count)}</b>
+        </li>
+      ))}
+    </>
+  );
+}
+
+/** The tubes that cannot be visited, by reason; long lists fold away. */
+function Unreachable({report}: OfReport) {
+  const tubes = list(report.unreachable);
+  if (!Array.isArray(report.unreachable)) return <Missing what="Tubes that cannot be visited" />;
+  if (tubes.length === 0) return <p class="good">Every tube on the list is visited.</p>;
+  const reasons = new Map<string, string[]>();
+  for (const tube of tubes) {
+    const reason = textOf(tube.reason, "no reason recorded");
+    reasons.set(reason, [...(reasons.get(reason) ?? []), tubeName(tube)]);
+  }
+  const title = (
+    <>
+      <MarkIcon mark={UNREACHABLE} /> {plural(tubes.length, "tube")} cannot be visited
+    </>
+  );
+  return (
+    <Card title={title}>
+      <Reasons>
+        {[...reasons]
+          .sort(([, a], [, b]) => b.length - a.length)
+          .map(([reason, names]) => (
+            <>
+              <b>{reason}: </b>
+              {names.length <= 12 ? (
+                names.join(", ")
+              ) : (
+                <details>
+                  <summary>{plural(names.length, "tube")}</summary>
+                  {names.join(", ")}
+                </details>
+              )}
+            </>
+          ))}
+      </Reasons>
+    </Card>
+  );
+}

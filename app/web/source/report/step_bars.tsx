@@ -1,0 +1,41 @@
+// Stacked bars of shares; every part carries its case's mark and its count.
+import {plural, whole} from "../../../drawing/numbers.js";
+import {stepMark} from "../../../drawing/steps.js";
+import {MarkIcon} from "../drawing/marks";
+
+interface StepBarsProps {
+  label: string;
+  /** How many holes each number of steps enters, by name of the model or mode. */
+  rows: readonly {name: string; counts: readonly number[]}[];
+}
+
+export function StepBars({label, rows}: StepBarsProps) {
+  return (
+    <div class="step-bars" role="img" aria-label={label}>
+      {rows.map(({name, counts}) => (
+        <>
+          <span>
+            {name} ({whole(counts.reduce((sum, count) => sum + count, 0))})
+          </span>
+          <div class="step-bar">
+            {counts.map((count, steps) =>
+              count > 0 ? <Part steps={steps} of={counts.length - 1} count={count} /> : null,
+            )}
+          </div>
+        </>
+      ))}
+    </div>
+  );
+}
+
+function Part({steps, of, count}: {steps: number; of: number; count: number}) {
+  const mark = stepMark(steps, of);
+  return (
+    <span
+      style={{flexGrow: count, background: `color-mix(in srgb, var(--${mark.colour}) 35%, var(--panel))`}}
+      title={`${plural(steps, "step")}: ${whole(count)}`}
+    >
+      <MarkIcon mark={{...mark, colour: "ink"}} size={12} /> {whole(count)}
+    </span>
+  );
+}

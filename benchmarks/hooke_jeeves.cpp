@@ -1,0 +1,75 @@
+// Pattern search (Hooke and Jeeves 1961; section 5.3.3 of the thesis): values alone, no derivatives. Exploratory moves
+// try each variable a step up and down; while they lower chi2, pattern moves repeat the last gain as a whole and
+// explore around it, so that the stride grows; where nothing is lower, the step shrinks.
+#include <algorithm>
+#include <cmath>
+
+#include "benchmarks/thesis_methods.hpp"
+#include "calibration/estimation/scaled_problem.hpp"
+
+namespace tubeplan::benchmarks {
+
+namespace {
+
+using calibration::LeastSquaresProblem, calibration::LeastSquaresResult, calibration::LeastSquaresStatus;
+using calibration::ScaledProblem;
+
+constexpr double kFirstStep = 0.25;  // in units of each variable's scale
+constexpr double kShrink = 0.5;
+constexpr double kLeastStep = 1e-6;
+constexpr int kMostIterations = 10000;
+
+struct TriedPlace {
+  Eigen::VectorXd x;
+  double chi2;
+};
+
+TriedPlace explore(ScaledProblem& problem, TriedPlace place, double step) {
+  for (Eigen::Index k = 0; k < place.x.size(); ++k)
+    for (const double move : {step, -step}) {
+      TriedPlace trial = place;
+      trial.x[k] = std::clamp(place.x[k] + move, problem.lower()[k], problem.upper()[k]);
+      if (trial.x[k] == place.x[k]) continue;
+      trial.chi2 = problem.chi2At(trial.x);
+      if (!(trial.chi2 < place.chi2)) continue;
+      place = trial;
+      break;
+    }
+  return place;
+}
+
+/// Pattern moves from `base` over `found` onwards until one gains nothing; the last gain.
+TriedPlace followPattern(ScaledProblem& problem, TriedPlace base, TriedPlace found, double step, int& iterations) {
+  while (found.chi2 < base.chi2 && iterations < kMostIterations) {
+    ++iterations;
+    TriedPlace ahead{problem.withinBounds(2 * found.x - base.x), 0};
+    ahead.chi2 = problem.chi2At(ahead.x);
+    base = found;
+    found = explore(problem, ahead, step);
+  }
+  return found.chi2 < base.chi2 ? found : base;
+}
+
+}  // namespace
+
+LeastSquaresResult minimizeByHookeJeeves(const LeastSquaresProblem& problem) {
+  ScaledProblem scaled(problem);
+  TriedPlace base{scaled.start(), 0};
+  base.chi2 = scaled.chi2At(base.x);
+  if (!std::isfinite(base.chi2)) return scaled.failureAtStart();
+  double step = kFirstStep;
+  int iterations = 0;
+  while (step > kLeastStep && iterations < kMostIterations) {
+    ++iterations;
+    const TriedPlace found = explore(scaled, base, step);
+    if (found.chi2 < base.chi2)
+      base = followPattern(scaled, base, found, step, iterations);
+    else
+      step *= kShrink;
+  }
+  const bool done = step <= kLeastStep;
+  return scaled.resultAt(base.x, base.chi2, done ? LeastSquaresStatus::kConverged : LeastSquaresStatus::kIterationLimit,
+                         done ? "the step is within tolerance" : "stopped at the iteration limit", iterations);
+}
+
+}  // namespace tubeplan::benchmarks

@@ -1,0 +1,80 @@
+// Steepest descent with a line search (section 5.3.3 of the thesis), its path bent along the bounds (Bertsekas 1976).
+// The first trial of each search is a little short of the lowest point down the gradient if the residuals were linear
+// (Cauchy's step, which taken whole zigzags: Raydan and Svaiter 2002); it is cut back by the golden ratio until chi2
+// falls as much as Armijo asks.
+#include <cmath>
+#include <numbers>
+
+#include "benchmarks/thesis_methods.hpp"
+#include "calibration/estimation/scaled_problem.hpp"
+
+namespace tubeplan::benchmarks {
+
+namespace {
+
+using calibration::LeastSquaresProblem, calibration::LeastSquaresResult, calibration::ScaledProblem;
+using Eigen::MatrixXd, Eigen::VectorXd;
+constexpr double kShareOfCauchyStep = 0.8;
+constexpr double kArmijo = 1e-4;
+constexpr int kMaxTrials = 80;  // golden cuts down to 1e-17 of Cauchy's step
+constexpr double kLeastGradient = 1e-6;
+constexpr int kMostIterations = 1000;
+constexpr double kHiddenByRounding = 1e-9;  // share of chi2 that rounding in the model may hide
+
+struct SlopedPlace {
+  VectorXd x, r;
+  MatrixXd jacobian;
+  double chi2() const { return r.squaredNorm(); }
+  VectorXd gradient() const { return jacobian.transpose() * r; }
+};
+
+/// Against the gradient, but not into a bound that x rests on.
+VectorXd downhill(const ScaledProblem& problem, const SlopedPlace& place) {
+  VectorXd direction = -place.gradient();
+  for (Eigen::Index k = 0; k < direction.size(); ++k)
+    if ((place.x[k] <= problem.lower()[k] && direction[k] < 0) ||
+        (place.x[k] >= problem.upper()[k] && direction[k] > 0))
+      direction[k] = 0;
+  return direction;
+}
+
+/// True with `x` moved to a point that is lower by enough; false where there is none in this direction.
+bool searchLine(ScaledProblem& problem, const SlopedPlace& from, const VectorXd& direction, double stride,
+                VectorXd& x) {
+  const VectorXd gradient = from.gradient();
+  for (int trial = 0; trial < kMaxTrials; ++trial, stride /= std::numbers::phi) {
+    x = problem.withinBounds(from.x + stride * direction);
+    const double chi2 = problem.chi2At(x);
+    if (chi2 < from.chi2() && chi2 <= from.chi2() + 2 * kArmijo * gradient.dot(x - from.x)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+LeastSquaresResult minimizeBySteepestDescent(const LeastSquaresProblem& problem) {
+  using Status = calibration::LeastSquaresStatus;
+  ScaledProblem scaled(problem);
+  SlopedPlace here{scaled.start(), {}, {}};
+  if (!scaled.linearizeAt(here.x, here.r, here.jacobian)) return scaled.failureAtStart();
+  for (int iterations = 0;; ++iterations) {
+    const auto stopped = [&](Status status, const char* reason) {
+      return scaled.resultAt(here.x, here.chi2(), status, reason, iterations);
+    };
+    const VectorXd direction = downhill(scaled, here);
+    if (direction.lpNorm<Eigen::Infinity>() <= kLeastGradient)
+      return stopped(Status::kConverged, "the gradient is within tolerance");
+    const double cauchy = direction.squaredNorm() / (here.jacobian * direction).squaredNorm();
+    if (iterations == kMostIterations) return stopped(Status::kIterationLimit, "stopped at the iteration limit");
+    SlopedPlace next;
+    if (!searchLine(scaled, here, direction, kShareOfCauchyStep * cauchy, next.x))
+      return cauchy * direction.squaredNorm() <= kHiddenByRounding * here.chi2()
+                 ? stopped(Status::kConverged, "chi2 falls only within rounding")
+                 : stopped(Status::kFailed, "no step lowers the error");
+    if (!scaled.linearizeAt(next.x, next.r, next.jacobian))
+      return stopped(Status::kFailed, "the model could not be differentiated");
+    here = next;
+  }
+}
+
+}  // namespace tubeplan::benchmarks

@@ -1,0 +1,139 @@
+#include "calibration/measurements/predict_all.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "calibration/measurements/frame_motion.hpp"
+#include "deflection/kinematics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::Vector3d;
+
+bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& readings) {
+  if (dependsOnPosture(arm)) return false;
+  return std::none_of(readings.begin(), readings.end(), [](const Measurement& reading) {
+    const Measurement* from = referenceOf(reading);
+    return reading.row || reading.wrench || (from && from->wrench);
+  });
+}
+
+namespace {
+
+constexpr std::size_t kReadingsOfCore = 128;  // that one core takes at once, side by side ...
+constexpr std::size_t kReadingsInTurn = 16;   // ... or one by one, which share what is prepared of the arm
+
+/// What is asked of which readings.
+struct AskedReadings {
+  const PlacedArm& placed;
+  const std::vector<Measurement>& readings;
+  const std::vector<int>& base_pose_of;
+  const PredictionRequest& request;
+  const std::function<void(std::size_t, const Prediction&)>& each;
+
+  [[nodiscard]] const Eigen::Isometry3d& X_WB(std::size_t k) const {
+    return placed.base_poses[static_cast<std::size_t>(base_pose_of[k])].X_WB;
+  }
+};
+
+bool predictInTurn(const AskedReadings& asked, std::size_t first, std::size_t count) {
+  ReadingPredictor predictor(asked.placed.arm);
+  for (std::size_t k = first; k < first + count; ++k) {
+    const Prediction prediction = predictor.predict(asked.X_WB(k), asked.readings[k], asked.request);
+    if (!prediction.ok) return false;
+    asked.each(k, prediction);
+  }
+  return true;
+}
+
+/// A block of readings, and behind them the postures that displacements are taken from.
+class SideBySide {
+ public:
+  explicit SideBySide(const AskedReadings& asked) : asked_(asked) {}
+
+  bool predict(deflection::Kinematics& kinematics, std::size_t first, std::size_t count) {
+    const deflection::Arm& arm = asked_.placed.arm;
+    const auto variables = variablesOf(asked_.request, arm);
+    place(first, count);
+    kinematics.solveWithDerivatives(postures_, variables, tips_);
+    if (!std::ranges::all_of(tips_.status, [](auto s) { return s == deflection::KinematicsStatus::kConverged; }))
+      return false;
+    tool_frame_ = toolFrame(arm);
+    prediction_.ok = true;
+    for (std::size_t k = first; k < first + count; ++k) {
+      const Measurement& reading = asked_.readings[k];
+      moveTo(static_cast<Index>(k - first), seesTurn(reading), frame_);
+      if (const Index from = from_[k - first]; from >= 0) {
+        moveTo(from, false, reference_);
+        frame_.takeOff(reference_, ownJointsOf(reading, asked_.request, arm));
+      }
+      predictOf(frame_, arm, asked_.X_WB(k), reading, asked_.request, prediction_);
+      asked_.each(k, prediction_);
+    }
+    return true;
+  }
+
+ private:
+  void place(std::size_t first, std::size_t count) {
+    from_.assign(count, -1);
+    auto postures = static_cast<Index>(count);
+    for (std::size_t k = 0; k < count; ++k)
+      if (isDisplacement(asked_.readings[first + k])) from_[k] = postures++;
+    postures_.resize(asked_.placed.arm.jointCount(), postures);
+    for (std::size_t k = first; k < first + count; ++k) {
+      const Measurement& reading = asked_.readings[k];
+      const Vector3d gravity_B = deflection::gravityInBase(asked_.placed.arm, asked_.X_WB(k));
+      const auto put = [&](Index at, const Measurement& of, double load) {
+        postures_.q.col(at) = of.q;
+        postures_.load[at] = load;
+        postures_.gravity_B.col(at) = gravity_B;
+      };
+      put(static_cast<Index>(k - first), reading, reading.load);
+      if (const auto from = departureOf(reading))
+        put(from_[k - first], *from->reading, from->is_unloaded ? 0 : from->reading->load);
+    }
+  }
+
+  void moveTo(Index posture, bool with_turn, FrameMotion& frame) const {
+    frame.p_BF = tips_.poses.col(posture).head<3>();
+    if (with_turn) frame.R_BF = tips_.X_BD(posture).R * tool_frame_;
+    frame.by_BF.resize(6, tips_.jacobian.rows() / 6);
+    frame.by_BF.reshaped() = tips_.jacobian.col(posture);
+  }
+
+  const AskedReadings& asked_;
+  deflection::PostureBatch postures_;
+  deflection::TipBatch tips_;
+  std::vector<Index> from_;  ///< the posture to take off, -1 where there is none
+  Eigen::Matrix3d tool_frame_;
+  FrameMotion frame_, reference_;  ///< of one reading after the other, as is ...
+  Prediction prediction_;          ///< ... this
+};
+
+}  // namespace
+
+bool predictAll(const PlacedArm& placed, const std::vector<Measurement>& readings, const std::vector<int>& base_pose_of,
+                const PredictionRequest& request, const StopQuestion& stop,
+                const std::function<void(std::size_t, const Prediction&)>& each, deflection::Kinematics* prepared) {
+  const AskedReadings asked{placed, readings, base_pose_of, request, each};
+  const bool side_by_side = areForKernels(placed.arm, readings);
+  if (side_by_side && prepared && readings.size() <= kReadingsOfCore)
+    return SideBySide(asked).predict(*prepared, 0, readings.size());
+  const auto predictBlock = [&](std::size_t first, std::size_t count) {
+    if (!side_by_side) return predictInTurn(asked, first, count);
+    deflection::Kinematics kinematics(placed.arm);
+    return SideBySide(asked).predict(kinematics, first, count);
+  };
+  if (side_by_side && readings.size() <= kReadingsOfCore) return predictBlock(0, readings.size());
+  std::atomic<bool> ok = true;
+  const tbb::blocked_range<std::size_t> blocks(0, readings.size(), side_by_side ? kReadingsOfCore : kReadingsInTurn);
+  tbb::parallel_for(blocks, [&](const auto& range) {
+    if (ok && (shouldStop(stop) || !predictBlock(range.begin(), range.size()))) ok = false;
+  });
+  return ok;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,33 @@
+// An error that goes with a condition that the readings state: one pattern for each row of deflection/conditions.hpp.
+//
+// Basis: the condition; of what acts as anything that changes slowly (a drift, a slip of the base), slow waves over its
+// range; apart from them, where there are readings enough, up to twelve cycles.
+#pragma once
+
+#include "calibration/patterns/pattern.hpp"
+
+namespace tubeplan::calibration::patterns::condition {
+
+inline std::vector<Variable> variables(const ReadingScene& scene, const deflection::ConditionKind& kind) {
+  Variable variable{kind.name, kind.unit, Eigen::VectorXd(static_cast<Eigen::Index>(scene.readings.size())), {}, {}};
+  for (std::size_t k = 0; k < scene.readings.size(); ++k)
+    variable.value[static_cast<Eigen::Index>(k)] = scene.readings[k].conditions[kind.condition];
+  if (!varies(variable.value)) return {};
+  if (kind.course == deflection::Course::kProportional) {
+    variable.basis = centred(variable.value, [](double value) { return value; });
+    return {variable};
+  }
+  variable.basis = slowWaves(variable.value);
+  Variable cycles = variable;
+  cycles.name = cyclesOf(variable.name);
+  cycles.basis = fasterWaves(variable.value);
+  return cycles.basis.cols() > 0 ? std::vector<Variable>{variable, cycles} : std::vector<Variable>{variable};
+}
+
+inline PatternKind kind(const deflection::ConditionKind& of) {
+  return {.name = of.name,
+          .needs = std::string("a column of different values of ") + of.words,
+          .variables = [&of](const ReadingScene& scene) { return variables(scene, of); }};
+}
+
+}  // namespace tubeplan::calibration::patterns::condition

@@ -1,0 +1,113 @@
+// What a reading may be taken under beside joints and loads: the open table of conditions. A condition is one row here.
+// Files, JSON, run sheets, simulation, formulas, patterns, the unknown discrepancy and the pages loop over the rows;
+// none but the laws of effects names one.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "deflection/quantity.hpp"
+
+namespace tubeplan::deflection {
+
+/// Rows of the table below, in its order.
+enum class Condition { kTemperature, kTime };
+
+/// How an unknown error goes with a condition.
+enum class Course {
+  kProportional,  ///< with its values
+  kSlow,          ///< as anything that changes slowly over their range: a drift, a step, a swing
+};
+
+/// Values about the usual one that a picture of an effect is drawn over; none where both ends are the same.
+struct ConditionSweep {
+  double low = 0, high = 0;
+  double otherwise = 0;  ///< where something else is swept
+};
+
+/// Of a simulated session: a slow swing about the usual value. A condition without either is not simulated.
+struct ConditionSwing {
+  double amplitude = 0;
+  double flutter = 0;  ///< one standard deviation of what comes on top at each reading
+};
+
+/// One row of the table; values in its internal unit.
+struct ConditionKind {
+  Condition condition;
+  const char* name;   ///< its key in JSON, its symbol in formulas, and its column before the unit
+  const char* words;  ///< in sentences: what an error follows
+  ValueUnit unit = {};
+  std::array<const char*, 2> aliases{};  ///< other names of its column in tables of other programs, in plain letters
+  double least = -std::numeric_limits<double>::infinity();
+  const char* least_words = "";  ///< what that is
+  double usual = 0;              ///< taken where none is stated
+  bool is_of_drawing = false;  ///< an arm's file may state another usual value as reference_NAME: there it is as drawn
+  Course course = Course::kProportional;
+  bool moves_tool = true;  ///< whether an unknown error that goes with it may be the tool's, beside joints and base
+  ConditionSweep sweep = {};
+  ConditionSwing swing = {};
+  double change = 0;              ///< that somebody could bring about to learn more; 0: none
+  const char* change_words = "";  ///< how
+};
+
+inline constexpr std::array kConditionKinds{
+    ConditionKind{.condition = Condition::kTemperature,
+                  .name = "temperature",
+                  .words = "the temperature",
+                  .unit = {Quantity::kTemperature},
+                  .aliases = {"temp"},
+                  .least = 0,
+                  .least_words = "absolute zero",
+                  .usual = 293.15,
+                  .is_of_drawing = true,
+                  .sweep = {-20, 20, 10},
+                  .swing = {6, 0.3},
+                  .change = 10,
+                  .change_words = "measure some 10 K warmer"},
+    ConditionKind{.condition = Condition::kTime,
+                  .name = "time",
+                  .words = "time",
+                  .unit = {Quantity::kTime},
+                  .aliases = {"timestamp", "t"},
+                  .course = Course::kSlow,
+                  .moves_tool = false,
+                  .sweep = {0, 4 * 3600, 3 * 3600}},
+};
+
+[[nodiscard]] constexpr const ConditionKind& kindOf(Condition condition) {
+  return kConditionKinds[static_cast<std::size_t>(condition)];
+}
+
+static_assert([] {
+  for (const ConditionKind& kind : kConditionKinds)
+    if (&kindOf(kind.condition) != &kind) return false;
+  return true;
+}());
+
+/// Something of each condition, in the table's order.
+template <class T>
+struct OfEachCondition {
+  std::array<T, kConditionKinds.size()> all{};
+
+  [[nodiscard]] constexpr T& operator[](Condition condition) { return all[static_cast<std::size_t>(condition)]; }
+  [[nodiscard]] constexpr const T& operator[](Condition condition) const {
+    return all[static_cast<std::size_t>(condition)];
+  }
+};
+
+/// One number of each condition, in internal units; NaN = not stated.
+struct ConditionValues : OfEachCondition<double> {
+  constexpr ConditionValues() { all.fill(std::numeric_limits<double>::quiet_NaN()); }
+
+  [[nodiscard]] bool states(Condition condition) const { return std::isfinite((*this)[condition]); }
+};
+
+[[nodiscard]] constexpr ConditionValues usualConditions() {
+  ConditionValues values;
+  for (const ConditionKind& kind : kConditionKinds) values[kind.condition] = kind.usual;
+  return values;
+}
+
+}  // namespace tubeplan::deflection

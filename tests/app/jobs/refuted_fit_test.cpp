@@ -1,0 +1,86 @@
+// A fit that its readings refute is said to fall short, however it was asked for and however it ended.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/files/measurements_writer.hpp"
+#include "app/jobs/identification.hpp"
+#include "tests/app/program.hpp"
+
+namespace tubeplan::app {
+namespace {
+
+constexpr double kTiny = 1e-6;  // p-value that no chance explains
+constexpr const char* kOptions[] = {"--folds 0",
+                                    "--folds 3",
+                                    "--folds 0 --robust huber",
+                                    "--folds 0 --robust cauchy",
+                                    "--folds 0 --starts 2",
+                                    "--folds 0 --drop 0.05",
+                                    "--folds 0 --assume as-is",
+                                    "--folds 0 --method levenberg-marquardt",
+                                    "--folds 0 --method steepest-descent",
+                                    "--folds 0 --free tool.joint_stiffness.z",
+                                    "--folds 0 --stage tool.joint_stiffness.z --stage forearm.joint_stiffness.z"};
+
+class RefutedFits : public ProgramTest {
+ protected:
+  /// Writes m.csv: readings of a cell as `change` leaves them.
+  void simulate(const std::string& words, const std::function<void(std::size_t, calibration::Measurement&)>& change) {
+    cell_ = shipped(words.substr(0, words.find(' ')));
+    const auto made = run("simulate " + cell_ + words.substr(words.find(' ')) + " --seed 3 --out made");
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const Cell cell = readCell((shippedCells() / words.substr(0, words.find(' '))).string());
+    auto readings = parseReadings(contentOf(folder / "made/measurements.csv"), "made", cell);
+    for (std::size_t k = 0; k < readings.size(); ++k) change(k, readings[k]);
+    write("m.csv", measurementsCsv(readings, cell.arm, cell.units));
+  }
+
+  [[nodiscard]] nlohmann::json identified(const std::string& options) const {
+    const auto outcome = run("identify " + cell_ + " m.csv " + options + " --json -");
+    return nlohmann::json::parse(outcome.out, nullptr, false);
+  }
+
+  void expectRefuted(const std::string& options) const {
+    SCOPED_TRACE(options);
+    const auto figures = identified(options);
+    ASSERT_TRUE(figures.is_object());
+    ASSERT_TRUE(figures["p_value"].is_number()) << figures["reason"];
+    EXPECT_LT(figures["p_value"], kTiny);
+    EXPECT_EQ(figures["adequacy"], "falls-short");
+    EXPECT_FALSE(figures["warnings"].empty());
+  }
+
+  std::string cell_;
+};
+
+TEST_F(RefutedFits, FallShortByAnyOption) {
+  simulate("bench.yaml --design bench --readings 16",
+           [](std::size_t k, auto& reading) { reading.p_W->z() += 0.01 * (static_cast<double>(k % 3) - 1); });
+  for (const char* options : kOptions) expectRefuted(options);
+}
+
+/// Touches whose second joint was logged as of the first row: the fit ends at the limit of its iterations.
+TEST_F(RefutedFits, FallShortWhereTheFitDoesNotConverge) {
+  double stale = 0;
+  simulate("bowl.yaml --design touch --readings 18", [&](std::size_t k, auto& reading) {
+    if (k == 0) stale = reading.q[1];
+    reading.q[1] = stale;
+  });
+  const std::string options = "--folds 0 --method levenberg-marquardt";
+  EXPECT_EQ(identified(options)["status"], "not-converged");
+  expectRefuted(options);
+}
+
+TEST_F(RefutedFits, DoNotComeOfReadingsThatFit) {
+  simulate("bench.yaml --design bench --readings 40", [](std::size_t, auto&) {});
+  for (const char* options : kOptions) {
+    SCOPED_TRACE(options);
+    const auto figures = identified(options);
+    EXPECT_GT(figures["p_value"], kTiny);
+    EXPECT_EQ(figures["adequacy"], "adequate");
+  }
+}
+
+}  // namespace
+}  // namespace tubeplan::app

@@ -1,0 +1,71 @@
+// Geometry of arms by Denavit and Hartenberg's numbers beside a base that is known: the first axis may be anywhere.
+#include <gtest/gtest.h>
+
+#include "calibration/estimation/identification.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "tests/calibration/estimation/freeing.hpp"
+#include "tests/calibration/random_mechanisms.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+constexpr double kTrackerSigma = 5e-5;  // m
+
+/// The arm with every frame off its drawing in all six directions, by 2 mm and 4 mrad.
+deflection::Arm builtFrom(const PlacedArm& drawn, RandomStream& random) {
+  deflection::Arm built = byOrigins(drawn).arm;
+  for (auto& row : built.rows) {
+    auto& origin = std::get<deflection::Origin<double>>(row.placement);
+    origin.position += random.vector(0.002);
+    origin.rpy += random.vector(0.004);
+  }
+  return built;
+}
+
+/// Positions of the tip without noise, all over the joints' ranges.
+std::vector<Measurement> exactPositions(const deflection::Arm& arm, RandomStream& random) {
+  std::vector<Measurement> readings(120);
+  for (Measurement& m : readings) {
+    m.id = std::to_string(&m - readings.data() + 1);
+    m.q.resize(arm.jointCount());
+    for (Eigen::Index j = 0; j < m.q.size(); ++j) m.q[j] = random.uniform(arm.joint(j).lower, arm.joint(j).upper);
+    m.sigma = kTrackerSigma;
+    m.p_W = predictReading(arm, Eigen::Isometry3d::Identity(), m).value;
+  }
+  return readings;
+}
+
+TEST(KnownBase, LeavesNothingOfARandomArmsGeometryUnexplained) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    PlacedArm drawn = mechanism(seed);
+    drawn.base_poses[0].is_known = true;
+    RandomStream random(100 + seed);
+    const auto readings = exactPositions(builtFrom(drawn, random), random);
+    const Identification found = identify(drawn, readings, freeing({"geometry"}));
+    ASSERT_EQ(found.status, IdentificationStatus::kDone) << seed << ": " << found.reason;
+    EXPECT_GT(found.before.rms, 10 * kTrackerSigma) << seed;
+    EXPECT_LT(found.after.rms, 0.1 * kTrackerSigma) << seed;
+  }
+}
+
+TEST(KnownBase, FreesTheShiftOfTheFirstAxisAndAFreeBaseDoesNot) {
+  int turning = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed)
+    for (const bool is_known : {true, false}) {
+      PlacedArm drawn = mechanism(seed);
+      if (drawn.arm.joint(0).type != deflection::JointType::kRevolute) continue;
+      ++turning;
+      drawn.base_poses[0].is_known = is_known;
+      int shifts = 0;
+      for (const auto& unknown : chooseUnknowns(drawn, {{"geometry"}, true}).list)
+        shifts += unknown.name.ends_with(".dh.b");
+      EXPECT_EQ(shifts, is_known ? 1 : 0) << seed;
+    }
+  EXPECT_GT(turning, 30);
+  const PlacedArm drawn = mechanism(3);
+  for (const auto& name : namesBehind(drawn.arm, "link1.dh")) EXPECT_NE(name, "link1.dh.b");
+  EXPECT_FALSE(deflection::findParameter(drawn.arm, "link2.dh.b"));
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
