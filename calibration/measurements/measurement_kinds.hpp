@@ -49,10 +49,9 @@ namespace tubeplan::calibration {
 /// The number of that name among its kind's own; not a number where the kind has none.
 [[nodiscard]] double ownNumber(const Measurement& reading, std::string_view name);
 
-<<<<<<< HEAD
 /// Whether it states how a frame is turned, by roll, pitch and yaw.
 [[nodiscard]] inline bool statesFrame(const Measurement& reading) { return std::isfinite(ownNumber(reading, "roll")); }
-=======
+
 /// The columns that hold what a kind measures.
 [[nodiscard]] inline ValueColumns valueColumnsOf(const MeasurementKindRow& kind) {
   return kind.value_columns(kind.columns);
@@ -78,7 +77,6 @@ namespace tubeplan::calibration {
 
 /// Whether it is how far the tip moved, which no base's place changes.
 [[nodiscard]] inline bool isDisplacement(const Measurement& reading) { return kindOf(reading).departure != nullptr; }
->>>>>>> main
 
 /// The reading that a way is taken from; null of readings that are no such way, whatever they were made from.
 [[nodiscard]] inline const Measurement* referenceOf(const Measurement& reading) {
