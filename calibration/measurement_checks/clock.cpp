@@ -23,11 +23,13 @@ constexpr double kMostHours = 14;        // that a clock is set by: zones and su
 constexpr double kNearHour = 120;        // s, at most, that the usual gap leaves open
 constexpr double kMonth = 30 * 24 * kHour;
 
+double timeOf(const Measurement& reading) { return reading.conditions[deflection::Condition::kTime]; }
+
 /// The readings that state a time.
 std::vector<const Measurement*> timedAmong(const std::vector<Measurement>& readings) {
   std::vector<const Measurement*> timed;
   for (const Measurement& reading : readings)
-    if (std::isfinite(reading.time)) timed.push_back(&reading);
+    if (std::isfinite(timeOf(reading))) timed.push_back(&reading);
   return timed;
 }
 
@@ -73,7 +75,7 @@ class Clock {
   }
 
  private:
-  [[nodiscard]] double time(std::size_t k) const { return timed_[k]->time; }
+  [[nodiscard]] double time(std::size_t k) const { return timeOf(*timed_[k]); }
   [[nodiscard]] double gap(std::size_t k) const { return time(k) - time(k - 1); }
 
   /// By how much more than usual the time goes on, whole hours as such.
@@ -136,7 +138,7 @@ std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& te
   if (!seconds || !from) return std::nullopt;
   Mend mend{"clock", value, "the clock is off: " + value + " s to be added to the times"};
   mend.change = [by = *seconds](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) reading.time += by;
+    for (auto& reading : readings) reading.conditions[deflection::Condition::kTime] += by;
   };
   return fromReading(checked, std::move(mend), *from);
 }

@@ -21,7 +21,7 @@ CheckedReadings timedReadings(int count, std::uint64_t seed) {
   for (int k = 0; k < count; ++k) {
     Measurement reading;
     reading.id = "P" + std::to_string(k + 1);
-    reading.time = time;
+    reading.conditions[deflection::Condition::kTime] = time;
     time += random.uniform(0.6, 1.5) * kMinute;
     checked.readings.push_back(reading);
   }
@@ -29,7 +29,7 @@ CheckedReadings timedReadings(int count, std::uint64_t seed) {
 }
 
 void setClock(CheckedReadings& checked, std::size_t first, double by) {
-  for (std::size_t k = first; k < checked.readings.size(); ++k) checked.readings[k].time += by;
+  for (std::size_t k = first; k < checked.readings.size(); ++k) checked.readings[k].conditions[deflection::Condition::kTime] += by;
 }
 
 TEST(Clock, IsNamedWithTheReadingWhereItWasSet) {
@@ -49,7 +49,7 @@ TEST(Clock, IsNamedWithTheReadingWhereItWasSet) {
       auto mended = checked.readings;
       mend->apply(mended);
       for (std::size_t k = 0; k < mended.size(); ++k)
-        EXPECT_NEAR(mended[k].time, clean[k].time, kMinute + 1e-5 * std::abs(by)) << by << " seed " << seed;
+        EXPECT_NEAR(mended[k].conditions[deflection::Condition::kTime], clean[k].conditions[deflection::Condition::kTime], kMinute + 1e-5 * std::abs(by)) << by << " seed " << seed;
     }
 }
 
@@ -57,7 +57,7 @@ TEST(Clock, OneTimeThatIsOffIsNamedAlone) {
   for (const double by : {-900., 5000., -7e5, 7e5})
     for (std::size_t k : {1U, 7U, 15U, 28U}) {
       auto checked = timedReadings(30, k);
-      checked.readings[k].time += by;
+      checked.readings[k].conditions[deflection::Condition::kTime] += by;
       const auto checks = clockJumps(checked);
       ASSERT_EQ(checks.size(), 1U) << by << " at " << k;
       EXPECT_NE(checks.front().sentence.find("reading " + checked.readings[k].id + " is"), std::string::npos)
@@ -86,9 +86,9 @@ TEST(Clock, PausesAndOtherOrdersAreLeftAlone) {
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
     RandomStream(seed).shuffle(checked.readings);
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
-    for (auto& reading : checked.readings) reading.time = 5;
+    for (auto& reading : checked.readings) reading.conditions[deflection::Condition::kTime] = 5;
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
-    for (auto& reading : checked.readings) reading.time = std::numeric_limits<double>::quiet_NaN();
+    for (auto& reading : checked.readings) reading.conditions[deflection::Condition::kTime] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
   }
 }
