@@ -29,7 +29,8 @@ CheckedReadings timedReadings(int count, std::uint64_t seed) {
 }
 
 void setClock(CheckedReadings& checked, std::size_t first, double by) {
-  for (std::size_t k = first; k < checked.readings.size(); ++k) checked.readings[k].conditions[deflection::Condition::kTime] += by;
+  for (std::size_t k = first; k < checked.readings.size(); ++k)
+    checked.readings[k].conditions[deflection::Condition::kTime] += by;
 }
 
 TEST(Clock, IsNamedWithTheReadingWhereItWasSet) {
@@ -49,7 +50,9 @@ TEST(Clock, IsNamedWithTheReadingWhereItWasSet) {
       auto mended = checked.readings;
       mend->apply(mended);
       for (std::size_t k = 0; k < mended.size(); ++k)
-        EXPECT_NEAR(mended[k].conditions[deflection::Condition::kTime], clean[k].conditions[deflection::Condition::kTime], kMinute + 1e-5 * std::abs(by)) << by << " seed " << seed;
+        EXPECT_NEAR(mended[k].conditions[deflection::Condition::kTime],
+                    clean[k].conditions[deflection::Condition::kTime], kMinute + 1e-5 * std::abs(by))
+            << by << " seed " << seed;
     }
 }
 
@@ -88,7 +91,8 @@ TEST(Clock, PausesAndOtherOrdersAreLeftAlone) {
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
     for (auto& reading : checked.readings) reading.conditions[deflection::Condition::kTime] = 5;
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
-    for (auto& reading : checked.readings) reading.conditions[deflection::Condition::kTime] = std::numeric_limits<double>::quiet_NaN();
+    for (auto& reading : checked.readings)
+      reading.conditions[deflection::Condition::kTime] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(clockJumps(checked).empty()) << seed;
   }
 }
