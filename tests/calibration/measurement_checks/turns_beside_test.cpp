@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "calibration/measurement_checks/measurement_checks.hpp"
+#include "calibration/measurements/reading_placement.hpp"
 #include "deflection/rotation.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
