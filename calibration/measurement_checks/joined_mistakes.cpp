@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <string>
 
+#include "calibration/measurement_checks/golden_section.hpp"
 #include "calibration/measurement_checks/joint_order.hpp"
+#include "calibration/measurement_checks/joint_scale.hpp"
 #include "calibration/measurement_checks/joint_sign.hpp"
+#include "calibration/measurement_checks/joint_zero.hpp"
 #include "calibration/measurement_checks/quick_alignment.hpp"
+#include "calibration/measurement_checks/scales_together.hpp"
 
 namespace tubeplan::calibration {
 
@@ -23,6 +28,9 @@ constexpr int kMostSigns = 8;              // joints of which all sets of signs 
 constexpr int kMostOrdered = 7;            // joints of which all orders are tried
 constexpr double kNearer = 0.25;    // fall of the mean logarithm of the errors that each mend is asked for, at least
 constexpr double kByWeights = 0.5;  // of the same, that weights may bring
+constexpr std::size_t kMostSettled = 100;              // hypotheses, whose zeros are looked for between those tried
+constexpr double kZerosApart = std::numbers::pi / 12;  // rad, to either side of a zero tried
+constexpr int kZeroSteps = 10;                         // of the golden section
 
 /// One mistake, or joints with another sign together, with what the readings looked at would be.
 struct TriedQuickly {
@@ -37,8 +45,10 @@ struct TriedQuickly {
 struct Likely {
   const TriedQuickly *first = nullptr, *then = nullptr;
   double score = 0;
+  JoinedMends settled = {};  ///< the same with its zeros where the readings are nearest
 
   [[nodiscard]] JoinedMends mends() const {
+    if (!settled.empty()) return settled;
     JoinedMends all = first->mends;
     if (then) all.insert(all.end(), then->mends.begin(), then->mends.end());
     return all;
@@ -85,6 +95,8 @@ class JoinedSearch {
       lookAlone();
       lookAtPairs();
       lookAtOrders();
+      settleZeros();
+      lookAtScales();
     }
     std::ranges::stable_sort(found_, {}, &Likely::score);
     std::vector<JoinedMends> likely;
@@ -133,6 +145,19 @@ class JoinedSearch {
       if (mends.size() > 1) sets_of_signs_.push_back(looked(std::move(mends)));
     }
     for (const TriedQuickly& signs : sets_of_signs_) found_.push_back({&signs, nullptr, signs.score});
+  }
+
+  /// The scales of several joints that read farther than any turns.
+  void lookAtScales() {
+    const CheckedReadings& checked = trials_.checked();
+    const auto joints = mistakes::joint_scale::jointsBeyondTurns(checked);
+    if (joints.size() < 2) return;
+    for (const auto& values : likelyScales(checked, joints)) {
+      JoinedMends mends;
+      for (const auto& value : values) mends.push_back(*findMistakeKind("joint-scale")->mend(checked, value));
+      scales_.push_back(looked(std::move(mends)));
+    }
+    for (const TriedQuickly& scales : scales_) found_.push_back({&scales, nullptr, scales.score});
   }
 
   /// All orders of the joints' columns but two exchanged alone, which is a mistake of one.
@@ -198,6 +223,48 @@ class JoinedSearch {
     found_.resize(kKept);
   }
 
+  /// Zeros are tried some way apart: of those most promising, each goes to where the readings are nearest.
+  void settleZeros() {
+    std::ranges::stable_sort(found_, {}, &Likely::score);
+    std::set<std::string> keys;
+    for (Likely& one : found_) {
+      goOn(trials_.options().stop);
+      const auto mends = one.mends();
+      const auto isOfZero = [](const Mend& mend) { return !mend.zeros_of.empty(); };
+      if (keys.size() < kMostSettled && std::ranges::any_of(mends, isOfZero) && keys.insert(keyOf(mends)).second)
+        settle(one);
+    }
+  }
+
+  void settle(Likely& one) {
+    TriedQuickly tried = looked(one.mends());
+    for (Mend& mend : tried.mends) {
+      if (mend.zeros_of.empty()) continue;
+      const int joint = mend.zeros_of.front();
+      const double shift = bestShift(tried, joint);
+      const double zero = mistakes::joint_zero::zeroOf(trials_.checked(), mend.value) + shift;
+      mend =
+          *mistakes::joint_zero::mend(trials_.checked(), mistakes::joint_zero::textOf(trials_.checked(), joint, zero));
+      for (Measurement& reading : tried.readings) reading.q[joint] += shift;
+    }
+    one.score = std::min(one.score, scoreOf(tried));
+    one.settled = std::move(tried.mends);
+  }
+
+  [[nodiscard]] double scoreOf(const TriedQuickly& tried) {
+    return alignment_.score(tried.readings, alignment_.tips(tried.readings), {.frees_base = freeBase(tried.mends)});
+  }
+
+  /// Golden section.
+  double bestShift(const TriedQuickly& tried, int joint) {
+    const auto scoreAt = [&](double shift) {
+      TriedQuickly shifted = tried;
+      for (Measurement& reading : shifted.readings) reading.q[joint] += shift;
+      return scoreOf(shifted);
+    };
+    return leastOf(scoreAt, -kZerosApart, kZerosApart, kZeroSteps);
+  }
+
   static constexpr std::size_t kKept = 200;
 
   const MistakeTrials& trials_;
@@ -205,7 +272,7 @@ class JoinedSearch {
   std::set<std::string> ids_;
   std::vector<Measurement> near_;
   TriedQuickly as_is_;
-  std::vector<TriedQuickly> alone_, sets_of_signs_, orders_;
+  std::vector<TriedQuickly> alone_, sets_of_signs_, orders_, scales_;
   std::vector<Likely> found_;
   double worst_kept_ = std::numeric_limits<double>::infinity();
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "calibration/measurement_checks/golden_section.hpp"
 #include "calibration/measurement_checks/quick_alignment.hpp"
 #include "deflection/weights.hpp"
 #include "tubesheets/csv_table.hpp"
@@ -53,26 +54,12 @@ class ScaledReadings {
     for (int k = 0; k <= kScales; ++k)
       if (const double factor = from * std::pow(ratio, k), found = score(factor, kCoarse); found < least_score)
         best = factor, least_score = found;
-    return finer(best / ratio, best * ratio);
+    return leastOf([&](double factor) { return score(factor, kFine); }, best / ratio, best * ratio, kFiner);
   }
 
   static constexpr double kCoarse = 1, kFine = 0.01;  // of what counts as no error
 
  private:
-  /// Golden section.
-  double finer(double a, double b) {
-    constexpr double kGolden = 0.6180339887498949;
-    double c = b - kGolden * (b - a), d = a + kGolden * (b - a);
-    double at_c = score(c, kFine), at_d = score(d, kFine);
-    for (int k = 0; k < kFiner; ++k) {
-      if (at_c < at_d)
-        b = d, d = c, at_d = at_c, c = b - kGolden * (b - a), at_c = score(c, kFine);
-      else
-        a = c, c = d, at_c = at_d, d = a + kGolden * (b - a), at_d = score(d, kFine);
-    }
-    return (a + b) / 2;
-  }
-
   QuickAlignment alignment_;
   int joint_;
   std::vector<Measurement> readings_;

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "calibration/measurement_checks/from_reading.hpp"
+#include "calibration/measurement_checks/joint_limits.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "tubesheets/csv_table.hpp"
 
@@ -20,6 +22,11 @@ inline std::string textOf(const CheckedReadings& checked, int joint, double offs
   return fmt::format("{}:{:.6g}", checked.start.arm.joint(joint).name, offset / checked.units.angles.factor);
 }
 
+/// What a value adds to its joint's readings [rad].
+inline double zeroOf(const CheckedReadings& checked, const std::string& value) {
+  return tubesheets::parseNumber(partedAtColon(value).second).value_or(0) * checked.units.angles.factor;
+}
+
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   for (int j = 0; j < checked.start.arm.jointCount(); ++j)
@@ -31,14 +38,22 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Every sixth of a half turn: from one of them the zero is found, whatever it is.
+/// Every sixth of a half turn, and a twelfth: from one of them the zero is found, whatever it is.
 inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   for (int j = 0; j < checked.start.arm.jointCount(); ++j)
     if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute)
-      for (int part = -5; part <= 6; ++part)
-        if (part != 0) texts.push_back(textOf(checked, j, part * std::numbers::pi / 6));
+      for (const int part : {-10, -8, -6, -4, -2, -1, 1, 2, 4, 6, 8, 10, 12})
+        texts.push_back(textOf(checked, j, part * std::numbers::pi / 12));
   return texts;
+}
+
+/// A reading past its joint's limits so many whole turns back that it is within both, where it can be.
+inline double wound(const deflection::Joint<double>& joint, double q) {
+  if (!isPastLimit(joint, q)) return q;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const double back = q + kTurn * std::ceil((joint.lower - q) / kTurn);
+  return isPastLimit(joint, back) ? q : back;
 }
 
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& text) {
@@ -51,8 +66,9 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   Mend mend{
       "joint-zero", value,
       "the zero of " + name + " is off: " + number + " " + checked.units.angles.name + " to be added to its readings"};
-  mend.change = [joint, by = *offset * checked.units.angles.factor](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) reading.q[joint] += by;
+  mend.change = [joint, of = checked.start.arm.joint(joint),
+                 by = *offset * checked.units.angles.factor](std::vector<Measurement>& readings) {
+    for (auto& reading : readings) reading.q[joint] = wound(of, reading.q[joint] + by);
   };
   mend.numbers_fitted = 1;
   if (from) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/measurement_checks/clock.hpp"
 #include "calibration/measurement_checks/gravity_direction.hpp"
 #include "calibration/measurement_checks/misread_rows.hpp"
 #include "calibration/measurement_checks/mistake_search.hpp"
@@ -86,7 +87,7 @@ void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& check
   const CheckedReadings& checked = trials.checked();
   const Trial& as_is = trials.asIs();
   constexpr double kNearlyAPitch = 0.7, kBack = 3;
-  const bool is_far = trials.isBaseFar();
+  const bool is_far = trials.isBaseFar(as_is);
   const bool is_pitches =
       checked.sheet && trials.hasPlaces() && as_is.base_shift > kNearlyAPitch * checked.sheet->pitch;
   if (!is_far && !is_pitches) return;
@@ -142,6 +143,7 @@ MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckO
     if (auto far = placesOutOfReach(checked, as_is.placed)) result.checks.push_back(std::move(*far));
     for (auto& hole : mistakenHoles(checked, as_is.placed)) result.checks.push_back(std::move(hole));
   }
+  for (auto& jump : clockJumps(checked)) result.checks.push_back(std::move(jump));
   for (auto& plain : plainChecks(checked, result.checks)) result.checks.push_back(std::move(plain));
   std::stable_sort(result.checks.begin(), result.checks.end(),
                    [](const MeasurementCheck& a, const MeasurementCheck& b) { return a.severity < b.severity; });

@@ -95,6 +95,7 @@ struct MistakeKind {
   std::vector<std::string> (*values_beside)(const CheckedReadings&) = nullptr;
   /// Forms of it that may begin at any reading; null: none.
   std::vector<StepForm> (*steps)(const CheckedReadings&) = nullptr;
+  bool is_of_turns = false;  ///< of what readings say of a frame's turn: places do not show it
 };
 
 /// In the order in which several are undone.

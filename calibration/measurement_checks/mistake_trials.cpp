@@ -266,8 +266,8 @@ double MistakeTrials::gain(const Trial& trial) const {
   return as_is_.lack_of_fit - trial.lack_of_fit - rows * std::log(shrinkage(trial));
 }
 
-bool MistakeTrials::isBaseFar() const {
-  return has_places_ && (as_is_.base_turn > kFarTurn || as_is_.base_shift > kFarShift * reach_);
+bool MistakeTrials::isBaseFar(const Trial& trial) const {
+  return has_places_ && (trial.base_turn > kFarTurn || trial.base_shift > kFarShift * reach_);
 }
 
 }  // namespace tubeplan::calibration

@@ -3,6 +3,7 @@
 #include "calibration/measurement_checks/angles_unit.hpp"
 #include "calibration/measurement_checks/axes.hpp"
 #include "calibration/measurement_checks/base_elsewhere.hpp"
+#include "calibration/measurement_checks/clock.hpp"
 #include "calibration/measurement_checks/coordinate_unit.hpp"
 #include "calibration/measurement_checks/coordinates_unit.hpp"
 #include "calibration/measurement_checks/holes_off.hpp"
@@ -59,6 +60,7 @@ const std::vector<MistakeKind>& mistakeKinds() {
       mistakes::part_in_unit::angles(),
       mistakes::turns_as::kind(),
       mistakes::tool_frame::kind(),
+      mistakes::clock::kind(),
   };
   return kKinds;
 }

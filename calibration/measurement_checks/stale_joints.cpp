@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "calibration/measurement_checks/check_words.hpp"
+#include "calibration/measurement_checks/from_reading.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 
@@ -135,7 +136,8 @@ std::optional<MeasurementCheck> staleOf(const Side& side, const CheckedReadings&
       fmt::format("{}: {}; {}", ids.size() == 1 ? side.one : side.several, listOf(pairs), side.cause),
       rmsOf(errors, {}),
       rmsOf(errors, stale),
-      isRun(stale) ? "without=" + ids.front() + ".." + ids.back() : assumeWithout(ids),
+      isRun(stale) ? "without=" + textOf({stale.front().reading, stale.back().reading}, checked.readings)
+                   : assumeWithout(ids),
       {}};
 }
 

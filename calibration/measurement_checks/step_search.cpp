@@ -23,7 +23,8 @@ constexpr double kDrasticFall = 8;     // of the error, that no creep makes
 
 class StepSearch {
  public:
-  StepSearch(const MistakeTrials& trials, const Mend& before) : trials_(trials), before_(before) {
+  StepSearch(const MistakeTrials& trials, const Mend& before, const Trial& without)
+      : trials_(trials), before_(before), without_(without) {
     for (const auto& kind : mistakeKinds())
       if (kind.steps)
         for (auto& form : kind.steps(trials.checked())) {
@@ -34,9 +35,9 @@ class StepSearch {
     before_.apply(all_);
   }
 
-  std::vector<Mend> find(const PlacedArm& fitted) {
+  std::vector<Mend> find() {
     const auto readings = trials_.mended(before_, TrialDepth::kOpen);
-    const StepScan scan(fitted, trials_.open(), readings, forms_);
+    const StepScan scan(without_.placed, trials_.open(), readings, forms_);
     if (!scan.ok()) return {};
     const double creep = scan.bestCreep();
     double rival = creep;
@@ -58,8 +59,7 @@ class StepSearch {
  private:
   [[nodiscard]] bool isDrastic(const Mend& mend) const {
     const Trial with = trials_.tried(joined({before_, mend}), TrialDepth::kOpen);
-    const Trial without = trials_.tried(before_, TrialDepth::kOpen);
-    return with.ok && without.ok && without.whole_error >= kDrasticFall * with.whole_error;
+    return with.ok && without_.whole_error >= kDrasticFall * with.whole_error;
   }
 
   [[nodiscard]] std::optional<Mend> mendOf(std::size_t form, const VectorXd& size, const std::string& from) const {
@@ -130,6 +130,7 @@ class StepSearch {
 
   const MistakeTrials& trials_;
   Mend before_;
+  const Trial& without_;
   std::vector<StepForm> forms_;
   std::vector<const MistakeKind*> kinds_;
   std::vector<Measurement> all_;
@@ -137,8 +138,8 @@ class StepSearch {
 
 }  // namespace
 
-std::vector<Mend> likelySteps(const MistakeTrials& trials, const Mend& before, const PlacedArm& fitted) {
-  return StepSearch(trials, before).find(fitted);
+std::vector<Mend> likelySteps(const MistakeTrials& trials, const Mend& before, const Trial& open) {
+  return StepSearch(trials, before, open).find();
 }
 
 }  // namespace tubeplan::calibration

@@ -17,8 +17,8 @@
 
 namespace tubeplan::calibration {
 
-/// The likeliest steps, one of each form at most, in readings that are taken as `before` has them and that `fitted`
-/// fits with all that is open. None where what creeps explains them.
-[[nodiscard]] std::vector<Mend> likelySteps(const MistakeTrials& trials, const Mend& before, const PlacedArm& fitted);
+/// The likeliest steps, one of each form at most, in readings that are taken as `before` has them; `open` is their
+/// trial with all that is open. None where what creeps explains them.
+[[nodiscard]] std::vector<Mend> likelySteps(const MistakeTrials& trials, const Mend& before, const Trial& open);
 
 }  // namespace tubeplan::calibration

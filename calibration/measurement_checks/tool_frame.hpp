@@ -13,8 +13,6 @@
 
 namespace tubeplan::calibration::mistakes::tool_frame {
 
-inline bool statesFrame(const Measurement& reading) { return std::isfinite(ownNumber(reading, "roll")); }
-
 inline double angleOf(const Eigen::Matrix3d& R) { return Eigen::AngleAxisd(R).angle(); }
 
 /// The measured frame's axes in the tool's: an order of them, or roll, pitch and yaw between colons in the unit of the
@@ -103,7 +101,8 @@ inline MistakeKind kind() {
               "roll, pitch and yaw of a mounted body on the tool, such as 90:0:35",
           .values = values,
           .mend = mend,
-          .values_beside = noValues};  // what finds pairs looks at places alone
+          .values_beside = noValues,  // what finds pairs looks at places alone
+          .is_of_turns = true};
 }
 
 }  // namespace tubeplan::calibration::mistakes::tool_frame

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "calibration/measurement_checks/tool_frame.hpp"
+#include "calibration/measurement_checks/mistake.hpp"
 #include "deflection/turn_forms.hpp"
 
 namespace tubeplan::calibration::mistakes::turns_as {
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   std::vector<std::string> texts;
-  if (std::ranges::none_of(checked.readings, tool_frame::statesFrame)) return texts;
+  if (std::ranges::none_of(checked.readings, statesFrame)) return texts;
   for (const auto& form : deflection::kTurnForms)
     if (form.name != std::string(deflection::kFixedAngles.name)) texts.emplace_back(form.name);
   return texts;
@@ -24,7 +24,7 @@ inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value
                 "), as `readings --orientation " + value + "` takes them"};
   mend.change = [turn = form->turn](std::vector<Measurement>& readings) {
     for (auto& reading : readings)
-      if (tool_frame::statesFrame(reading)) reading.own = deflection::fixedAnglesOf(turn(reading.own));
+      if (statesFrame(reading)) reading.own = deflection::fixedAnglesOf(turn(reading.own));
   };
   return mend;
 }
@@ -35,7 +35,8 @@ inline MistakeKind kind() {
           .expected = "the form of the turns under roll, pitch, yaw, such as euler-zyz",
           .values = values,
           .mend = mend,
-          .values_beside = noValues};
+          .values_beside = noValues,
+          .is_of_turns = true};
 }
 
 }  // namespace tubeplan::calibration::mistakes::turns_as

@@ -1,6 +1,7 @@
 // The kinds of reading that there are: an open table. A new one is a header beside this and its row in the table.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,6 +48,9 @@ namespace tubeplan::calibration {
 
 /// The number of that name among its kind's own; not a number where the kind has none.
 [[nodiscard]] double ownNumber(const Measurement& reading, std::string_view name);
+
+/// Whether it states how a frame is turned, by roll, pitch and yaw.
+[[nodiscard]] inline bool statesFrame(const Measurement& reading) { return std::isfinite(ownNumber(reading, "roll")); }
 
 /// The columns that hold what a kind measures.
 [[nodiscard]] inline ValueColumns valueColumnsOf(const MeasurementKindRow& kind) {

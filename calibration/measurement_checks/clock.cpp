@@ -1,0 +1,158 @@
+#include "calibration/measurement_checks/clock.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "calibration/measurement_checks/from_reading.hpp"
+#include "calibration/statistics.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr std::size_t kFewestTimes = 8;  // by which it is known how readings follow one another
+constexpr double kMostBack = 0.05;       // of the readings: where more go back, rows are in no order of time
+constexpr double kSlow = 3;              // usual gaps, that a reading may take longer
+constexpr double kHour = 3600;           // s
+constexpr double kMostHours = 14;        // that a clock is set by: zones and summer time
+constexpr double kNearHour = 120;        // s, at most, that the usual gap leaves open
+constexpr double kMonth = 30 * 24 * kHour;
+
+double timeOf(const Measurement& reading) { return reading.conditions[deflection::Condition::kTime]; }
+
+/// The readings that state a time.
+std::vector<const Measurement*> timedAmong(const std::vector<Measurement>& readings) {
+  std::vector<const Measurement*> timed;
+  for (const Measurement& reading : readings)
+    if (std::isfinite(timeOf(reading))) timed.push_back(&reading);
+  return timed;
+}
+
+/// "45 s", "3 min", "2 h", "40 days"
+std::string durationText(double seconds) {
+  constexpr std::pair<double, const char*> kUnits[] = {{48 * kHour, "days"}, {kHour, "h"}, {60, "min"}};
+  const double size = std::abs(seconds);
+  for (const auto& [least, name] : kUnits)
+    if (size >= least) return fmt::format("{:.3g} {}", size / std::min(least, 24 * kHour), name);
+  return fmt::format("{:.3g} s", size);
+}
+
+/// Where the times do not follow one another.
+class Clock {
+ public:
+  explicit Clock(const std::vector<Measurement>& readings) : timed_(timedAmong(readings)) {
+    std::vector<double> forward;
+    for (std::size_t k = 1; k < timed_.size(); ++k) {
+      if (gap(k) > 0) forward.push_back(gap(k));
+      if (gap(k) < 0) back_.push_back(k);
+    }
+    if (!forward.empty()) usual_ = median(std::move(forward));
+  }
+
+  [[nodiscard]] bool isOrdered() const {
+    const double most = std::max(2., kMostBack * static_cast<double>(timed_.size()));
+    return timed_.size() >= kFewestTimes && usual_ > 0 && static_cast<double>(back_.size()) <= most;
+  }
+
+  [[nodiscard]] std::vector<MeasurementCheck> jumps() const {
+    std::vector<MeasurementCheck> checks;
+    for (const std::size_t k : back_) {
+      if (const bool is_far = -gap(k) > kSlow * usual_; is_far && k + 1 < timed_.size() && time(k + 1) >= time(k - 1))
+        checks.push_back(alone(k, "before"));
+      else if (is_far && k >= 2 && time(k) >= time(k - 2))
+        checks.push_back(alone(k - 1, "after"));
+      else
+        checks.push_back(from(k, "back", "the clock was set there, or began anew"));
+    }
+    if (const auto k = forward())
+      checks.push_back(from(*k, "on", "was the clock set there? A pause of that length would leave the times right"));
+    return checks;
+  }
+
+ private:
+  [[nodiscard]] double time(std::size_t k) const { return timeOf(*timed_[k]); }
+  [[nodiscard]] double gap(std::size_t k) const { return time(k) - time(k - 1); }
+
+  /// By how much more than usual the time goes on, whole hours as such.
+  [[nodiscard]] double jumpAt(std::size_t k) const {
+    const double jump = gap(k) - usual_, whole = std::round(jump / kHour) * kHour;
+    const bool is_whole =
+        whole != 0 && std::abs(whole) <= kMostHours * kHour && std::abs(jump - whole) < std::min(usual_, kNearHour);
+    return is_whole ? whole : jump;
+  }
+
+  /// The one gap that is longer than any reading takes, by whole hours or by months: of several some are pauses.
+  [[nodiscard]] std::optional<std::size_t> forward() const {
+    std::vector<std::size_t> longest;
+    for (std::size_t k = 1; k < timed_.size(); ++k)
+      if (gap(k) > std::max(kSlow * usual_, kHour)) longest.push_back(k);
+    if (longest.size() != 1) return std::nullopt;
+    const std::size_t k = longest.front();
+    const bool is_of_next = k + 1 < timed_.size() && gap(k + 1) < 0;  // one whose time alone is off
+    const bool is_set = jumpAt(k) != gap(k) - usual_ || gap(k) > kMonth;
+    return is_set && !is_of_next ? std::optional(k) : std::nullopt;
+  }
+
+  [[nodiscard]] MeasurementCheck alone(std::size_t k, const char* side) const {
+    return remark(fmt::format("the time of reading {} is {} that of both its neighbours, of no other: was it written "
+                              "wrong?",
+                              timed_[k]->id, side),
+                  "");
+  }
+
+  [[nodiscard]] MeasurementCheck from(std::size_t k, const char* way, const char* cause) const {
+    return remark(
+        fmt::format("from reading {} on the time has gone {} by {}, where readings are {} apart as a rule: {}",
+                    timed_[k]->id, way, durationText(jumpAt(k)), durationText(usual_), cause),
+        fmt::format("clock={:.6g}@{}", -jumpAt(k), timed_[k]->id));
+  }
+
+  static MeasurementCheck remark(std::string sentence, std::string assume) {
+    return {"clock", CheckSeverity::kRemark, std::move(sentence), kNoFigure, kNoFigure, std::move(assume), {}};
+  }
+
+  std::vector<const Measurement*> timed_;
+  std::vector<std::size_t> back_;  ///< whose time is before that of the one before
+  double usual_ = 0;               ///< s, between readings
+};
+
+}  // namespace
+
+std::vector<MeasurementCheck> clockJumps(const CheckedReadings& checked) {
+  const Clock clock(checked.readings);
+  return clock.isOrdered() ? clock.jumps() : std::vector<MeasurementCheck>{};
+}
+
+namespace mistakes::clock {
+
+namespace {
+
+std::optional<Mend> mendOf(const CheckedReadings& checked, const std::string& text) {
+  const auto [value, from] = partedAtReading(text);
+  const auto seconds = tubesheets::parseNumber(value);
+  if (!seconds || !from) return std::nullopt;
+  Mend mend{"clock", value, "the clock is off: " + value + " s to be added to the times"};
+  mend.change = [by = *seconds](std::vector<Measurement>& readings) {
+    for (auto& reading : readings) reading.conditions[deflection::Condition::kTime] += by;
+  };
+  return fromReading(checked, std::move(mend), *from);
+}
+
+}  // namespace
+
+MistakeKind kind() {
+  return {.name = "clock",
+          .value = "SECONDS@READING",
+          .expected = "seconds to add to the times and from which reading on, such as -3600@P41",
+          .values = noValues,
+          .mend = mendOf};
+}
+
+}  // namespace mistakes::clock
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,160 @@
+#include "calibration/measurement_checks/scales_together.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "calibration/measurement_checks/golden_section.hpp"
+#include "calibration/measurement_checks/quick_alignment.hpp"
+#include "calibration/measurement_checks/robust_fit.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kSharesOfLimit[] = {0.95, 0.7, 0.5, 0.36};  // of a joint's limit, that its largest reading may be
+constexpr double kHalfTurn = 3.2;                            // rad, in place of limits that are farther
+constexpr double kPastByScale = 0.05;                          // rad
+constexpr std::size_t kMostTried = 5000;                     // combinations
+constexpr std::size_t kMostLookedAt = 20;                    // readings
+constexpr std::size_t kBettered = 16, kProposed = 2;         // combinations
+constexpr int kScaleTurns = 3, kSectionSteps = 8, kFitRepeats = 3;
+
+struct Scales {
+  std::vector<double> factors;
+  double score = std::numeric_limits<double>::infinity();
+};
+
+class ScalesTogether {
+ public:
+  ScalesTogether(const CheckedReadings& checked, const std::vector<int>& joints)
+      : checked_(checked), joints_(joints), alignment_(checked.start, deflection::reachOf(checked.start.arm)) {
+    const std::size_t stride = (checked.readings.size() + kMostLookedAt - 1) / kMostLookedAt;
+    for (std::size_t k = 0; k < checked.readings.size(); k += stride) readings_.push_back(checked.readings[k]);
+  }
+
+  std::vector<Scales> find() {
+    auto found = tried();
+    for (const double share : {3., 1.}) {
+      for (Scales& scales : found) better(scales, share);
+      keepBest(found, share == 1 ? kProposed : kBettered / 4);
+    }
+    for (Scales& scales : found) fit(scales);
+    return found;
+  }
+
+ private:
+  double scoreOf(const std::vector<double>& factors, double share) {
+    auto scaled = readings_;
+    for (auto& reading : scaled)
+      for (std::size_t j = 0; j < joints_.size(); ++j) reading.q[joints_[j]] *= factors[j];
+    return alignment_.score(scaled, alignment_.tips(scaled), {.share = share});
+  }
+
+  /// Scales of either sign by which a joint's readings are within its limits and take up much of them.
+  [[nodiscard]] std::vector<double> worthTrying(int j) const {
+    const auto& joint = checked_.start.arm.joint(j);
+    const auto [lowest, highest] =
+        std::ranges::minmax(checked_.readings, {}, [j](const Measurement& reading) { return reading.q[j]; });
+    std::vector<double> factors;
+    for (const int sign : {1, -1}) {
+      const double low = sign > 0 ? lowest.q[j] : -highest.q[j], high = sign > 0 ? highest.q[j] : -lowest.q[j];
+      double most = std::numeric_limits<double>::infinity();
+      if (high > 0) most = std::min(most, std::min(joint.upper, kHalfTurn) / high);
+      if (low < 0) most = std::min(most, std::max(joint.lower, -kHalfTurn) / low);
+      for (const double share : kSharesOfLimit)
+        if (const double factor = share * most; std::isfinite(factor) && factor * low >= joint.lower - kPastByScale &&
+                                                factor * high <= joint.upper + kPastByScale && factor > 0)
+          factors.push_back(sign * factor);
+    }
+    return factors;
+  }
+
+  /// All combinations, the best of them kept.
+  std::vector<Scales> tried() {
+    std::vector<Scales> all{{{}, 0}};
+    for (const int j : joints_) {
+      std::vector<Scales> longer;
+      for (const Scales& scales : all)
+        for (const double factor : worthTrying(j)) {
+          longer.push_back(scales);
+          longer.back().factors.push_back(factor);
+        }
+      if (longer.size() > kMostTried) return {};
+      all = std::move(longer);
+    }
+    for (Scales& scales : all) scales.score = scoreOf(scales.factors, 3);
+    keepBest(all, kBettered);
+    return all;
+  }
+
+  static void keepBest(std::vector<Scales>& all, std::size_t most) {
+    std::ranges::stable_sort(all, {}, &Scales::score);
+    if (all.size() > most) all.resize(most);
+  }
+
+  /// Joint by joint, each time within half as far.
+  void better(Scales& scales, double share) {
+    scales.score = scoreOf(scales.factors, share);
+    double apart = 0.3;  // of the scale
+    for (int turn = 0; turn < kScaleTurns; ++turn, apart /= 2)
+      for (double& factor : scales.factors) {
+        const double before = factor;
+        const auto scoreAt = [&](double by) {
+          factor = before * by;
+          return scoreOf(scales.factors, share);
+        };
+        const double by = leastOf(scoreAt, 1 - apart, 1 + apart, kSectionSteps);
+        if (const double score = scoreAt(by); score < scales.score)
+          scales.score = score;
+        else
+          factor = before;
+      }
+  }
+
+  /// By the drawing, the base where it is not known.
+  void fit(Scales& scales) const {
+    for (int repeat = 0; repeat < kFitRepeats; ++repeat) {
+      auto readings = checked_.readings;
+      PlacedArm start = checked_.start;
+      RobustFitOptions options{{{}, true, checked_.free.priors}};
+      for (std::size_t j = 0; j < joints_.size(); ++j) {
+        for (auto& reading : readings) reading.q[joints_[j]] *= scales.factors[j];
+        const std::string& name = start.arm.joint(joints_[j]).name;
+        auto made = deflection::makeEffect(start.arm, "joint-scale", name);
+        if (made.status != deflection::EffectStatus::kMade) return;
+        start.arm.effects.push_back(std::move(made.effect));
+        start.arm.effects.back().values[0] = 0;
+        options.free.names.push_back("joint-scale@" + name + ".scale");
+        options.free.priors.named[options.free.names.back()] = 0.5;
+      }
+      const auto found = fitRobustly(start, readings, options);
+      if (!found.ok) return;
+      const auto& effects = found.placed.arm.effects;
+      for (std::size_t j = 0; j < joints_.size(); ++j)
+        scales.factors[j] *= 1 + effects[effects.size() - joints_.size() + j].values[0];
+    }
+  }
+
+  const CheckedReadings& checked_;
+  const std::vector<int>& joints_;
+  QuickAlignment alignment_;
+  std::vector<Measurement> readings_;
+};
+
+}  // namespace
+
+std::vector<std::vector<std::string>> likelyScales(const CheckedReadings& checked, const std::vector<int>& joints) {
+  std::vector<std::vector<std::string>> values;
+  for (const Scales& scales : ScalesTogether(checked, joints).find()) {
+    if (!std::isfinite(scales.score)) continue;
+    values.emplace_back();
+    for (std::size_t j = 0; j < joints.size(); ++j)
+      values.back().push_back(fmt::format("{}:{:.8g}", checked.start.arm.joint(joints[j]).name, scales.factors[j]));
+  }
+  return values;
+}
+
+}  // namespace tubeplan::calibration

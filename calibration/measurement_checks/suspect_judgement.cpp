@@ -1,0 +1,145 @@
+#include "calibration/measurement_checks/suspect_judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "calibration/measurements/reading_problems.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kLeastFall = 3;      // of the error by the drawing, at least, that a mistake explains
+constexpr double kOdds = 14;          // log of a million
+constexpr double kDrastic = 8;        // fall of the error by the drawing that no fit of the drawing is a reason for
+constexpr double kAsGood = 3;         // log of the odds within which another mistake explains the readings as well
+constexpr double kAsGoodError = 1.5;  // times the error, for the same
+constexpr double kNoisePerRow = 0.6;  // lack of fit of a row by noise alone
+constexpr double kFits = 0.05;        // of the reach: readings with a larger error yet are not mended
+constexpr double kLeftOver = 0.001;   // of the reach: an error that one mistake leaves asks for several
+constexpr double kBent = 0.005;       // of the reach: an error by the drawing that is no matter of how far it sags
+constexpr double kMostAtNoise = 2;    // chi-square for each degree of freedom that noise alone may leave
+
+/// Whether a mend has numbers that are fitted: what others take off the error is no fit.
+bool hasNumbers(const Mend& mend) { return mend.frees_base || mend.parts_setups || mend.numbers_fitted > 0; }
+
+}  // namespace
+
+bool SuspectJudgement::isLeftOver(const std::vector<Suspect>& suspects) const {
+  double left = trials_.asIs().ok ? trials_.asIs().open_error : std::numeric_limits<double>::infinity();
+  for (const auto& suspect : suspects) left = std::min(left, suspect.open.error);
+  return left > std::max(kLeftOver * trials_.reach(), kLeastFall * trials_.noise({}));
+}
+
+bool SuspectJudgement::isBent(const Suspect& suspect) const {
+  return suspect.drawn.held_error > kDrastic * suspect.open.error &&
+         suspect.drawn.held_error > std::max(kBent * trials_.reach(), kLeastFall * trials_.noise(suspect.mend));
+}
+
+bool SuspectJudgement::asksForSeveral(const std::vector<Suspect>& suspects) const {
+  const auto isWanting = [&](const Suspect& suspect) { return trials_.isBaseFar(suspect.drawn) || isBent(suspect); };
+  return isLeftOver(suspects) || (!suspects.empty() && std::ranges::all_of(suspects, isWanting));
+}
+
+bool SuspectJudgement::isAllNeeded(const Suspect& suspect) const {
+  for (std::size_t k = 0; suspect.parts.size() > 1 && k < suspect.parts.size(); ++k) {
+    auto parts = suspect.parts;
+    parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
+    const Mend others = joined(parts);
+    const Trial open = trials_.tried(others, TrialDepth::kOpen);
+    if (!open.ok) continue;
+    const Trial held = trials_.tried(others, TrialDepth::kHeld);
+    const bool falls = suspect.parts[k].against > 0 || held.error >= kLeastFall * suspect.drawn.held_error ||
+                       open.error >= kLeastFall * suspect.open.error || bringsBack(held, suspect.drawn);
+    if (!falls || trials_.gain(suspect.open) - trials_.gain(open) - suspect.parts[k].against < kOdds) return false;
+  }
+  return true;
+}
+
+bool SuspectJudgement::asksForMistakes() const {
+  if (!trials_.asIs().ok) return true;
+  const double noise = trials_.noise({});
+  if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // of a part of the readings
+  const bool is_bent =
+      trials_.asIs().held_error > kDrastic * trials_.asIs().open_error;  // only a drawing bent to them fits
+  return trials_.isBaseFar(trials_.asIs()) ||
+         (trials_.asIs().held_error > kLeastFall * noise && (isLackOfFit() || is_bent));
+}
+
+bool SuspectJudgement::asksForSteps() const {
+  constexpr double kMoreThanNoise = 1.5;  // chi-square for each degree of freedom
+  return isLackOfFit() || trials_.asIs().chi2_per_freedom > kMoreThanNoise;
+}
+
+bool SuspectJudgement::isLackOfFit() const {
+  double rows = 0;
+  for (const auto& reading : trials_.checked().readings)
+    if (trials_.pool().counted.contains(reading.id)) rows += rowsOf(reading);
+  return trials_.asIs().lack_of_fit - kNoisePerRow * rows > kOdds;
+}
+
+bool SuspectJudgement::isDetermined(const Mend& mend) const {
+  constexpr int kLeastFreedom = 6;
+  auto readings = trials_.pool().readings;
+  const std::size_t all = readings.size();
+  mend.apply(readings);
+  if (!hasNumbers(mend) && readings.size() == all) return true;
+  const auto start = trials_.startOf(mend);
+  const auto bases = std::count_if(start.base_poses.begin(), start.base_poses.end(),
+                                   [](const auto& base_pose) { return !base_pose.is_known; });
+  return numbersMeasured(readings) - 6 * static_cast<int>(bases) - mend.numbers_fitted >= kLeastFreedom;
+}
+
+bool SuspectJudgement::explainsError(const Suspect& suspect) const {
+  if (std::min(suspect.drawn.error, suspect.open.error) >= kFits * trials_.reach()) return false;
+  if (!trials_.asIs().ok) return suspect.drawn.error < kFits * trials_.reach();
+  const double shrinks = trials_.shrinkage(suspect.drawn);
+  const auto falls = [&](double as_is, double mended) { return as_is >= kLeastFall * mended * shrinks; };
+  // A step that leaves the noise alone, and that no creep explains (step_search.hpp), may be smaller.
+  if (suspect.mend.against > 0 && isAtNoise(suspect) && gainOf(suspect) >= kOdds) return true;
+  // A base is one for all readings: one that has slipped is none for those before.
+  if (suspect.mend.frees_base && !falls(trials_.asIs().whole_error, suspect.open.whole_error)) return false;
+  if (!hasNumbers(suspect.mend) && trials_.gain(suspect.open) > 0 &&
+      trials_.asIs().held_error >= kDrastic * suspect.drawn.held_error * shrinks)
+    return true;
+  // A part that is mended fits as the others do, or it was another mistake.
+  if (suspect.mend.is_of_part && trials_.gain(suspect.open) >= kOdds &&
+      trials_.asIs().whole_error >= kDrastic * suspect.open.whole_error * shrinks &&
+      suspect.open.whole_error < kLeastFall * suspect.open.error)
+    return true;
+  return gainOf(suspect) >= kOdds && (falls(trials_.asIs().error, suspect.drawn.error) ||
+                                      falls(trials_.asIs().held_error, suspect.drawn.held_error) ||
+                                      falls(trials_.asIs().open_error, suspect.open.error));
+}
+
+bool SuspectJudgement::bringsBack(const Trial& before, const Trial& after) const {
+  constexpr double kBack = 4;  // times nearer
+  const double far_shift = kFarShift * trials_.reach();
+  const bool turns_back = before.base_turn > kFarTurn && before.base_turn >= kBack * after.base_turn;
+  const bool shifts_back = before.base_shift > far_shift && before.base_shift >= kBack * after.base_shift;
+  return trials_.hasPlaces() && (turns_back || shifts_back) && after.base_turn < kFarTurn &&
+         after.base_shift < far_shift;
+}
+
+bool SuspectJudgement::explainsBase(const Suspect& suspect) const {
+  constexpr double kHarm = 1.5;
+  return trials_.asIs().ok && bringsBack(trials_.asIs(), suspect.drawn) &&
+         suspect.drawn.error <= kHarm * trials_.asIs().error && trials_.gain(suspect.open) >= kOdds;
+}
+
+double SuspectJudgement::gainOf(const Suspect& suspect) const {
+  return trials_.gain(suspect.open) - suspect.mend.against;
+}
+double SuspectJudgement::merit(const Suspect& suspect) const {
+  return gainOf(suspect) - kOdds * static_cast<double>(suspect.parts.size() - 1);
+}
+
+bool SuspectJudgement::isAtNoise(const Suspect& suspect) { return suspect.open.chi2_per_freedom < kMostAtNoise; }
+
+bool SuspectJudgement::isAsGood(const Suspect& other, const Suspect& best) const {
+  return other.parts.size() <= best.parts.size() && gainOf(other) > gainOf(best) - kAsGood &&
+         other.drawn.error < kAsGoodError * best.drawn.error;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,86 @@
+#include "calibration/measurement_checks/turns_beside.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "calibration/measurement_checks/mistake_search.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr std::size_t kFewestPoses = 6;
+
+/// Those that state a place and a turn of the tool, as positions.
+std::vector<Measurement> placesOfPoses(const std::vector<Measurement>& readings) {
+  std::vector<Measurement> places;
+  for (Measurement reading : readings)
+    if (statesFrame(reading) && reading.p_W && !reading.row) {
+      reading.kind = MeasurementKind::kPosition;
+      places.push_back(std::move(reading));
+    }
+  return places;
+}
+
+/// "joint-sign=q1,joint-sign=q4" by its mends, but for what settles the noise; none where one is no mend of these
+/// readings.
+JoinedMends mendsOf(const CheckedReadings& checked, const std::string& assume) {
+  JoinedMends mends;
+  std::istringstream texts(assume);
+  for (std::string text; std::getline(texts, text, ',');) {
+    const std::size_t equals = std::min(text.find('='), text.size() - 1);
+    const auto* kind = findMistakeKind(text.substr(0, equals));
+    if (kind && kind->settles_sigma) continue;
+    auto mend = kind ? kind->mend(checked, text.substr(equals + 1)) : std::nullopt;
+    if (!mend || mend->parts_setups) return {};
+    mends.push_back(std::move(*mend));
+  }
+  return mends;
+}
+
+CheckedReadings takenBy(CheckedReadings checked, const JoinedMends& mends) {
+  for (const Mend& mend : mends) mend.apply(checked.readings);
+  return checked;
+}
+
+/// Each form of the mistakes of turns, in readings that are taken as `before` has them; none of those that are undone
+/// before its last.
+std::vector<JoinedMends> withTurns(const CheckedReadings& checked, const JoinedMends& before) {
+  std::vector<JoinedMends> all;
+  const CheckedReadings mended = takenBy(checked, before);
+  const auto& kinds = mistakeKinds();
+  auto kind = kinds.begin();
+  if (!before.empty())
+    kind = std::ranges::find_if(kinds, [&](const MistakeKind& one) { return one.name == before.back().mistake; }) + 1;
+  for (; kind != kinds.end(); ++kind)
+    if (kind->is_of_turns)
+      for (const auto& value : kind->values(mended))
+        if (auto mend = kind->mend(mended, value)) {
+          all.push_back(before);
+          all.back().push_back(std::move(*mend));
+        }
+  return all;
+}
+
+}  // namespace
+
+std::vector<JoinedMends> likelyBesideTurns(const MistakeTrials& trials) {
+  const CheckedReadings& checked = trials.checked();
+  std::vector<JoinedMends> likely;
+  CheckedReadings places = checked;
+  places.readings = placesOfPoses(checked.readings);
+  if (places.readings.size() < kFewestPoses) return likely;
+  const MistakeTrials of_places(places, trials.options());
+  const auto check = findMistake(of_places);
+  if (check) {
+    const auto mends = mendsOf(checked, check->assume);
+    return mends.empty() ? likely : withTurns(checked, mends);
+  }
+  for (const auto& first : withTurns(checked, {}))
+    for (auto& both : withTurns(checked, first)) likely.push_back(std::move(both));
+  return likely;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,57 @@
+#include "calibration/measurement_checks/zero_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "calibration/measurement_checks/joint_zero.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+/// The name of a joint's zero among the numbers of the arm.
+std::string offsetOf(const deflection::Arm& arm, int joint) {
+  const int row = deflection::activeRows(arm)[static_cast<std::size_t>(joint)];
+  return arm.rows[static_cast<std::size_t>(row)].name + ".joint.offset";
+}
+
+std::optional<Mend> zeroFound(const MistakeTrials& trials, const Mend& from, const deflection::Arm& fitted) {
+  const CheckedReadings& checked = trials.checked();
+  const int joint = from.zeros_of.front();
+  const auto before = deflection::findParameter(checked.start.arm, offsetOf(checked.start.arm, joint)),
+             after = deflection::findParameter(fitted, offsetOf(checked.start.arm, joint));
+  if (!before || !after) return std::nullopt;
+  const double tried = mistakes::joint_zero::zeroOf(checked, from.value);
+  double zero = std::remainder(tried + after->value - before->value, 2 * std::numbers::pi);
+  constexpr double kQuarter = std::numbers::pi / 2, kNearQuarter = 0.035;
+  if (const double whole = std::round(zero / kQuarter) * kQuarter; whole != 0 && std::abs(zero - whole) < kNearQuarter)
+    zero = whole;
+  if (std::abs(zero) < mistakes::joint_zero::kLeast) return std::nullopt;
+  return mistakes::joint_zero::mend(checked, mistakes::joint_zero::textOf(checked, joint, zero));
+}
+
+}  // namespace
+
+std::optional<JoinedMends> withZerosFound(const MistakeTrials& trials, JoinedMends parts) {
+  const Mend from = joined(parts);
+  if (from.zeros_of.empty()) return parts;
+  PlacedArm start = trials.startOf(from);
+  if (std::ranges::find(from.zeros_of, 0) != from.zeros_of.end())
+    for (auto& base_pose : start.base_poses) base_pose.is_known = true;
+  std::vector<std::string> names;
+  for (const int joint : from.zeros_of) names.push_back(offsetOf(trials.checked().start.arm, joint));
+  const auto best = trials.fitZeros(from, std::move(start), names);
+  if (!best.ok) return std::nullopt;
+  for (Mend& part : parts) {
+    if (part.zeros_of.empty()) continue;
+    auto found = zeroFound(trials, part, best.placed.arm);
+    if (!found) return std::nullopt;
+    part = std::move(*found);
+  }
+  return parts;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,107 @@
+// Clocks that were set, or read wrong, while readings were taken, are named with the reading and put right; pauses and
+// rows in another order are left alone.
+#include "calibration/measurement_checks/clock.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "calibration/random_stream.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+constexpr double kMinute = 60, kHourLong = 3600;  // s
+
+/// So many readings, a minute or so apart.
+CheckedReadings timedReadings(int count, std::uint64_t seed) {
+  CheckedReadings checked;
+  RandomStream random(seed);
+  double time = 1000;
+  for (int k = 0; k < count; ++k) {
+    Measurement reading;
+    reading.id = "P" + std::to_string(k + 1);
+    reading.conditions[deflection::Condition::kTime] = time;
+    time += random.uniform(0.6, 1.5) * kMinute;
+    checked.readings.push_back(reading);
+  }
+  return checked;
+}
+
+void setClock(CheckedReadings& checked, std::size_t first, double by) {
+  for (std::size_t k = first; k < checked.readings.size(); ++k)
+    checked.readings[k].conditions[deflection::Condition::kTime] += by;
+}
+
+TEST(Clock, IsNamedWithTheReadingWhereItWasSet) {
+  for (const double by : {-kHourLong, kHourLong, 2 * kHourLong, -600., -86400., -1000 * 86400., 400 * 86400.})
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      auto checked = timedReadings(30, seed);
+      const auto clean = checked.readings;
+      const std::size_t first = 5 + seed * 2;
+      setClock(checked, first, by);
+      const auto checks = clockJumps(checked);
+      ASSERT_EQ(checks.size(), 1U) << by << " seed " << seed;
+      EXPECT_EQ(checks.front().severity, CheckSeverity::kRemark);
+      const std::string assume = checks.front().assume, id = checked.readings[first].id;
+      ASSERT_TRUE(assume.starts_with("clock=") && assume.ends_with("@" + id)) << assume << " for " << id;
+      const auto mend = mistakes::clock::kind().mend(checked, assume.substr(6));
+      ASSERT_TRUE(mend) << assume;
+      auto mended = checked.readings;
+      mend->apply(mended);
+      for (std::size_t k = 0; k < mended.size(); ++k)
+        EXPECT_NEAR(mended[k].conditions[deflection::Condition::kTime],
+                    clean[k].conditions[deflection::Condition::kTime], kMinute + 1e-5 * std::abs(by))
+            << by << " seed " << seed;
+    }
+}
+
+TEST(Clock, OneTimeThatIsOffIsNamedAlone) {
+  for (const double by : {-900., 5000., -7e5, 7e5})
+    for (std::size_t k : {1U, 7U, 15U, 28U}) {
+      auto checked = timedReadings(30, k);
+      checked.readings[k].conditions[deflection::Condition::kTime] += by;
+      const auto checks = clockJumps(checked);
+      ASSERT_EQ(checks.size(), 1U) << by << " at " << k;
+      EXPECT_NE(checks.front().sentence.find("reading " + checked.readings[k].id + " is"), std::string::npos)
+          << checks.front().sentence;
+      EXPECT_EQ(checks.front().assume, "");
+    }
+}
+
+TEST(Clock, TwoThatWereSetAreBothNamed) {
+  auto checked = timedReadings(60, 3);
+  setClock(checked, 10, -kHourLong);
+  setClock(checked, 40, -500);
+  const auto checks = clockJumps(checked);
+  ASSERT_EQ(checks.size(), 2U);
+  EXPECT_TRUE(checks[0].assume.ends_with("@P11")) << checks[0].assume;
+  EXPECT_TRUE(checks[1].assume.ends_with("@P41")) << checks[1].assume;
+}
+
+TEST(Clock, PausesAndOtherOrdersAreLeftAlone) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    auto checked = timedReadings(40, seed);
+    EXPECT_TRUE(clockJumps(checked).empty()) << seed;
+    setClock(checked, 20, 2500 + 17 * static_cast<double>(seed));  // coffee
+    EXPECT_TRUE(clockJumps(checked).empty()) << seed;
+    setClock(checked, 12, 14.5 * kHourLong);  // a night
+    EXPECT_TRUE(clockJumps(checked).empty()) << seed;
+    RandomStream(seed).shuffle(checked.readings);
+    EXPECT_TRUE(clockJumps(checked).empty()) << seed;
+    for (auto& reading : checked.readings) reading.conditions[deflection::Condition::kTime] = 5;
+    EXPECT_TRUE(clockJumps(checked).empty()) << seed;
+    for (auto& reading : checked.readings)
+      reading.conditions[deflection::Condition::kTime] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(clockJumps(checked).empty()) << seed;
+  }
+}
+
+TEST(Clock, IsMendedFromAReadingOn) {
+  const auto checked = timedReadings(10, 1);
+  for (const char* value : {"", "3600", "x@P3", "@P3", "3600@P99", "nan@P3"})
+    EXPECT_FALSE(mistakes::clock::kind().mend(checked, value)) << value;
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

@@ -1,0 +1,60 @@
+// Several joints in pulses of their encoders, each with counts of its own or all with the same, are named with their
+// scales; what is no pulses is left alone.
+#include "calibration/measurement_checks/scales_together.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/calibration/measurement_checks/seeded_pairs.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+/// Multiplies readings of these joints by counts [per degree], rounded to whole ones as encoders have them.
+void countPulses(SeededSet& set, const std::vector<int>& joints, const std::vector<double>& counts) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  for (auto& m : set.table.readings)
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      m.q[joints[k]] = std::round(m.q[joints[k]] / kDegree * counts[k]) * kDegree;
+}
+
+// Signs are of what the readings tell: an arm that is read in another sign all over has another base.
+TEST(ScalesTogether, OfSeveralJointsAreNamed) {
+  int made = 0, mended = 0;
+  std::string found;
+  for (const std::vector<int>& joints : {std::vector{1, 2}, std::vector{0, 2}, std::vector{1, 2, 3}})
+    for (const bool are_alike : {true, false})
+      for (const std::uint64_t number : {0, 3, 5}) {
+        auto set = cleanSet(number);
+        ASSERT_TRUE(set);
+        SeededRandom random(number + 31);
+        SeededPair pulses{*set, set->table.readings, {}, "pulses"};
+        std::vector<double> counts;
+        for (std::size_t k = 0; k < joints.size(); ++k)
+          counts.push_back(are_alike && k > 0 ? counts.front() : drawnBetween(200, 5000, random));
+        countPulses(pulses.set, joints, counts);
+        ++made;
+        const auto checks = checksOf(pulses.set);
+        const auto* gross = grossMistake(checks);
+        if (gross && distanceMended(pulses, gross->assume) < 0.02)
+          ++mended;
+        else
+          found +=
+              fmt::format("{} joints in {}: {}\n", joints.size(), pulses.set.name, gross ? gross->assume : "nothing");
+      }
+  EXPECT_GE(mended, made * 3 / 4) << found;
+}
+
+TEST(ScalesTogether, AreNoneOfTooManyJointsOrTooFewReadings) {
+  auto set = cleanSet(0);
+  ASSERT_TRUE(set);
+  countPulses(*set, {1, 2}, {700, 900});
+  set->table.readings.resize(3);
+  const CheckedReadings few{app::startOf(set->cell, set->table.readings), set->table.readings,
+                            app::freeNumbersOf(set->cell), set->table.units, nullptr};
+  EXPECT_TRUE(likelyScales(few, {1, 2}).empty());
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

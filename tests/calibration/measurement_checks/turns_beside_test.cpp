@@ -1,0 +1,85 @@
+// A mistake of the turns under roll, pitch, yaw beside another of joints or coordinates, and two of the turns: both are
+// named.
+#include "calibration/measurement_checks/turns_beside.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "calibration/measurement_checks/measurement_checks.hpp"
+#include "calibration/measurements/reading_placement.hpp"
+#include "deflection/rotation.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+struct MistakeMade {
+  std::string assume;
+  std::function<void(Measurement&)> make;
+};
+
+Eigen::Matrix3d turnIn(const Measurement& m) { return deflection::rotationFromFixedAngles<double>(m.own); }
+
+const std::vector<MistakeMade>& mistakesOfTurns() {
+  static const std::vector<MistakeMade> kMade{
+      {"turns-as=euler-zyx", [](Measurement& m) { m.own = turnIn(m).eulerAngles(2, 1, 0); }},
+      {"turns-as=euler-zyz", [](Measurement& m) { m.own = turnIn(m).eulerAngles(2, 1, 2); }},
+      {"turns-as=rotation-vector",
+       [](Measurement& m) {
+         const Eigen::AngleAxisd turn(turnIn(m));
+         m.own = turn.angle() * turn.axis();
+       }},
+      {"tool-frame=yzx", [](Measurement& m) {
+         Eigen::Matrix3d R_TM;  // the measured x, y, z are the tool's y, z, x
+         R_TM << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+         m.own = deflection::fixedAnglesOf(turnIn(m) * R_TM);
+       }}};
+  return kMade;
+}
+
+const std::vector<MistakeMade>& mistakesOfOthers() {
+  static const std::vector<MistakeMade> kMade{
+      {"joint-sign=theta2", [](Measurement& m) { m.q[1] *= -1; }},
+      {"joint-sign=theta3", [](Measurement& m) { m.q[2] *= -1; }},
+      {"joint-order=theta2:theta3", [](Measurement& m) { std::swap(m.q[1], m.q[2]); }},
+      {"axes=yxz", [](Measurement& m) { std::swap((*m.p_W)[0], (*m.p_W)[1]); }}};
+  return kMade;
+}
+
+MeasurementChecks checksOfPoses(const std::vector<const MistakeMade*>& made, std::uint64_t seed) {
+  ReadingMaker maker(cobra(), seed, ReadingMaker::Noise::kStated);
+  maker.add(MeasurementKind::kPose, 40);
+  const auto start = placeForReadings(cobra().arm, cobra().base_poses[0].X_WB, seed % 2 == 0, maker.readings);
+  for (auto& reading : maker.readings)
+    for (const auto* mistake : made) mistake->make(reading);
+  return checkMeasurements({start, maker.readings, {{"tool.tip"}, false}, {}});
+}
+
+TEST(TurnsBeside, AnotherMistakeBothAreNamed) {
+  int made = 0, named = 0;
+  std::string found;
+  for (const auto& of_turns : mistakesOfTurns())
+    for (const auto& other : mistakesOfOthers()) {
+      const auto checks = checksOfPoses({&of_turns, &other}, static_cast<std::uint64_t>(++made));
+      const auto* gross = grossMistake(checks);
+      const std::string assume = gross ? gross->assume : "nothing";
+      named += assume == other.assume + "," + of_turns.assume;
+      found += other.assume + " + " + of_turns.assume + ": " + assume + "\n";
+    }
+  EXPECT_GE(named, made - 2) << found;
+}
+
+TEST(TurnsBeside, TwoOfTheTurnsAreBothNamed) {
+  const auto& kinds = mistakesOfTurns();
+  for (std::size_t form = 0; form < 3; ++form)
+    for (const std::uint64_t seed : {1, 2}) {
+      const auto checks = checksOfPoses({&kinds[3], &kinds[form]}, seed);
+      const auto* gross = grossMistake(checks);
+      ASSERT_NE(gross, nullptr) << kinds[form].assume;
+      EXPECT_EQ(gross->assume, kinds[form].assume + "," + kinds[3].assume) << gross->sentence;
+    }
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
