@@ -204,7 +204,7 @@ PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::Plan
   if (selection.status != tubesheets::SelectionStatus::kSelected)
     throw InputError("tubes", inQuotes(request.tubes) + " (" + selection.reason + ")", "tubes of this sheet");
   for (const auto& [tube, stay] : request.stays)
-    if (std::ranges::binary_search(selection.tube_indices, tube)) selection.dwell.emplace(tube, stay);
+    if (std::ranges::find(selection.tube_indices, tube) != selection.tube_indices.end()) selection.dwell[tube] = stay;
   addConditions(request, selection, outcome);
   plan(request, selection.tube_indices, std::move(hooks), nullptr, outcome);
   return outcome;

@@ -60,7 +60,6 @@ TEST_F(LadderSteps, moreOfTheModelIsMoreSteps) {
   EXPECT_EQ(found["models"][2]["steps"]["zero"], 0);
   EXPECT_LT(found["models"][2]["steps"]["centring_error"]["p95"], 1e-6);
   const std::string page = contentOf(folder / "page.html");
-  expectSays(page, "function ladderStepsSection(");
   expectSays(page, "\"steps\":" + found["models"][0]["steps"]["counts"].dump());
 }
 

@@ -305,7 +305,8 @@ TEST_F(LookAhead, readingsSayHowFarEachNumberMayBeOff) {
       const json tip = jsonOf("pose " + shipped("bench.yaml") + " --joints=" + joints + " --load " +
                               std::to_string(load))["flexible"];
       csv += std::to_string(++id) + ",position," + std::to_string(load) + "," + joints;
-      for (int k = 0; k < 3; ++k) csv += "," + std::to_string(tip["position"][k].get<double>());
+      for (int k = 0; k < 3; ++k)  // as far off as is stated: readings that are exact are a mistake of their sigma
+        csv += "," + std::to_string(tip["position"][k].get<double>() + 0.004 * std::sin(7 * id + 3 * k));
       csv += ",0.003\n";
     }
   (void)write("readings.csv", csv);

@@ -19,7 +19,7 @@ constexpr const char* kOptions[] = {"--folds 0",
                                     "--folds 0 --drop 0.05",
                                     "--folds 0 --assume as-is",
                                     "--folds 0 --method levenberg-marquardt",
-                                    "--folds 0 --method steepest-descent",
+                                    "--folds 0 --method in-turn",
                                     "--folds 0 --free tool.joint_stiffness.z",
                                     "--folds 0 --stage tool.joint_stiffness.z --stage forearm.joint_stiffness.z"};
 
@@ -46,7 +46,7 @@ class RefutedFits : public ProgramTest {
     const auto figures = identified(options);
     ASSERT_TRUE(figures.is_object());
     ASSERT_TRUE(figures["p_value"].is_number()) << figures["reason"];
-    EXPECT_LT(figures["p_value"], kTiny);
+    EXPECT_LT(figures["p_value"].get<double>(), kTiny);
     EXPECT_EQ(figures["adequacy"], "falls-short");
     EXPECT_FALSE(figures["warnings"].empty());
   }
@@ -67,7 +67,7 @@ TEST_F(RefutedFits, FallShortWhereTheFitDoesNotConverge) {
     if (k == 0) stale = reading.q[1];
     reading.q[1] = stale;
   });
-  const std::string options = "--folds 0 --method levenberg-marquardt";
+  const std::string options = "--folds 0 --method levenberg-marquardt --assume as-is";
   EXPECT_EQ(identified(options)["status"], "not-converged");
   expectRefuted(options);
 }
@@ -77,7 +77,8 @@ TEST_F(RefutedFits, DoNotComeOfReadingsThatFit) {
   for (const char* options : kOptions) {
     SCOPED_TRACE(options);
     const auto figures = identified(options);
-    EXPECT_GT(figures["p_value"], kTiny);
+    ASSERT_TRUE(figures.is_object());
+    EXPECT_GT(figures["p_value"].get<double>(), kTiny);
     EXPECT_EQ(figures["adequacy"], "adequate");
   }
 }
