@@ -417,7 +417,8 @@ TEST_F(WorkbenchRoutes, aPlanStaysAsLongAsAskedAtItsTubes) {
   serve("mockup.yaml");
   done("/api/plan", {{"tubes", json::array({3, 40, 41})}, {"seed", 2}, {"stays", {{"40", 25}, {"77", 10}}}});
   std::map<double, int> stays;
-  for (const json& tube : get("/api/results/plan").body["tubes"]) ++stays[tube.value("dwell_s", 0.0)];
+  const json plan = get("/api/results/plan").body;
+  for (const json& tube : plan["tubes"]) ++stays[tube.value("dwell_s", 0.0)];
   EXPECT_EQ(stays[25], 1);
   EXPECT_FALSE(stays.contains(10));
   for (const json& wrong : {json{{"40", -1}}, json{{"40", 1e6}}, json{{"9999", 1}}, json{{"x", 1}}, json{{"40", "1"}}})
