@@ -23,20 +23,7 @@ export function arrowCorners(x, y, dx, dy, head = 6) {
 }
 
 /**
- * A shaft and a head to fill, as an SVG path.
- * @param {number} x @param {number} y @param {number} dx @param {number} dy @param {number} [head]
- */
-export function arrowPath(x, y, dx, dy, head) {
-  const corners = arrowCorners(x, y, dx, dy, head);
-  if (!corners) return "";
-  const [nx, ny, ax, ay, bx, by] = corners.map((value) => value.toFixed(1));
-  const tip = `${(x + dx).toFixed(1)} ${(y + dy).toFixed(1)}`;
-  return `M${x.toFixed(1)} ${y.toFixed(1)}L${nx} ${ny}M${tip}L${ax} ${ay}L${bx} ${by}Z`;
-}
-
-/**
- * The same on a canvas, without a detour by text: thousands are drawn at once. Shaft and head have the context's own
- * stroke and fill.
+ * Draws a shaft and a head on a canvas: thousands are drawn at once. They have the context's own stroke and fill.
  * @param {CanvasRenderingContext2D} context
  * @param {number} x @param {number} y @param {number} dx @param {number} dy
  * @param {boolean} [isHollow] of the head @param {number} [head]

@@ -32,12 +32,6 @@ export function fit(extent, size, margin) {
   };
 }
 
-/** The height in which an extent fills a width. @param {Extent} extent @param {number} width @param {Extent} margin */
-export function heightFor(extent, width, margin) {
-  const scale = Math.max(40, width - margin.left - margin.right) / (extent.right - extent.left || 1);
-  return margin.top + margin.bottom + scale * (extent.top - extent.bottom);
-}
-
 /** @param {Camera} camera @param {Size} size @param {number} u @param {number} v @returns {[number, number]} */
 export function toPixel(camera, size, u, v) {
   return [size.width / 2 + (u - camera.u) * camera.scale, size.height / 2 - (v - camera.v) * camera.scale];
