@@ -20,17 +20,6 @@ std::vector<std::string> namesOfMistakes() {
   return names;
 }
 
-/// Those of one text, between commas, as checks of the readings offer several that go together.
-std::vector<std::string> parted(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(',', from), text.size());
-    parts.push_back(text.substr(from, to - from));
-    from = to + 1;
-  }
-  return parts;
-}
-
 const calibration::MistakeKind* mistakeOf(const std::string& assumption) {
   return calibration::findMistakeKind(assumption.substr(0, assumption.find('=')));
 }
@@ -68,7 +57,7 @@ std::string subjectOf(const std::string& assumption) {
 std::vector<std::string> inForce(const std::vector<std::string>& assume) {
   std::vector<std::string> kept;
   for (const auto& text : assume)
-    for (const auto& assumption : parted(text)) {
+    for (const auto& assumption : calibration::partedAssumptions(text)) {
       std::erase_if(kept, [&](const auto& earlier) { return subjectOf(earlier) == subjectOf(assumption); });
       kept.push_back(assumption);
     }

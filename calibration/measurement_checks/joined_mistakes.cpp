@@ -154,7 +154,7 @@ class JoinedSearch {
     if (joints.size() < 2) return;
     for (const auto& values : likelyScales(checked, joints)) {
       JoinedMends mends;
-      for (const auto& value : values) mends.push_back(*findMistakeKind("joint-scale")->mend(checked, value));
+      for (const auto& value : values) mends.push_back(*mistakes::joint_scale::kind().mend(checked, value));
       scales_.push_back(looked(std::move(mends)));
     }
     for (const TriedQuickly& scales : scales_) found_.push_back({&scales, nullptr, scales.score});

@@ -68,7 +68,7 @@ class ScaledReadings {
 std::vector<std::string> valuesOf(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   const auto joints = jointsBeyondTurns(checked);
-  if (joints.size() != 1) return texts;  // of several no search finds the scales together
+  if (joints.size() != 1) return texts;  // likelyScales() finds those of several together
   const int joint = joints.front();
   const Range range = rangeOf(checked, joint);
   const auto& limits = checked.start.arm.joint(joint);

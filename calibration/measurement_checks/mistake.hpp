@@ -104,6 +104,9 @@ const std::vector<MistakeKind>& mistakeKinds();
 /// Several mends one after another as one, whose value has the further ones behind commas as `--assume` takes them.
 [[nodiscard]] Mend joined(const std::vector<Mend>& parts);
 
+/// Returns the assumptions of one text, "joint-sign=q1,tip=0.2" say, as checks offer several that go together.
+[[nodiscard]] std::vector<std::string> partedAssumptions(const std::string& text);
+
 [[nodiscard]] const MistakeKind* findMistakeKind(const std::string& name);
 
 /// A reading whose place is that of the hole it names: nobody has written its coordinates.

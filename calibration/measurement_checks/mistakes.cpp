@@ -65,6 +65,16 @@ const std::vector<MistakeKind>& mistakeKinds() {
   return kKinds;
 }
 
+std::vector<std::string> partedAssumptions(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    parts.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  return parts;
+}
+
 const MistakeKind* findMistakeKind(const std::string& name) {
   for (const MistakeKind& kind : mistakeKinds())
     if (kind.name == name) return &kind;

@@ -1,7 +1,6 @@
 #include "calibration/measurement_checks/turns_beside.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -13,7 +12,7 @@ namespace {
 
 constexpr std::size_t kFewestPoses = 6;
 
-/// Those that state a place and a turn of the tool, as positions.
+/// Returns the readings that state a place and a turn of the tool, as positions.
 std::vector<Measurement> placesOfPoses(const std::vector<Measurement>& readings) {
   std::vector<Measurement> places;
   for (Measurement reading : readings)
@@ -28,8 +27,7 @@ std::vector<Measurement> placesOfPoses(const std::vector<Measurement>& readings)
 /// readings.
 JoinedMends mendsOf(const CheckedReadings& checked, const std::string& assume) {
   JoinedMends mends;
-  std::istringstream texts(assume);
-  for (std::string text; std::getline(texts, text, ',');) {
+  for (const std::string& text : partedAssumptions(assume)) {
     const std::size_t equals = std::min(text.find('='), text.size() - 1);
     const auto* kind = findMistakeKind(text.substr(0, equals));
     if (kind && kind->settles_sigma) continue;
