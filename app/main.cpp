@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/cli/command.hpp"
-#include "app/commands/command_line.hpp"
 #include "app/cli/stop_signal.hpp"
+#include "app/commands/command_line.hpp"
 #include "app/files/input_error.hpp"
 #include "app/studies/job_steps.hpp"
 

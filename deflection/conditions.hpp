@@ -27,7 +27,7 @@ struct ConditionSweep {
   double otherwise = 0;  ///< where something else is swept
 };
 
-/// Of a simulated session: a slow swing about the usual value. A condition without either is not simulated.
+/// Slow swing of a simulated condition about its usual value; a condition without one is not simulated.
 struct ConditionSwing {
   double amplitude = 0;
   double flutter = 0;  ///< one standard deviation of what comes on top at each reading

@@ -36,7 +36,7 @@ inline std::string_view keyIn(std::string_view map, const RowNumber& about) {
   return is_there ? name.substr(map.size() + 1) : std::string_view();
 }
 
-/// Of a row's numbers the one that only an arm's first row can have freed: in others it moves nothing of its own.
+/// Name of the number that only an arm's first row can have freed: in other rows it moves nothing of its own.
 inline constexpr std::string_view kShiftOfFirstAxis = "dh.b";
 
 /// Whether a number, by its name within the row, leads to the row's axis, before what its joint moves.

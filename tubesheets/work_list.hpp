@@ -87,7 +87,7 @@ struct Selection {
 /// malformed, no tubes.
 [[nodiscard]] WorkList parseWorkListCsv(std::string_view text);
 
-/// The same of a table whose columns were chosen.
+/// Reads a work list of a table whose columns were chosen, by the rules of parseWorkListCsv().
 [[nodiscard]] WorkList readWorkListTable(std::string_view text, TubeTable table);
 
 /// The tubes of such a list, each once, but for those whose work is done and those that are plugged or stabilised by

@@ -79,7 +79,7 @@ class Units {
   /// Rounded to 12 significant digits, so that a number read and written again is the same decimal.
   [[nodiscard]] double toFile(double value, Dimension dimension) const;
 
-  /// The same of values that may be absolute temperatures, or have a unit of their own.
+  /// Convert values that may be absolute temperatures, or have a unit of their own.
   [[nodiscard]] double toInternal(double value, const deflection::ValueUnit& unit) const;
   [[nodiscard]] double toFile(double value, const deflection::ValueUnit& unit) const;
 

@@ -10,7 +10,7 @@ namespace tubeplan::app {
 /// {"length": "in", "angle": "deg", ...}.
 [[nodiscard]] nlohmann::json unitsJson(const Units& units);
 
-/// The same with the conditions that readings may state, as `conditions: [{name, unit}]`.
+/// Returns the units with the conditions that readings may state, as `conditions: [{name, unit}]`.
 [[nodiscard]] nlohmann::json readingUnitsJson(const Units& units);
 
 }  // namespace tubeplan::app

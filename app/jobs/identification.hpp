@@ -36,7 +36,7 @@ struct IdentificationOutcome {
   std::vector<calibration::Measurement> readings;  ///< that the fit was given: all but those set aside
   std::vector<std::string> set_aside;              ///< ids of outliers
   std::vector<std::string> warnings;               ///< of the readings
-  /// Of what the fit leaves beside the noise, by the rule of `compare`; inconclusive over a mistake.
+  /// Verdict on what the fit leaves beside the noise, by the rule of `compare`; inconclusive over a mistake.
   calibration::Adequacy adequacy = calibration::Adequacy::kNotRun;
   bool is_base_refused = false;  ///< nothing but the base was found, and the readings do not fit by it
   std::vector<calibration::FormulaOverlap> overlaps;

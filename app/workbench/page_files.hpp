@@ -11,7 +11,8 @@
 
 namespace tubeplan::app {
 
-/// The page's files as the program carries them; generated at build time by embed_files.cmake. Empty where the page was not built.
+/// The page's files as the program carries them; generated at build time by embed_files.cmake. Empty where the page was
+/// not built.
 [[nodiscard]] const std::vector<EmbeddedFile>& embeddedPage();
 
 struct PageFile {

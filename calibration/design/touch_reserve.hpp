@@ -20,7 +20,7 @@ struct BaseDoubt {
                                                    const std::vector<TouchPlan>& candidates,
                                                    const BaseDoubt& doubt = {});
 
-/// The same; all candidates where those are fewer than `count`.
+/// Returns what keepTouchable() keeps, or all candidates where it keeps fewer than `count`.
 [[nodiscard]] std::vector<TouchPlan> surelyTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                                      const std::vector<TouchPlan>& candidates, int count);
 

@@ -78,7 +78,7 @@ class Clock {
   [[nodiscard]] double time(std::size_t k) const { return timeOf(*timed_[k]); }
   [[nodiscard]] double gap(std::size_t k) const { return time(k) - time(k - 1); }
 
-  /// By how much more than usual the time goes on, whole hours as such.
+  /// Returns by how much more than usual the time goes on [s], rounded to hours where it is near whole ones.
   [[nodiscard]] double jumpAt(std::size_t k) const {
     const double jump = gap(k) - usual_, whole = std::round(jump / kHour) * kHour;
     const bool is_whole =

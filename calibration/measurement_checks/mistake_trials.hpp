@@ -70,7 +70,8 @@ class MistakeTrials {
   [[nodiscard]] double shrinkage(const Trial& trial) const;
   /// By how much less a mistake leaves than the readings as they are; where those cannot be fitted, by a lot.
   [[nodiscard]] double gain(const Trial& trial) const;
-  /// Whether a trial has the base far from its nominal place. Touches of unknown points alone say nothing of it.
+  /// Returns true if a trial has the base far from its nominal place. Touches of unknown points alone say nothing of
+  /// it.
   [[nodiscard]] bool isBaseFar(const Trial& trial) const;
 
   [[nodiscard]] const CheckedReadings& checked() const { return checked_; }

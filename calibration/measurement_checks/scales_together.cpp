@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSharesOfLimit[] = {0.95, 0.7, 0.5, 0.36};  // of a joint's limit, that its largest reading may be
 constexpr double kHalfTurn = 3.2;                            // rad, in place of limits that are farther
-constexpr double kPastByScale = 0.05;                          // rad
+constexpr double kPastByScale = 0.05;                        // rad
 constexpr std::size_t kMostTried = 5000;                     // combinations
 constexpr std::size_t kMostLookedAt = 20;                    // readings
 constexpr std::size_t kBettered = 16, kProposed = 2;         // combinations
@@ -72,7 +72,7 @@ class ScalesTogether {
     return factors;
   }
 
-  /// All combinations, the best of them kept.
+  /// Returns the best of all combinations of the factors worth trying.
   std::vector<Scales> tried() {
     std::vector<Scales> all{{{}, 0}};
     for (const int j : joints_) {
@@ -114,7 +114,7 @@ class ScalesTogether {
       }
   }
 
-  /// By the drawing, the base where it is not known.
+  /// Fits the factors by the drawing, and the base where it is not known.
   void fit(Scales& scales) const {
     for (int repeat = 0; repeat < kFitRepeats; ++repeat) {
       auto readings = checked_.readings;

@@ -54,7 +54,7 @@ struct ReadingLack {
   std::string found, expected, advice = {};
 };
 
-/// Of most kinds: x, y, z.
+/// The columns of most kinds: x, y, z.
 [[nodiscard]] inline std::optional<ReadingLack> lackOfPlace(const Measurement& reading, const std::string& kind) {
   if (reading.p_W) return std::nullopt;
   return ReadingLack{"a reading of kind " + kind + " without x, y, z", "its coordinates"};
@@ -107,7 +107,7 @@ struct MeasurementKindRow {
   /// For the simulator, of kinds that are of a known place: writes what a reading states of it.
   void (*state)(const KnownPlaces& places, Measurement& reading) = nullptr;
 
-  /// Of displacements: what they are taken from.
+  /// Returns what a displacement is taken from; null for kinds that are none.
   Departure (*departure)(const Measurement& reading) = nullptr;
 
   /// Of kinds that say where the tip is by other numbers than p_W: that place in the world [m].

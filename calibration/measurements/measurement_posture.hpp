@@ -24,7 +24,7 @@ namespace tubeplan::calibration {
   return posture;
 }
 
-/// Of a displacement, the reading that it is taken from: another, or the same with nothing on its tip.
+/// The reading that a displacement is taken from: another, or the same with nothing on its tip.
 [[nodiscard]] inline Measurement readingAt(const Departure& from) {
   Measurement reading = *from.reading;
   if (!from.is_unloaded) return reading;

@@ -23,7 +23,7 @@
 
 namespace tubeplan::deflection {
 
-/// Of a condition: its internal value is (number + zero) * unit.
+/// The unit of a condition's number: the internal value is (number + zero) * unit.
 struct ConditionScale {
   double unit = 1, zero = 0;
 };

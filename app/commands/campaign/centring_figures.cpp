@@ -124,7 +124,7 @@ json waysJson() {
   return ways;
 }
 
-/// Of what all counts are: bases that each run calibrates anew.
+/// Returns the standing of the base behind all counts: each run calibrates its own.
 BaseStanding standingOf(const std::vector<CentringSetting>& settings) {
   const int touches = settings.front().touches;
   const bool is_one = std::ranges::all_of(settings, [&](const auto& other) { return other.touches == touches; });
@@ -161,7 +161,8 @@ constexpr TextLine kSettingWords[] = {{"refused", "  {runs} runs: {reason} (firs
 
 constexpr TextLine kCentringWords[] = {
     {"",
-     "{runs_done} of {runs} runs, {holes_in_a_run} holes in each of {tubes/in_reach} in reach of {tubes/asked}, {base/words}\n"
+     "{runs_done} of {runs} runs, {holes_in_a_run} holes in each of {tubes/in_reach} in reach of {tubes/asked}, "
+     "{base/words}\n"
      "error, {units/length:<7}     mean                   50 %       90 %       95 %       99 %  % of the visits by so "
      "many steps or more: 1, 2, ...\n"},
     {"settings",

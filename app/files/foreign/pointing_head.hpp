@@ -7,7 +7,7 @@
 
 namespace tubeplan::app {
 
-/// Of what mount, and what else the options and the record of the place say.
+/// Mount, place and weather as the options and the record of the place state them.
 struct PointingHead {
   std::optional<bool> is_altaz;
   bool is_without_diurnal = false;

@@ -84,8 +84,8 @@ StepExperiment runStepExperiment(const planner::Workcell& model, const planner::
     for (double& count : experiment.mean_counts[mode]) count /= std::max(1, experiment.runs);
     experiment.mean_error[mode] /= std::max(1, experiment.scored[mode]);
   }
-  experiment.mean_touch_error = meanTouchError(trialsOf(model, truth, holes, options, calibration::DoubtBeside{},
-                                                        options.touch_fit_points, TouchRule::kRandom));
+  experiment.mean_touch_error = meanTouchError(
+      trialsOf(model, truth, holes, options, calibration::DoubtBeside{}, options.touch_fit_points, TouchRule::kRandom));
   const bool complete = experiment.runs + static_cast<int>(experiment.refused.size()) == options.runs;
   experiment.status = complete ? StepExperimentStatus::kDone : StepExperimentStatus::kStopped;
   if (!complete) experiment.reason = "stopped after " + std::to_string(experiment.runs) + " runs, which are kept";

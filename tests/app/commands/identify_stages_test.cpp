@@ -70,8 +70,8 @@ TEST_F(IdentifyStages, AMountingThatIsRigidInOneSetUpLeavesTheOthersTheirs) {
   EXPECT_GT(found["p_value"], 1e-3);
   EXPECT_NEAR(found["parameters"][0]["value"], 0.8 * 5588, 5 * found["parameters"][0]["sigma"].get<double>());
   EXPECT_NEAR(found["parameters"][1]["value"], 1.2 * 6543, 5 * found["parameters"][1]["sigma"].get<double>());
-  const json without =
-      identified("bench.yaml both.csv --assume as-is --free tool.joint_stiffness.z,mezzanine-platform.joint_stiffness.x");
+  const json without = identified(
+      "bench.yaml both.csv --assume as-is --free tool.joint_stiffness.z,mezzanine-platform.joint_stiffness.x");
   EXPECT_LT(without["p_value"].get<double>(), 1e-6);
   write("typo.yaml", cell + "\nsetups: {bnech: {rigid: [mezzanine-beam]}}\n");
   const Outcome typo = run("identify typo.yaml both.csv --free tool.joint_stiffness.z");

@@ -53,7 +53,8 @@ TEST(RobotKinematics, replacesTheOriginsAndKeepsTheHalfTurnOfTheBase) {
     EXPECT_NEAR((origin.rpy - expected.rpy).norm(), 0, 2e-11) << k;  // twelve digits of 180 deg
   }
   const std::string as_root = changed(kArm, "rpy: [0, 0, 180]}, joint: {name: q1", "rpy: [0, 0, 0]}, joint: {name: q1");
-  const ArmSource straight = readArm(parseYaml(withRobotKinematics(calibratedArmOf(as_root), kinematics), "found.yaml"));
+  const ArmSource straight =
+      readArm(parseYaml(withRobotKinematics(calibratedArmOf(as_root), kinematics), "found.yaml"));
   EXPECT_NEAR(std::get<deflection::Origin<double>>(straight.arm.rows[0].placement).rpy.z(), -1.5e-5, 1e-15);
 }
 
@@ -137,9 +138,10 @@ TEST(RobotKinematics, anArmThatItIsNotOfIsRefused) {
       {"origin: {position: [0, 92.1, 0], rpy: [90, 180, 180]}", "dh: {alpha: 90, a: 0, d: 92.1}", "'w3' by dh"},
   };
   for (const auto& [from, to, says] : kWrong)
-    expectSays(
-        messageOf([&, &f = from, &t = to] { (void)withRobotKinematics(calibratedArmOf(changed(kArm, f, t)), kinematics); }),
-        says);
+    expectSays(messageOf([&, &f = from, &t = to] {
+                 (void)withRobotKinematics(calibratedArmOf(changed(kArm, f, t)), kinematics);
+               }),
+               says);
   const std::string two = changed(changed(kArm, "-213, 0, 131.05", "-392, 0, 109"), "-243.65, 0", "-425, 0");
   expectSays(messageOf([&] { (void)withRobotKinematics(calibratedArmOf(two), kinematics); }), "'f'");
 }
