@@ -11,7 +11,7 @@
 namespace tubeplan::tubesheets {
 
 struct CsvRow {
-  int line = 0;  ///< from 1
+  int line = 0;  ///< line number, counted from 1
   std::vector<std::string> fields;
 };
 
@@ -21,47 +21,48 @@ struct CsvTable {
   std::vector<std::string> columns;
   int header_line = 0;
   std::vector<CsvRow> rows;
-  std::optional<Problem> problem;  ///< the first fault; then nothing else is to be used
+  std::optional<Problem> problem;  ///< first fault; the other members are then not to be used
 
-  /// Where that column is.
+  /// Returns the index of that column, or nothing if there is none.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
 };
 
-/// Faults: no header, an empty or repeated column name or a number in its place, a row with more or fewer fields, an
-/// open quote, a zero byte.
+/// Parses comma-separated text. Faults: no header, an empty or repeated column name or a number in its place, a row
+/// with more or fewer fields, an open quote, a zero byte.
 [[nodiscard]] CsvTable parseCsv(std::string_view text);
 
 /// One line of a text, without its end.
 struct TextLine {
-  int number = 0;         ///< from 1
-  std::string_view text;  ///< without the blanks around it
+  int number = 0;         ///< line number, counted from 1
+  std::string_view text;  ///< text without the blanks at both ends
   std::string_view raw;
 };
 
-/// All lines, empty ones too, after a byte order mark; ends are LF or CRLF.
+/// Splits a text into lines, empty ones included, after a byte order mark; line ends are LF or CRLF.
 [[nodiscard]] std::vector<TextLine> textLines(std::string_view text);
 
-/// Begins with #, // or %.
+/// Returns true if the line begins with #, // or %.
 [[nodiscard]] bool isCommentLine(std::string_view line);
 
-/// Where the fields of one line stand in it, blanks and quotes included, without the separators; empty when a quote is
-/// left open.
+/// Returns the parts of a line that hold its fields, blanks and quotes included, without the separators; nothing if a
+/// quote is left open.
 [[nodiscard]] std::optional<std::vector<std::string_view>> csvSpans(std::string_view line, char separator);
 
-/// The fields of one line, trimmed and without their quotes; empty when a quote is left open or followed by more text.
+/// Returns the fields of one line, trimmed and without their quotes; nothing if a quote is left open or followed by
+/// more text.
 [[nodiscard]] std::optional<std::vector<std::string>> splitCsvLine(std::string_view line, char separator);
 
-/// The whole field as a finite number, or as an integer; empty when it is anything else.
+/// Return the whole field as a finite number, or as an integer; nothing if it is anything else.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view field);
 [[nodiscard]] std::optional<int> parseInteger(std::string_view field);
 
-/// A text as a field: in double quotes where it could be taken for two fields or lose its blanks.
+/// Returns a text as a field, in double quotes where it could be taken for two fields or lose its blanks.
 [[nodiscard]] std::string csvField(std::string_view text, char separator = ',');
 
-/// In double quotes whatever it is, where "" is a quote.
+/// Returns the text in double quotes, each quote inside it doubled.
 [[nodiscard]] std::string csvQuoted(std::string_view text);
 
-/// Without blanks at both ends.
+/// Returns the text without the blanks at both ends.
 [[nodiscard]] std::string_view trimBlanks(std::string_view text);
 
 }  // namespace tubeplan::tubesheets

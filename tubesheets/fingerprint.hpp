@@ -1,4 +1,4 @@
-// A hash by which the same numbers and texts are known again.
+// A hash that identifies the same numbers and texts.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 namespace tubeplan::tubesheets {
 
-/// FNV-1a, 64 bits, fed byte by byte from the low end: the same on every machine.
+/// FNV-1a hash, 64 bits, fed byte by byte from the low end: the same on every machine.
 class Fingerprint {
  public:
   void add(std::int64_t number) {
@@ -22,7 +22,7 @@ class Fingerprint {
     addBytes(text);
     addByte(0);
   }
-  /// Without an end: "ab" and "c" are as "a" and "bc".
+  /// Adds bytes without an end mark: "ab" then "c" gives the same hash as "a" then "bc".
   void addBytes(std::string_view bytes) {
     for (const char c : bytes) addByte(static_cast<std::uint8_t>(c));
   }
@@ -30,7 +30,7 @@ class Fingerprint {
     add(std::isfinite(metres) ? std::llround(std::clamp(metres, -1e6, 1e6) * 1e9) : INT64_MIN);
   }
 
-  /// 16 hexadecimal digits.
+  /// Returns the hash as 16 hexadecimal digits.
   [[nodiscard]] std::string text() const { return fmt::format("{:016x}", hash_); }
 
  private:

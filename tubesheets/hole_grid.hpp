@@ -1,4 +1,4 @@
-// Finds the holes near a place without looking at all of them.
+// A grid which finds the holes near a point without looking at all of them.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ class HoleGrid {
  public:
   HoleGrid(const std::vector<Tube>& tubes, double reach);
 
-  /// The places in `tubes` of the holes at most `distance` (not above reach) from (x, y), ascending. [m]
+  /// Returns the indices in `tubes` of the holes at most `distance` [m] (not above `reach`) from (x, y) [m], ascending.
   [[nodiscard]] std::vector<int> findWithin(double x, double y, double distance) const;
 
  private:
@@ -29,7 +29,7 @@ class HoleGrid {
   std::vector<Entry> entries_;
 };
 
-/// For every hole the others within that distance [m], in the order of the list.
+/// Returns for each hole the indices of the others within `reach` [m], ascending.
 [[nodiscard]] std::vector<std::vector<int>> neighboursWithin(const std::vector<Tube>& tubes, double reach);
 
 }  // namespace tubeplan::tubesheets

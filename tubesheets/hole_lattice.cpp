@@ -15,18 +15,18 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr double kReach = 2.6;           // pitches, that holes are compared over
-constexpr double kOneStep = 0.1;         // of a pitch, that a step of the lattice may differ from it
-constexpr double kAgrees = 0.1;          // pitches, and what is off by more is reported
+constexpr double kReach = 2.6;           // distance over which holes are compared, in pitches
+constexpr double kOneStep = 0.1;         // deviation of a lattice step from the pitch, as a share
+constexpr double kAgrees = 0.1;          // deviation from which a hole is reported, in pitches
 constexpr std::size_t kEnoughAgree = 4;  // neighbours
 constexpr double kMostAgree = 0.7;       // share of the neighbours
 
-// Pitches: no other place of a lattice is as near as one within half of its shortest step.
+// Distance in pitches, less than half of a lattice's shortest step, within which no other lattice point is as near.
 constexpr double kSurelyShortest = 0.4;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// In pitches.
+/// Returns a hole's position in pitches.
 Vector2d placeOf(const Sheet& sheet, int tube) {
   const Tube& at = sheet.tubes[static_cast<std::size_t>(tube)];
   return {at.x / sheet.pitch, at.y / sheet.pitch};
@@ -36,8 +36,8 @@ Vector2d placeOf(const Sheet& sheet, int tube) {
 struct Basis {
   Vector2d a, b;
 
-  /// What is left of a difference of places after whole steps: the shortest. Rounding gives it but for one step, where
-  /// the two are not at right angles.
+  /// Returns the shortest remainder of a difference of positions after whole steps. Rounding gives it up to one step,
+  /// if the two are not at right angles.
   [[nodiscard]] Vector2d remainder(const Vector2d& difference) const {
     const double area = cross(a, b);
     const double s = std::round(cross(difference, b) / area), t = std::round(cross(a, difference) / area);
@@ -51,9 +51,9 @@ struct Basis {
   }
 };
 
-/// Of the steps from hole to hole: the direction that most have, and the mean of those.
+/// Returns the mean of the steps in the direction that most of them have.
 std::optional<Vector2d> commonStep(const std::vector<Vector2d>& steps) {
-  constexpr int kBins = 180;  // of a degree, over half a turn
+  constexpr int kBins = 180;  // bins of one degree over half a turn
   constexpr double kNearBin = 2 * std::numbers::pi / kBins;
   std::array<int, kBins> counts{};
   const auto angleOf = [](const Vector2d& step) { return std::atan2(step.y(), step.x()); };
@@ -76,7 +76,7 @@ std::optional<Vector2d> commonStep(const std::vector<Vector2d>& steps) {
 }
 
 std::optional<Basis> basisOf(const Sheet& sheet, const std::vector<std::vector<int>>& neighbours) {
-  constexpr double kAcross = 0.7;  // sine of the angle between two steps of a lattice, at least
+  constexpr double kAcross = 0.7;  // least sine of the angle between two steps of a lattice
   std::vector<Vector2d> steps;
   for (int tube = 0; tube < static_cast<int>(neighbours.size()); ++tube)
     for (const int other : neighbours[static_cast<std::size_t>(tube)]) {
@@ -91,26 +91,26 @@ std::optional<Basis> basisOf(const Sheet& sheet, const std::vector<std::vector<i
   return Basis{*first, *second};
 }
 
-/// The places of the lattice that a hole is nearest to, as each neighbour has it, less the hole's own.
+/// Returns the shifts of a hole to the nearest lattice point, according to each neighbour.
 std::vector<Vector2d> shiftsOf(const Sheet& sheet, const Basis& basis, int tube, const std::vector<int>& neighbours) {
   std::vector<Vector2d> shifts;
   for (const int other : neighbours) shifts.push_back(basis.remainder(placeOf(sheet, other) - placeOf(sheet, tube)));
   return shifts;
 }
 
-/// Whether most of the holes about it have the hole where it is.
+/// Returns true if most of the holes about it agree with the hole's position.
 bool isOnLattice(const std::vector<Vector2d>& shifts) {
   const auto agree = std::ranges::count_if(shifts, [](const Vector2d& shift) { return shift.norm() < kAgrees; });
   return 2 * static_cast<std::size_t>(agree) >= shifts.size();
 }
 
-/// The mean of the shifts that agree with one another, where they are enough and most of them.
+/// Returns the mean of the shifts that agree with one another, if they are enough and most of them.
 std::optional<Vector2d> agreedShift(const Basis& basis, const std::vector<Vector2d>& shifts) {
   for (const Vector2d& centre : shifts) {
     Vector2d sum = Vector2d::Zero();
     std::size_t count = 0;
     for (const Vector2d& shift : shifts) {
-      // Half a pitch off is so to either side.
+      // A shift of half a pitch may point to either side.
       const Vector2d beside = basis.remainder(shift - centre);
       if (beside.norm() >= kAgrees) continue;
       sum += centre + beside;

@@ -12,22 +12,22 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr double kOff = 0.5;            // pitches
-constexpr std::size_t kMost = 20;       // holes that may be misnamed in a map that counts by columns
-constexpr std::size_t kLeast = 2;       // the same, on small sheets
-constexpr double kMostShare = 0.02;     // of all, the same
-constexpr std::size_t kLeastInRow = 4;  // holes, for their offset to be that of the most
+constexpr double kOff = 0.5;            // [pitches]
+constexpr std::size_t kMost = 20;       // largest number of misnamed holes in a map that counts by columns
+constexpr std::size_t kLeast = 2;       // lower limit of that number, for small sheets
+constexpr double kMostShare = 0.02;     // share of all holes for that number
+constexpr std::size_t kLeastInRow = 4;  // holes needed to determine the offset of a row
 
 Vector2d inPlane(const Tube& tube) { return {tube.x, tube.y}; }
 
-/// Coordinate by coordinate, so that a few that are wrong do not count.
+/// Returns the median of each coordinate, so that a few wrong ones have no influence.
 Vector2d medianPlace(const std::vector<Vector2d>& vectors) {
   std::vector<double> x, y;
   for (const Vector2d& v : vectors) x.push_back(v.x()), y.push_back(v.y());
   return {medianOf(std::move(x)), medianOf(std::move(y))};
 }
 
-/// From a column to the next; zero where no row has two holes.
+/// Returns the step from a column to the next; zero if no row has two holes.
 Vector2d columnStep(const Sheet& sheet) {
   std::vector<Vector2d> steps;
   for (std::size_t k = 1; k < sheet.tubes.size(); ++k) {
@@ -37,7 +37,7 @@ Vector2d columnStep(const Sheet& sheet) {
   return steps.empty() ? Vector2d::Zero() : medianPlace(steps);
 }
 
-/// Where column 0 of each row would lie, of rows with holes enough.
+/// Returns the position of column 0 for each row with enough holes.
 std::map<int, Vector2d> rowOrigins(const Sheet& sheet, const Vector2d& step) {
   std::map<int, std::vector<Vector2d>> by_row;
   for (const Tube& tube : sheet.tubes) by_row[tube.row].push_back(inPlane(tube) - tube.column * step);

@@ -1,4 +1,4 @@
-// Holes of a map whose names do not fit where they lie: the slip that ends in the wrong tube.
+// A hole whose name does not fit its position in a map: a typing error that would send the tool to the wrong tube.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 namespace tubeplan::tubesheets {
 
 struct MisnamedHole {
-  int tube = -1;        ///< its place in `tubes`
-  double x = 0, y = 0;  ///< where the other holes of its row put its column [m]
-  int there = -1;       ///< the hole that lies there; -1 where none does
+  int tube = -1;        ///< index in Sheet::tubes
+  double x = 0, y = 0;  ///< position expected from the other holes of its row [m]
+  int there = -1;       ///< index of the hole at that position; -1 if there is none
 };
 
-/// Holes half a pitch or more from where the others of their row put their column, in sheet order. Columns are taken to
-/// be a constant step apart, rows to begin anywhere. Empty where more than a few would be: then the map counts
-/// otherwise. The sheet must have no problems.
+/// Finds holes half a pitch or more from the position that the others of their row give their column, in sheet order.
+/// Columns are taken to be a constant step apart; rows may begin anywhere. Empty if more than a few holes were found,
+/// because the map then numbers its columns in another way. The sheet must have no problems.
 [[nodiscard]] std::vector<MisnamedHole> findMisnamedHoles(const Sheet& sheet);
 
 }  // namespace tubeplan::tubesheets

@@ -44,7 +44,8 @@ void findSizeProblems(const Layout& layout, const LayoutType& type, std::vector<
                         "leave it out to have it derived"});
 }
 
-// A stated number of columns that the radius does not fill would shift every number, and so name the wrong tube.
+// Finds a stated number of columns that the radius does not fill, which would shift every number and so name the wrong
+// tube.
 void findNumberingProblems(const Layout& layout, const LayoutType& type, std::vector<Problem>& problems) {
   const std::vector<Tube> tubes = type.make_tubes(layout);
   if (tubes.empty()) {

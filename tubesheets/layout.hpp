@@ -10,22 +10,23 @@
 
 namespace tubeplan::tubesheets {
 
-/// A pattern of one of the types in layouts.hpp, which says which of these numbers it takes. [m]
+/// A drilling pattern [m] of one of the types in layouts.hpp, which lists the numbers that each type takes.
 struct Layout {
-  std::string type;                                             ///< square, triangular, disc
-  double pitch = std::numeric_limits<double>::quiet_NaN();      ///< between neighbouring centres
-  double first_row = std::numeric_limits<double>::quiet_NaN();  ///< from the divider plate to row 1
-  double radius = std::numeric_limits<double>::quiet_NaN();     ///< no centre lies outside
-  double stay_radius = 0;                                       ///< no centre lies inside (stay cylinder)
-  int rows = 0;                                                 ///< at most; 0 = as many as fit
-  int columns = 0;                                              ///< numbered and centred on x = 0; 0 = as many as fit
+  std::string type;                                             ///< square, triangular or disc
+  double pitch = std::numeric_limits<double>::quiet_NaN();      ///< distance between neighbouring centres
+  double first_row = std::numeric_limits<double>::quiet_NaN();  ///< distance from the divider plate to row 1
+  double radius = std::numeric_limits<double>::quiet_NaN();     ///< circle that holds all centres
+  double stay_radius = 0;                                       ///< circle without centres (stay cylinder)
+  int rows = 0;                                                 ///< largest number of rows; 0 = as many as fit
+  int columns = 0;  ///< number of columns, centred on x = 0; 0 = as many as fit
 };
 
-/// Everything that keeps the layout from being drilled; empty when it can be. Also finds a layout without holes and
-/// more columns than fit, for these would shift every column's number.
+/// Returns everything that keeps the layout from being drilled, or nothing. This includes a layout without holes and
+/// more columns than fit, which would shift every column's number.
 [[nodiscard]] std::vector<Problem> findLayoutProblems(const Layout& layout);
 
-/// The holes, row by row, all open, in the hot leg's or the full sheet's frame. The layout must have no problems.
+/// Returns the holes row by row, all open, in the hot leg's or the full sheet's frame. The layout must have no
+/// problems.
 [[nodiscard]] std::vector<Tube> makeTubes(const Layout& layout);
 
 }  // namespace tubeplan::tubesheets

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kHalfRootThree = std::numbers::sqrt3 / 2;
 
-// A centre on the limiting circle counts as inside in spite of rounding. Compared in pitches.
+// Tolerance in pitches, so that a centre on the limiting circle counts as inside in spite of rounding.
 constexpr double kOnCircle = 1e-12;
 
 bool isWithin(const Layout& layout, double x, double y) {
@@ -22,7 +22,7 @@ bool isWithin(const Layout& layout, double x, double y) {
          distance >= layout.stay_radius / layout.pitch * (1 - kOnCircle);
 }
 
-// One leg of rows dy apart with columns dx apart, centred on x = 0; staggered keeps every second of them.
+// One leg with rows dy apart and columns dx apart, centred on x = 0; staggered keeps every second of them.
 struct LegLattice {
   double dx, dy;
   bool staggered;
@@ -37,7 +37,7 @@ void addLegRow(const Layout& layout, const LegLattice& lattice, int row, int col
   }
 }
 
-// Columns are counted from the widest row that exists, so column 1 always has a hole.
+// Counts columns from the widest row that exists, so that column 1 always has a hole.
 void dropEmptyMargins(int columns, std::vector<Tube>& tubes) {
   int margin = columns;
   for (const Tube& tube : tubes) margin = std::min({margin, tube.column - 1, columns - tube.column});
@@ -63,7 +63,8 @@ std::vector<Tube> makeTriangularLeg(const Layout& layout) {
   return makeLeg(layout, {layout.pitch / 2, layout.pitch * kHalfRootThree, true});
 }
 
-// Once-through generators number the tubes of each row from 1, so a column is a place in its row, not a line of holes.
+// Adds a row of a once-through generator, whose tubes are numbered from 1 in each row: a column is a place in its row,
+// not a line of holes.
 void addDiscRow(const Layout& layout, int line, int row, std::vector<Tube>& tubes) {
   const int half = static_cast<int>(layout.radius / layout.pitch) + 1;
   const double shift = line % 2 == 0 ? 0.0 : 0.5;

@@ -1,4 +1,4 @@
-// The open table of layout types: one row each. A new pattern is a maker and a row.
+// The open table of layout types, one row each. A new pattern is a maker and a row.
 #pragma once
 
 #include <string>
@@ -22,17 +22,17 @@ struct LayoutType {
   std::string_view name;
   std::string_view sentence;
   std::vector<LayoutKey> keys;
-  bool covers_full_sheet = false;  ///< else one leg, mirrored for the cold one
-  int columns_modulo_two = -1;     ///< parity that a stated number of columns must have; -1 = any
+  bool covers_full_sheet = false;  ///< true: the full sheet; false: one leg, mirrored for the cold one
+  int columns_modulo_two = -1;     ///< parity of a stated number of columns; -1 = any
   std::vector<Tube> (*make_tubes)(const Layout&) = nullptr;
 };
 
 [[nodiscard]] const std::vector<LayoutType>& layoutTypes();
 
-/// Null when there is no such type.
+/// Returns the layout type of that name, or null if there is none.
 [[nodiscard]] const LayoutType* findLayoutType(std::string_view name);
 
-/// "square, triangular, disc", for messages.
+/// Returns "square, triangular, disc", for messages.
 [[nodiscard]] std::string layoutTypeNames();
 
 }  // namespace tubeplan::tubesheets

@@ -18,7 +18,7 @@ struct LengthWord {
   LengthUnit unit;
 };
 
-/// Beside the suffixes.
+/// Words for units, besides the suffixes.
 constexpr LengthWord kLengthWords[] = {
     {"inch", kInch},
     {"inches", kInch},
@@ -32,7 +32,7 @@ constexpr LengthWord kLengthWords[] = {
     {"metres", kMetre},
 };
 constexpr int kGridExponent = 44;
-constexpr double kLargestSnapped = 256;  // m; beyond it a double is coarser than the grid
+constexpr double kLargestSnapped = 256;  // length above which a double is coarser than the grid [m]
 
 double readBack(std::string_view text) {
   double value = 0;

@@ -8,7 +8,7 @@
 namespace tubeplan::tubesheets {
 
 struct LengthUnit {
-  std::string_view suffix;  ///< as in a column's name: "in"
+  std::string_view suffix;  ///< suffix of a column's name: "in"
   double metres;            ///< metres per unit
 };
 
@@ -16,21 +16,21 @@ inline constexpr LengthUnit kInch{"in", 0.0254};
 inline constexpr LengthUnit kMillimetre{"mm", 0.001};
 inline constexpr LengthUnit kMetre{"m", 1.0};
 
-/// All of them.
+/// Returns all units of length.
 [[nodiscard]] std::span<const LengthUnit> lengthUnits();
 
-/// The unit of that suffix; null when there is none.
+/// Returns the unit with that suffix, or null if there is none.
 [[nodiscard]] const LengthUnit* findLengthUnit(std::string_view suffix);
 
-/// The same by any word or sign for it, in any capitals: "Inches", "millimetres"; null when there is none.
+/// Returns the unit by any word or sign for it, in any capitals ("Inches", "millimetres"), or null if there is none.
 [[nodiscard]] const LengthUnit* findLengthWord(std::string_view word);
 
-/// Lengths [m] of drilled positions are kept on a grid of 2^-44 m (57 femtometre): far below any drawing, and coarse
-/// enough that a length printed in another unit returns to the same bits.
+/// Rounds a length [m] to the grid of 2^-44 m (57 femtometre) on which drilled positions are kept. The grid is far
+/// below any drawing, and coarse enough that a length printed in another unit is read back to the same bits.
 [[nodiscard]] double snapLength(double metres);
 
-/// The shortest decimal, in that unit, which comes back (times the unit, snapped) as exactly `metres`, a snapped and
-/// finite length.
+/// Returns the shortest decimal in that unit which, times the unit and snapped, gives exactly `metres`. `metres` must
+/// be snapped and finite.
 [[nodiscard]] std::string formatLength(double metres, const LengthUnit& unit);
 
 }  // namespace tubeplan::tubesheets

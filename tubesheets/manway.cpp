@@ -7,8 +7,8 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr double kFarthest = 100;  // m
-constexpr double kAside = 1e-6;    // m
+constexpr double kFarthest = 100;  // [m]
+constexpr double kAside = 1e-6;    // [m]
 
 std::string placeOf(const Manway& manway) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", manway.centre.x(), manway.centre.y(), manway.centre.z());

@@ -1,4 +1,4 @@
-// The opening in the bowl through which people and arms come to a tube sheet.
+// The opening in the bowl through which people and arms enter.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,17 +10,18 @@
 
 namespace tubeplan::tubesheets {
 
-/// A round opening whose axis goes through the middle of the sheet. [m], in the sheet frame of tube.hpp.
+/// A round opening whose axis passes through the centre of the sheet [m], in the sheet frame of tube.hpp.
 struct Manway {
-  Eigen::Vector3d centre = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());  ///< in the bowl's skin
+  /// Centre of the opening on the bowl's surface.
+  Eigen::Vector3d centre = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   double diameter = std::numeric_limits<double>::quiet_NaN();
 
-  /// Where it lies as seen along the sheet's axis: a unit vector of the sheet's plane.
+  /// Returns the direction of the opening as seen along the sheet's axis: a unit vector in the plane of the sheet.
   [[nodiscard]] Eigen::Vector2d direction() const { return centre.head<2>().normalized(); }
 };
 
-/// Numbers that are not finite, an opening that is none, one that is not below the sheet, straight below its middle (it
-/// then lies in no direction), in the other leg, or wider than the bowl that it would be in.
+/// Returns the problems of a manway: numbers that are not finite, a diameter not above zero, a centre not below the
+/// sheet, straight below its middle (without a direction) or in the other leg, and an opening wider than its bowl.
 [[nodiscard]] std::vector<Problem> findManwayProblems(const Manway& manway, Leg leg);
 
 }  // namespace tubeplan::tubesheets

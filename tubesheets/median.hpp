@@ -1,4 +1,4 @@
-// The middle one of some numbers.
+// The median.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace tubeplan::tubesheets {
 
-/// The upper of the two in the middle where there are two. Not of none.
+/// Returns the median; of an even number of values, the upper of the middle two. `values` must not be empty.
 [[nodiscard]] inline double medianOf(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

@@ -1,19 +1,19 @@
-// What is wrong with an input, as a value. The application turns it into its one exception.
+// A fault of an input, as a value. The application turns it into its one exception.
 #pragma once
 
 #include <string>
 
 namespace tubeplan::tubesheets {
 
-/// One fault of an input, in words a user can act on.
+/// One fault of an input, in words that a user can act on.
 struct Problem {
-  std::string what;      ///< which key, hole, step or column
-  std::string found;     ///< what it says
-  std::string expected;  ///< what it should say
-  std::string advice;    ///< what to do; may be empty
-  int line = 0;          ///< line of the text, from 1; 0 where there is no text
+  std::string what;      ///< key, hole, step or column at fault
+  std::string found;     ///< value found
+  std::string expected;  ///< value expected
+  std::string advice;    ///< advice to the user; may be empty
+  int line = 0;          ///< line of the text, from 1; 0 if there is no text
 
-  /// "what: found F, expected E; advice", with the line in front where there is one.
+  /// Returns "what: found F, expected E; advice", preceded by the line if there is one.
   [[nodiscard]] std::string sentence() const {
     const std::string place = line > 0 ? "line " + std::to_string(line) + ": " : "";
     return place + what + ": found " + found + ", expected " + expected + (advice.empty() ? "" : "; " + advice);

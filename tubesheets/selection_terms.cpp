@@ -25,7 +25,7 @@ TermChoice keepIf(const std::vector<int>& candidates, Predicate predicate) {
 
 TermChoice refuseTerm(std::string reason) { return {{}, std::move(reason)}; }
 
-// A count from 1; empty when the argument is anything else.
+// Reads a count from 1; nothing if the argument is anything else.
 std::optional<int> parseCount(std::string_view argument) {
   const std::optional<int> count = parseInteger(argument);
   return count && *count >= 1 ? count : std::nullopt;
@@ -42,7 +42,7 @@ TermChoice chooseOuter(const Sheet& sheet, const std::vector<int>& candidates, s
   return keepIf(candidates, [&](int tube) { return depths[tube] > 0 && depths[tube] <= *depth; });
 }
 
-// "-10:10:20:40in": the four numbers in metres.
+// Reads a zone, "-10:10:20:40in", as four numbers in metres.
 std::optional<std::vector<double>> parseZone(std::string_view argument) {
   const std::size_t unit_start = argument.find_last_not_of("abcdefghijklmnopqrstuvwxyz") + 1;
   const LengthUnit* unit = findLengthUnit(argument.substr(unit_start));
@@ -108,7 +108,7 @@ struct Span {
   int first = 0, last = 0;
 };
 
-// Takes "R3" or "R3-7" from the front of `text`; false when the letter is there but no number follows.
+// Takes "R3" or "R3-7" from the front of `text`; false if the letter is there but no number follows.
 bool takeSpan(std::string_view& text, char letter, std::optional<Span>& span) {
   const auto take_number = [&](int& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

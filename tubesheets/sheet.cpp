@@ -16,7 +16,7 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr double kNeighbourReach = 1.05;  // pitches: room for drilling tolerance, far from the diagonal's 1.41
+constexpr double kNeighbourReach = 1.05;  // in pitches: room for drilling tolerance, far from the diagonal's 1.41
 
 bool isBefore(const Tube& a, const Tube& b) { return std::tie(a.row, a.column) < std::tie(b.row, b.column); }
 

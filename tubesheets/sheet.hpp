@@ -27,17 +27,17 @@ namespace tubeplan::tubesheets {
 
 struct HoleMap;
 
-/// What a sheet is made from. [m]
+/// Input of makeSheet() [m].
 struct SheetDescription {
   std::string name;
   Layout layout;
   double hole_diameter = std::numeric_limits<double>::quiet_NaN();
   Leg leg = Leg::kHot;
   ViewedFrom viewed_from = ViewedFrom::kBelow;
-  std::optional<Manway> manway = std::nullopt;  ///< none: nobody has said where it is
+  std::optional<Manway> manway = std::nullopt;  ///< nothing if its place is unknown
 };
 
-/// A sheet. `tubes` are in sheet order: by row, then by column. Positions [m] in the sheet frame of tube.hpp.
+/// A tube sheet. `tubes` are in sheet order: by row, then by column. Positions [m] are in the sheet frame of tube.hpp.
 struct Sheet {
   std::string name;
   std::string layout_type;
@@ -45,43 +45,46 @@ struct Sheet {
   ViewedFrom viewed_from = ViewedFrom::kBelow;
   double hole_diameter = std::numeric_limits<double>::quiet_NaN();
   double pitch = std::numeric_limits<double>::quiet_NaN();
-  int rows = 0;     ///< the highest row number
-  int columns = 0;  ///< the highest column number
+  int rows = 0;     ///< highest row number
+  int columns = 0;  ///< highest column number
   std::optional<Manway> manway;
   std::vector<Tube> tubes;
-  std::shared_ptr<const HoleMap> map;  ///< what it was read from; null of a layout
+  std::shared_ptr<const HoleMap> map;  ///< map that the sheet was read from; null for a layout
 
-  /// The tube of that name; null when it is not on this sheet.
+  /// Returns the tube of that name, or null if it is not on this sheet.
   [[nodiscard]] const Tube* find(int row, int column) const;
 
-  /// Its place in `tubes`.
+  /// Returns the index in `tubes` of the tube of that name, or nothing.
   [[nodiscard]] std::optional<int> indexOf(int row, int column) const;
 
-  /// The places in `tubes` of the holes within 1.05 pitch of that one, in sheet order. Looks at every hole; for the
-  /// whole sheet see findNeighbours.
+  /// Returns the indices in `tubes` of the holes within 1.05 pitch of that one, in sheet order. Looks at every hole;
+  /// findNeighbours() is faster for the whole sheet.
   [[nodiscard]] std::vector<int> neighbours(int tube) const;
 
-  /// 16 hexadecimal digits over layout type, leg, pitch, diameter, numbers and positions (to 1e-9 m), not over name,
-  /// states and manway: two sheets that agree have the same tube in the same place under the same name.
+  /// Returns 16 hexadecimal digits over layout type, leg, pitch, diameter, numbers and positions (to 1e-9 m), not over
+  /// name, states and manway. Two sheets with equal fingerprints have the same tube in the same place under the same
+  /// name.
   [[nodiscard]] std::string fingerprint() const;
 };
 
-/// What keeps a description from being made: its layout, hole diameter, and leg against layout.
+/// Returns what keeps a sheet from being made: faults of its layout or hole diameter, or a leg that contradicts the
+/// layout.
 [[nodiscard]] std::vector<Problem> findDescriptionProblems(const SheetDescription& description);
 
-/// Drills the layout: the hot leg as generated, the cold leg mirrored (y -> -y). The description must have no problems.
+/// Makes a sheet from a layout: the hot leg as generated, the cold leg mirrored (y -> -y). The description must have no
+/// problems.
 [[nodiscard]] Sheet makeSheet(const SheetDescription& description);
 
-/// A sheet of given holes, positions taken as they are; of the layout only type and pitch are used. The result may have
-/// problems: see findSheetProblems.
+/// Makes a sheet from given holes, at their positions unchanged; of the layout only type and pitch are used. The result
+/// may have problems: see findSheetProblems().
 [[nodiscard]] Sheet makeSheet(const SheetDescription& description, std::vector<Tube> tubes);
 
-/// For every hole, the holes within 1.05 pitch, in sheet order.
+/// Returns for each hole the indices of the holes within 1.05 pitch, in sheet order.
 [[nodiscard]] std::vector<std::vector<int>> findNeighbours(const Sheet& sheet);
 
-/// What makes the sheet unusable (the first twenty or so): no holes, numbers that are not finite or absurd, two
+/// Returns what makes the sheet unusable (the first twenty or so): no holes, numbers that are not finite or absurd, two
 /// holes of one name, holes that overlap, a hole diameter not below the pitch, holes beyond the divider plate, a
-/// spacing that contradicts the pitch (a wrong unit), and those of its manway.
+/// spacing that contradicts the pitch (a wrong unit), and faults of its manway.
 [[nodiscard]] std::vector<Problem> findSheetProblems(const Sheet& sheet);
 
 }  // namespace tubeplan::tubesheets

@@ -1,4 +1,4 @@
-// findSheetProblems: one small check per fault.
+// findSheetProblems(): one small check per fault.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace tubeplan::tubesheets {
 namespace {
 
 constexpr std::size_t kMostProblems = 20;
-constexpr double kFarthestHole = 100;                      // m
-constexpr double kLeastSpacing = 0.6, kMostSpacing = 2.2;  // pitches; mistaken units are 2.54 times off, or more
+constexpr double kFarthestHole = 100;                      // [m]
+constexpr double kLeastSpacing = 0.6, kMostSpacing = 2.2;  // in pitches; mistaken units give a factor of 2.54 or more
 
 std::string nameOf(const Tube& tube) { return tubeName(tube.row, tube.column); }
 
@@ -102,7 +102,7 @@ void findSpacingProblems(const Sheet& sheet, std::vector<Problem>& problems) {
                                      "check the unit in the column's name, and the pitch"});
 }
 
-// To the nearest other hole; of holes that have one within so many pitches.
+// Returns the distance to the nearest other hole, for holes with one within `reach`.
 std::vector<double> nearestWithin(const Sheet& sheet, double reach) {
   const HoleGrid grid(sheet.tubes, reach);
   std::vector<double> distances;
@@ -117,9 +117,9 @@ std::vector<double> nearestWithin(const Sheet& sheet, double reach) {
   return distances;
 }
 
-// Neighbours are told by the pitch: with a wrong one the outermost holes would be all of them.
+// Checks the pitch, by which neighbours are found: with a wrong one, all holes would count as outermost.
 void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::vector<Problem>& problems) {
-  constexpr double kAsDrawn = 0.02;                                                           // of a pitch
+  constexpr double kAsDrawn = 0.02;  // deviation as a share of the pitch
   std::erase_if(distances, [&](double distance) { return distance < sheet.hole_diameter; });  // overlaps
   if (distances.size() < 2 || 2 * distances.size() < sheet.tubes.size()) return;              // a list of a few holes
   const double distance = medianOf(distances);
@@ -130,9 +130,9 @@ void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::v
        "the distance of neighbouring holes", "correct the pitch, or the unit in the column's name"});
 }
 
-// Holes that are far apart on a grid of millimetres read as inches.
+// Finds holes far apart on a grid of millimetres, which are read as inches.
 void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
-  constexpr double kExact = 1e-3, kFar = 300;  // of a distance; pitches
+  constexpr double kExact = 1e-3, kFar = 300;  // share of a distance; pitches
   constexpr std::size_t kMostLooked = 500;
   if (sheet.tubes.size() < 4) return;
   std::vector<double> distances;
@@ -155,9 +155,9 @@ void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
                    "whole pitches", "they would be in millimetres: check the unit in the column's name"});
 }
 
-// By the nearest hole of each, near or far.
+// Checks the distance to the nearest hole of each, near or far.
 void findNeighbourProblems(const Sheet& sheet, std::vector<Problem>& problems) {
-  constexpr double kNear = 1.6;  // pitches
+  constexpr double kNear = 1.6;  // in pitches
   auto distances = nearestWithin(sheet, kMostSpacing * sheet.pitch);
   if (distances.empty()) {
     findUnitProblems(sheet, problems);

@@ -11,12 +11,13 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr double kTail = 9;            // standard deviations: 1e-19 lies beyond
-constexpr double kNoWidth = 1e-14;     // of the radius: thinner spreads are a line or a point
-constexpr double kRoundOff = 1e-12;    // of the larger variance: how negative rounding makes a zero one
+constexpr double kTail = 9;         // standard deviations; the probability beyond is 1e-19
+constexpr double kNoWidth = 1e-14;  // as a share of the radius: narrower distributions are a line or a point
+// As a share of the larger variance: rounding may make a zero variance that negative.
+constexpr double kRoundOff = 1e-12;
 constexpr double kQuadrature = 1e-12;  // absolute, of each piece
 constexpr int kDeepest = 14;           // halvings of a piece
-constexpr int kDeepestLeaning = 3;     // where strips have corners that no halving smooths
+constexpr int kDeepestLeaning = 3;     // halvings for strips with corners, which no halving smooths
 
 // The offset along its principal axes: `wide` has the larger deviation.
 struct PrincipalOffset {
@@ -33,14 +34,14 @@ std::optional<PrincipalOffset> findPrincipalOffset(const Eigen::Vector2d& mean, 
                          std::sqrt(std::max(0.0, variances[0]))};
 }
 
-// P(-half <= N(mean, sigma) <= half), by the tails on the mean's side so that nothing cancels.
+// Returns P(-half <= N(mean, sigma) <= half), from the tails on the mean's side so that nothing cancels.
 double probabilityOfBand(double half, double mean, double sigma) {
   const double scale = sigma * std::numbers::sqrt2, near = std::abs(mean);
   return (std::erfc((near - half) / scale) - std::erfc((near + half) / scale)) / 2;
 }
 
-// Halves the interval until its error is below an absolute tolerance. Boost's own refinement is relative to each piece,
-// which never ends on pieces that hold next to nothing; and its error estimate is right on [-1, 1] only.
+// Integrates by halving the interval until its error is below an absolute tolerance. Boost's own refinement is relative
+// to each piece, which never ends on pieces that hold next to nothing; and its error estimate is right on [-1, 1] only.
 template <class Function>
 double integrate(const Function& function, double from, double to, int depth = kDeepest) {
   const double middle = (from + to) / 2, half = (to - from) / 2;
@@ -51,8 +52,9 @@ double integrate(const Function& function, double from, double to, int depth = k
   return integrate(function, from, middle, depth - 1) + integrate(function, middle, to, depth - 1);
 }
 
-// The disc's share by strips across the thin axis, at y = mean + u sigma, |u| <= kTail. The variable is u = middle +
-// span sin(turn), which takes the root out of a strip's half-length where an end of the range is the disc's rim.
+// Integrates the disc's share by strips across the thin axis, at y = mean + u sigma, |u| <= kTail. The variable is u =
+// middle + span sin(turn), which removes the root from a strip's half-length where an end of the range is the disc's
+// rim.
 double integrateStrips(double radius, const PrincipalOffset& offset) {
   const double mean = offset.thin_mean, sigma = offset.thin_sigma;
   const double lowest = std::max(-kTail, (-radius - mean) / sigma), highest = std::min(kTail, (radius - mean) / sigma);
@@ -70,13 +72,12 @@ double integrateStrips(double radius, const PrincipalOffset& offset) {
   return std::clamp(sum, 0.0, 1.0);
 }
 
-// Where a place of the tool must be when it enters: within `radius` of the hole's axis, the tip then being `along` off
-// it.
+// Condition for a section of the tool to enter: it is within `radius` of the hole's axis, with the tip `along` off it.
 struct Ring {
   double along, radius;
 };
 
-// Both ends of the first `count` steps, `along` counted in the direction of the lean.
+// Returns the conditions of both ends of the first `count` steps, with `along` in the direction of the lean.
 std::vector<Ring> ringsOf(const SteppedTool& tool, std::size_t count, double lean) {
   std::vector<Ring> rings;
   double below = 0;
@@ -88,7 +89,8 @@ std::vector<Ring> ringsOf(const SteppedTool& tool, std::size_t count, double lea
   return rings;
 }
 
-// The share of a normal offset within all rings, by strips along the lean. `mean` and `covariance` have the lean first.
+// Returns the share of a normal offset within all rings, by strips along the lean, which is the first component of
+// `mean` and `covariance`.
 double probabilityWithinAll(const std::vector<Ring>& rings, const Eigen::Vector2d& mean,
                             const Eigen::Matrix2d& covariance) {
   double across = std::numeric_limits<double>::infinity();
@@ -171,7 +173,7 @@ double toleratedTilt(const SteppedTool& tool) {
 }
 
 double playInTube(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean, double depth) {
-  constexpr double kAtFace = 1e-6;  // m: a step that ends at the face is not followed in by rounding
+  constexpr double kAtFace = 1e-6;  // m: rounding does not count a step that ends at the face as entered
   double least = std::numeric_limits<double>::infinity(), from = 0;
   for (std::size_t k = 0; k < tool.steps.size() && from + kAtFace < depth; ++k) {
     const bool is_last = tool.lengths.empty() || k + 1 == tool.steps.size();

@@ -1,4 +1,4 @@
-// A table's own text with columns added or changed: all else stays, byte for byte.
+// A table's own text with columns added or changed; everything else stays byte for byte.
 #pragma once
 
 #include <map>
@@ -10,15 +10,17 @@
 
 namespace tubeplan::tubesheets {
 
-/// What a column is to say.
+/// New content of a column.
 struct ColumnText {
   std::string name;
-  std::optional<std::size_t> place;   ///< of the column that is there; behind the others where there is none
-  std::map<int, std::string> fields;  ///< by line; empty of rows that are not named, and untouched where they are there
+  std::optional<std::size_t> place;  ///< index of the existing column; a new one is added at the end if this is empty
+  /// New fields by line number; other rows keep theirs, or are empty in a new column.
+  std::map<int, std::string> fields;
 };
 
-/// The text that the table was read from, with those columns: comments, order, line ends, quotes, separators, units and
-/// everything that other columns hold are kept. A field that says the same already stays as it is written.
+/// Returns the text that the table was read from, with those columns changed or added. Comments, order, line ends,
+/// quotes, separators, units and the fields of other columns are kept. A field that already has the same value stays as
+/// it is written.
 [[nodiscard]] std::string withColumns(std::string_view text, const TextTable& table,
                                       const std::vector<ColumnText>& columns);
 

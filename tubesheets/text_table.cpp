@@ -45,7 +45,7 @@ std::optional<Fields> fieldsApart(std::string_view line, char separator) {
   return fields;
 }
 
-/// "12,5" as "12.5"; any other text as it is.
+/// Returns "12,5" as "12.5"; any other text unchanged.
 std::string withPoint(std::string field) {
   const std::size_t comma = field.find(',');
   if (comma == std::string::npos || field.find(',', comma + 1) != std::string::npos) return field;
@@ -54,7 +54,7 @@ std::string withPoint(std::string field) {
   return parseNumber(number) ? number : field;
 }
 
-/// "1.190" or "1,190": one thousand and some, or one and some.
+/// Returns true for "1.190" or "1,190", which may be one thousand and some, or one and some.
 bool isAmbiguous(const std::string& field, char mark) {
   const std::size_t at = field.find(mark);
   if (at == std::string::npos || field.size() != at + 4) return false;
@@ -62,7 +62,7 @@ bool isAmbiguous(const std::string& field, char mark) {
   return digits >= 1 && digits <= 3 && parseNumber(withPoint(field)).has_value();
 }
 
-/// Whether a number has this mark, and not where thousands would have it.
+/// Returns true if a number has this mark as a decimal sign, not where a thousands separator would be.
 bool hasDecimals(const std::string& field, char mark) {
   return field.find(mark) != std::string::npos && !isAmbiguous(field, mark) &&
          parseNumber(withPoint(field)).has_value();
@@ -78,7 +78,7 @@ std::string_view withoutCommentMark(std::string_view line) {
   return trimBlanks(line.substr(std::min(line.find_first_not_of("#%/"), line.size())));
 }
 
-/// Of two headings the surer one, and of those alike the one before.
+/// Best heading so far: the higher rank or, of equal ones, the earlier.
 struct FoundHeading {
   HeadingRank rank = HeadingRank::kNone;
   int line = 0;
@@ -119,7 +119,7 @@ class TableParser {
     if (!table_.problem) table_.problem = std::move(problem);
   }
 
-  /// Tabs at the ends of a line may be empty fields: they are where the line is too short without them.
+  /// Splits a line into fields. Tabs at its ends may be empty fields: they count if the line is too short without them.
   [[nodiscard]] std::optional<Fields> fieldsIn(const TextLine& line, std::size_t width) const {
     auto fields = fieldsApart(line.text, table_.separator);
     if (table_.separator != '\t' || !fields || fields->size() >= width) return fields;
@@ -127,7 +127,7 @@ class TableParser {
     return all && all->size() == width ? all : fields;
   }
 
-  /// Rows of all lines from that one on; stops at the first quote that is open.
+  /// Returns the rows of all lines from that one on; stops at the first open quote.
   std::vector<CsvRow> rowsFrom(std::size_t first, std::size_t width) {
     std::vector<CsvRow> rows;
     for (std::size_t k = first; k < lines_.size(); ++k) {
@@ -141,7 +141,7 @@ class TableParser {
     return rows;
   }
 
-  // A heading that the reader knows.
+  // Returns the best heading that the reader knows.
 
   FoundHeading bestHeading(const std::vector<TextLine>& lines) const {
     FoundHeading best;
@@ -192,9 +192,9 @@ class TableParser {
             is_row ? "add a header line" : "name the columns in one line above the rows", lines_.front().number});
   }
 
-  // A table that is known by its numbers.
+  // Reads a table that is recognised by its numbers.
 
-  /// How many fields most lines have, and how many lines that is.
+  /// Returns the number of fields that most lines have, and how many lines that is.
   [[nodiscard]] std::pair<std::size_t, std::size_t> usualWidth(char separator) const {
     std::map<std::size_t, std::size_t> counts;
     for (const auto& line : lines_)
@@ -205,7 +205,7 @@ class TableParser {
     return usual;
   }
 
-  /// The first separator that most lines have the same number of; the width that it gives, or none.
+  /// Chooses the first separator that gives most lines the same number of fields; returns that width, or none.
   std::size_t chooseSeparator() {
     for (const char separator : {'\t', ';', ',', '|', kBlanks}) {
       const auto [width, count] = usualWidth(separator);
@@ -241,8 +241,8 @@ class TableParser {
                        std::make_move_iterator(rows.end()));
   }
 
-  /// The line before the first row with numbers, or that above it where it is of units, if it has a field for each
-  /// column.
+  /// Takes the line before the first row with numbers as the heading, or the one above it if it holds units, if it has
+  /// a field for each column.
   void takeHeadingAbove(const std::vector<CsvRow>& rows, std::size_t first, std::size_t width) {
     const auto isWide = [&](std::size_t above) { return first >= above && rows[first - above].fields.size() == width; };
     if (!isWide(1)) return;
@@ -257,7 +257,7 @@ class TableParser {
     table_.heading_line = rows[first - 2].line;
   }
 
-  /// The names in the last comment before the rows, if it has one for each column.
+  /// Takes the names in the last comment before the rows, if it has one for each column.
   void takeHeadingOfComment(int first_line, std::size_t width) {
     const auto below = std::find_if(comments_.begin(), comments_.end(),
                                     [&](const TextLine& comment) { return comment.number > first_line; });
@@ -268,9 +268,9 @@ class TableParser {
     table_.columns = std::move(*names);
   }
 
-  // Both.
+  // Sets heading and units.
 
-  /// A row of units below the headings, put behind them: "X" over "mm" is "X [mm]".
+  /// Appends a row of units to the headings: "X" over "mm" becomes "X [mm]".
   bool joinUnits(const Fields& units, Fields& names) const {
     bool has_any = false;
     Fields joined = names;
@@ -318,8 +318,7 @@ class TableParser {
       for (auto& field : row.fields) field = withPoint(std::move(field));
   }
 
-  /// Fields as they are written: a number that could have thousands apart where others have decimals so is not guessed
-  /// at.
+  /// Refuses numbers that could have thousands separators, if the same mark is a decimal sign elsewhere.
   void refuseThousands() {
     const auto isAnywhere = [&](char mark) {
       return std::ranges::any_of(table_.rows, [&](const CsvRow& row) {
@@ -344,7 +343,7 @@ class TableParser {
   TextTable table_;
 };
 
-/// The text in the last brackets and what stands before them; nothing where there are none.
+/// Splits off the text in the last brackets; false if there are none.
 bool splitBrackets(std::string_view text, std::string_view& before, std::string_view& inside) {
   const std::size_t open = text.find_last_of("([");
   const std::size_t close = text.find_last_of(")]");

@@ -17,10 +17,11 @@ template <class Value>
 struct Named {
   Value value;
   std::string_view name;
-  std::string_view words;  ///< for a reader
+  std::string_view words;  ///< words for a reader
 };
+// Clang 16 does not deduce it by itself.
 template <class Value>
-Named(Value, std::string_view, std::string_view) -> Named<Value>;  // Clang 16 does not find it by itself
+Named(Value, std::string_view, std::string_view) -> Named<Value>;
 
 constexpr std::array kLegs{Named{Leg::kHot, std::string_view("hot"), std::string_view("hot leg")},
                            Named{Leg::kCold, std::string_view("cold"), std::string_view("cold leg")},

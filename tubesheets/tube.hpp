@@ -8,10 +8,10 @@
 
 namespace tubeplan::tubesheets {
 
-/// Which half of the channel head: hot and cold legs of a U-tube generator, or the full sheet of a once-through one.
+/// Half of the channel head: hot and cold legs of a U-tube generator, or the full sheet of a once-through one.
 enum class Leg { kHot, kCold, kFull };
 
-/// From which side a picture of the sheet is drawn. Positions do not depend on it: they are in the sheet frame.
+/// Side from which a picture of the sheet is drawn. Positions do not depend on it: they are in the sheet frame.
 enum class ViewedFrom { kBelow, kAbove };
 
 enum class TubeState {
@@ -20,12 +20,12 @@ enum class TubeState {
   kSleeved,
   kStabilised,    ///< plugged, with a stabiliser inside
   kToPlug,        ///< recommended to plug, not yet done
-  kInaccessible,  ///< reported as out of reach or obstructed
-  kUnresolved,    ///< its identity is in doubt
+  kInaccessible,  ///< reported as unreachable or obstructed
+  kUnresolved,    ///< identity in doubt
 };
 
-/// A hole. Sheet frame: origin at the centre of the sheet's lower face, x along the divider plate, y into the hot leg,
-/// z up; the hole's centre is at z = 0. [m]
+/// A hole [m]. Sheet frame: origin at the centre of the sheet's lower face, x along the divider plate, y into the hot
+/// leg, z up. The hole's centre is at z = 0.
 struct Tube {
   int row = 0;     ///< from 1, counted away from the divider plate
   int column = 0;  ///< from 1, counted along x
@@ -34,33 +34,33 @@ struct Tube {
   TubeState state = TubeState::kOpen;
 };
 
-/// "R12C7", as technicians say it.
+/// Returns the tube's usual name, "R12C7".
 [[nodiscard]] std::string tubeName(int row, int column);
 
-/// Row and column by such a name; nothing where it is none.
+/// Row and column of a tube.
 struct RowAndColumn {
   int row = 0, column = 0;
 };
 [[nodiscard]] std::optional<RowAndColumn> parseTubeName(std::string_view name);
 
-[[nodiscard]] std::string_view legName(Leg leg);                 ///< hot, cold, full
-[[nodiscard]] std::string_view viewedFromName(ViewedFrom side);  ///< below, above
+[[nodiscard]] std::string_view legName(Leg leg);                 ///< hot, cold or full
+[[nodiscard]] std::string_view viewedFromName(ViewedFrom side);  ///< below or above
 [[nodiscard]] std::string_view tubeStateName(TubeState state);   ///< open, plugged, sleeved, ...
 
-/// The same for a reader: "hot leg", "seen from below", "recommended to plug".
+/// Return words for a reader: "hot leg", "seen from below", "recommended to plug".
 [[nodiscard]] std::string_view legWords(Leg leg);
 [[nodiscard]] std::string_view viewedFromWords(ViewedFrom side);
 [[nodiscard]] std::string_view tubeStateWords(TubeState state);
 
-/// All states, in the order of their table.
+/// Returns all states, in the order of their table.
 [[nodiscard]] std::vector<TubeState> tubeStates();
 
-/// By those names (a leg also as HL, CL, "Hot leg", in any capitals); empty when unknown.
+/// Find a value by its name (a leg also as HL, CL, "Hot leg", in any capitals); nothing if the name is unknown.
 [[nodiscard]] std::optional<Leg> findLeg(std::string_view name);
 [[nodiscard]] std::optional<ViewedFrom> findViewedFrom(std::string_view name);
 [[nodiscard]] std::optional<TubeState> findTubeState(std::string_view name);
 
-/// All names of each, "a, b, c", for messages.
+/// Return all names, "a, b, c", for messages.
 [[nodiscard]] std::string legNames();
 [[nodiscard]] std::string viewedFromNames();
 [[nodiscard]] std::string tubeStateNames();

@@ -1,4 +1,4 @@
-// Ways to choose tubes of a sheet: how deep from the periphery, evenly spread, every k-th.
+// Ways to choose tubes of a sheet: by depth from the periphery, evenly spread, every k-th.
 #pragma once
 
 #include <vector>
@@ -7,17 +7,17 @@
 
 namespace tubeplan::tubesheets {
 
-/// For every tube of the sheet how deep it lies: 1 on the periphery, 2 when it comes to lie there once those are taken
-/// away, and so on. A tube is on the periphery when it has fewer neighbours than a tube inside the lattice has; the row
+/// Returns the depth of each tube of the sheet: 1 on the periphery, 2 on the periphery that is left when those are
+/// removed, and so on. A tube is on the periphery if it has fewer neighbours than a tube inside the lattice. The row
 /// along the divider lane and the edge of a stay cylinder or of a missing hole count as periphery too.
 [[nodiscard]] std::vector<int> peelDepths(const Sheet& sheet);
 
-/// `count` of the candidates (places in sheet.tubes) spread evenly: first the one nearest their middle, then always the
-/// one farthest from those already chosen; ties go to the first in sheet order. Ascending. All of them when
-/// there are no more than that.
+/// Chooses `count` of the candidates (indices in Sheet::tubes), evenly spread: first the one nearest their middle, then
+/// always the one farthest from those already chosen. Ties go to the first in sheet order. The result is ascending, and
+/// holds all candidates if there are no more than `count`.
 [[nodiscard]] std::vector<int> chooseSpread(const Sheet& sheet, const std::vector<int>& candidates, int count);
 
-/// The first candidate and every k-th after it.
+/// Returns the first candidate and every k-th after it.
 [[nodiscard]] std::vector<int> chooseEvery(const std::vector<int>& candidates, int k);
 
 }  // namespace tubeplan::tubesheets

@@ -10,8 +10,8 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-// Codes of eddy-current reports as they are commonly used in the field; guidelines of a plant may differ, and none is
-// quoted here. A code that is missing is one row more.
+// Codes of eddy-current reports in common use; guidelines of a plant may differ, and none is quoted here. A missing
+// code is one more row.
 constexpr TubeCode kFieldCodes[] = {
     {"PLG", "plugged", CodeUse::kState, TubeState::kPlugged},
     {"STB", "stabilised", CodeUse::kState, TubeState::kStabilised},

@@ -1,4 +1,4 @@
-// What inspection programs say of a tube in a word or a code of three letters: one table.
+// The table of words and three-letter codes that inspection programs use for tubes.
 #pragma once
 
 #include <optional>
@@ -10,27 +10,27 @@
 
 namespace tubeplan::tubesheets {
 
-/// What a code means for a visit.
+/// Effect of a code on a visit.
 enum class CodeUse {
-  kState,   ///< the tube's state, which says whether a tool goes in
-  kRemark,  ///< an outcome or a wish: the tube stays what the sheet says
-  kDone,    ///< its work is done: a list leaves it out
+  kState,   ///< the tube's state, which decides whether a tool enters
+  kRemark,  ///< an outcome or a wish: the tube keeps the state that the sheet gives
+  kDone,    ///< work done: a list leaves the tube out
 };
 
 struct TubeCode {
-  std::string_view name;   ///< as it is written: "PLG"
-  std::string_view words;  ///< for a reader
+  std::string_view name;   ///< name as written: "PLG"
+  std::string_view words;  ///< words for a reader
   CodeUse use = CodeUse::kRemark;
-  TubeState state = TubeState::kOpen;  ///< of CodeUse::kState
+  TubeState state = TubeState::kOpen;  ///< state meant by a code of CodeUse::kState
 };
 
-/// All of them; the names of tube states come first.
+/// Returns all codes; the names of tube states come first.
 [[nodiscard]] const std::vector<TubeCode>& tubeCodes();
 
-/// By name, whatever its capitals, blanks and hyphens; null where there is none.
+/// Finds a code by name, ignoring capitals, blanks and hyphens; null if there is none.
 [[nodiscard]] const TubeCode* findTubeCode(std::string_view name);
 
-/// The names that are states, "open, plugged, ..., PLG, ...", for messages.
+/// Returns the names of states, "open, plugged, ..., PLG, ...", for messages.
 [[nodiscard]] std::string tubeCodeNames();
 
 }  // namespace tubeplan::tubesheets

@@ -10,11 +10,11 @@ namespace {
 
 struct ColumnNames {
   TubeColumn column;
-  std::string_view name;                  ///< for messages
-  std::vector<std::string_view> aliases;  ///< as plainName() gives them, without a unit
+  std::string_view name;                  ///< name for messages
+  std::vector<std::string_view> aliases;  ///< other names in the form of plainName(), without a unit
 };
 
-/// The open table of columns: one row each, with what they are called elsewhere.
+/// Returns the open table of columns: one row each, with their other names.
 const std::vector<ColumnNames>& columnTable() {
   static const std::vector<ColumnNames> table{
       {TubeColumn::kRow, "row", {"row", "r", "rowno", "rownumber"}},

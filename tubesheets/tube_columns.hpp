@@ -1,4 +1,4 @@
-// The columns of hole maps and work lists: what each is called by its heading.
+// The columns of hole maps and work lists, known by their headings.
 #pragma once
 
 #include <optional>
@@ -10,54 +10,54 @@
 
 namespace tubeplan::tubesheets {
 
-/// What a column holds.
+/// Content of a column.
 enum class TubeColumn {
   kRow,
   kColumn,
-  kTube,  ///< both in one word
+  kTube,  ///< row and column in one word
   kX,
   kY,
   kLeg,
-  kSheet,  ///< a fingerprint
+  kSheet,  ///< a sheet's fingerprint
   kSteamGenerator,
-  kState,  ///< a state or a code, none other
+  kState,  ///< a state or a code, nothing else
   kCode,   ///< a code, a remark or a number
   kDwell,
-  kVisit,    ///< written by a plan: the place in its order
-  kOutcome,  ///< written by a plan: why there is none
-  kNote,     ///< for people: kept and not read
+  kVisit,    ///< written by a plan: place in the visiting order
+  kOutcome,  ///< written by a plan: reason why there is no visit
+  kNote,     ///< text for people, kept and not read
 };
 
-/// Returns whether a column holds lengths.
+/// Returns true if the column holds lengths.
 [[nodiscard]] constexpr bool isPlaceColumn(TubeColumn column) {
   return column == TubeColumn::kX || column == TubeColumn::kY;
 }
 
-/// Its name in messages: "row", "dwell_s".
+/// Returns the column's name in messages: "row", "dwell_s".
 [[nodiscard]] std::string_view nameOf(TubeColumn column);
 
-/// Returns whether a word is a unit of such a column: of length, or seconds.
+/// Returns true if a word is a unit that such a column can have: of length, or seconds.
 [[nodiscard]] bool isTubeUnit(std::string_view word);
 
-/// What a heading says. A unit of another kind makes it that of something else: "row (mm)" is no row.
+/// Meaning of a heading. A unit of another kind makes the column unknown: "row (mm)" is no row.
 struct TubeHeading {
-  std::optional<TubeColumn> column;  ///< nothing where the heading is not known
-  std::string unit;                  ///< as it is written; empty where none is stated
+  std::optional<TubeColumn> column;  ///< nothing if the heading is unknown
+  std::string unit;                  ///< unit as written; empty if none is stated
 };
 [[nodiscard]] TubeHeading readTubeHeading(const std::string& heading);
 
-/// Returns the column whose name is one letter longer or shorter at its end: "legg", "stat". What was meant to be read
-/// is not left out.
+/// Returns the known column whose name differs from the heading by one letter at its end: "legg", "stat". Such a column
+/// was meant to be read, so that it must not be skipped.
 [[nodiscard]] std::optional<TubeColumn> tubeColumnMeantBy(const std::string& heading);
 
-/// Returns how much of a tube the fields of a heading name.
+/// Returns how completely the fields of a heading name a tube.
 [[nodiscard]] HeadingRank rankTubeHeading(const std::vector<std::string>& fields);
 
-/// A quantity that columns are chosen for, in the order of the table of columns.
+/// A quantity that a user can assign to a column, in the order of the table of columns.
 struct TubeQuantity {
   TubeColumn column;
   std::string_view name;                ///< "row", "dwell"
-  std::vector<std::string_view> units;  ///< of which one is to be stated
+  std::vector<std::string_view> units;  ///< the units to choose from
 };
 [[nodiscard]] std::vector<TubeQuantity> tubeQuantities();
 

@@ -1,4 +1,4 @@
-// The ways in which tubes are called elsewhere: R012C034, 12-34, 12/34, Row 12 Col 34.
+// Other notations of tube names: R012C034, 12-34, 12/34, Row 12 Col 34.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,13 @@ namespace tubeplan::tubesheets {
 
 inline constexpr int kLargestTubeNumber = 100000;
 
-/// Row and column by two numbers that have their letters or words (R and C; L, line, T or tube for the column), in
-/// either order and any capitals, or, the row first, by two bare numbers with a hyphen or a slash between them. Nothing
-/// for anything else: of 34.12 it is not known what it is, and R12-34 is a range.
+/// Reads row and column from two numbers with their letters or words (R and C; L, line, T or tube for the column), in
+/// either order and any capitals. Two bare numbers with a hyphen or a slash between them are row and column. Nothing
+/// for anything else: 34.12 is ambiguous, and R12-34 is a range.
 [[nodiscard]] std::optional<RowAndColumn> readTubeForm(std::string_view text);
 
-/// A row's or a column's own number, bare or with its letter or word: "12", "R12", "Col 34"; nothing for anything else.
+/// Read a row's or a column's own number, bare or with its letter or word: "12", "R12", "Col 34"; nothing for anything
+/// else.
 [[nodiscard]] std::optional<int> readRowNumber(std::string_view text);
 [[nodiscard]] std::optional<int> readColumnNumber(std::string_view text);
 

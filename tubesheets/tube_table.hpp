@@ -1,4 +1,4 @@
-// Hole maps and work lists as tables: which column is which, and which tube a row is of.
+// Hole maps and work lists as tables: the meaning of each column, and the tube of each row.
 #pragma once
 
 #include <functional>
@@ -19,89 +19,90 @@ namespace tubeplan::tubesheets {
 /// A column of states or codes.
 struct CodeColumn {
   std::size_t place = 0;
-  bool is_state = false;  ///< kState, which must be understood
+  bool is_state = false;  ///< a column of kState, whose words must be known
 };
 
-/// A table with row and column, or a tube's name.
+/// A table with columns for row and column, or for a tube's name.
 struct TubeTable {
   TextTable text;
-  std::map<TubeColumn, std::size_t> places;  ///< where a column is; of kNote none
-  std::vector<CodeColumn> codes;             ///< in their order
-  std::vector<std::string> unread;           ///< names of columns of which nothing is known
-  const LengthUnit* unit_x = nullptr;        ///< null where there is no x, or nobody says in which unit
+  std::map<TubeColumn, std::size_t> places;  ///< index of each known column; kNote has no entry
+  std::vector<CodeColumn> codes;             ///< in the order of the table
+  std::vector<std::string> unread;           ///< names of unknown columns
+  const LengthUnit* unit_x = nullptr;        ///< null if there is no x, or its unit is not stated
   const LengthUnit* unit_y = nullptr;
-  std::optional<Problem> problem;  ///< the first fault; then nothing else is to be used
+  std::optional<Problem> problem;  ///< first fault; the other members are then not to be used
 
   [[nodiscard]] bool has(TubeColumn column) const { return places.contains(column); }
-  /// The heading of a column that is there.
+  /// Returns the heading of a column, which must exist.
   [[nodiscard]] const std::string& nameOf(TubeColumn column) const { return text.columns[places.at(column)]; }
-  /// Empty where there is no such column, and where a mark stands for nothing.
+  /// Returns the field of a row; empty if there is no such column or the field holds a mark for "nothing".
   [[nodiscard]] std::string field(const CsvRow& row, TubeColumn column) const;
-  /// "left out of planning: exam, probe"; empty where every column is known.
+  /// Returns "left out of planning: exam, probe"; empty if every column is known.
   [[nodiscard]] std::string unreadText() const;
 };
 
-/// Faults: those of the text, no column for the tube, a column twice under any of its names, x and y in two units, a
-/// name that is one letter longer or shorter than a known one.
+/// Reads the columns of a tube table. Faults: those of the text, no column for the tube, a column twice under any of
+/// its names, x and y in two units, a name one letter longer or shorter than a known one.
 [[nodiscard]] TubeTable parseTubeTable(std::string_view text);
 
-/// A column by what someone says that it is, whatever its heading.
+/// The meaning that a user assigns to a column, whatever its heading.
 struct ChosenTubeColumn {
   TubeColumn column = TubeColumn::kNote;
-  std::size_t place = 0;             ///< in the table
-  const LengthUnit* unit = nullptr;  ///< of x and y; null: as a line above the table states
+  std::size_t place = 0;             ///< index in the table
+  const LengthUnit* unit = nullptr;  ///< unit of x or y; null: the unit stated above the table
 };
 
-/// Returns the table of a text whose headings need not be known: below a known heading, else at the first row with a
-/// number, else below the first line.
+/// Returns the table of a text whose headings may be unknown. It begins below a known heading, else at the first row
+/// with a number, else below the first line.
 [[nodiscard]] TextTable parseTubeText(std::string_view text);
 
-/// Returns such a table with the columns that were chosen and no others. Faults: no column for the tube, one quantity
-/// in two columns, x and y in two units.
+/// Returns a tube table with the chosen columns and no others. Faults: no column for the tube, one quantity in two
+/// columns, x and y in two units.
 [[nodiscard]] TubeTable tubeTableOf(TextTable text, const std::vector<ChosenTubeColumn>& chosen);
 
 enum class TubeTextStatus { kNotRun, kRead, kRefused };
 
-/// What hole maps and work lists are read into alike: each adds what its rows say.
+/// Common part of hole maps and work lists as read; each adds the content of its rows.
 struct TubeText {
   TubeTextStatus status = TubeTextStatus::kNotRun;
-  std::optional<Problem> problem;  ///< when refused: the first fault
-  std::vector<std::string> notes;  ///< what is left out of it, and what is taken once, a sentence each
-  std::string text;                ///< what it was read from
+  std::optional<Problem> problem;  ///< first fault, when refused
+  std::vector<std::string> notes;  ///< a sentence for each thing left out or taken only once
+  std::string text;                ///< source text
   TubeTable table;
 
-  /// Takes a problem where there has been none.
+  /// Refuses the text for a problem, unless it is already refused.
   void refuse(const std::optional<Problem>& other);
-  /// Calls `readRow` for each row up to the first fault, and refuses a text without `what` its rows are of.
+  /// Calls `readRow` for each row up to the first fault. Refuses a text without rows, with `what` naming the rows
+  /// expected.
   void readRows(std::string_view what, const std::function<void(const CsvRow&)>& readRow);
-  /// Adds what the table left out, and those that are not empty, where nothing was refused.
+  /// Adds a note on the columns left out, and those of `more` that are not empty, unless the text is refused.
   void addNotes(const std::vector<std::string>& more);
 };
 
-/// The tube of a row; a problem where it has none, or where its columns name two.
+/// The tube of a row; a problem if it has none, or if its columns name two.
 struct NamedTube {
   RowAndColumn tube;
   std::optional<Problem> problem;
 };
 [[nodiscard]] NamedTube tubeOf(const TubeTable& table, const CsvRow& row);
 
-/// A length in a column of x or y [m]; nothing where it is empty; a problem where it is no number.
+/// A length in a column of x or y [m]; nothing if the field is empty; a problem if it is no number.
 struct ReadLength {
   std::optional<double> metres;
   std::optional<Problem> problem;
 };
 [[nodiscard]] ReadLength lengthOf(const TubeTable& table, const CsvRow& row, TubeColumn axis);
 
-/// What the codes of a row say together.
+/// Combined meaning of the codes of a row.
 struct ReadCodes {
   std::optional<TubeState> state;
   bool is_done = false;
-  std::vector<std::string> unknown;  ///< of columns of codes: kept as remarks
-  std::optional<Problem> problem;    ///< an unknown state, or two that differ
+  std::vector<std::string> unknown;  ///< unknown words in columns of codes, kept as remarks
+  std::optional<Problem> problem;    ///< an unknown state, or two different ones
 };
 [[nodiscard]] ReadCodes codesOf(const TubeTable& table, const CsvRow& row);
 
-/// Codes that nobody knows, with how often they stand: "XYZ (2 rows), ABC"; empty where there are none.
+/// Returns unknown codes with their counts: "XYZ (2 rows), ABC"; empty if there are none.
 [[nodiscard]] std::string unknownCodesText(const std::map<std::string, int>& counts);
 
 }  // namespace tubeplan::tubesheets

@@ -15,7 +15,7 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-// One item of the line: its text without the minus, and where it stood.
+// One item of the line: its text without the minus, and its position.
 struct Item {
   std::string_view text;
   int number = 0;             // from 1
@@ -69,7 +69,7 @@ std::vector<Item> splitItems(std::string_view request) {
   return items;
 }
 
-// What is wrong with an item before any tube is looked at; empty when nothing is.
+// Returns what is wrong with an item before any tube is examined; empty if nothing is.
 std::string findItemFault(const Item& item) {
   if (item.text.empty()) return "nothing here; expected one of " + knownForms();
   if (item.is_minus && item.role() != TermRole::kSource) return "only tubes can be excluded with a minus";
@@ -99,10 +99,10 @@ std::vector<int> allTubes(const Sheet& sheet) {
 
 bool takesNoTool(TubeState state) { return state == TubeState::kPlugged || state == TubeState::kStabilised; }
 
-// May be visited, but not unasked.
+// Returns true for states that are visited only on request.
 bool isDoubtful(TubeState state) { return state == TubeState::kInaccessible || state == TubeState::kUnresolved; }
 
-// Tubes that are asked for by their state or one by one, not as part of a range.
+// Returns the tubes that are asked for by their state or singly, not as part of a range.
 std::vector<bool> namedTubes(const Sheet& sheet, const std::vector<Item>& items) {
   const std::vector<int> all = allTubes(sheet);
   std::vector<bool> is_named(all.size(), false);
@@ -118,7 +118,7 @@ std::vector<bool> namedTubes(const Sheet& sheet, const std::vector<Item>& items)
   return is_named;
 }
 
-// Applies the sources, first those that add, then those that take away. The first reason to refuse stops it.
+// Applies the sources, first those that add, then those that remove. The first reason to refuse stops it.
 Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
   const std::vector<int> all = allTubes(sheet);
   const bool has_addition = std::any_of(
@@ -147,7 +147,7 @@ Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
   return selection;
 }
 
-// What an empty selection has left out.
+// Returns the tubes that an empty selection has left out, in words.
 std::string besides(const Selection& selection) {
   const std::string left_out = leftOutText(selection);
   return left_out.empty()
@@ -155,7 +155,7 @@ std::string besides(const Selection& selection) {
              : fmt::format(" but {}, which are taken by state (\"plugged\", say) or by name alone", left_out);
 }
 
-/// A list of another leg or sheet, or a tube that is not where the list has it.
+/// Returns the fault of a list of another leg or sheet, or of a tube at another position than on the sheet.
 std::string findListFault(const WorkListItem& item, const Sheet& sheet, const std::string& fingerprint) {
   if (item.leg && *item.leg != sheet.leg)
     return fmt::format("this list is for the {} leg, but the sheet is {}", legName(*item.leg), legName(sheet.leg));
@@ -171,7 +171,7 @@ std::string findListFault(const WorkListItem& item, const Sheet& sheet, const st
       tubeName(item.row, item.column), off);
 }
 
-/// All tubes of a list that the sheet has not, the first few by name; empty where it has all.
+/// Returns all tubes of a list that are not on the sheet, the first few by name; empty if there are none.
 std::string explainMissingTubes(const WorkList& list, const Sheet& sheet) {
   constexpr std::size_t kShown = 5;
   std::set<std::pair<int, int>> seen;
@@ -189,7 +189,7 @@ std::string explainMissingTubes(const WorkList& list, const Sheet& sheet) {
                      first);
 }
 
-/// What the rows of one tube say together.
+/// Combines the rows of each tube.
 std::map<int, WorkListItem> tubesOfList(const WorkList& list, const Sheet& sheet) {
   std::map<int, WorkListItem> tubes;
   for (const WorkListItem& item : list.items) {
@@ -201,7 +201,8 @@ std::map<int, WorkListItem> tubesOfList(const WorkList& list, const Sheet& sheet
   return tubes;
 }
 
-/// Plugged or done by the list's word, or plugged by the sheet's; nothing where the tube is to be visited.
+/// Returns why a tube is left out: plugged or done according to the list, or plugged according to the sheet; nothing if
+/// it is to be visited.
 std::optional<LeftOut> leftOutOf(int index, const WorkListItem& item, const Sheet& sheet) {
   if (item.is_done) return LeftOut{index, "done", true};
   const TubeState state = item.state.value_or(sheet.tubes[static_cast<std::size_t>(index)].state);

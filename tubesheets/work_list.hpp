@@ -5,9 +5,9 @@
 //   - The same with a minus (-plugged, -R3C4, -outer:1): taken away, from all tubes when nothing is asked for.
 //   - every:K, spread:N: a part of what the rest of the list selects, in the order written.
 //   - leg:hot, sheet:FINGERPRINT: the list is for that leg or sheet only.
-// Plugged and stabilised tubes take no tool, inaccessible ones could not be reached before, and of unresolved ones it
-// is not known which tubes they are: they are left out, and counted, unless asked for by their state (`plugged`, as in
-// `all,plugged`) or by their own name (R10C20).
+// Plugged and stabilised tubes take no tool, inaccessible ones could not be reached before, and the identity of
+// unresolved ones is in doubt. All of these are left out, and counted, unless they are asked for by their state
+// (`plugged`, as in `all,plugged`) or by their own name (R10C20).
 #pragma once
 
 #include <map>
@@ -22,29 +22,29 @@
 
 namespace tubeplan::tubesheets {
 
-inline constexpr double kLongestStay = 86'400;  ///< s, at a tube: a day
+inline constexpr double kLongestStay = 86'400;  ///< longest stay at a tube [s]: a day
 
-/// One line of a list.
+/// One line of a work list.
 struct WorkListItem {
   int row = 0;
   int column = 0;
   int line = 0;
   std::optional<Leg> leg;
-  std::string sheet;               ///< fingerprint; empty = any
-  std::optional<double> dwell;     ///< s to stay
-  std::optional<TubeState> state;  ///< of the tube, as the list has it
-  bool is_done = false;            ///< the list says that its work is done
-  std::optional<double> x, y;      ///< m, where the list has the hole
+  std::string sheet;               ///< fingerprint; empty = any sheet
+  std::optional<double> dwell;     ///< stay at the tube [s]
+  std::optional<TubeState> state;  ///< state of the tube according to the list
+  bool is_done = false;            ///< true if the list says that the work is done
+  std::optional<double> x, y;      ///< position of the hole according to the list [m]
   std::string steam_generator;
 };
 
 struct WorkList : TubeText {
-  std::vector<WorkListItem> items;  ///< of every row, a tube's as often as it is named
+  std::vector<WorkListItem> items;  ///< items of all rows; a tube may occur more than once
 };
 
-/// Why a tube that was asked for is not selected.
+/// A tube that was asked for and not selected, with the reason.
 struct LeftOut {
-  int tube = 0;           ///< its place in sheet.tubes
+  int tube = 0;           ///< index in Sheet::tubes
   std::string_view word;  ///< "plugged", "done"
   bool is_by_list = false;
 };
@@ -54,46 +54,48 @@ enum class SelectionStatus { kNotRun, kSelected, kRefused };
 struct Selection {
   SelectionStatus status = SelectionStatus::kNotRun;
   std::string reason;             ///< when refused: names the item, the tube or the line
-  std::vector<int> tube_indices;  ///< places in sheet.tubes, ascending, each once
-  std::map<int, double> dwell;    ///< s to stay at a tube, where a list says so
-  std::vector<LeftOut> left_out;  ///< tubes that would have been selected, but for their state or their work
-  /// Selected, for they were named, though inaccessible or unresolved: by the sheet's word or a list's.
+  std::vector<int> tube_indices;  ///< indices in Sheet::tubes, ascending, each once
+  std::map<int, double> dwell;    ///< stay at a tube [s] by index, where a list states one
+  std::vector<LeftOut> left_out;  ///< tubes left out because of their state or finished work
+  /// Inaccessible or unresolved tubes that are selected because they were named, with their state by the list or else
+  /// the sheet.
   std::map<int, TubeState> doubtful;
-  std::optional<WorkList> list;  ///< where the tubes are those of a list
+  std::optional<WorkList> list;  ///< the list that the tubes come from, if any
 };
 
-/// "12 plugged, 3 stabilised, 2 done according to the list"; empty where none is left out.
+/// Returns "12 plugged, 3 stabilised, 2 done according to the list"; empty if no tube is left out.
 [[nodiscard]] std::string leftOutText(const Selection& selection);
 
-/// "2 inaccessible, 1 unresolved among the tubes asked for (R3C4, ...): taken as asked"; empty where none is.
+/// Returns "2 inaccessible, 1 unresolved among the tubes asked for (R3C4, ...): taken as asked"; empty if there are
+/// none.
 [[nodiscard]] std::string doubtfulText(const Sheet& sheet, const Selection& selection);
 
-/// Tubes by the language above. Refused: malformed items, tubes that are not on the sheet, another leg or sheet, an
-/// empty result.
+/// Selects tubes by the language above. Refused: malformed items, tubes that are not on the sheet, another leg or
+/// sheet, an empty result.
 [[nodiscard]] Selection selectTubes(const Sheet& sheet, const std::string& request);
 
-/// Plugged, stabilised, inaccessible or unresolved: visited where the tube or its state is named.
+/// Returns true for plugged, stabilised, inaccessible and unresolved, which are visited only if the tube or its state
+/// is named.
 [[nodiscard]] bool isLeftOutUnlessNamed(TubeState state);
 
-/// "spread:N" for at most so many of the tubes that take a tool.
+/// Returns "spread:N", N being at most `most` and the number of tubes that take a tool.
 [[nodiscard]] std::string spreadRequest(const Sheet& sheet, std::size_t most);
 
-/// A table (text_table.hpp) with columns for row and column, or for the tube's name, under any of their usual names
-/// (tube_table.cpp), and, where wanted, leg (hot, cold, full, HL, CL), sheet (a fingerprint), dwell_s (seconds to stay,
-/// from 0 to a day; empty: not said), state or status (a state or a code of tube_codes.hpp; empty: as the sheet has
-/// it), code or ind (likewise, or any remark), x, y with a unit (where the hole is) and sg (the steam generator). Other
-/// columns are noted. A tube may be named several times, as with two indications. Refused: two legs, sheets or steam
-/// generators in one list, a tube that is said to be in two states or to be stayed at for two times, anything
-/// malformed, no tubes.
+/// Reads a work list (text_table.hpp) with columns for row and column, or for the tube's name, under any of their usual
+/// names (tube_table.cpp). Optional columns are leg (hot, cold, full, HL, CL), sheet (a fingerprint), dwell_s (seconds
+/// to stay, from 0 to a day; empty: not stated), state or status (a state or a code of tube_codes.hpp; empty: the
+/// sheet's), code or ind (likewise, or any remark), x, y with a unit (position of the hole) and sg (the steam
+/// generator). Other columns are noted. A tube may be named several times, as with two indications. Refused: two legs,
+/// sheets or steam generators in one list, two states or two stays for one tube, anything malformed, no tubes.
 [[nodiscard]] WorkList parseWorkListCsv(std::string_view text);
 
 /// Reads a work list of a table whose columns were chosen, by the rules of parseWorkListCsv().
 [[nodiscard]] WorkList readWorkListTable(std::string_view text, TubeTable table);
 
-/// The tubes of such a list, each once, but for those whose work is done and those that are plugged or stabilised by
-/// the list's word or, where it says nothing, by the sheet's; inaccessible and unresolved ones are named by the list
-/// and so taken. Refused: a refused list, another leg or sheet, tubes that are not on the sheet (all are counted) or
-/// not where the list has them, none left.
+/// Selects the tubes of a list, each once. Left out are those whose work is done and those plugged or stabilised by the
+/// list or, where it says nothing, by the sheet. Inaccessible and unresolved tubes are taken, because the list names
+/// them. Refused: a refused list, another leg or sheet, tubes that are not on the sheet (all are counted) or not where
+/// the list has them, an empty result.
 [[nodiscard]] Selection selectTubes(const Sheet& sheet, WorkList list);
 
 }  // namespace tubeplan::tubesheets

@@ -1,4 +1,4 @@
-// parseWorkListCsv.
+// parseWorkListCsv().
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,7 +14,7 @@ namespace {
 std::string describeLeg(const std::optional<Leg>& leg) { return leg ? std::string(legName(*leg)) : "no leg"; }
 std::string describeSheet(const std::string& sheet) { return sheet.empty() ? "no sheet" : sheet; }
 
-// A list is for one leg of one sheet; a line that says otherwise was pasted from another list.
+// Finds a line for another leg or sheet than the first, which was pasted from another list.
 std::optional<Problem> findOddLine(const WorkListItem& first, const WorkListItem& item) {
   if (item.leg != first.leg)
     return Problem{"leg", describeLeg(item.leg), describeLeg(first.leg) + ", as on the lines above",
@@ -28,7 +28,7 @@ std::optional<Problem> findOddLine(const WorkListItem& first, const WorkListItem
   return std::nullopt;
 }
 
-/// Two rows of one tube that cannot both be true.
+/// Finds a contradiction between two rows of one tube.
 std::optional<Problem> findContradiction(const WorkListItem& first, const WorkListItem& item) {
   const std::string tube = tubeName(item.row, item.column);
   const auto problem = [&](const std::string& found, const std::string& before) {
@@ -44,7 +44,7 @@ std::optional<Problem> findContradiction(const WorkListItem& first, const WorkLi
   return std::nullopt;
 }
 
-/// "tubes that stand in several rows are visited once: R12C34 (lines 2 and 3)"; empty where none does.
+/// Returns "tubes that stand in several rows are visited once: R12C34 (lines 2 and 3)"; empty if there are none.
 std::string repeatedText(const std::map<std::pair<int, int>, std::vector<int>>& lines) {
   constexpr std::size_t kShown = 5;
   std::vector<std::string> named;
@@ -136,7 +136,7 @@ class ListReader {
   WorkList list_;
   std::map<std::pair<int, int>, std::size_t> first_;       // the item that first names a tube
   std::map<std::pair<int, int>, std::vector<int>> lines_;  // of every tube
-  std::map<std::string, int> unknown_;                     // codes
+  std::map<std::string, int> unknown_;                     // unknown codes
 };
 
 }  // namespace
