@@ -1,8 +1,8 @@
-// An arm whose rows' origins lie near each other, whatever rows it is written with.
+// An arm with row origins near each other, however its rows are written.
 //
 // A row's origin may stand anywhere on its axis. Denavit-Hartenberg numbers put it where the common normal of two axes
 // is; of axes that are nearly parallel, as those of a calibrated arm, that is hundreds of metres away, and the d of one
-// row undoes that of another. Nothing that asks how long an arm's members are may see that.
+// row undoes that of another. Lengths of members must not be computed from such rows.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@
 namespace tubeplan::deflection {
 
 struct AnchoredRows {
-  /// The same arm, some rows' frames slid along their z axes: tip, axes and what hangs where are as before. Where any
-  /// is slid, it is without its effects, which speak of the rows as they were written.
+  /// The same arm with some rows' frames moved along their z axes: tip, joint axes and loads are unchanged. If any row
+  /// is moved, it has no effects, because these refer to the rows as they were written.
   Arm arm;
-  std::vector<double> slid;  ///< m, by rows; a point of the row's frame has a z that is less by this
+  std::vector<double> slid;  ///< shift of each row's frame along z [m]; the z of a point in it is less by this
 };
 
-/// Rows that heldAgainstSlide() has a reason for stay where they are. An arm whose way from origin to origin is no more
-/// than twice the shortest is left as it is.
+/// Returns the arm with its rows' origins moved together. Rows with a reason in heldAgainstSlide() keep theirs. An arm
+/// whose path from origin to origin is no more than twice the shortest is returned unchanged.
 [[nodiscard]] AnchoredRows anchoredRows(const Arm& arm);
 
-/// Why a row's origin may not slide along its z, in words that go after its name; empty where it may.
+/// Returns why a row's origin must not be moved along its z, in words that follow its name; empty if it may be moved.
 [[nodiscard]] std::string heldAgainstSlide(const Arm& arm, std::size_t row);
 
 }  // namespace tubeplan::deflection

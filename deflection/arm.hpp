@@ -4,9 +4,9 @@
 // units; the readers convert. Weights are forces (N), not masses. A stiffness of infinity is a rigid axis.
 //
 // Frames: B is the arm's base, L1..Ln the rows' frames (L0 = B), T the tool frame at the tip, D the same frame
-// deflected. Row i takes frame L(i-1) to Li. Its member (the link's body) runs from Li to L(i+1), the last one to the
-// tip; the member of a prismatic row is its sliding bar, from the bearing (Li at zero slide) to Li, as long as the
-// joint says.
+// deflected. Row i takes frame L(i-1) to Li. Its member (the link's body) runs from Li to L(i+1), the last one to
+// the tip; the member of a prismatic row is its sliding bar, from the bearing (Li at zero slide) to Li, with
+// the joint's value as its length.
 #pragma once
 
 #include <array>
@@ -27,17 +27,17 @@ namespace tubeplan::deflection {
 
 inline constexpr double kRigid = std::numeric_limits<double>::infinity();
 
-/// Modified (Craig) Denavit-Hartenberg numbers with Hayati's lean and a shift: RotX(alpha) TransX(a) TransY(b)
-/// RotY(beta) RotZ(theta) TransZ(d). rad, m. Of an axis that is all but parallel to the one before it, beta is
-/// determined and d is not. The first row needs b for its axis to be anywhere beside a base that is known; in others
-/// the joint before and d do what b does.
+/// Modified (Craig) Denavit-Hartenberg numbers [rad, m] with Hayati's beta and a shift b: RotX(alpha) TransX(a)
+/// TransY(b) RotY(beta) RotZ(theta) TransZ(d). For an axis nearly parallel to the one before it, beta is determined and
+/// d is not. The first row needs b to place its axis anywhere beside a known base; in other rows the joint before and d
+/// do the same.
 template <class S>
 struct DenavitHartenberg {
   S alpha{0}, a{0}, d{0}, theta{0}, beta{0}, b{0};
 };
 
-/// A row placed as URDF does: translation [m], then fixed-axis roll, pitch, yaw [rad], then the lean beta [rad] about
-/// the row's own y, which a pitch of a right angle leaves without a number of its own.
+/// Placement of a row as in URDF: translation [m], then fixed-axis roll, pitch, yaw [rad], then the rotation beta [rad]
+/// about the row's own y. At a pitch of a right angle, roll and yaw alone cannot express it.
 template <class S>
 struct Origin {
   Vector3<S> position = Vector3<S>::Zero();
@@ -47,7 +47,7 @@ struct Origin {
 
 enum class JointType { kPassive, kRevolute, kPrismatic };
 
-/// A joint that another one takes along, and how far: so many times that joint's angle, its offset included.
+/// A joint that drives another one, with the ratio of the driven angle to its own angle, offset included.
 struct FollowedJoint {
   int row = -1;
   double ratio = 0;
@@ -63,27 +63,27 @@ struct Joint {
   double upper = std::numeric_limits<double>::infinity();
   double max_speed = std::numeric_limits<double>::infinity();
   double max_acceleration = std::numeric_limits<double>::infinity();
-  double encoder_sigma = 0;  ///< one standard deviation of a reading
-  double gear_ratio = 0;     ///< turns of the drive's input for one of the joint; 0: not stated
-  /// Of a joint without a reading of its own (a parallel linkage, a belt): a passive row turns about its z by their sum
-  /// and its offset. All of them are revolute and active.
+  double encoder_sigma = 0;  ///< standard deviation of a reading
+  double gear_ratio = 0;     ///< input turns of the drive per turn of the joint; 0: not stated
+  /// Joints that drive this one, which has no reading of its own (a parallel linkage, a belt). A passive row turns
+  /// about its z by their sum and its offset. The drivers are revolute and active.
   std::vector<FollowedJoint> follows = {};
 };
 
-/// Whether a row turns about its z, by a reading of its own or with others.
+/// Returns true if a row turns about its z, by a reading of its own or driven by others.
 template <class S>
 bool turns(const Joint<S>& joint) {
   return joint.type == JointType::kRevolute || !joint.follows.empty();
 }
 
-/// Whether a row moves at all, by a reading of its own or with others.
+/// Returns true if a row moves, by a reading of its own or driven by others.
 template <class S>
 bool moves(const Joint<S>& joint) {
   return joint.type != JointType::kPassive || !joint.follows.empty();
 }
 
-/// A uniform straight member. E, G [Pa]; I (about the row's x, y, z axis), J [m^4]. An I of infinity does not bend;
-/// G J of infinity does not twist. `segments` splits it into equal elements.
+/// A uniform straight member. E, G [Pa]; I (about the row's x, y, z axis), J [m^4]. It does not bend about an axis with
+/// infinite I, nor twist if G J is infinite. `segments` is the number of equal elements.
 template <class S>
 struct Beam {
   S E{kRigid};
@@ -95,11 +95,11 @@ struct Beam {
 
 template <class S>
 struct Lump {
-  S weight{0};                         ///< N
-  Vector3<S> at = Vector3<S>::Zero();  ///< m, in the row's frame
+  S weight{0};                         ///< [N]
+  Vector3<S> at = Vector3<S>::Zero();  ///< position in the row's frame [m]
 };
 
-/// Distributed along the member [N/m], at its end [N], or lumped anywhere in the row's frame.
+/// Weight distributed along the member [N/m], at its end [N], or lumped anywhere in the row's frame.
 template <class S>
 struct Weight {
   S distributed{0};
@@ -107,21 +107,21 @@ struct Weight {
   std::vector<Lump<S>> lumps;
 };
 
-/// What effects add to a row while a shape is solved; no file has such numbers. What is there at all
-/// (`joint_is_compliant`, `member_is_compliant`, `bends`, `has_gap`) is structure: it is the same whatever the values
-/// are, zero included.
+/// Terms that effects add to a row while a shape is solved; files have none of them. The flags (`joint_is_compliant`,
+/// `member_is_compliant`, `bends`, `has_gap`) are structure: they do not depend on the values, zero included.
 template <class S>
 struct EffectTerms {
   bool joint_is_compliant = false, member_is_compliant = false;
   std::array<bool, 3> bends{}, has_gap{};
-  Vector3<S> compliance = Vector3<S>::Zero();          ///< rad/(N m), at the origin, about the row's axes
-  Vector3<S> softness = Vector3<S>::Zero();            ///< see elements/joint_stiffness.hpp ...
-  Vector3<S> knee = Vector3<S>::Zero();                ///< ... up to this moment [N m]
-  Vector3<S> gap = Vector3<S>::Zero();                 ///< clearance [rad], see elements/clearance.hpp
-  Vector3<S> bending_compliance = Vector3<S>::Zero();  ///< 1/(N m^2), of the member, about the row's axes
-  S torsion_compliance{0};                             ///< 1/(N m^2), of the member
-  Vector3<S> pull = Vector3<S>::Zero();                ///< N, at the member's end, in base axes
-  std::vector<Lump<S>> hung;                           ///< at the row's origin, whatever its member does
+  Vector3<S> compliance = Vector3<S>::Zero();  ///< at the origin, about the row's axes [rad/(N m)]
+  Vector3<S> softness = Vector3<S>::Zero();    ///< softness below the knee moment; see elements/joint_stiffness.hpp
+  Vector3<S> knee = Vector3<S>::Zero();        ///< knee moment [N m]
+  Vector3<S> gap = Vector3<S>::Zero();         ///< clearance [rad], see elements/clearance.hpp
+  /// Bending compliance of the member about the row's axes [1/(N m^2)].
+  Vector3<S> bending_compliance = Vector3<S>::Zero();
+  S torsion_compliance{0};               ///< torsion compliance of the member [1/(N m^2)]
+  Vector3<S> pull = Vector3<S>::Zero();  ///< force at the member's end, in base axes [N]
+  std::vector<Lump<S>> hung;             ///< weights at the row's origin, on flexible members too
 };
 
 template <class S>
@@ -129,35 +129,37 @@ struct Row {
   std::string name;
   std::variant<DenavitHartenberg<S>, Origin<S>> placement;
   Joint<S> joint;
-  Vector3<S> joint_stiffness = Vector3<S>::Constant(S(kRigid));  ///< N m/rad about the row's axes, acting at its origin
+  /// Torsional stiffness about the row's axes, at its origin [N m/rad].
+  Vector3<S> joint_stiffness = Vector3<S>::Constant(S(kRigid));
   std::optional<Beam<S>> beam;
   Weight<S> weight;
   std::optional<EffectTerms<S>> effect_terms;
-  /// The row that has this one's alpha, a and beta in its file and in fits, where that is another: by the standard
-  /// convention the one before. Empty: none has, and they are no parameters.
+  /// Name of the row that states this row's alpha, a and beta in the file and in fits, if it is another: the row before
+  /// in the standard convention. Empty: no row states them, and they are no parameters.
   std::optional<std::string> placed_by;
-  bool is_written =
-      true;  ///< whether the file has a row of that name: not of the end of a last link by that convention
+  /// False for the added end of a last link in the standard convention, which the file does not have.
+  bool is_written = true;
 };
 
-/// Rows that hang from a row without leading to the tip: see side_chains.hpp. The first is placed in that row's axes.
-/// They are rigid.
+/// Rigid rows attached to a row without leading to the tip: see side_chains.hpp. The first is placed in that row's
+/// axes.
 template <class S>
 struct SideChain {
   int row = -1;
   std::vector<Row<S>> rows;
 };
 
-/// What effects do to the loads at the tip while a shape is solved; no file has such numbers.
+/// Loads that effects add at the tip while a shape is solved; files have none of them.
 template <class S>
 struct TipLoad {
-  Vector3<S> payload_offset = Vector3<S>::Zero();  ///< where the hung load acts [m], in the deflected tool frame
-  S contact_force{0};                              ///< at the tip, against gravity [N]
-  Vector3<S> force = Vector3<S>::Zero();           ///< N, at the tip, in base axes
-  Vector3<S> moment = Vector3<S>::Zero();          ///< N m, of a direction that never changes, in base axes
+  Vector3<S> payload_offset = Vector3<S>::Zero();  ///< point where the hung load acts, in the deflected tool frame [m]
+  S contact_force{0};                              ///< force at the tip against gravity [N]
+  Vector3<S> force = Vector3<S>::Zero();           ///< force at the tip in base axes [N]
+  Vector3<S> moment = Vector3<S>::Zero();          ///< moment of constant direction in base axes [N m]
 };
 
-/// Rows that are rigid in one set-up of the base: an arm that is taken off its flexible mounting and bolted to a bench.
+/// Rows that are rigid in one set-up of the base, such as an arm removed from its flexible mounting and bolted to a
+/// bench.
 struct RigidMounting {
   std::string setup;
   std::vector<int> rows;
@@ -166,25 +168,28 @@ struct RigidMounting {
 template <class S>
 struct ArmOf {
   std::string name;
-  Vector3<S> gravity_W = -Vector3<S>::UnitZ();  ///< direction, unit length, in the world frame
+  Vector3<S> gravity_W = -Vector3<S>::UnitZ();  ///< direction of gravity in the world frame, unit length
   std::vector<Row<S>> rows;
-  Vector3<S> p_LT = Vector3<S>::Zero();          ///< the tip in the last row's frame
-  Vector3<S> tool_axis_L = Vector3<S>::UnitZ();  ///< the direction the tool enters a hole, in the last row's frame
-  Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();  ///< the tool frame's axes there as drawn: see toolFrame()
-  Vector3<S> tool_turn_L = Vector3<S>::Zero();         ///< rotation vector from those to the true ones [rad], there too
-  ConditionValues reference = usualConditions();       ///< under which it is as drawn, and taken where none are stated
-  std::vector<EffectOf<S>> effects;                    ///< what the arm does beyond the model above
-  std::vector<SideChain<S>> side_chains;               ///< what only weighs
-  std::vector<RigidMounting> mountings;                ///< one for each set-up that has rigid rows
+  Vector3<S> p_LT = Vector3<S>::Zero();          ///< tip in the last row's frame [m]
+  Vector3<S> tool_axis_L = Vector3<S>::UnitZ();  ///< direction in which the tool enters a hole, in the last row's frame
+  /// Nominal axes of the tool frame in the last row's: see toolFrame().
+  Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();
+  /// Rotation vector from the nominal to the true axes, in the last row's frame [rad].
+  Vector3<S> tool_turn_L = Vector3<S>::Zero();
+  /// Conditions at which the nominal numbers hold, and defaults for conditions not stated.
+  ConditionValues reference = usualConditions();
+  std::vector<EffectOf<S>> effects;       ///< effects beyond the model above
+  std::vector<SideChain<S>> side_chains;  ///< rows that only add weight
+  std::vector<RigidMounting> mountings;   ///< one for each set-up with rigid rows
   std::optional<TipLoad<S>> tip_load;
 
-  /// The joints with readings of their own, revolute and prismatic, in order: the order of every joint vector.
+  /// Returns the joints with readings of their own, revolute and prismatic, in the order of every joint vector.
   [[nodiscard]] auto joints() const {
     return rows | std::views::filter([](const Row<S>& row) { return row.joint.type != JointType::kPassive; }) |
            std::views::transform(&Row<S>::joint);
   }
   [[nodiscard]] Eigen::Index jointCount() const { return std::ranges::distance(joints()); }
-  /// The k-th of them; one past the last is our own bug.
+  /// Returns the k-th joint of joints(); `k` must be in range.
   [[nodiscard]] const Joint<S>& joint(Eigen::Index k) const {
     for (const Joint<S>& joint : joints())
       if (k-- == 0) return joint;
@@ -195,60 +200,63 @@ struct ArmOf {
 
 using Arm = ArmOf<double>;
 
-/// The tool frame's axes in the last row's, in which readings state turns: as drawn, then turned. The tool's own axis
-/// does not follow it.
+/// Returns the tool frame's axes in the last row's, in which readings state rotations: the nominal axes with
+/// `tool_turn_L` applied. The tool's own axis is not affected.
 Eigen::Matrix3d toolFrame(const Arm& arm);
 
-/// Indices of the rows of `joints()`.
+/// Returns the indices of the rows of joints().
 std::vector<int> activeRows(const Arm& arm);
 
-/// The rows that turn when an active row's joint does, and how far: itself, and those that follow it.
+/// Returns the rows that turn with an active row's joint, with their ratios: the row itself and those that follow it.
 std::vector<FollowedJoint> turnedWith(const Arm& arm, int active_row);
 
-/// Whether a row's axis is parallel to that of the row before, or opposed to it, within 30 degrees.
+/// Returns true if a row's axis is parallel or antiparallel to that of the row before within 30 degrees.
 bool isNearlyParallel(const Row<double>& row);
 
-/// The names of its joints and of its rows, in order, and the row of a name.
+/// Return the names of joints and rows in order, and the index of a named row.
 std::vector<std::string> jointNames(const Arm& arm);
 std::vector<std::string> rowNames(const Arm& arm);
 std::optional<int> findRow(const Arm& arm, std::string_view name);
 
-/// Whether any row's joint follows others.
+/// Returns true if any row's joint follows others.
 bool hasFollowers(const Arm& arm);
 
-/// Whether the solver is given other numbers from posture to posture: by effects, by what side chains weigh, or by rows
+/// Returns true if the solver's numbers depend on the posture: by effects, by the weights of side chains, or by rows
 /// that are rigid in a set-up.
 template <class S>
 bool dependsOnPosture(const ArmOf<S>& arm) {
   return !arm.effects.empty() || !arm.mountings.empty() || !arm.side_chains.empty();
 }
 
-/// The same arm without any flexibility, that of its effects included.
+/// Returns the arm without any flexibility, that of its effects included.
 Arm rigidCopy(const Arm& arm);
 
-/// From a row's origin, or the end of its slide, to the next row's origin or the tip: in its axes [m], undeflected.
+/// Returns the vector from a row's origin, or the end of its slide, to the next row's origin or the tip: in the row's
+/// axes [m], undeflected.
 Eigen::Vector3d memberOf(const Arm& arm, int row);
 
-/// What of a row bends: its member; of a prismatic row the direction of its bar, a unit vector.
+/// Returns the part of a row that bends, undeflected: its member [m], or for a prismatic row the unit vector along its
+/// bar.
 Eigen::Vector3d undeflectedMember(const Arm& arm, int row);
 
-/// The greatest length of a slide [m], infinite without limits; 0 of any other joint.
+/// Returns the greatest length of a slide [m], infinite without limits; 0 for any other joint.
 double slideLength(const Joint<double>& joint);
 
-/// No less than the largest distance that the tip can have from the base [m]: the shortest way along the joints' axes,
-/// slides at their longest, however the rows are written. The yardstick of tolerances, so slides without limits count
-/// as nothing.
+/// Returns an upper bound of the distance of the tip from the base [m]: the shortest path along the joints' axes, with
+/// slides at their longest, independent of how the rows are written. It scales tolerances, so that slides without
+/// limits count as zero.
 double reachOf(const Arm& arm);
 
-/// What makes an arm unusable. `path` is the dotted name in the arm file (`tool.joint_stiffness.z`).
+/// A fault of an arm. `path` is the dotted name in the arm file (`tool.joint_stiffness.z`).
 struct ArmProblem {
   std::string path;
   std::string found;
   std::string expected;
 };
 
-/// Every problem of an arm, in file order: no rows, double names, a negative or zero stiffness, a flexible beam of no
-/// length, limits the wrong way round, numbers that are not finite, effects where they cannot be. Empty means usable.
+/// Returns every problem of an arm, in file order: no rows, repeated names, a negative or zero stiffness, a flexible
+/// beam of no length, reversed limits, numbers that are not finite, effects at impossible places. Empty: the arm is
+/// usable.
 std::vector<ArmProblem> findProblems(const Arm& arm);
 
 }  // namespace tubeplan::deflection

@@ -1,4 +1,4 @@
-// What makes an arm unusable, found before anything is computed with it.
+// Checks that make an arm unusable, made before anything is computed with it.
 #include <cmath>
 #include <set>
 #include <string>
@@ -88,7 +88,7 @@ void checkBeam(const Arm& arm, int index, std::vector<ArmProblem>& out) {
                      "G and J for twist about that axis"});
 }
 
-/// A side chain only weighs: it has no stiffness, and its joints follow none.
+/// Checks a row of a side chain: it has no stiffness, and its joints follow none.
 void checkSideRow(const Row<double>& row, std::vector<ArmProblem>& out) {
   if (row.beam || row.joint_stiffness.array().isFinite().any())
     out.push_back({row.name, "a flexible row of a side chain", "rigid ones: neither beam nor joint_stiffness"});

@@ -17,21 +17,21 @@ enum class ChainLinkType {
   kTurn,       ///< rigid rotation into the row's axes
   kFlexJoint,  ///< an element at the row's origin
   kMember,     ///< a piece of the member, rigid or an element, with its distributed weight
-  kFrame,      ///< the row's frame is here; its lumps hang from it
-  kLump,       ///< a lump along the member hangs here
+  kFrame,      ///< the row's frame, which carries its lumps
+  kLump,       ///< a lump along the member
   kEndWeight,  ///< the weight at the member's end
 };
 
-/// One link of the flattened chain; its near frame is the far frame of the link before.
+/// One link of the flattened chain. Its near frame is the far frame of the link before.
 template <class S>
 struct ChainLink {
   ChainLinkType type;
   int row;
-  int component = -1;                     ///< index of its deflection, -1 where rigid
+  int component = -1;                     ///< index of its deflection, -1 if rigid
   Vector3<S> p = Vector3<S>::Zero();      ///< translation, in near axes
   Matrix3<S> R = Matrix3<S>::Identity();  ///< rotation, for kTurn
   S weight{0};                            ///< total weight of this piece, or of the lump
-  Vector3<S> lever = Vector3<S>::Zero();  ///< from here to the lump, in near axes
+  Vector3<S> lever = Vector3<S>::Zero();  ///< from the link's near frame to the lump, in near axes
 };
 
 template <class S>
@@ -41,13 +41,13 @@ struct Chain {
   int clearances = 0;  ///< axes with an open gap
 };
 
-/// R, then the lean `beta` [rad] about its y; most rows have none.
+/// Returns R followed by the rotation `beta` [rad] about its y, which is zero in most rows.
 template <class S>
 Matrix3<S> leaned(const Matrix3<S>& R, const S& beta) {
   return isConstantZero(beta) ? R : Matrix3<S>(R * rotationY<S>(beta));
 }
 
-/// Translation from a row's origin to the next row's (its bearing, when that one slides), in the row's axes.
+/// Returns the translation from a row's origin to the next row's (its bearing, if that one slides), in the row's axes.
 template <class S>
 Vector3<S> offsetInPreviousAxes(const Row<S>& row) {
   const auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement);
@@ -58,7 +58,8 @@ Vector3<S> offsetInPreviousAxes(const Row<S>& row) {
   return isConstantZero(dh->b) ? offset : Vector3<S>(offset + turn * Vector3<S>(Vector3<S>::UnitY() * dh->b));
 }
 
-/// Rotation of a row against the one before, its joint at zero; the joint turns about the z axis that this leads to.
+/// Returns the rotation of a row relative to the one before, with its joint at zero; the joint turns about the
+/// resulting z axis.
 template <class S>
 Matrix3<S> rotationFromPrevious(const Row<S>& row) {
   if (const auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement))
@@ -67,7 +68,7 @@ Matrix3<S> rotationFromPrevious(const Row<S>& row) {
   return leaned<S>(rotationFromFixedAngles<S>(origin.rpy), origin.beta);
 }
 
-/// Which entry of the joint vector belongs to a row with a joint.
+/// Returns the index in the joint vector of a row with a joint.
 template <class S>
 int jointIndexOf(const ArmOf<S>& arm, int row) {
   int index = 0;
@@ -75,7 +76,7 @@ int jointIndexOf(const ArmOf<S>& arm, int row) {
   return index;
 }
 
-/// What the joints that a row follows turn it by, without its own offset.
+/// Returns the angle by which the driving joints turn a row, without its own offset.
 template <class S>
 S followedAngle(const ArmOf<S>& arm, const Joint<S>& joint, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q) {
   S angle(0);
@@ -86,7 +87,7 @@ S followedAngle(const ArmOf<S>& arm, const Joint<S>& joint, const Eigen::Matrix<
 
 namespace chain_assembly {
 
-/// The components of a row at a place, `pieces` of them; none where nothing gives. One law per place.
+/// Adds the components of a row at a place, `pieces` of them, or none if it is rigid there. Each place has one law.
 template <class S>
 void addElements(Chain<S>& chain, const Row<double>& values, int row, ElementPlace place, int pieces) {
   const auto kinds = elementKinds();
@@ -114,20 +115,21 @@ void addJoint(Chain<S>& chain, const Row<double>& values, int row) {
   chain.links.push_back(link);
 }
 
-/// Where along a flexible member a lump hangs, as a share of it; 0 at the row's origin and on a rigid member.
+/// Returns the position of a lump along a flexible member, as a share of it; 0 at the row's origin and on a rigid
+/// member.
 inline double shareOf(const Row<double>& values, int lump, const Vector3<double>& member) {
   if (segmentsOf(values) == 0 || member.squaredNorm() == 0) return 0;
   return std::clamp(values.weight.lumps[static_cast<std::size_t>(lump)].at.dot(member) / member.squaredNorm(), 0., 1.);
 }
 
-/// The end of a piece of the member, as a share of it: `value` decides the structure, `share` has the derivatives too.
+/// End of a piece of the member, as a share of it: `value` decides the structure, `share` has the derivatives too.
 template <class S>
 struct Cut {
   double value;
   S share;
 };
 
-/// The lumps that hang at a share of the member; `here` is that place, in the row's axes.
+/// Adds the lumps at a share of the member; `here` is that point in the row's axes.
 template <class S>
 void addLumps(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<double>& member,
               double share, const Vector3<S>& here) {
@@ -140,7 +142,7 @@ void addLumps(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
   }
 }
 
-/// Ends of the member's pieces: its segments, cut again where a lump hangs.
+/// Returns the ends of the member's pieces: its segments, cut again at each lump.
 template <class S>
 std::vector<Cut<S>> cutsOf(const Row<S>& row, const Row<double>& values, const Vector3<S>& v) {
   const Vector3<double> member = valuesOf(v);
@@ -185,7 +187,7 @@ void addMember(Chain<S>& chain, const Row<S>& row, const Row<double>& values, in
   chain.links.push_back(end);
 }
 
-/// What hangs at the row's origin.
+/// Adds the weights that effects hang from the row's origin.
 template <class S>
 void addHung(Chain<S>& chain, const Row<S>& row, int index) {
   if (!row.effect_terms) return;
@@ -197,7 +199,7 @@ void addHung(Chain<S>& chain, const Row<S>& row, int index) {
   }
 }
 
-/// A prismatic row: its bar, then its frame at the bar's end, where its lumps are.
+/// Adds a prismatic row: its bar, then its frame at the bar's end, with its lumps.
 template <class S>
 void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<S>& bar) {
   Row<S> bar_row = row;
@@ -212,9 +214,9 @@ void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
 
 }  // namespace chain_assembly
 
-/// The links of one row. `values` is the row in plain numbers: which axes give decides the structure, the same for
-/// every scalar. `reading` is the joint's value with its offset (nothing on a row that neither moves nor follows),
-/// `to_next` leads from the row's origin, or the end of its slide, to the next row's bearing or the tip.
+/// Adds the links of one row. `values` is the row in plain numbers: its flexible axes decide the structure, which is
+/// the same for every scalar. `reading` is the joint's value with its offset (zero for a row that neither moves nor
+/// follows). `to_next` leads from the row's origin, or the end of its slide, to the next row's bearing or the tip.
 template <class S>
 void assembleRow(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const S& reading,
                  const Vector3<S>& to_next) {
@@ -235,13 +237,13 @@ void assembleRow(Chain<S>& chain, const Row<S>& row, const Row<double>& values, 
   }
 }
 
-/// What `to_next` is for a row of an arm.
+/// Returns `to_next` of assembleRow() for a row of an arm.
 template <class S>
 Vector3<S> offsetToNext(const ArmOf<S>& arm, std::size_t row) {
   return row + 1 == arm.rows.size() ? arm.p_LT : offsetInPreviousAxes<S>(arm.rows[row + 1]);
 }
 
-/// All links of an arm at a posture; `values` is the arm in plain numbers.
+/// Returns all links of an arm at a posture; `values` is the arm in plain numbers.
 template <class S>
 Chain<S> assembleChain(const ArmOf<S>& arm, const Arm& values, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q) {
   Chain<S> chain;

@@ -1,6 +1,6 @@
-// What a reading may be taken under beside joints and loads: the open table of conditions. A condition is one row here.
-// Files, JSON, run sheets, simulation, formulas, patterns, the unknown discrepancy and the pages loop over the rows;
-// none but the laws of effects names one.
+// The open table of conditions under which a reading may be taken, besides joints and loads. A condition is one row
+// here. Files, JSON, run sheets, simulation, formulas, patterns, the unknown discrepancy and the pages loop over the
+// rows; only the laws of effects name one.
 #pragma once
 
 #include <array>
@@ -15,41 +15,41 @@ namespace tubeplan::deflection {
 /// Rows of the table below, in its order.
 enum class Condition { kTemperature, kTime };
 
-/// How an unknown error goes with a condition.
+/// Dependence of an unknown error on a condition.
 enum class Course {
-  kProportional,  ///< with its values
-  kSlow,          ///< as anything that changes slowly over their range: a drift, a step, a swing
+  kProportional,  ///< proportional to its values
+  kSlow,          ///< any slow change over their range: a drift, a step, a swing
 };
 
-/// Values about the usual one that a picture of an effect is drawn over; none where both ends are the same.
+/// Range of values about the usual one, for the picture of an effect. There is none if both ends are equal.
 struct ConditionSweep {
   double low = 0, high = 0;
-  double otherwise = 0;  ///< where something else is swept
+  double otherwise = 0;  ///< value while another variable is swept
 };
 
-/// Slow swing of a simulated condition about its usual value; a condition without one is not simulated.
+/// Slow swing of a simulated condition about its usual value. A condition without one is not simulated.
 struct ConditionSwing {
   double amplitude = 0;
-  double flutter = 0;  ///< one standard deviation of what comes on top at each reading
+  double flutter = 0;  ///< standard deviation of the part that is drawn anew at each reading
 };
 
 /// One row of the table; values in its internal unit.
 struct ConditionKind {
   Condition condition;
   const char* name;   ///< its key in JSON, its symbol in formulas, and its column before the unit
-  const char* words;  ///< in sentences: what an error follows
+  const char* words;  ///< noun for sentences on what an error follows
   ValueUnit unit = {};
-  std::array<const char*, 2> aliases{};  ///< other names of its column in tables of other programs, in plain letters
+  std::array<const char*, 2> aliases{};  ///< other column names, in tables of other programs, in plain letters
   double least = -std::numeric_limits<double>::infinity();
-  const char* least_words = "";  ///< what that is
-  double usual = 0;              ///< taken where none is stated
-  bool is_of_drawing = false;  ///< an arm's file may state another usual value as reference_NAME: there it is as drawn
+  const char* least_words = "";  ///< words for the least value
+  double usual = 0;              ///< value if none is stated
+  bool is_of_drawing = false;    ///< true: an arm's file may state its nominal value as reference_NAME
   Course course = Course::kProportional;
-  bool moves_tool = true;  ///< whether an unknown error that goes with it may be the tool's, beside joints and base
+  bool moves_tool = true;  ///< true: an unknown error that follows it may be the tool's, besides joints and base
   ConditionSweep sweep = {};
   ConditionSwing swing = {};
-  double change = 0;              ///< that somebody could bring about to learn more; 0: none
-  const char* change_words = "";  ///< how
+  double change = 0;              ///< change that a user could make to learn more; 0: none
+  const char* change_words = "";  ///< instruction for that change
 };
 
 inline constexpr std::array kConditionKinds{
@@ -86,7 +86,7 @@ static_assert([] {
   return true;
 }());
 
-/// Something of each condition, in the table's order.
+/// One value of type T for each condition, in the table's order.
 template <class T>
 struct OfEachCondition {
   std::array<T, kConditionKinds.size()> all{};

@@ -1,4 +1,4 @@
-// What a few variables change in an arm directly, turned into motion of its tip by the sensitivities of the shape.
+// Direct changes of an arm by a few variables, converted into motion of its tip by the sensitivities of the shape.
 //
 // The change comes from dual numbers through the very templates that build the chain and its elements, row by row; only
 // rows that change are built.
@@ -16,28 +16,29 @@ using TipColumns = Eigen::Matrix<double, 6, kDualSize>;
 bool changes(const Dual& x);
 bool changes(const Vector3<Dual>& v);
 
-/// Adds what a moving frame does to a tip at p in it (turned into the outer axes).
+/// Adds the motion of a tip at p in a moving frame, in the axes in which the frame is given.
 void addMotion(const PoseOf<Dual>& frame, const Eigen::Vector3d& p, TipColumns& tip);
 
-/// Adds how the tool frame turns on the last row, whose axes are R_BL at the tip.
+/// Adds the rotation of the tool frame on the last row, whose axes at the tip are R_BL.
 void addToolTurn(const Vector3<Dual>& turn_L, const Eigen::Matrix3d& R_BL, TipColumns& tip);
 
 class DirectChanges {
  public:
-  /// About the shape that `arm` has solved last and that `sensitivity` was found at; both must outlive this, and are
-  /// followed from shape to shape by begin().
+  /// Refers to the shape solved last by `arm`, at which `sensitivity` was found. Both must outlive this object; begin()
+  /// adopts their next shape.
   DirectChanges(const PreparedArm& arm, const TipSensitivity& sensitivity) : arm_(arm), sensitivity_(sensitivity) {}
 
   void begin();
 
-  /// Motion of the tip by changes of a row, its reading (with the joint's offset) and what leads to the next row.
+  /// Adds the motion of the tip caused by changes of a row, its reading (with the joint's offset) and the vector to the
+  /// next row.
   void addRow(std::size_t index, const Row<Dual>& row, const Dual& reading, const Vector3<Dual>& to_next,
               TipColumns& tip);
 
-  /// By changes of what gives in a row, and of nothing else.
+  /// Adds the motion caused by changes of a row's flexible elements alone.
   void addElements(std::size_t index, const Row<Dual>& row, TipColumns& tip);
 
-  /// By a change of the reading alone.
+  /// Adds the motion caused by a change of the reading alone.
   void addTurn(std::size_t index, const Dual& reading, TipColumns& tip) const;
 
   void addGravity(const Vector3<Dual>& gravity_B, TipColumns& tip) const;

@@ -1,5 +1,5 @@
-// Whether beams are cut into enough segments. Each segment's law is that of small rotations; one that bends far under
-// its load is off by the square of its length: at P L^2 / (E I) = 1 a cantilever of one segment deflects 4 % too far.
+// Check of the number of segments of beams. Each segment's law assumes small rotations, so that its error grows with
+// the square of its length if it bends far. At P L^2 / (E I) = 1 a cantilever of one segment deflects 4 % too far.
 #pragma once
 
 #include "deflection/flexible_kinematics.hpp"
@@ -7,15 +7,15 @@
 namespace tubeplan::deflection {
 
 struct Discretisation {
-  double tip_error = 0;  ///< m, estimated of the deflected tip; NaN where the arm does not come to rest
-  int factor = 1;        ///< so often as many segments in each beam leave less than was allowed; 0: none tried does
+  double tip_error = 0;  ///< estimated error of the deflected tip [m]; NaN if the arm has no equilibrium
+  int factor = 1;  ///< factor on the segments of each beam that keeps the error below the allowed; 0: none tried does
 };
 
-/// The tip by as many segments as the arm states beside that by twice as many (Richardson's extrapolation, order two),
-/// and how many more would leave less than `allowed` [m]. Nothing to estimate where no beam bends: zero.
+/// Compares the tip with as many segments as the arm states and with twice as many (Richardson's extrapolation, order
+/// two), and finds how many more would leave less than `allowed` [m]. The error is zero if no beam bends.
 [[nodiscard]] Discretisation discretisationOf(const Arm& arm, const Posture& posture, double allowed);
 
-/// The most segments that a beam of the arm states; 0 where none bends.
+/// Returns the largest number of segments of a beam of the arm; 0 if none bends.
 [[nodiscard]] int mostSegments(const Arm& arm);
 
 }  // namespace tubeplan::deflection

@@ -39,7 +39,7 @@ class DualNumber {
   friend DualNumber operator*(double a, const DualNumber& b) { return b.scaled(a * b.value_, a); }
   friend DualNumber operator/(const DualNumber& a, double b) { return a.scaled(a.value_ / b, 1 / b); }
 
-  // Comparisons are of values: they steer branches, which have no derivative.
+  // Comparisons use values alone: they steer branches, which have no derivative.
   friend bool operator<(const DualNumber& a, const DualNumber& b) { return a.value_ < b.value_; }
   friend bool operator>(const DualNumber& a, const DualNumber& b) { return a.value_ > b.value_; }
   friend bool operator<=(const DualNumber& a, const DualNumber& b) { return a.value_ <= b.value_; }
@@ -56,14 +56,14 @@ class DualNumber {
   friend DualNumber abs(const DualNumber& a) { return a.value_ < 0 ? -a : a; }
 
  private:
-  /// Another value, derivatives times `slope`: the chain rule of one argument.
+  /// Returns a dual number of that value with the derivatives times `slope`: the chain rule of one argument.
   [[nodiscard]] DualNumber scaled(double value, double slope) const {
     DualNumber result(value);
     for (int k = 0; k < N; ++k) result.derivatives_[k] = slope * derivatives_[k];
     return result;
   }
 
-  /// Another value, derivatives by the chain rule of two arguments.
+  /// Sets the value, with derivatives by the chain rule of two arguments.
   DualNumber& combine(double value, double slope, const DualNumber& b, double slope_b) {
     value_ = value;
     for (int k = 0; k < N; ++k) derivatives_[k] = slope * derivatives_[k] + slope_b * b.derivatives_[k];

@@ -1,8 +1,8 @@
 // The shape in which an arm's elements carry its loads: rigid bodies between elements, and the sweeps that bring both
-// to rest.
+// to equilibrium.
 //
-// Every load is dead: a force whose size and direction never change. So all that an element carries is known from three
-// things of each direction of loads: the direction as seen from the element, which a sweep outwards turns from body to
+// Every load is dead: a force whose size and direction never change. So the load of an element is known from three
+// things for each direction of loads: the direction as seen from the element, which a sweep outwards turns from body to
 // body, and the size and the first moment of the loads beyond, which a sweep inwards gathers. Their product is the
 // moment, M = S x g (step 3 of the thesis's table 2.1), and both sweeps bend the elements that they pass (step 4).
 // Nothing here allocates once the arm's elements are known.
@@ -17,66 +17,66 @@
 
 namespace tubeplan::deflection {
 
-/// What is rigid between two elements: its far end as seen from its near end, and its own weight.
+/// The rigid part between two elements: the pose of its far end relative to its near end, and its own weight.
 struct RigidBody {
   PoseOf<double> far;
-  double weight = 0;                                 ///< N
+  double weight = 0;                                 ///< [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< first moment of the weight about the near end [N m]
 };
 
-/// An element and how it has given.
+/// An element and its deflection.
 struct FlexibleElement {
   const ElementKind* kind = nullptr;
   Flexibility<double> flexibility;
-  double weight = 0;  ///< along it [N]
-  int hinge = -1;     ///< the axis of a joint that turns by one axis only, by a linear law; else -1
+  double weight = 0;  ///< weight along the element [N]
+  int hinge = -1;     ///< axis of a joint that turns about one axis only, by a linear law; else -1
   std::array<bool, 3> has_gap{};
-  Eigen::Vector3d gap_width = Eigen::Vector3d::Zero();  ///< rad
+  Eigen::Vector3d gap_width = Eigen::Vector3d::Zero();  ///< [rad]
 
-  Deflection<double> deflection;                  ///< rotation with the gap's
-  Eigen::Vector3d gap = Eigen::Vector3d::Zero();  ///< rad, the part of the rotation that is clearance
+  Deflection<double> deflection;                  ///< rotation includes the gap's
+  Eigen::Vector3d gap = Eigen::Vector3d::Zero();  ///< part of the rotation that is clearance [rad]
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
 
   [[nodiscard]] Eigen::Vector3d chord() const { return flexibility.member + deflection.displacement; }
   [[nodiscard]] bool hasGap() const { return has_gap[0] || has_gap[1] || has_gap[2]; }
 };
 
-/// All loads of one direction, or a couple: a moment of that direction, which nothing that moves changes.
+/// All loads of one direction, or a couple: a moment of constant direction, independent of any motion.
 struct DeadLoad {
   bool is_couple = false;
   Eigen::Vector3d direction_B = Eigen::Vector3d::Zero();
   double at_tip = 0;                                     ///< size of the load at the tip
-  Eigen::Vector3d tip_moment = Eigen::Vector3d::Zero();  ///< first moment of it, in the tip's axes
-  int body = -1;                                         ///< the body that a load of size one hangs from, or none ...
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< ... and where, in its near axes
+  Eigen::Vector3d tip_moment = Eigen::Vector3d::Zero();  ///< first moment of the load at the tip, in the tip's axes
+  int body = -1;                                         ///< body that carries a load of size one; -1: none
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< place of that load, in the body's near axes
 };
 
 class Equilibrium {
  public:
-  /// Bodies and elements take turns, from the base to the tip: one body more than elements. The first of the loads is
-  /// gravity, with the bodies' weights; there is always one.
+  /// Bodies and elements alternate from the base to the tip, with one more body than elements. The first load is
+  /// gravity, acting on the bodies' weights; it always exists.
   std::vector<RigidBody> bodies;
   std::vector<FlexibleElement> elements;
   std::vector<DeadLoad> loads;
-  double reach = 0;    ///< yardstick of rotations [m]
+  double reach = 0;    ///< scale of rotations [m]
   int clearances = 0;  ///< axes with an open gap
 
-  /// From the undeflected shape until the elements rest: no sweep moves the tip by more than `tolerance` [m].
+  /// Iterates from the undeflected shape until no sweep moves the tip by more than `tolerance` [m].
   KinematicsStatus converge(double tolerance, int max_iterations);
 
-  /// What the elements carry when they have given as they are said to have.
+  /// Computes the loads on the elements at their present deflections.
   void carryLoads();
 
-  /// Pairs of sweeps that the last solution took.
+  /// Returns the number of pairs of sweeps in the last solution.
   [[nodiscard]] int iterations() const { return iterations_; }
 
-  /// The tip in the base, as deflected.
+  /// Returns the pose of the deflected tip in the base.
   [[nodiscard]] PoseOf<double> tip() const;
 
-  /// Loading of an element by the loads beyond it, as they were seen last.
+  /// Returns the loading of an element by the loads beyond it, as last computed.
   [[nodiscard]] Loading<double> loadingOf(std::size_t element) const;
 
-  /// Where an axis of an element rests in its gap under its loading.
+  /// Returns the position of an element's axis in its gap under its loading.
   [[nodiscard]] clearance::Rest restOf(std::size_t element, int axis, double moment) const;
 
  private:

@@ -28,44 +28,44 @@ namespace tubeplan::deflection {
 /// Dead loads on the tip, in base axes: neither size nor direction follows the arm.
 template <class S>
 struct WrenchOf {
-  Vector3<S> force_B = Vector3<S>::Zero();   ///< N, at the tip
-  Vector3<S> moment_B = Vector3<S>::Zero();  ///< N m
+  Vector3<S> force_B = Vector3<S>::Zero();   ///< force at the tip [N]
+  Vector3<S> moment_B = Vector3<S>::Zero();  ///< [N m]
 };
 using Wrench = WrenchOf<double>;
 
-/// Where the arm is asked to be: joint readings (rad, m; one per active row), load hung on the tip [N], and the
-/// direction of gravity in the base frame (unit length). A base mounted any way up is a matter of gravity_B alone. What
-/// follows matters to some effects only.
+/// Posture of an arm: joint readings [rad, m], one per active row, load hung on the tip [N], and the direction of
+/// gravity in the base frame (unit length). The mounting of the base matters through gravity_B alone. The other members
+/// matter to some effects only.
 template <class S>
 struct PostureOf {
   Eigen::Matrix<S, Eigen::Dynamic, 1> q;
   S load{0};
   Vector3<S> gravity_B = -Vector3<S>::UnitZ();
-  std::optional<WrenchOf<S>> wrench = {};  ///< beside the hung load
-  Eigen::Matrix<S, Eigen::Dynamic, 1> side_q =
-      {};  ///< readings of the side chains' joints (side_chains.hpp); empty where not known: see restOfSideChains()
-  std::vector<int> approach_directions =
-      {};  ///< of each joint's last motion, -1, 0 or +1; empty where not known, as if all were 0
-  ConditionValues conditions = {};  ///< not stated: as the arm's reference; no time: now, after any slip and
-                                    ///< without drift
-  std::string_view setup = {};      ///< of the base; what it views must outlive the posture
+  std::optional<WrenchOf<S>> wrench = {};  ///< in addition to the hung load
+  /// Readings of the side chains' joints (side_chains.hpp); empty if unknown: see restOfSideChains().
+  Eigen::Matrix<S, Eigen::Dynamic, 1> side_q = {};
+  /// Direction of each joint's last motion, -1, 0 or +1; empty if unknown, as if all were 0.
+  std::vector<int> approach_directions = {};
+  /// If not stated, the arm's reference; without a time there is no drift, and any slip has happened.
+  ConditionValues conditions = {};
+  std::string_view setup = {};  ///< set-up of the base; the viewed text must outlive the posture
 };
 using Posture = PostureOf<double>;
 
-/// Whether the solver is given other numbers than the arm's own at that posture.
+/// Returns true if the solver's numbers at that posture differ from the arm's own.
 template <class S>
 bool dependsOnPosture(const ArmOf<S>& arm, const PostureOf<S>& posture) {
   return dependsOnPosture(arm) || posture.wrench;
 }
 
-/// Direction of gravity in the base frame, for a base placed at X_WB.
+/// Returns the direction of gravity in the base frame, for a base placed at X_WB.
 inline Eigen::Vector3d gravityInBase(const Arm& arm, const Eigen::Isometry3d& X_WB) {
   return X_WB.linear().transpose() * arm.gravity_W;
 }
 
 struct FlexibleKinematicsOptions {
-  double tolerance =
-      1e-10;  ///< least tip motion between two passes that asks for another, as a share of the arm's reach
+  /// Tip motion between two passes that still requires another pass, as a share of the arm's reach.
+  double tolerance = 1e-10;
   int max_iterations = 100;
 };
 
@@ -79,18 +79,18 @@ enum class KinematicsStatus {
 /// State of a row's frame. Forces and moments are those of everything from its origin outwards, about its origin.
 struct RowState {
   PoseOf<double> X_BL_rigid, X_BL;    ///< frame without and with deflection
-  Eigen::Vector3d force_B, moment_B;  ///< N, N m, in base axes
-  Eigen::Vector3d force_L, moment_L;  ///< the same in the row's deflected axes
+  Eigen::Vector3d force_B, moment_B;  ///< in base axes [N, N m]
+  Eigen::Vector3d force_L, moment_L;  ///< in the row's deflected axes [N, N m]
 };
 
-/// Deflection of one element: which row, which law (index into elementKinds()), which segment of the member.
+/// Deflection of one element: its row, its law (index into elementKinds()) and its segment of the member.
 struct ComponentState {
   int row = -1;
   int kind = -1;
   int segment = 0;
-  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< m, in the element's near-end axes
-  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();      ///< rad
-  Eigen::Vector3d gap = Eigen::Vector3d::Zero();           ///< rad, the part of the rotation that is clearance
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< in the element's near-end axes [m]
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();      ///< [rad]
+  Eigen::Vector3d gap = Eigen::Vector3d::Zero();           ///< part of the rotation that is clearance [rad]
 };
 
 struct FlexibleKinematics {
@@ -101,16 +101,16 @@ struct FlexibleKinematics {
   std::vector<ComponentState> components;
   PoseOf<double> X_BT;                                 ///< last row's axes at the tip, rigid
   PoseOf<double> X_BD;                                 ///< last row's axes at the tip, deflected
-  Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();  ///< axes of the tool frame in those, effects included
+  Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();  ///< axes of the tool frame in the last row's, effects included
 };
 
-/// Solves the deflected shape: loads resolved down the chain on the deflected shape, components deflected, chain put
-/// together again, until the tip rests. `posture.q` must have one entry per active row. Effects of the arm take part:
-/// the result is that of the arm as it really is, in the axes of the base as named.
+/// Solves the deflected shape: resolves loads down the chain on the deflected shape, deflects the components and
+/// reassembles the chain, until the tip is at rest. `posture.q` must have one entry per active row. Effects of the arm
+/// are included: the result is that of the true arm, in the axes of the nominal base.
 [[nodiscard]] FlexibleKinematics solveFlexibleKinematics(const Arm& arm, const Posture& posture,
                                                          const FlexibleKinematicsOptions& options = {});
 
-/// Poses of all row frames as deflected, in the world.
+/// Returns the deflected poses of all row frames in the world.
 std::vector<Eigen::Isometry3d> rowFramesInWorld(const FlexibleKinematics& kinematics, const Eigen::Isometry3d& X_WB);
 
 }  // namespace tubeplan::deflection

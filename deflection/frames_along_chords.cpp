@@ -10,7 +10,8 @@ using Eigen::Isometry3d, Eigen::Vector3d;
 
 namespace {
 
-/// Greatest distance of a bent element from its chord, of the cubic with its end displacement d and end rotation w.
+/// Returns the greatest distance of a bent element from its chord, by the cubic with its end displacement d and end
+/// rotation w [m].
 double bowOf(const Vector3d& member, const Vector3d& d, const Vector3d& w) {
   double bow = 0;
   const Vector3d slope = w.cross(member);
@@ -31,7 +32,7 @@ double bowOfRow(const Arm& arm, const FlexibleKinematics& shape, int row) {
   return segments > 1 ? 1.1 * memberOf(arm, row).norm() * turn / 8 : bow;
 }
 
-/// Far end of a row's member as deflected, in the base frame.
+/// Returns the deflected far end of a row's member in the base frame [m].
 Vector3d farEnd(const FlexibleKinematics& shape, int row) {
   return row + 1 < static_cast<int>(shape.rows.size()) ? shape.rows[row + 1].X_BL.p : shape.X_BD.p;
 }

@@ -1,4 +1,4 @@
-// Where the bodies of bent members are taken to be: along their chords, with the bow taken off the clearance.
+// Frames of bodies on bent members: along their chords, with the bow subtracted from the clearance.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace tubeplan::deflection {
 
-/// Each row's frame in the world, turned so that its member lies along the bent member's chord. `bow` gets the greatest
-/// distance of a bent member from its chord [m]; it may be null.
+/// Returns each row's frame in the world, turned so that its member lies along the bent member's chord. `bow` receives
+/// the greatest distance of a bent member from its chord [m]; it may be null.
 [[nodiscard]] std::vector<Eigen::Isometry3d> framesAlongChords(const Arm& arm, const Eigen::Isometry3d& X_WB,
                                                                const FlexibleKinematics& shape, double* bow);
 

@@ -1,6 +1,6 @@
 // Flexible kinematics of one arm for any number of postures: deflected tips and their exact derivatives, as many side
-// by side as the processor has lanes. Where its rows are: row_placing.hpp. From goals back to postures:
-// inverse/inverse_solver.hpp.
+// by side as the processor has lanes. See row_placing.hpp for the places of its rows, and inverse/inverse_solver.hpp
+// for postures at goals.
 //
 // Each posture's shape has the same bits as PreparedArm gives it, whatever its neighbours and whatever the processor.
 #pragma once
@@ -13,19 +13,20 @@
 
 namespace tubeplan::deflection {
 
-/// Each thread needs its own. Arms that no kernel takes (effects, slides, clearances, elements that give about several
-/// axes) are solved posture by posture, with the same results: nobody else asks which way an arm goes.
+/// Forward kinematics of many postures; each thread needs its own. Arms without a kernel (effects, slides, clearances,
+/// elements that are compliant about several axes) are solved posture by posture, with the same results. The caller
+/// need not know which way an arm is solved.
 class Kinematics {
  public:
-  /// `arm` must outlive this, and stay as it is.
+  /// `arm` must outlive this object, and must not change.
   explicit Kinematics(const Arm& arm);
 
-  /// Every posture on its own: one that fails fails alone. Nothing is taken from the heap where `tips` has held as many
-  /// before and a kernel does the work.
+  /// Solves every posture independently: one that fails does not affect the others. Nothing is allocated if `tips` has
+  /// held as many before and a kernel does the work.
   void solve(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options = {});
   void solveWithJacobian(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options = {});
 
-  /// The same with derivatives by other variables than the joints.
+  /// Solves with derivatives by other variables than the joints.
   void solveWithDerivatives(const PostureBatch& postures, const std::vector<Variable>& variables, TipBatch& tips,
                             const FlexibleKinematicsOptions& options = {});
 
@@ -40,7 +41,7 @@ class Kinematics {
 
   const Arm& given_;
   PreparedArm arm_;
-  std::optional<TipDifferentiation> tip_;  ///< where no kernel does the work
+  std::optional<TipDifferentiation> tip_;  ///< used if there is no kernel
   std::vector<Variable> joints_;
   std::vector<double> sweeps_, derivatives_;
 };

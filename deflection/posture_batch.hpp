@@ -1,4 +1,4 @@
-// Many postures of one arm, and the tips at each, as plain tables.
+// Many postures of one arm and their tips, as plain tables.
 //
 // Numbers are laid out kind by kind: all readings of the first joint, then all of the second, and so on.
 #pragma once
@@ -11,24 +11,24 @@ namespace tubeplan::deflection {
 
 using Side = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// One column for each posture.
+/// Postures, one column for each.
 struct PostureBatch {
   Side q;                ///< readings [rad, m], one row for each joint
-  Eigen::VectorXd load;  ///< N
+  Eigen::VectorXd load;  ///< [N]
   Side gravity_B;        ///< 3 rows, unit length
 
-  /// For `count` postures under one load and gravity; readings are to be filled in.
+  /// Resizes to `count` postures under one load and gravity; readings remain to be filled in.
   void resize(Eigen::Index joints, Eigen::Index count, double load_of_all = 0,
               const Eigen::Vector3d& gravity_of_all = -Eigen::Vector3d::UnitZ());
   [[nodiscard]] Eigen::Index size() const { return q.cols(); }
 };
 
-/// One column for each posture; not numbers where it does not converge.
+/// Tips, one column for each posture; NaN if it does not converge.
 struct TipBatch {
   std::vector<KinematicsStatus> status;
-  Side poses;     ///< 12 rows: p_BD, then the columns of R_BD, in the base as named
-  Side jacobian;  ///< 6 rows for each joint, or variable: d p_BD [m per unit], then the rotation vector [rad per unit],
-                  ///< base axes
+  Side poses;  ///< 12 rows: p_BD, then the columns of R_BD, in the nominal base
+  /// 6 rows for each joint or variable: d p_BD [m per unit], then the rotation vector [rad per unit], base axes.
+  Side jacobian;
 
   [[nodiscard]] PoseOf<double> X_BD(Eigen::Index k) const;
 };

@@ -16,7 +16,7 @@ bool hasSlide(const Arm& arm) {
   return false;
 }
 
-/// Readings at which every turning joint is at zero.
+/// Returns readings at which every revolute joint is at zero.
 VectorXd turnsUndone(const Arm& arm, VectorXd q) {
   Eigen::Index joint = 0;
   for (const auto& row : arm.rows) {
@@ -26,7 +26,7 @@ VectorXd turnsUndone(const Arm& arm, VectorXd q) {
   return q;
 }
 
-/// R Rz(angle), the joint's axis being z.
+/// Computes R Rz(angle), with z as the joint's axis.
 void turnAboutZ(double angle, Eigen::Matrix3d& R) {
   const double c = std::cos(angle), s = std::sin(angle);
   const Vector3d x = R.col(0);
@@ -34,7 +34,7 @@ void turnAboutZ(double angle, Eigen::Matrix3d& R) {
   R.col(1) = c * R.col(1) - s * x;
 }
 
-/// The only axis about which a joint turns, where its law is linear; else -1.
+/// Returns the only axis about which a joint turns, if its law is linear; else -1.
 int hingeOf(const FlexibleElement& element) {
   if (element.kind->place != ElementPlace::kOrigin || element.flexibility.has_soft_zone || element.hasGap()) return -1;
   const Vector3d compliance = element.flexibility.compliance.diagonal();
@@ -107,7 +107,7 @@ void PreparedArm::addLink(const Arm& arm, const std::vector<int>& joints, std::s
   equilibrium_.loads.push_back(pull);
 }
 
-/// What pushes or twists the tip.
+/// Adds a force or moment on the tip.
 void PreparedArm::addTipLoad(const Vector3d& direction_B, bool is_couple) {
   if (direction_B.isZero(0)) return;
   DeadLoad load;
@@ -137,7 +137,7 @@ void PreparedArm::prepare(const Arm& arm, const VectorXd& q) {
   equilibrium_.bodies.assign(part_ends_.size(), {});
 }
 
-/// From where the chain was assembled: a joint that follows others has its offset there already.
+/// Returns the angle from the assembled chain: a joint that follows others has its offset there already.
 double PreparedArm::angleOf(const JointTurn& turn, const VectorXd& q) const {
   if (turn.joint >= 0) return q[turn.joint] + turn.offset;
   const Arm& arm = effective();
@@ -222,7 +222,7 @@ std::string PreparedArm::reason() const {
   return "";
 }
 
-/// Calls `visit(k, X)` with the near frame of every link and with the tip's, without any deflection where `rigid`.
+/// Calls `visit(k, X)` with the near frame of every link and with the tip's, without deflection if `rigid`.
 template <class Visit>
 void PreparedArm::walkLinks(bool rigid, Visit&& visit) const {
   copyOutElements();
@@ -254,7 +254,7 @@ void PreparedArm::linkFrames(bool rigid, std::vector<PoseOf<double>>& frames) co
 }
 
 PoseOf<double> PreparedArm::X_BL(int row) const {
-  PoseOf<double> found = X_BD_;  // where an effect is undefined
+  PoseOf<double> found = X_BD_;  // used if an effect is undefined
   if (status_ == KinematicsStatus::kUndefined) return found;
   walkLinks(false, [&](std::size_t k, const PoseOf<double>& X) {
     if (k < chain_.links.size() && chain_.links[k].type == ChainLinkType::kFrame && chain_.links[k].row == row)
@@ -263,7 +263,7 @@ PoseOf<double> PreparedArm::X_BL(int row) const {
   return context_ ? context_->X_BM * found : found;
 }
 
-/// What everything from a row's origin outwards does there, on the deflected shape.
+/// Records the loads at each row's origin of everything outwards, on the deflected shape.
 void PreparedArm::recordLoads(const std::vector<PoseOf<double>>& frames, std::vector<RowState>& rows) const {
   const Arm& arm = effective();
   const Vector3d& g = effectivePosture().gravity_B;
@@ -293,7 +293,7 @@ void PreparedArm::recordLoads(const std::vector<PoseOf<double>>& frames, std::ve
 
 namespace {
 
-/// From the axes of the moved base M to those of the base as named.
+/// Converts a shape from the axes of the moved base M to those of the nominal base.
 void moveBase(const PoseOf<double>& X_BM, FlexibleKinematics& shape) {
   shape.X_BT = X_BM * shape.X_BT;
   for (auto& row : shape.rows) {

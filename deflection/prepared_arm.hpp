@@ -1,5 +1,5 @@
-// An arm made ready for many postures: what no posture changes is worked out once, and solving a shape takes nothing
-// from the heap.
+// An arm prepared for many postures: numbers that do not depend on the posture are computed once, and solving a shape
+// allocates nothing.
 #pragma once
 
 #include <memory>
@@ -20,48 +20,48 @@ struct Shapes;
 }  // namespace simd
 struct Variable;
 
-/// Solves one posture after the other; each thread needs its own.
+/// Solver of one posture after the other; each thread needs its own.
 class PreparedArm {
  public:
-  /// `arm` must outlive this, and stay as it is.
+  /// `arm` must outlive this object, and must not change.
   explicit PreparedArm(const Arm& arm);
   PreparedArm(const PreparedArm&) = delete;
   PreparedArm& operator=(const PreparedArm&) = delete;
   ~PreparedArm();
 
-  /// Solves the deflected shape at a posture. All that follows is about the last one solved.
+  /// Solves the deflected shape at a posture. The other functions refer to the last one solved.
   KinematicsStatus solve(const Posture& posture, const FlexibleKinematicsOptions& options = {});
 
-  /// Whether a kernel solves the shape at every posture, and gives derivatives by joints with it.
+  /// Returns true if a kernel solves the shape at every posture, and gives derivatives by joints with it.
   [[nodiscard]] bool hasJacobian() const;
 
-  /// How a kernel's derivatives make those by `variables`; null where they do not. Worked out once for variables that
-  /// are asked for again and again, and good until others are.
+  /// Returns the rule that combines a kernel's derivatives into those by `variables`, or null if there is none. It is
+  /// computed once for variables that are asked for repeatedly, and valid until others are.
   [[nodiscard]] const simd::RevoluteVariables* kernelFor(const std::vector<Variable>& variables);
 
-  /// Solves a posture with the derivatives that `variables` of kernelFor() is put together from, as one lane of a
-  /// kernel writes them.
+  /// Solves a posture with the derivatives that `variables` of kernelFor() combines, in the layout of one kernel lane.
   KinematicsStatus solveWithDerivatives(const Posture& posture, const FlexibleKinematicsOptions& options,
                                         const simd::RevoluteVariables& variables, double* derivatives);
 
-  /// The arm as a kernel takes it, for every posture alike; null where it is not (revolute_chain/revolute_chain.hpp).
+  /// Returns the arm in the form for kernels, valid for every posture, or null if no kernel takes it
+  /// (revolute_chain/revolute_chain.hpp).
   [[nodiscard]] const simd::RevoluteChain* revoluteChain() const;
 
   [[nodiscard]] KinematicsStatus status() const { return status_; }
   [[nodiscard]] std::string reason() const;
 
-  /// The last row's axes at the deflected tip, in the base as named; not numbers where an effect is undefined.
+  /// Returns the last row's axes at the deflected tip, in the nominal base; NaN if an effect is undefined.
   [[nodiscard]] const PoseOf<double>& X_BD() const { return X_BD_; }
 
-  /// A row's frame as deflected, in the base as named.
+  /// Returns a row's deflected frame in the nominal base.
   [[nodiscard]] PoseOf<double> X_BL(int row) const;
 
-  /// All that is known of the shape.
+  /// Returns everything known of the shape.
   [[nodiscard]] FlexibleKinematics shape() const;
 
-  /// What derivatives of the shape are taken from: the arm and the posture with its effects, the chain that was put
-  /// together from them, its elements and loads at rest, the near frame of every link and the tip's, and the base as
-  /// effects have moved it (null where there are none).
+  /// Inputs of derivatives of the shape: the arm and the posture with its effects, the chain assembled from them, its
+  /// elements and loads at rest, the near frame of every link and the tip's, and the base as moved by effects (null if
+  /// there are none).
   [[nodiscard]] const Arm& effective() const { return context_ ? context_->arm : arm_; }
   [[nodiscard]] const Posture& effectivePosture() const { return context_ ? context_->posture : asked_; }
   [[nodiscard]] const Chain<double>& chain() const { return chain_; }
@@ -73,20 +73,20 @@ class PreparedArm {
   void linkFrames(bool rigid, std::vector<PoseOf<double>>& frames) const;
 
  private:
-  /// The turn of a joint, by a link of the chain.
+  /// The rotation of a joint, by a link of the chain.
   struct JointTurn {
     std::size_t link;
-    int joint;      ///< -1 where it follows others
-    double offset;  ///< of the joint's reading [rad]
+    int joint;      ///< -1 if it follows others
+    double offset;  ///< offset of the joint's reading [rad]
     int row;
   };
-  /// A rigid part of a body, then the turn of a joint (-1: none).
+  /// A rigid part of a body, then the rotation of a joint (-1: none).
   struct RigidPart {
     RigidBody rigid;
     bool has_rotation = false;
     int turn = -1;
   };
-  /// Where a load other than gravity hangs: which one, in which body and before which of its parts.
+  /// Attachment of a load other than gravity: the load, its body and the part that follows it.
   struct Hanging {
     std::size_t load;
     int part;
@@ -111,21 +111,19 @@ class PreparedArm {
 
   const Arm& arm_;
   Posture asked_;
-  std::optional<EffectContext<double>> context_;  ///< where the arm has effects
-  bool is_fixed_;                                 ///< no slides, nothing that depends on the posture: the same links
-  bool is_prepared_ = false;                      ///< what follows is of the fixed arm
-  Chain<double> chain_;                           ///< with the turning joints at zero
+  std::optional<EffectContext<double>> context_;  ///< if the arm has effects
+  bool is_fixed_;  ///< true: no slides and nothing else that depends on the posture, so that the links are constant
+  bool is_prepared_ = false;  ///< true: the members below hold the fixed arm
+  Chain<double> chain_;       ///< with the revolute joints at zero
   std::vector<JointTurn> turns_;
   std::vector<RigidPart> parts_;
   std::vector<std::size_t> part_ends_;  ///< of each body
   std::vector<Hanging> hanging_;
-  mutable Equilibrium
-      equilibrium_;  ///< where a kernel has solved the shape, filled by copyOutElements() when asked for
-  std::unique_ptr<const simd::RevoluteChain>
-      revolute_chain_;                                     ///< the same arm for the kernels, where it is one for them
-  std::vector<double> element_states_;                     ///< what a kernel has found of each turn
-  std::vector<Variable> kernel_asked_;                     ///< of kernelFor(), the last ones
-  std::unique_ptr<const simd::RevoluteVariables> kernel_;  ///< of those, null where there is none
+  mutable Equilibrium equilibrium_;  ///< filled by copyOutElements() on demand if a kernel has solved the shape
+  std::unique_ptr<const simd::RevoluteChain> revolute_chain_;  ///< the arm for the kernels, if they take it
+  std::vector<double> element_states_;                         ///< result of a kernel for each turn
+  std::vector<Variable> kernel_asked_;                         ///< last variables of kernelFor()
+  std::unique_ptr<const simd::RevoluteVariables> kernel_;      ///< result for those; null if there is none
   mutable bool is_copied_out_ = true;
   int iterations_ = 0;
   KinematicsStatus status_ = KinematicsStatus::kNotRun;

@@ -1,4 +1,4 @@
-// The part of PreparedArm that hands an arm of hinges to a kernel, and takes what it has found.
+// The part of PreparedArm that passes an arm of hinges to a kernel, and takes the results.
 #include <cassert>
 
 #include "deflection/prepared_arm.hpp"
@@ -37,7 +37,7 @@ const simd::RevoluteVariables* PreparedArm::kernelFor(const std::vector<Variable
   return kernel_.get();
 }
 
-/// `out` says where derivatives are to go, if any.
+/// `out` holds pointers for derivatives, if any.
 KinematicsStatus PreparedArm::solveRevoluteChain(const FlexibleKinematicsOptions& options, simd::Shapes out) {
   const simd::RevoluteArm arm = revolute_chain_->numbers();
   const Posture& posture = effectivePosture();
@@ -69,7 +69,7 @@ KinematicsStatus PreparedArm::solveWithDerivatives(const Posture& posture, const
   return solveRevoluteChain(options, out);
 }
 
-/// The elements as the kernel has found them, and the loads on them.
+/// Copies the elements from the kernel's results, and the loads on them.
 void PreparedArm::copyOutElements() const {
   if (is_copied_out_) return;
   is_copied_out_ = true;

@@ -1,4 +1,4 @@
-// What kind of number something is: readers and printers find its unit from it.
+// The quantity of a number, from which readers and printers find its unit.
 #pragma once
 
 namespace tubeplan::deflection {
@@ -21,13 +21,13 @@ enum class Quantity {
   kTemperature,  ///< absolute
 };
 
-/// What values are measured in: a quantity, which every file has a unit of, or a unit of their own that none chooses.
+/// Unit of a value: a quantity, for which every file chooses a unit, or a fixed unit of its own.
 struct ValueUnit {
   Quantity quantity = Quantity::kNone;
-  const char* own = "";  ///< of plain numbers: "percent"
+  const char* own = "";  ///< unit of plain numbers: "percent"
 };
 
-/// E, G, I, J and joint stiffnesses: what a part's compliance is the inverse of.
+/// Returns true for E, G, I, J and joint stiffnesses, of which a part's compliance is the inverse.
 [[nodiscard]] constexpr bool isStiffness(Quantity quantity) {
   return quantity == Quantity::kTorquePerAngle || quantity == Quantity::kPressure ||
          quantity == Quantity::kLengthToTheFourth;

@@ -10,8 +10,8 @@ using Eigen::Matrix3d, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// Slides the points of the axes that turn near each other where they are far apart: equations lose by it what digits
-/// the way there and back takes. A slide has a direction alone.
+/// Moves the points of the revolute axes near each other if they are far apart: long vectors there and back would cost
+/// digits in the equations. A slide only has a direction.
 void drawAxesTogether(AxesAtZero& axes) {
   std::vector<ChainLine> chain{{Vector3d::Zero(), Vector3d::UnitZ(), false}};
   for (std::size_t k = 0; k < axes.point.size(); ++k)

@@ -8,7 +8,7 @@
 
 namespace tubeplan::deflection {
 
-inline constexpr double kFullTurn = 2 * std::numbers::pi;  ///< rad
+inline constexpr double kFullTurn = 2 * std::numbers::pi;  ///< [rad]
 
 /// Pose of a frame: p_out = R p_in + p.
 template <class S>
@@ -56,7 +56,7 @@ Matrix3<S> rotationZ(const S& angle) {
   return R;
 }
 
-/// The matrix of a cross product: a x b = crossMatrix(a) b.
+/// Returns the matrix of a cross product: a x b = crossMatrix(a) b.
 template <class S>
 Matrix3<S> crossMatrix(const Vector3<S>& a) {
   const S zero(0);
@@ -65,21 +65,23 @@ Matrix3<S> crossMatrix(const Vector3<S>& a) {
   return K;
 }
 
-/// Fixed-axis roll, pitch, yaw [rad]: Rz(yaw) Ry(pitch) Rx(roll), Craig's X-Y-Z fixed angles (gamma, beta, alpha).
+/// Returns the rotation of fixed-axis roll, pitch, yaw [rad]: Rz(yaw) Ry(pitch) Rx(roll), Craig's X-Y-Z fixed angles
+/// (gamma, beta, alpha).
 template <class S>
 Matrix3<S> rotationFromFixedAngles(const Vector3<S>& rpy) {
   return rotationZ<S>(rpy.z()) * rotationY<S>(rpy.y()) * rotationX<S>(rpy.x());
 }
 
-/// The fixed angles (gamma, beta, alpha) [rad] of a rotation; beta in [-pi/2, pi/2]. Near its ends alpha is arbitrary,
-/// and gamma is taken of what it leaves, so that the three always make the rotation again.
+/// Returns the fixed angles (gamma, beta, alpha) [rad] of a rotation; beta in [-pi/2, pi/2]. Near its ends alpha is
+/// arbitrary, and gamma is computed for that alpha, so that the three always give the rotation again.
 inline Eigen::Vector3d fixedAnglesOf(const Eigen::Matrix3d& R) {
   const double beta = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))), alpha = std::atan2(R(1, 0), R(0, 0));
   const double sine = std::sin(alpha), cosine = std::cos(alpha);
   return {std::atan2(sine * R(0, 2) - cosine * R(1, 2), cosine * R(1, 1) - sine * R(0, 1)), beta, alpha};
 }
 
-/// exp of a rotation vector [rad]. The series below 0.1 rad keeps derivatives finite at zero (error under 1e-15).
+/// Returns the exponential of a rotation vector [rad]. The series below 0.1 rad keeps derivatives finite at zero (error
+/// under 1e-15).
 template <class S>
 Matrix3<S> rotationFromVector(const Vector3<S>& v) {
   using std::cos, std::sin, std::sqrt;
@@ -103,7 +105,7 @@ Matrix3<S> rotationFromVector(const Vector3<S>& v) {
   return R;
 }
 
-/// How the axes turn when a rotation vector changes: exp(v + dv) = exp(J dv) exp(v), to first order.
+/// Returns J with exp(v + dv) = exp(J dv) exp(v), to first order.
 inline Eigen::Matrix3d leftJacobian(const Eigen::Vector3d& v) {
   const double t2 = v.squaredNorm(), t = std::sqrt(t2);
   const bool small = t2 < 0.01;

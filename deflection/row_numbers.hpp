@@ -1,5 +1,5 @@
-// Every number of a row, described once: its name in files, messages and fits, what kind of number it is and its
-// bounds. Casts between scalars, derivatives, parameters, the arm reader and the arm writer all go by this list.
+// Every number of a row, described once: its name in files, messages and fits, its quantity and its bounds. Casts
+// between scalars, derivatives, parameters, the arm reader and the arm writer all use this list.
 #pragma once
 
 #include <array>
@@ -14,37 +14,39 @@
 
 namespace tubeplan::deflection {
 
-/// What of a row a number belongs to: where the row is placed; what gives at its origin and along its member; the
-/// joint's offset, and what weighs or pulls.
+/// Part of a row that a number belongs to: its placement; its flexibility at the origin and along the member; the
+/// joint's offset, weights and forces.
 enum class RowPart { kPlacement, kFlexibility, kLoad };
 
 struct RowNumber {
-  const char* name = nullptr;  ///< within the row, "joint_stiffness.z"; null of what effects add, which no file has
+  /// Name within the row, "joint_stiffness.z"; null for numbers of effects, which files do not have.
+  const char* name = nullptr;
   Quantity quantity = Quantity::kNone;
   double lower = -std::numeric_limits<double>::infinity();  ///< physical bounds in internal units
   double upper = std::numeric_limits<double>::infinity();
   RowPart part = RowPart::kLoad;
-  int lump = -1;                                               ///< which of the row's lumps it belongs to
-  double left_out = std::numeric_limits<double>::quiet_NaN();  ///< the value that files need not state
-  bool is_parameter = false;  ///< that can be identified: not so what a joint's reading or offset stands for already
+  int lump = -1;                                               ///< index of the lump that it belongs to
+  double left_out = std::numeric_limits<double>::quiet_NaN();  ///< value that files may leave out
+  /// True: can be identified, and is not determined by the joint's reading or offset already.
+  bool is_parameter = false;
 };
 
-/// Its key in a map of the row's file, "beam" or "dh"; empty where it does not stand there.
+/// Returns the number's key in a map of the row's file, "beam" or "dh"; empty if it is not in that map.
 inline std::string_view keyIn(std::string_view map, const RowNumber& about) {
   const std::string_view name = about.name ? about.name : "";
   const bool is_there = about.lump < 0 && name.size() > map.size() && name.starts_with(map) && name[map.size()] == '.';
   return is_there ? name.substr(map.size() + 1) : std::string_view();
 }
 
-/// Name of the number that only an arm's first row can have freed: in other rows it moves nothing of its own.
+/// Name of the number that can be freed only in an arm's first row: in other rows it moves nothing of its own.
 inline constexpr std::string_view kShiftOfFirstAxis = "dh.b";
 
-/// Whether a number, by its name within the row, leads to the row's axis, before what its joint moves.
+/// Returns true if the number of that name within the row determines the row's axis, before its joint moves.
 inline bool leadsToAxis(std::string_view number) {
   return number == "dh.alpha" || number == "dh.a" || number == "dh.beta" || number == kShiftOfFirstAxis;
 }
 
-/// The name of the row that has a number of this one in its file and in fits; empty where none has.
+/// Returns the name of the row that states a number of this one in its file and in fits; empty if none does.
 template <class S>
 std::string_view rowInFile(const Row<S>& row, std::string_view number) {
   if (row.placed_by && leadsToAxis(number)) return *row.placed_by;
@@ -54,7 +56,7 @@ std::string_view rowInFile(const Row<S>& row, std::string_view number) {
 template <class R>
 using ScalarOf = std::remove_cvref_t<decltype(std::declval<R&>().joint.offset)>;
 
-/// The row's Denavit-Hartenberg numbers or its origin; null where it is placed by the other.
+/// Return the row's Denavit-Hartenberg numbers or its origin; null if it is placed by the other.
 template <class R>
 auto* dhOf(R& row) {
   return std::get_if<DenavitHartenberg<ScalarOf<R>>>(&row.placement);
@@ -64,7 +66,7 @@ auto* originOf(R& row) {
   return std::get_if<Origin<ScalarOf<R>>>(&row.placement);
 }
 
-/// Calls `visit(about, components...)` for each component of vectors side by side.
+/// Calls `visit(about, components...)` for each component of corresponding vectors.
 template <class Visit, class... V>
 void visitVectors(const RowNumber& about, const std::array<const char*, 3>& names, Visit&& visit, V&... vectors) {
   for (int k = 0; k < 3; ++k) {
@@ -105,7 +107,7 @@ void visitPlacements(Visit&& visit, R& row, Rest&... rest) {
   visit(named(lean, "origin.beta"), originOf(row)->beta, originOf(rest)->beta...);
 }
 
-/// What effects add to what gives. An addition that one of the rows has not is passed over.
+/// Visits the numbers that effects add to flexibilities. They are skipped unless all rows have them.
 template <class Visit, class... R>
 void visitEffectFlexibilities(Visit&& visit, R&... rows) {
   if (!(rows.effect_terms && ...)) return;
@@ -139,7 +141,7 @@ void visitFlexibilities(Visit&& visit, R& row, Rest&... rest) {
   visitEffectFlexibilities(visit, row, rest...);
 }
 
-/// Lumps side by side: `weight_of` describes their weights.
+/// Visits corresponding lumps; `weight_of` describes their weights.
 template <class Visit, class L, class... Rest>
 void visitLumps(const RowNumber& weight_of, Visit&& visit, L& lumps, Rest&... rest) {
   assert(((lumps.size() == rest.size()) && ...));
@@ -176,7 +178,7 @@ void visitLoads(Visit&& visit, R& row, Rest&... rest) {
   visitLumps({}, visit, row.effect_terms->hung, rest.effect_terms->hung...);
 }
 
-/// Calls `visit(about, numbers...)` for every number of rows of one shape, side by side, in the order of files.
+/// Calls `visit(about, numbers...)` for every number of rows of the same structure, in the order of files.
 template <class Visit, class... R>
 void visitNumbers(Visit&& visit, R&... rows) {
   visitPlacements(visit, rows...);

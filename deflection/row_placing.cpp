@@ -15,7 +15,7 @@ using simd::copy, simd::kMostLanes, simd::plainPose, simd::RevoluteChain;
 
 namespace {
 
-/// The tolerance of shapes that everybody has who asks for nothing else.
+/// Default tolerance of shapes.
 constexpr FlexibleKinematicsOptions kUsual;
 constexpr double kBowMargin = 1.1;
 
@@ -30,7 +30,7 @@ struct RowPlacing::Plain {
 
   [[nodiscard]] simd::PlainArm arm() const { return {rows.data(), pieces.data(), static_cast<int>(rows.size()), X_WB}; }
 
-  /// Null where a kernel cannot take the arm. `components` are the arm's elements in order.
+  /// Returns the arm for kernels, or null if they cannot take it. `components` are the arm's elements in order.
   static std::unique_ptr<const Plain> of(const Arm& given, const Isometry3d& X_WB, const PreparedArm& arm,
                                          const std::vector<ComponentState>& components) {
     const RevoluteChain* chain = arm.revoluteChain();
@@ -164,7 +164,7 @@ void RowPlacing::runOneByOne() {
   for (int l = 0; l < width; ++l) {
     const auto lane = static_cast<std::size_t>(l);
     for (Index joint = 0; joint < q.size(); ++joint) q[joint] = q_[static_cast<std::size_t>(joint * width + l)];
-    // The last one stands again in the lanes that are left over.
+    // The last posture is repeated in the remaining lanes.
     if (l < placed_.count)
       placed_.is_converged[lane] = arm_.solve({q, load_, gravity_B_}) == KinematicsStatus::kConverged;
     else

@@ -7,7 +7,7 @@
 
 namespace tubeplan::deflection {
 
-/// How many derivatives one pass carries; more variables take more passes.
+/// Number of derivatives that one pass carries; more variables take more passes.
 inline constexpr int kDualSize = 8;
 using Dual = DualNumber<kDualSize>;
 
@@ -19,7 +19,7 @@ using Matrix3 = Eigen::Matrix<S, 3, 3>;
 inline double valueOf(double x) { return x; }
 inline double valueOf(const Dual& x) { return x.value(); }
 
-/// Whether a number is zero and stays so, whatever its derivatives are taken by.
+/// Returns true if a number is zero and has zero derivatives.
 inline bool isConstantZero(double x) { return x == 0; }
 inline bool isConstantZero(const Dual& x) { return x.value() == 0 && x.derivatives() == Dual::Derivatives{}; }
 

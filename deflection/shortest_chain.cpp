@@ -10,11 +10,12 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kFarApart = 2;  ///< times the shortest way
+constexpr double kFarApart = 2;  ///< ratio to the shortest length
 constexpr int kShortenings = 10;
-constexpr double kShortestPiece = 1e-3;  ///< of a piece, as a share of the chain, when it is weighted: points may meet
+/// Least length of a piece, as a share of the chain, for its weight: points may meet.
+constexpr double kShortestPiece = 1e-3;
 
-/// The slides that make the weighted sum of squared pieces least: three diagonals, solved from one end to the other.
+/// Computes the shifts that minimise the weighted sum of squared pieces, from a tridiagonal system.
 void slideOnce(std::vector<ChainLine>& chain, const std::vector<double>& weights, std::vector<double>& slid) {
   const std::size_t n = chain.size();
   std::vector<double> diagonal(n), right(n), coupling(n, 0.);
@@ -54,7 +55,7 @@ double chainLength(const std::vector<ChainLine>& chain) {
 
 std::vector<double> shortenChain(std::vector<ChainLine>& chain) {
   std::vector<double> slid(chain.size(), 0.), weights(chain.size(), 1.);
-  // Twice with equal weights: far points lose digits at first.
+  // Twice with equal weights, because far points lose digits at first.
   slideOnce(chain, weights, slid);
   slideOnce(chain, weights, slid);
   for (int step = 0; step < kShortenings; ++step) {

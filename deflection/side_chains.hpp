@@ -1,6 +1,6 @@
-// What hangs from a row without leading to the tip: a second arm, a counterweight on a joint of its own.
+// Parts attached to a row without leading to the tip: a second arm, a counterweight on a joint of its own.
 //
-// Law: a side chain is rigid, and all that it does is weigh: W at its centre of gravity, in the axes of the row that
+// Law: a side chain is rigid and only adds its weight: W at its centre of gravity, in the axes of the row that
 // carries it, by the readings of its own joints.
 // Validity: the chain's own deflection shifts its centre of gravity by little.
 // Source: statics.
@@ -12,7 +12,7 @@
 
 namespace tubeplan::deflection {
 
-/// The joints of all side chains with readings of their own, in file order: that of Posture::side_q.
+/// Returns the joints of all side chains with readings of their own, in file order: that of Posture::side_q.
 template <class S>
 std::vector<const Joint<S>*> sideJoints(const ArmOf<S>& arm) {
   std::vector<const Joint<S>*> joints;
@@ -22,7 +22,7 @@ std::vector<const Joint<S>*> sideJoints(const ArmOf<S>& arm) {
   return joints;
 }
 
-/// Readings of those joints where nobody says them: zero, or the limit next to it.
+/// Returns the readings of those joints if they are unknown: zero, or the limit nearest to it.
 template <class S>
 Eigen::VectorXd restOfSideChains(const ArmOf<S>& arm) {
   const auto joints = sideJoints(arm);
@@ -34,8 +34,8 @@ Eigen::VectorXd restOfSideChains(const ArmOf<S>& arm) {
   return q;
 }
 
-/// The weight of a side chain [N] and where it acts, in the axes of the row that carries it. `q` are the readings of
-/// its joints, the first of them at `joint`, which is left at the next chain's.
+/// Returns the weight of a side chain [N] and its point of action, in the axes of the row that carries it. `q` are the
+/// readings of all side joints; `joint` is the index of this chain's first, and is advanced to the next chain's.
 template <class S>
 Lump<S> weightOfSideChain(const SideChain<S>& chain, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q,
                           Eigen::Index& joint) {
@@ -67,7 +67,7 @@ Lump<S> weightOfSideChain(const SideChain<S>& chain, const Eigen::Matrix<S, Eige
   return {weight, moment / weight};
 }
 
-/// Hangs the side chains of an arm from the rows of a copy of it.
+/// Adds the weights of an arm's side chains to the rows of a copy of it.
 template <class S>
 void hangSideChains(const ArmOf<S>& arm, const PostureOf<S>& posture, ArmOf<S>& to) {
   if (arm.side_chains.empty()) return;

@@ -1,5 +1,5 @@
-// Exact derivatives of the deflected tip pose: what a variable changes directly, by dual numbers, and what the arm
-// makes of it, by the linearisation of the converged shape.
+// Exact derivatives of the deflected tip pose: the direct change by a variable from dual numbers, and the arm's
+// response from the linearisation of the converged shape.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,9 @@
 
 namespace tubeplan::deflection {
 
-/// What a derivative is taken by: a joint reading (index), the hung load, gravity turned about a base axis (index: the
-/// rotation vector that turns gravity_B, and a wrench with it, which is as fixed in the world), or a number of the arm.
+/// Variable of a derivative: a joint reading (index), the hung load, gravity rotated about a base axis (index: the
+/// rotation vector that turns gravity_B, and a wrench with it, because both are fixed in the world), or a number of the
+/// arm.
 struct Variable {
   enum class Type { kJoint, kLoad, kGravityTurn, kParameter };
   Type type = Type::kJoint;
@@ -28,17 +29,17 @@ std::vector<Variable> jointVariables(const Arm& arm);
 struct TipDerivatives {
   FlexibleKinematics kinematics;  ///< the shape itself
   Eigen::Matrix3Xd position_B;    ///< d p_BD / d variable [m per unit], one column per variable
-  Eigen::Matrix3Xd
-      rotation_B;  ///< rotation vector of the tool frame per unit of the variable [rad per unit], base axes
+  /// Rotation vector of the tool frame per unit of the variable [rad per unit], base axes.
+  Eigen::Matrix3Xd rotation_B;
 };
 
-/// Tip pose and its derivatives by each of `variables`. Where the shape does not converge, `kinematics.status` says so
-/// and the columns are NaN.
+/// Returns the tip pose and its derivatives by each of `variables`. If the shape does not converge, `kinematics.status`
+/// states it and the columns are NaN.
 [[nodiscard]] TipDerivatives differentiateTip(const Arm& arm, const Posture& posture,
                                               const std::vector<Variable>& variables,
                                               const FlexibleKinematicsOptions& options = {});
 
-/// The same of the deflected frame of a row in the place of the tool frame.
+/// Returns the same derivatives for the deflected frame of a row instead of the tool frame.
 [[nodiscard]] TipDerivatives differentiateRow(const Arm& arm, int row, const Posture& posture,
                                               const std::vector<Variable>& variables,
                                               const FlexibleKinematicsOptions& options = {});

@@ -10,14 +10,14 @@ namespace tubeplan::deflection {
 
 namespace {
 
-/// Which row's links a variable of an arm without effects changes: of the tip, what the last row leads to.
+/// Returns the row whose links change with a variable of an arm without effects; for the tip, the last row.
 int rowOf(const Variable& variable, const std::vector<int>& active, int rows) {
   if (variable.type == Variable::Type::kJoint) return active[static_cast<std::size_t>(variable.index)];
   if (variable.type == Variable::Type::kParameter) return variable.parameter.row < 0 ? rows : variable.parameter.row;
   return rows;
 }
 
-/// Which of a row's numbers change.
+/// Flags of the row's numbers that change.
 struct RowChanges {
   bool placement = false, flexibility = false, others = false;
 };
@@ -41,7 +41,7 @@ void setValue(Dual& x, double value) {
   x.derivatives() = derivatives;
 }
 
-/// The row at its effective values, derivatives as they are.
+/// Sets the row to its effective values, and keeps derivatives.
 void setValues(Row<Dual>& row, const Row<double>& values) {
   if (values.effect_terms) {
     if (!row.effect_terms) row.effect_terms.emplace();
@@ -88,8 +88,8 @@ void TipDifferentiation::store(const Block& block, int count, const TipColumns& 
   for (int slot = 0; slot < count; ++slot) columns_.col(static_cast<Eigen::Index>(block[slot])) = tip.col(slot);
 }
 
-/// What changes of a row, of its reading `q` and, where it `leads_elsewhere`, of its way to the next row does; only
-/// what changes is built. Returns whether the row before leads elsewhere.
+/// Adds the motion by changes of a row, of its reading `q` and, if it `leads_elsewhere`, of its vector to the next row;
+/// only changed parts are built. Returns true if the vector of the row before changes.
 bool TipDifferentiation::differentiateRow(std::size_t index, ArmOf<Dual>& arm, const Dual& q, bool leads_elsewhere,
                                           TipColumns& tip) {
   Row<Dual>& row = arm.rows[index];
@@ -104,7 +104,7 @@ bool TipDifferentiation::differentiateRow(std::size_t index, ArmOf<Dual>& arm, c
   return changed.placement;
 }
 
-/// What turns the joints that follow others, of all rows but one.
+/// Adds the rotation of joints that follow others, in all rows but one.
 void TipDifferentiation::differentiateFollowers(std::size_t but, TipColumns& tip) {
   for (std::size_t i = 0; i < dual_arm_.rows.size(); ++i) {
     if (i == but || dual_arm_.rows[i].joint.follows.empty()) continue;
@@ -142,7 +142,7 @@ void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>
   }
 }
 
-/// What the seeded numbers change by way of the effects.
+/// Adds the changes that the seeded numbers cause through effects.
 void TipDifferentiation::differentiateInContext(TipColumns& tip) {
   const Arm& values = arm_.effective();
   const Posture& posture = arm_.effectivePosture();
@@ -162,7 +162,7 @@ void TipDifferentiation::differentiateInContext(TipColumns& tip) {
   if (sensitivity_.isOfTool()) addToolTurn(arm.tool_turn_L, sensitivity_.frame().R, tip);
 }
 
-/// What is fixed in the world, by as much as the base turns against it.
+/// Turns directions that are fixed in the world by the rotation of the base relative to it.
 void TipDifferentiation::turnWorld() {
   dual_posture_.gravity_B += gravity_turn_.cross(dual_posture_.gravity_B);
   if (!dual_posture_.wrench) return;
@@ -193,7 +193,7 @@ void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& v
   }
 }
 
-/// From the moved base to the base as named, which the variables may move too.
+/// Converts from the moved base to the nominal base; the variables may move it too.
 void TipDifferentiation::moveBase(TipColumns& tip) const {
   const PoseOf<double>& X_BM = *arm_.movedBase();
   const Eigen::Vector3d p_MF_B = X_BM.R * sensitivity_.frame().p;
@@ -224,7 +224,7 @@ void TipDifferentiation::castPosture(const Posture& posture) {
   dual_posture_.conditions = posture.conditions;
 }
 
-/// Makes room for the columns of a shape that was solved; they are not numbers where it does not converge.
+/// Sets the size of the columns after a solution; they are NaN if the shape does not converge.
 KinematicsStatus TipDifferentiation::settle(std::size_t variables) {
   resizeOrEmpty(columns_, 6, static_cast<Eigen::Index>(variables));
   if (arm_.status() != KinematicsStatus::kConverged) columns_.setConstant(std::numeric_limits<double>::quiet_NaN());

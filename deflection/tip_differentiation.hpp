@@ -1,4 +1,4 @@
-// The deflected tip and its exact derivatives, posture after posture of one arm.
+// The deflected tip and its exact derivatives, for one posture after another of one arm.
 #pragma once
 
 #include <optional>
@@ -16,23 +16,23 @@ namespace tubeplan::deflection {
 /// Shapes of one arm with their derivatives, one after the other; each thread needs its own.
 class TipDifferentiation {
  public:
-  /// `arm` must outlive this, and stay as it is.
+  /// `arm` must outlive this object, and must not change.
   explicit TipDifferentiation(const Arm& arm);
   TipDifferentiation(const TipDifferentiation&) = delete;
   TipDifferentiation& operator=(const TipDifferentiation&) = delete;
 
-  /// Solves the shape and, where it converges, takes its derivatives by `variables`; else their columns are NaN.
+  /// Solves the shape and, if it converges, its derivatives by `variables`; else their columns are NaN.
   KinematicsStatus solve(const Posture& posture, const std::vector<Variable>& variables,
                          const FlexibleKinematicsOptions& options = {});
 
-  /// The same of the deflected frame of a row in the place of the tool's: `columns()` are then its place's and turn's,
-  /// exact as those of the tool. It is never solved by a kernel's derivatives, and so takes longer.
+  /// Solves for the deflected frame of a row instead of the tool's: columns() are then those of its position and
+  /// rotation, and as exact. It never uses a kernel's derivatives, and so takes longer.
   KinematicsStatus solveRow(int row, const Posture& posture, const std::vector<Variable>& variables,
                             const FlexibleKinematicsOptions& options = {});
 
   [[nodiscard]] const PreparedArm& arm() const { return arm_; }
-  /// d p_BD / d variable [m per unit], then the rotation vector of the tool frame [rad per unit], in base axes; one
-  /// column for each variable. After solveRow() of the row's frame.
+  /// Returns d p_BD / d variable [m per unit], then the rotation vector of the tool frame [rad per unit], in base axes,
+  /// one column for each variable. After solveRow() they belong to the row's frame.
   [[nodiscard]] const Eigen::Matrix<double, 6, Eigen::Dynamic>& columns() const { return columns_; }
 
  private:
@@ -59,11 +59,11 @@ class TipDifferentiation {
   TipSensitivity sensitivity_;
   DirectChanges direct_;
   std::vector<double> kernel_columns_;
-  ArmOf<Dual> dual_arm_;  ///< empty until it is needed
+  ArmOf<Dual> dual_arm_;  ///< empty until needed
   PostureOf<Dual> dual_posture_;
   Vector3<Dual> gravity_turn_;
-  std::optional<EffectContext<Dual>> context_;  ///< of the dual arm and posture, where there are effects
-  std::vector<int> joints_;                     ///< of each row, -1 where it is passive
+  std::optional<EffectContext<Dual>> context_;  ///< of the dual arm and posture, if there are effects
+  std::vector<int> joints_;                     ///< of each row, -1 if it is passive
   std::vector<int> active_;                     ///< row of each joint
   std::vector<std::pair<int, std::size_t>> order_;
   Eigen::Matrix<double, 6, Eigen::Dynamic> columns_;

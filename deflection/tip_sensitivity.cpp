@@ -6,20 +6,20 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 
 namespace {
 
-/// (a x r) x F as a matrix on a: how a load's moment changes when its place turns.
+/// Returns (a x r) x F as a matrix on a: the slope of a load's moment by the rotation of its place.
 Matrix3d momentByTurn(const Vector3d& r, const Vector3d& force) {
   return r * force.transpose() - r.dot(force) * Matrix3d::Identity();
 }
 
 Matrix3d cross(const Vector3d& a) { return crossMatrix<double>(a); }
 
-/// Where a link's weight acts, in the base.
+/// Returns the point where a link's weight acts, in the base.
 Vector3d placeOfWeight(const ChainLink<double>& link, const PoseOf<double>& near, const PoseOf<double>& far) {
   if (link.type == ChainLinkType::kLump) return near.p + near.R * link.lever;
   return (near.p + far.p) / 2;
 }
 
-/// Where a row's frame stands in the chain.
+/// Returns the link of a row's frame in the chain.
 std::size_t linkOfFrame(const Chain<double>& chain, int row) {
   for (std::size_t k = 0; k < chain.links.size(); ++k)
     if (chain.links[k].type == ChainLinkType::kFrame && chain.links[k].row == row) return k;
@@ -66,7 +66,7 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
     out.rotation_by_moment += slopes.rotation_by_chord * out.displacement_by_moment;
     out.rotation_by_weight = slopes.rotation_by_weight + slopes.rotation_by_chord * out.displacement_by_weight;
   }
-  // How the loads beyond, as seen from the near axes, turn with the near end.
+  // Rotation of the loads beyond, in near axes, with the near end.
   const OutboardLoad& outboard = outboard_[k];
   const Matrix3d by_turn = outboard.by_turn - momentByTurn(frames_[k + 1].p, outboard.force);
   const Matrix3d moment_by_turn = out.R.transpose() * by_turn;
@@ -83,7 +83,7 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
     if (!element.has_gap[axis]) continue;
     elements_[e].rests[axis] = shape.restOf(e, axis, load.moment[axis]);
     if (elements_[e].rests[axis].by_angle == 0) continue;
-    // It hangs: in the place of its law, no moment about the axis.
+    // It hangs freely: instead of its law, the moment about the axis is zero.
     out.is_compliant[axis] = 0;
     out.rotation_by_moment.row(axis) = Eigen::RowVector3d::Unit(axis);
     right.row(axis) = seen.row(axis);
@@ -141,7 +141,8 @@ void TipSensitivity::sweepInwards(const PreparedArm& arm) {
   }
 }
 
-/// From the near to the far end of an element: what a load beyond it does to the tip more than one before it.
+/// Passes from the near to the far end of an element: the difference between the tip's responses to a load beyond it
+/// and before it.
 void TipSensitivity::passElement(const PreparedArm& arm, std::size_t k, std::size_t e, LoadAnswer& load) {
   const Answer& a = answers_[e];
   const OutboardLoad& outboard = outboard_[k];

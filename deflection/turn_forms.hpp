@@ -1,4 +1,4 @@
-// The forms in which a turn is written as three numbers: an open table. A new one is a row of it.
+// The open table of notations of a rotation as three numbers. A new one is a row of it.
 #pragma once
 
 #include <array>
@@ -9,8 +9,9 @@ namespace tubeplan::deflection {
 
 struct TurnForm {
   const char* name;
-  const char* words;                                        ///< what it is, and who writes it
-  Eigen::Matrix3d (*turn)(const Eigen::Vector3d& numbers);  ///< of angles [rad] in the order in which they are written
+  const char* words;  ///< description, and who uses it
+  /// Rotation by angles [rad] in the order in which they are written.
+  Eigen::Matrix3d (*turn)(const Eigen::Vector3d& numbers);
 };
 
 inline constexpr TurnForm kFixedAngles{
@@ -29,7 +30,7 @@ inline constexpr TurnForm kEulerZyz{
 inline constexpr TurnForm kRotationVector{"rotation-vector", "the axis times the angle: rx, ry, rz of Universal Robots",
                                           [](const Eigen::Vector3d& n) { return rotationFromVector<double>(n); }};
 
-/// The first is that of roll, pitch, yaw.
+/// All notations; the first is that of roll, pitch, yaw.
 inline constexpr std::array kTurnForms{kFixedAngles, kEulerZyx, kEulerXyz, kEulerZyz, kRotationVector};
 
 }  // namespace tubeplan::deflection

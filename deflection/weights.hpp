@@ -1,4 +1,4 @@
-// What a row and an arm weigh: end weight, distributed weight over the undeflected member, and lumps, as one.
+// Weights of rows and arms: end weight, distributed weight over the undeflected member, and lumps, combined.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,13 +9,13 @@
 namespace tubeplan::deflection {
 
 struct RowWeight {
-  double weight = 0;                                   ///< N
-  Eigen::Vector3d moment_R = Eigen::Vector3d::Zero();  ///< N m: weight times its centre in the row's frame
+  double weight = 0;                                   ///< [N]
+  Eigen::Vector3d moment_R = Eigen::Vector3d::Zero();  ///< weight times its centre in the row's frame [N m]
 };
 
 [[nodiscard]] RowWeight rowWeightOf(const Arm& arm, std::size_t row);
 
-/// All rows, N.
+/// Returns the weight of all rows [N].
 [[nodiscard]] double weightOf(const Arm& arm);
 
 }  // namespace tubeplan::deflection

@@ -1,4 +1,4 @@
-// A base that creeps.
+// A base that drifts with time.
 //
 // Law: the base stands shifted by rate * time.
 // Symbols: rate [m/s] in base axes, time [s] counted from the measurements' zero.

@@ -1,4 +1,4 @@
-// What is touched pushes back.
+// A contact force on the tip.
 //
 // Law: a constant force at the tip, against gravity.
 // Symbols: f [N], positive upwards.

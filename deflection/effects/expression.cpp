@@ -14,8 +14,8 @@ namespace tubeplan::deflection {
 
 namespace {
 
-constexpr double kNarrower = 64;         // second step of a difference, where the first may cross a kink
-constexpr double kSmoothEnough = 1e-10;  // share by which both steps may differ
+constexpr double kNarrower = 64;  // ratio of a second, narrower step of a difference, if the first may cross a kink
+constexpr double kSmoothEnough = 1e-10;  // share by which the results of both steps may differ
 constexpr const char* kConstants[] = {"pi", "_pi", "_e"};
 
 bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -24,7 +24,7 @@ bool isOfName(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 
 struct Word {
   std::string text;
   std::size_t position;
-  bool is_called;  // a bracket follows
+  bool is_called;  // true: a bracket follows
 };
 
 std::size_t endOfNumber(const std::string& text, std::size_t at) {
@@ -57,7 +57,7 @@ std::vector<Word> wordsOf(const std::string& text) {
   return words;
 }
 
-/// What muParser would take but a formula must not have: assignments, texts, bytes that nobody sees.
+/// Finds what muParser would accept but a formula must not have: assignments, texts, invisible bytes.
 std::optional<ExpressionProblem> findForeign(const std::string& text) {
   for (std::size_t k = 0; k < text.size(); ++k) {
     const char c = text[k];
@@ -99,7 +99,7 @@ ExpressionProblem problemOf(const mu::ParserError& error, const std::string& tex
 
 }  // namespace
 
-/// A parser bound to numbers of its own. Building one is not safe in several threads, since muParser shares a locale.
+/// A parser bound to its own numbers. It is not safe to build in several threads, because muParser shares a locale.
 struct Expression::Evaluator {
   std::vector<double> at;
   mu::Parser parser;
@@ -141,7 +141,7 @@ std::mutex& buildMutex() {
 
 }  // namespace
 
-/// An evaluator for the time of one question; all of them are alike.
+/// An evaluator borrowed for one evaluation; all of them are equal.
 class Expression::Borrowed {
  public:
   explicit Borrowed(Pool& pool) : pool_(pool) {
@@ -175,7 +175,7 @@ Expression::~Expression() = default;
 
 namespace {
 
-/// Names that a text may call as functions.
+/// Returns the names that a text may call as functions.
 const std::vector<std::string>& expressionFunctions() {
   static const std::vector<std::string> kFunctions = [] {
     const std::lock_guard lock(buildMutex());

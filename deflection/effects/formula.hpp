@@ -8,8 +8,8 @@
 // a condition has the arm's reference value of it.
 // Numbers are those of the file's units: lengths, forces and conditions among the symbols have them, and the
 // expression's value has the target's, an angle's degrees where the file has degrees.
-// All other names are parameters. The largest set of them in which the formula is linear, and without which it is
-// nothing, are its sizes: they start at 0 and have the target's unit. The others are shapes: plain numbers that need a
+// All other names are parameters. The largest set of them in which the formula is linear, and without which it
+// vanishes, are its sizes: they start at 0 and have the target's unit. The others are shapes: plain numbers that need a
 // start.
 #pragma once
 
@@ -23,12 +23,12 @@
 
 namespace tubeplan::deflection {
 
-/// The unit of a condition's number: the internal value is (number + zero) * unit.
+/// Unit of a condition's number: the internal value is (number + zero) * unit.
 struct ConditionScale {
   double unit = 1, zero = 0;
 };
 
-/// A file's units in internal ones.
+/// Units of a file in internal units.
 struct FormulaUnits {
   double length = 1, angle = 1, force = 1;
   OfEachCondition<ConditionScale> conditions{};
@@ -37,17 +37,17 @@ struct FormulaUnits {
 struct FormulaTarget {
   enum class Of { kJoint, kTip, kBase };
   Of of = Of::kJoint;
-  int row = -1;   ///< of a joint
-  int axis = -1;  ///< of tip or base: 0, 1, 2; 3: yaw
+  int row = -1;   ///< row of a joint
+  int axis = -1;  ///< axis of tip or base: 0, 1, 2; 3: yaw
 };
 
-/// What a name in an expression stands for: (internal value) / unit - zero.
+/// Meaning of a name in an expression: (internal value) / unit - zero.
 struct FormulaSymbol {
   enum class Of { kJoint, kApproachDirection, kMoment, kLoad, kCondition };
   Of of = Of::kLoad;
   int row = -1, axis = -1;
   double unit = 1, zero = 0;
-  Condition condition{};  ///< of kCondition
+  Condition condition{};  ///< for kCondition
 };
 
 struct NamedSymbol {
@@ -55,21 +55,21 @@ struct NamedSymbol {
   FormulaSymbol symbol;
 };
 
-/// Everything that an expression may name for an arm.
+/// Returns everything that an expression may name for an arm.
 [[nodiscard]] std::vector<NamedSymbol> formulaSymbols(const Arm& arm, const FormulaUnits& units);
 
-/// The targets of an arm as they are written.
+/// Returns the targets of an arm as they are written.
 [[nodiscard]] std::vector<std::string> formulaTargets(const Arm& arm);
 
-/// A formula understood; shared by the effects that carry it and never changed.
+/// A parsed formula; shared by the effects that carry it and never changed.
 struct Formula {
   std::string text;  ///< as written
-  std::string at;    ///< the target's name; the second formula of a target has "#2" behind it, and so on
+  std::string at;    ///< the target's name; the second formula of a target has "#2" appended, and so on
   FormulaTarget target;
-  Quantity quantity = Quantity::kAngle;  ///< of the target: an angle or a length
-  double unit = 1;                       ///< internal units of it per unit of the expression's value
+  Quantity quantity = Quantity::kAngle;  ///< quantity of the target: an angle or a length
+  double unit = 1;                       ///< internal units of the target per unit of the expression's value
 
-  /// Of each name of the expression: a symbol, or the index of a parameter.
+  /// Meaning of one name of the expression: a symbol, or the index of a parameter.
   struct Input {
     int parameter = -1;
     FormulaSymbol symbol;
@@ -77,9 +77,9 @@ struct Formula {
   std::vector<Input> inputs;
   std::shared_ptr<const Expression> expression;
 
-  std::vector<std::string> names;           ///< of the parameters
+  std::vector<std::string> names;           ///< names of the parameters
   std::vector<EffectParameter> parameters;  ///< their names point into `names`
-  std::vector<double> units;                ///< internal units per number of the expression, of each parameter
+  std::vector<double> units;                ///< internal units per number of the expression, for each parameter
 
   Formula() = default;
   Formula(const Formula&) = delete;
@@ -90,19 +90,20 @@ enum class FormulaStatus { kNotRun, kMade, kBadTarget, kBadExpression, kBadStart
 
 struct MadeFormula {
   FormulaStatus status = FormulaStatus::kNotRun;
-  std::string found, expected;     ///< why not made
-  std::string word;                ///< a name that is not known, where that is the reason ...
-  std::vector<std::string> known;  ///< ... and those that are
-  std::vector<std::string> free;   ///< of a formula made: parameters without a start; a misspelt symbol is among them
-  Effect effect;                   ///< at its start
+  std::string found, expected;     ///< reason if not made
+  std::string word;                ///< the unknown name, if that is the reason
+  std::vector<std::string> known;  ///< the known names, if one is unknown
+  std::vector<std::string> free;   ///< parameters without a start, if made; a misspelt symbol is among them
+  Effect effect;                   ///< at its start values
 };
 
-/// `at` is the effect's place as a file has it; where it is empty the target, with the first number that is free.
+/// Parses a formula of an arm. `at` is the effect's place in a file; if empty, it becomes the target with the first
+/// free number.
 [[nodiscard]] MadeFormula makeFormula(const Arm& arm, std::string_view text, const FormulaUnits& units,
                                       std::string_view at = "");
 
-/// What a formula of an arm lacks at a posture: a finite value, or finite derivatives by joints and its parameters.
-/// Empty where nothing.
+/// Returns what a formula of an arm lacks at a posture: a finite value, or finite derivatives by joints and its
+/// parameters. Empty if nothing.
 [[nodiscard]] std::string findUndefinedFormula(const Arm& arm, const Posture& posture);
 
 }  // namespace tubeplan::deflection

@@ -9,10 +9,10 @@ namespace tubeplan::deflection {
 
 namespace {
 
-constexpr int kSamples = 24;      // places at which a formula is tried
-constexpr double kLinear = 1e-9;  // share by which a linear formula may miss
+constexpr int kSamples = 24;      // number of points at which a formula is tried
+constexpr double kLinear = 1e-9;  // relative error allowed for a linear formula
 
-/// Numbers from -2 to 2 that follow no rule the formula could know, the same every time.
+/// A fixed series of irregular numbers from -2 to 2, which no formula is likely to match.
 class Spread {
  public:
   double next() {
@@ -24,7 +24,7 @@ class Spread {
   int count_ = 0;
 };
 
-/// Whether the expression is linear in the parameters of a mask, and nothing where they are zero.
+/// Returns true if the expression is linear in the parameters of a mask, and vanishes where they are zero.
 bool isLinear(const Formula& formula, unsigned mask) {
   Spread spread;
   int tried = 0;

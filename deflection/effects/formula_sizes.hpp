@@ -1,12 +1,13 @@
-// Which parameters of a formula are its sizes: the largest set in which it is linear and without which it is nothing.
+// Search for the sizes among a formula's parameters: the largest set in which it is linear and without which it
+// vanishes.
 #pragma once
 
 #include "deflection/effects/formula.hpp"
 
 namespace tubeplan::deflection {
 
-/// Bit k is set for parameter k; of several sets of that many the one that is named first. Found by trying the
-/// expression at two dozen places; where it has a value at none of them it has no sizes.
+/// Returns the sizes as a bit mask: bit k for parameter k. Of several sets of that many, it is the one named first. The
+/// search evaluates the expression at two dozen points; a formula without a value at any of them has no sizes.
 [[nodiscard]] unsigned findSizes(const Formula& formula);
 
 }  // namespace tubeplan::deflection

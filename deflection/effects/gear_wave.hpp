@@ -1,4 +1,4 @@
-// A gear that errs once per turn of its input: a fast wave of the joint's reading.
+// A gear with an error once per turn of its input: a fast wave of the joint's reading.
 //
 // Law: true joint value = reading + A sin(N q) + B cos(N q).
 // Symbols: A, B [rad]; N the gear's ratio, as the arm's file states it (joint.gear_ratio); q the reading.

@@ -1,5 +1,4 @@
-// A joint that gives under weights that nobody stated: what hangs behind it, as a few products of compliance and
-// weight.
+// A compliant joint under weights that the file does not state, as a few products of compliance and weight.
 //
 // Law: rotation about the joint's axis z = z . [(x u_x + y u_y) + (p_T - p_J) w / (1 m)] x g.
 // Symbols: x, y the row's axes square to z; u_x, u_y [rad] the turn where the joint's own part hangs level along them;

@@ -1,4 +1,4 @@
-// Gravity that leans against where the base is said to stand.
+// Gravity tilted relative to the nominal pose of the base.
 //
 // Law: gravity's direction is turned by the rotation vector (wx, wy, 0) in base axes; the geometry stays.
 // Symbols: wx, wy [rad].

@@ -1,4 +1,4 @@
-// A joint axis that was taken as rigid gives.
+// Compliance of a joint axis that was taken as rigid.
 //
 // Law: rotation = c M about the axis, at the row's origin (elements/joint_stiffness.hpp).
 // Symbols: c [rad/(N m)], M moment about the axis [N m].

@@ -1,6 +1,6 @@
-// A joint that another one drags along, as through a belt or a differential.
+// A joint that another one moves as well, through a belt or a differential.
 //
-// Law: true value of the one = its reading + share * reading of the other.
+// Law: true joint value = reading + share * reading of the other joint.
 // Symbols: share [1].
 // Validity: two joints of one type; readings counted from the encoders' zeros.
 // Source: coupled joints in Craig, Introduction to Robotics (actuator space and joint space).

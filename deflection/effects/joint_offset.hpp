@@ -1,4 +1,4 @@
-// A joint whose zero is elsewhere.
+// An offset of a joint's zero.
 //
 // Law: true joint value = reading + d.
 // Symbols: d offset [rad; m on a slide].

@@ -1,4 +1,4 @@
-// A member that was taken as rigid about an axis bends about it.
+// Bending of a member about an axis that was taken as rigid.
 //
 // Law: curvature = b M about the row's axis made square to the member (elements/beam.hpp); b = 1/(E I).
 // Symbols: b [1/(N m^2)], M moment about that axis [N m].

@@ -1,4 +1,4 @@
-// A link whose far joint axis leans out of parallel with its near one.
+// A link whose far joint axis is not parallel to its near one.
 //
 // Law: the next row's frame is turned by dbeta about its own y, before its joint turns it.
 // Symbols: dbeta [rad].
@@ -19,7 +19,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   beta += effect.values[0];
 }
 
-/// A row whose next row turns about an axis that is nearly parallel to its own.
+/// Returns true if the next row turns about an axis that is nearly parallel to this row's.
 inline bool hasPlace(const Arm& arm, int row) {
   return row + 1 < static_cast<int>(arm.rows.size()) && turns(arm.rows[row + 1].joint) &&
          isNearlyParallel(arm.rows[row + 1]);

@@ -25,7 +25,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   std::get<Origin<S>>(next.placement).position += drawn * S(effect.values[0] / sqrt(drawn.squaredNorm()));
 }
 
-/// A frame in the place of the one before it has no direction to grow along.
+/// Returns true if the link has a direction to grow along: its next frame is not in the same place.
 inline bool hasPlace(const Arm& arm, int row) {
   if (row + 1 == static_cast<int>(arm.rows.size())) return false;
   const auto* origin = std::get_if<Origin<double>>(&arm.rows[row + 1].placement);

@@ -1,4 +1,4 @@
-// A member that was taken as rigid in torsion twists.
+// Torsion of a member that was taken as rigid.
 //
 // Law: twist per length = t M about the member (elements/beam.hpp); t = 1/(G J).
 // Symbols: t [1/(N m^2)], M moment about the member [N m].

@@ -1,4 +1,4 @@
-// A hung load whose centre is off the tip.
+// A hung load whose centre is not at the tip.
 //
 // Law: the load acts at tip + v, which turns with the deflected tool: a couple (R v) x F beside the force.
 // Symbols: v [m] in the last row's axes as carried to the tip, R the tool frame as deflected, F the hung load [N].

@@ -8,19 +8,19 @@ namespace tubeplan::deflection::places {
 std::vector<Place> ofJoints(const Arm& arm);
 std::vector<Place> ofRevoluteJoints(const Arm& arm);
 
-/// Every ordered pair of two joints of the same type: `row` takes from `other`.
+/// Returns every ordered pair of two joints of the same type: `row` is driven by `other`.
 std::vector<Place> ofJointPairs(const Arm& arm);
 
-/// Every slide with every revolute joint: `row` takes from `other`.
+/// Returns every pair of a slide and a revolute joint: `row` is driven by `other`.
 std::vector<Place> ofSlidesTurned(const Arm& arm);
 
 std::vector<Place> ofRows(const Arm& arm);
 
-/// The rows, or rows and axes, that a rule accepts.
+/// Return the rows, or rows and axes, that a rule accepts.
 std::vector<Place> ofRows(const Arm& arm, bool (*accepts)(const Arm&, int row));
 std::vector<Place> ofAxes(const Arm& arm, bool (*accepts)(const Arm&, int row, int axis));
 
-/// The one place of a fixed word.
+/// Returns the one place of a fixed word.
 std::vector<Place> theOnly(const Arm& arm);
 
 }  // namespace tubeplan::deflection::places

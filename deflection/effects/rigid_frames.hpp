@@ -1,11 +1,11 @@
-// Where an arm's rows stand as if nothing gave: for laws that ask where a part is.
+// Frames of an arm's rows without deflection, for laws that depend on the place of a part.
 #pragma once
 
 #include "deflection/chain.hpp"
 
 namespace tubeplan::deflection {
 
-/// Frames of all rows, and the tip, in base axes.
+/// Frames of all rows, and the tip, in base axes [m].
 template <class S>
 struct RigidFrames {
   std::vector<PoseOf<S>> rows;

@@ -1,5 +1,5 @@
-// The moments that an arm's weights and the loads on its tip put on its rows, as if nothing gave: an explicit function
-// of posture and numbers, for laws that read them.
+// Moments on the rows of an arm by its weights and the loads on its tip, without deflection: an explicit function of
+// posture and numbers, for laws that depend on them.
 #pragma once
 
 #include "deflection/parameters.hpp"
@@ -7,7 +7,7 @@
 
 namespace tubeplan::deflection {
 
-/// From the base's axes to those of the tip.
+/// Adds a wrench, turned from the base's axes to those of the tip.
 template <class S>
 void addWrench(const Chain<S>& chain, const WrenchOf<S>& wrench, Vector3<S>& force, Vector3<S>& moment) {
   Matrix3<S> R = Matrix3<S>::Identity();
@@ -17,7 +17,7 @@ void addWrench(const Chain<S>& chain, const WrenchOf<S>& wrench, Vector3<S>& for
   moment += R.transpose() * wrench.moment_B;
 }
 
-/// On each row: of everything from its frame outwards, about its origin, in its axes [N m].
+/// Returns for each row the moment of everything from its frame outwards, about its origin, in its axes [N m].
 template <class S>
 std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& posture) {
   ArmOf<S> hung;
@@ -32,14 +32,14 @@ std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& po
   else
     chain = assembleChain<S>(whole, castArm<double>(whole), posture.q);
   const std::size_t count = chain.links.size();
-  std::vector<Vector3<S>> gravity(count);  // in the axes that each link begins in
+  std::vector<Vector3<S>> gravity(count);  // in the near axes of each link
   Vector3<S> along = posture.gravity_B;
   for (std::size_t k = 0; k < count; ++k) {
     gravity[k] = along;
     if (chain.links[k].type == ChainLinkType::kTurn) along = (chain.links[k].R.transpose() * along).eval();
   }
   std::vector<Vector3<S>> moments(arm.rows.size(), Vector3<S>::Zero());
-  Vector3<S> force = along * posture.load, moment = Vector3<S>::Zero();  // in the axes and about the end of link k
+  Vector3<S> force = along * posture.load, moment = Vector3<S>::Zero();  // in the axes of the end of link k, about it
   if (posture.wrench) addWrench(chain, *posture.wrench, force, moment);
   for (std::size_t k = count; k-- > 0;) {
     const ChainLink<S>& link = chain.links[k];
@@ -49,10 +49,10 @@ std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& po
       moment = (link.R * moment).eval();
     }
     const Vector3<S> weight = gravity[k] * link.weight;
-    if (link.type == ChainLinkType::kLump)
-      moment += link.lever.cross(weight);
+    if (link.type == ChainLinkType::kLump) moment += link.lever.cross(weight);
+    // Weight acts at the middle.
     else
-      moment += link.p.cross(force + weight * S(0.5));  // it hangs at the middle
+      moment += link.p.cross(force + weight * S(0.5));
     force += weight;
   }
   return moments;

@@ -1,4 +1,4 @@
-// A measuring instrument whose scale is off.
+// A scale error of the measuring instrument.
 //
 // Law: measured coordinate = (1 + e) * true world coordinate.
 // Symbols: e [1].

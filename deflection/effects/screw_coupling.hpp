@@ -1,4 +1,4 @@
-// A slide that a turning joint carries along its screw, as the last axes of a SCARA do on one ball screw spline.
+// A slide that a turning joint moves along its screw, as on the ball screw spline of a SCARA's last axes.
 //
 // Law: true position of the slide = its reading + travel * reading of the turning joint, as in joint_coupling.hpp.
 // Symbols: travel [m per rad]: the screw's lead over a turn, where the controller does not compensate for it.

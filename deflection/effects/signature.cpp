@@ -14,12 +14,13 @@ namespace {
 using Eigen::Index, Eigen::Matrix3Xd, Eigen::Vector3d;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kOfCondition = 5;  // a change by a condition counts for so many by a joint: few laws have one
-constexpr double kOfOwnJoint = 3;   // and one by the joint that the effect is at
-constexpr double kOfReach = 1e-9;   // what rounding alone may leave of a shift
-constexpr double kOfRange = 0.05;   // of a joint's range, kept from its limits
+// Weight of a change by a condition against one by a joint, because few laws have one.
+constexpr double kOfCondition = 5;
+constexpr double kOfOwnJoint = 3;  // weight of a change by the joint of the effect
+constexpr double kOfReach = 1e-9;  // shift that may be rounding alone, as a share of the reach
+constexpr double kOfRange = 0.05;  // distance from a joint's limits, as a share of its range
 
-/// Half of what a real machine has, and an event half way through the sweep of time.
+/// Returns the effect at half of its plausible size; an event is half way through the sweep of time.
 Effect ofUsualSize(const Arm& arm, Effect effect) {
   const auto& numbers = numbersOf(effect);
   for (std::size_t v = 0; v < numbers.size(); ++v) {
@@ -54,7 +55,7 @@ class Sweeper {
     middle_.q.resize(joints);
     for (Index j = 0; j < joints; ++j) {
       const Range range = rangeOf(arm.joint(j));
-      constexpr double kGolden = 0.6180339887498949;  // shares of the ranges that no symmetry of the arm picks out
+      constexpr double kGolden = 0.6180339887498949;  // irregular shares of the ranges, to avoid symmetries of the arm
       const double share = 0.3 + 0.4 * std::fmod(0.5 + kGolden * static_cast<double>(j), 1);
       middle_.q[j] = range.lower + share * (range.upper - range.lower);
     }
@@ -87,7 +88,7 @@ class Sweeper {
           [&](Posture& posture, double at) { posture.conditions[kind.condition] = at; });
   }
 
-  /// In the tool frame, where a base that turns with the first joint does not turn it.
+  /// Returns the shift in the tool frame, so that a base that turns with the first joint does not turn it.
   [[nodiscard]] Vector3d shiftAt(const Posture& posture) const {
     const auto without = solveFlexibleKinematics(without_, posture), with = solveFlexibleKinematics(with_, posture);
     if (without.status != KinematicsStatus::kConverged || with.status != KinematicsStatus::kConverged)
@@ -117,7 +118,7 @@ class Sweeper {
     return row == place.row || row == place.other ? kOfOwnJoint : 1;
   }
 
-  /// The axis along which the shifts change most becomes that of the picture.
+  /// Takes a sweep's signature; the axis along which the shifts change most becomes that of the picture.
   void take(Signature found, const Matrix3Xd& shifts) {
     Matrix3Xd changes(3, 0);
     for (Index k = 0; k < shifts.cols(); ++k) {
@@ -130,7 +131,7 @@ class Sweeper {
     const double change = changes.colwise().norm().maxCoeff(), weighed = change * weightOf(found);
     if (change <= kOfReach * reachOf(without_) || weighed <= most_change_) return;
     most_change_ = weighed;
-    // Of three rows known beforehand, Eigen's thin U has no room for two columns.
+    // A matrix with three fixed rows would leave Eigen's thin U no room for two columns.
     const Eigen::JacobiSVD<Eigen::MatrixXd> axes(changes, Eigen::ComputeThinU);
     const Vector3d axis = axes.matrixU().col(0);
     for (Index k = 0; k < shifts.cols(); ++k) found.shift.push_back(axis.dot(shifts.col(k)));

@@ -1,7 +1,7 @@
-// A slide that gives the more the farther it is out: less of it overlaps its bearing.
+// A slide that is more compliant the farther it is extended: less of it overlaps its bearing.
 //
 // Law: rotation = M (c1 s + c2 s^2 + c3 s^3) about the axis, at the slide's guide.
-// Symbols: s how far the slide is out: above its lower limit, over its range, where limits are stated; its reading in
+// Symbols: s extension of the slide: above its lower limit, over its range, where limits are stated; its reading in
 // metres where not; c1 to c3 [rad/(N m)] at s = 1; M the moment about the axis there [N m].
 // Validity: small rotations; readings that grow as the slide comes out. What it gives at s = 0 is joint-compliance.
 // Source: two bearings an overlap L - s apart give by 1 / (L - s)^2 under a moment, whose series in s / L has no
@@ -27,7 +27,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   const auto& joint = context.given.rows[row].joint;
   const S reading = context.asked.q[jointIndexOf(context.given, row)];
   const S along = hasRange(joint) ? S((reading - S(joint.lower)) / S(joint.upper - joint.lower)) : reading;
-  const S out = along > S(0) ? along : S(0);  // fully in: nothing gives yet
+  const S out = along > S(0) ? along : S(0);  // a slide fully in has no such compliance
   EffectTerms<S>& effect_terms = effectTermsOf(context, row);
   effect_terms.joint_is_compliant = true;
   effect_terms.compliance[effect.place.axis] +=

@@ -1,4 +1,4 @@
-// A tip elsewhere in the last row's frame.
+// An offset of the tip in the last row's frame.
 //
 // Law: tip = tip drawn + v, in the last row's frame.
 // Symbols: v [m].

@@ -1,9 +1,9 @@
-// A tool or target that was mounted anew: in one set-up the tip is elsewhere than in the others.
+// A tool or target that was remounted: in one set-up the tip has another place than in the others.
 //
 // Law: tip in the last row's frame = as in the other set-ups + (x, y, z), in the set-up of that name.
 // Symbols: x, y, z [m].
 // Validity: rigid; the same all through the set-up.
-// Source: geometry; the trap of measuring campaigns with several mountings.
+// Source: geometry; a known error of measuring campaigns with several mountings.
 #pragma once
 
 #include "deflection/effects/places.hpp"

@@ -2,9 +2,9 @@
 //
 // Law: axes of the tool frame = exp(turn drawn + v) times those drawn, in the last row's frame. The tip stays.
 // Symbols: v [rad], a rotation vector.
-// Validity: geometry only; what readings state of the tool's turn, and of points of the tool beside its tip. The axis
+// Validity: geometry only; seen in readings of the tool's rotation and of points of the tool beside its tip. The axis
 //           along which the tool enters a hole is the tool's own and does not follow.
-// Source: Everett 1987 (a mechanism's six numbers of the tool, of which the tip has three).
+// Source: Everett 1987 (six parameters of a mechanism's tool, three of them for the tip).
 #pragma once
 
 #include "deflection/effects/places.hpp"

@@ -1,8 +1,8 @@
-// A tool heavier or lighter than stated, everywhere alike.
+// A tool heavier or lighter than stated, in the same proportion everywhere.
 //
 // Law: every weight of the last row = as stated (1 + e).
 // Symbols: e [1], not below -1.
-// Validity: at rest; the hung load is none of it.
+// Validity: at rest; without the hung load.
 // Source: Calkins 1994, section 2.3 (weight per length, end weights).
 #pragma once
 

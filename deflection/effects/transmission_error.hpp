@@ -1,4 +1,4 @@
-// A gear that errs twice per turn, as an oval ring or an elliptic bearing of the joint does.
+// A gear with an error twice per turn, as of an oval ring or an elliptic bearing of the joint.
 //
 // Law: true joint angle = reading + A sin(2 q) + B cos(2 q).
 // Symbols: q reading [rad], A, B amplitudes [rad].

@@ -16,7 +16,7 @@ namespace tubeplan::deflection::user_formula {
 
 inline constexpr const char* kName = "formula";
 
-/// A symbol in the units of the formula.
+/// Returns the value of a symbol in the units of the formula.
 template <class S>
 S valueOf(const FormulaSymbol& symbol, EffectContext<S>& context) {
   const ArmOf<S>& given = context.given;
@@ -40,7 +40,7 @@ S valueOf(const FormulaSymbol& symbol, EffectContext<S>& context) {
   return S(0);
 }
 
-/// What the expression is asked at, name by name.
+/// Returns the arguments of the expression, in the order of its names.
 template <class S>
 std::vector<S> inputsOf(const EffectOf<S>& effect, EffectContext<S>& context) {
   std::vector<S> at;
@@ -75,7 +75,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   }
 }
 
-/// It has no places of its own: its formula names them.
+/// Returns the kind. It has no places of its own: its formula names them.
 inline EffectKind kind() {
   return {.name = kName,
           .words = "a user-defined formula",

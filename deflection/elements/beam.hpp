@@ -6,14 +6,14 @@
 //      displacement delta = L C (M/2 + r x F / 3 + r x W / 8) x v  +  foreshortening,
 //      which are equations 2.9 to 2.16 of Calkins 1994 with 3 for 2 in equation 2.8.
 // Symbols: F, M force [N] and moment [N m] on the far end, W weight along the member [N], v the member [m], L its
-// length, e = v/L,
-//      r the deflected chord (so that moments are taken on the bent shape), n_k the row's axis k made square to e,
-//      b_k, t compliances that an addition gives a member or axis taken as rigid [1/(N m^2)].
-// Foreshortening: a bent member ends nearer, by half the mean square of its slope, 1/2 mean(theta(s) x (theta(s) x v));
-// 0.003 in on
-//      the Cobra arm, which is more than the tolerance against exact rods.
+//      length, e = v/L, r the deflected chord (so that moments are taken on the bent shape), n_k the component of the
+//      row's axis k perpendicular to e, of unit length, b_k, t compliances that an effect adds to a member or axis
+//      taken as rigid [1/(N m^2)].
+// Foreshortening: the end of a bent member comes nearer, by half the mean square of its slope,
+//      1/2 mean(theta(s) x (theta(s) x v)); 0.003 in on the Cobra arm, which is more than the tolerance against exact
+//      rods.
 // Validity: slender, linear elastic, rotation along one element below about 0.1 rad (split it with `segments` beyond).
-// No shear.
+//      No shear.
 #pragma once
 
 #include <cmath>
@@ -33,7 +33,7 @@ inline bool isFlexible(const Row<double>& row) {
 
 inline int segments(const Row<double>& row) { return row.beam ? row.beam->segments : 1; }
 
-/// The row's axis made square to the member, unit length.
+/// Returns the component of the row's axis perpendicular to the member, as a unit vector.
 template <class S>
 Vector3<S> squareTo(const Vector3<S>& e, int axis) {
   Vector3<S> n = Vector3<S>::Unit(axis) - e * e[axis];
@@ -41,7 +41,7 @@ Vector3<S> squareTo(const Vector3<S>& e, int axis) {
   return n;
 }
 
-/// Curvature per moment [1/(N m^2)], for a member along the unit vector e.
+/// Returns the curvature per moment [1/(N m^2)] of a member along the unit vector e.
 template <class S>
 Matrix3<S> curvatureCompliance(const Beam<S>& b, const Vector3<S>& e) {
   Matrix3<S> C = Matrix3<S>::Zero();
@@ -54,7 +54,7 @@ Matrix3<S> curvatureCompliance(const Beam<S>& b, const Vector3<S>& e) {
   return C;
 }
 
-/// The same of an addition. An axis along the member has no bending about it.
+/// Returns the curvature per moment [1/(N m^2)] that effects add. There is no bending about an axis along the member.
 template <class S>
 Matrix3<S> addedCompliance(const EffectTerms<S>& effect_terms, const Vector3<S>& e) {
   Matrix3<S> C = e * e.transpose() * effect_terms.torsion_compliance;
@@ -71,7 +71,7 @@ Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>& member) {
   using std::sqrt;
   Flexibility<S> result;
   result.member = member;
-  if (valueOf(member.squaredNorm()) == 0) return result;  // a slide drawn fully in has nothing to bend
+  if (valueOf(member.squaredNorm()) == 0) return result;  // a fully retracted slide has no length to bend
   const S L = sqrt(member.squaredNorm());
   const Vector3<S> e = member / L;
   if (row.beam) result.compliance += curvatureCompliance<S>(*row.beam, e);
@@ -81,28 +81,29 @@ Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>& member) {
   return result;
 }
 
-/// The slope along the member, theta(s) = m s + f (s - s^2/2) + w (1 - (1-s)^3)/6: what the moment, the force and the
-/// weight along it turn.
+/// Slope along the member, theta(s) = m s + f (s - s^2/2) + w (1 - (1-s)^3)/6, with the parts due to moment, force and
+/// distributed weight [rad].
 template <class S>
 struct Slope {
   Vector3<S> m, f, w;
 };
 
-/// `L` is the loading's scalar: plain numbers where only the flexibility changes.
+/// `L` is the loading's scalar: plain numbers if only the flexibility changes.
 template <class S, class L>
 Slope<S> slopeOf(const Flexibility<S>& flexibility, const Loading<L>& loading) {
   return {flexibility.compliance * loading.moment, flexibility.compliance * loading.chord.cross(loading.force),
           flexibility.compliance * loading.chord.cross(loading.weight)};
 }
 
-/// Half the means of theta(s)'s products: theta . theta = 2 (m . M + f . F + w . W) in the mean, for M, F, W returned.
+/// Returns half the means of theta(s)'s products: with the returned M, F, W, the mean of theta . theta is 2 (m . M + f
+/// . F + w . W).
 template <class S>
 Slope<S> meansOf(const Slope<S>& t) {
   return {t.m * (1. / 6) + t.f * (5. / 48) + t.w * (3. / 80), t.m * (5. / 48) + t.f * (1. / 15) + t.w * (7. / 288),
           t.m * (3. / 80) + t.f * (7. / 288) + t.w * (1. / 112)};
 }
 
-/// 1/2 of the mean of theta(s) x (theta(s) x v).
+/// Returns 1/2 of the mean of theta(s) x (theta(s) x v).
 template <class S>
 Vector3<S> foreshortening(const Slope<S>& t, const Vector3<S>& v) {
   const Slope<S> mean = meansOf<S>(t);
@@ -120,7 +121,7 @@ Deflection<S> deflect(const Flexibility<S>& flexibility, const Loading<L>& loadi
   return result;
 }
 
-/// How the displacement changes with one part of the slope, whose lever on the member is `share`.
+/// Returns the slope of the displacement by one part of theta(s), whose lever on the member is `share`.
 inline Eigen::Matrix3d displacementBy(double share, const Eigen::Vector3d& mean, const Eigen::Vector3d& v) {
   return -share * crossMatrix(v) + mean.dot(v) * Eigen::Matrix3d::Identity() + mean * v.transpose() -
          2 * v * mean.transpose();

@@ -4,11 +4,10 @@
 //      in between only where the moment is zero, the joint hanging freely in its gap.
 // Symbols: g gap [rad], theta rotation within it [rad], M moment about the axis [N m].
 // Method: theta <- clamp(theta + M/kappa, -g/2, g/2) once in each pass of the shape, kappa at least the restoring
-//      moment per angle, |dM/dtheta|: what hangs on the joint is a pendulum, and with several clearances a chain of
+//      moment per angle, |dM/dtheta|: the load on the joint is a pendulum, and with several clearances a chain of
 //      them, whose iteration is a contraction when each kappa counts them all.
-// Validity: at rest, without friction. Where the moment neither presses nor restores (an axis along gravity) theta
-// stays
-//      as it is, and so does its derivative.
+// Validity: at rest, without friction. Where the moment neither presses nor restores (an axis along gravity)
+//      theta and its derivative stay as they are.
 #pragma once
 
 #include <algorithm>
@@ -17,24 +16,24 @@
 
 namespace tubeplan::deflection::clearance {
 
-/// What decides how far a pass may move a joint within its gap.
+/// Numbers that limit the motion of a joint within its gap in one pass.
 struct Restoring {
   double moment_per_angle;  ///< dM/dtheta of the joint turned alone [N m/rad]; negative: the load hangs
-  double scale;             ///< all forces beyond times the arm's reach [N m]
-  int clearances;           ///< how many there are in the arm
+  double scale;             ///< sum of the forces beyond times the arm's reach [N m]
+  int clearances;           ///< number of clearances in the arm
 };
 
-/// Where a joint rests in its gap after a pass, and what that changes with.
+/// Position of a joint in its gap after a pass, and its slopes.
 struct Rest {
-  double angle;          ///< rad
-  double by_gap = 0;     ///< rad/rad
-  double by_angle = 0;   ///< of the pass before; 1 while it hangs, where the moment alone moves it ...
-  double by_moment = 0;  ///< ... by this [rad/(N m)]
+  double angle;          ///< [rad]
+  double by_gap = 0;     ///< slope by the gap [rad/rad]
+  double by_angle = 0;   ///< slope by the angle before the pass; 1 while the joint hangs freely
+  double by_moment = 0;  ///< slope by the moment [rad/(N m)]
 };
 
 inline Rest converge(double gap, double before, double moment, const Restoring& restoring) {
   const double half = gap / 2, side = (moment > 0) - (moment < 0), floor = 1e-6 * restoring.scale;
-  // A closed gap still has its derivative: half of what it would open, in the sense of the moment.
+  // A closed gap still has its derivative: half of any opening, in the direction of the moment.
   if (half <= 0) return {side * half, side / 2};
   const bool hangs = restoring.moment_per_angle < -floor;
   if (!hangs && std::abs(moment) <= 1e-9 * restoring.scale) return {before};

@@ -1,4 +1,4 @@
-// The element table: every law by which a component of the arm gives.
+// The element table: the laws of all flexible components of an arm.
 #include <array>
 
 #include "deflection/elements/beam.hpp"

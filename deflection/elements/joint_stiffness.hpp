@@ -42,7 +42,7 @@ Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>&) {
   return result;
 }
 
-/// `L` is the loading's scalar: plain numbers where only the flexibility changes.
+/// `L` is the loading's scalar: plain numbers if only the flexibility changes.
 template <class S, class L>
 Deflection<S> deflect(const Flexibility<S>& flexibility, const Loading<L>& loading) {
   Deflection<S> result;

@@ -23,7 +23,7 @@ std::string degrees(double angle) {
   return text.str();
 }
 
-/// How far from a posture that can be used: first those that reach the place within the joints' limits.
+/// Returns the rank of a branch, with usable ones first, then those that reach the place within the joints' limits.
 int severity(const Branch& branch) {
   if (branch.status == BranchStatus::kSingular && branch.reason == kNextToSingular) return 1;
   switch (branch.status) {

@@ -1,4 +1,4 @@
-// What is said of a branch that a start was led to, and of all branches together. Internal to the inverse.
+// Status and reason of a branch found from a start, and of all branches together. Internal to the inverse.
 #pragma once
 
 #include <cmath>
@@ -8,22 +8,23 @@
 
 namespace tubeplan::deflection {
 
-/// Between two readings of a joint that turns [rad], whole turns aside.
+/// Returns the difference between two readings of a revolute joint [rad], less whole turns.
 inline double angleApart(double a, double b) {
   const double off = std::abs(a - b);
   return off <= kFullTurn / 2 ? off : std::abs(std::remainder(off, kFullTurn));
 }
 
-/// Brings each revolute reading into its limits by whole turns where that is possible, and names the one that is not.
+/// Brings each revolute reading into its limits by whole turns where possible. Returns the name of the joint that
+/// cannot be.
 std::string wrapIntoLimits(const Arm& arm, Eigen::VectorXd& q);
 
-/// Status and reason of a branch as it was found.
+/// Sets status and reason of a branch from its residuals.
 void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& branch);
 
-/// Whether two postures are the same but for whole turns.
+/// Returns true if two postures are equal but for whole turns.
 [[nodiscard]] bool isSameBranch(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
-/// Puts usable branches first and says of the whole what the best of them is.
+/// Puts usable branches first and sets the overall status and reason to those of the best.
 void summarise(InverseKinematics& result);
 
 }  // namespace tubeplan::deflection

@@ -1,11 +1,11 @@
-// All readings of a rigid chain that meet a goal, at once: the roots of its closure by the eigenvalues of a matrix
-// polynomial (Manocha and Canny 1994, "Efficient inverse kinematics for general 6R manipulators", IEEE Trans. Robot.
-// Automat. 10). Three joints hold a place: at most four postures. Five hold a place and an axis, with the roll about
-// it free: at most sixteen. Slides are joints as others are.
+// All readings of a rigid chain that meet a goal, found together: the roots of its closure by the eigenvalues of a
+// matrix polynomial (Manocha and Canny 1994, "Efficient inverse kinematics for general 6R manipulators", IEEE Trans.
+// Robot. Automat. 10). Three joints hold a place: at most four postures. Five hold a place and an axis, with the roll
+// about it free: at most sixteen. Slides are joints as others are.
 //
-// The roots are those of a chain whose axes are moved by a ten-thousandth. So no build is special to the equations:
-// axes that are parallel or meet make matrices singular which are then only nearly so. Steps lead from the roots to the
-// postures of the chain itself. Internal to the inverse.
+// The roots are those of a chain whose axes are moved by a ten-thousandth. So no design is a special case of the
+// equations: parallel or intersecting axes, which would make matrices singular, only make them nearly singular.
+// Iterations lead from the roots to the postures of the chain itself. Internal to the inverse.
 #pragma once
 
 #include <vector>
@@ -14,33 +14,34 @@
 
 namespace tubeplan::deflection {
 
-/// A chain by its closure, in reaches, its axes moved by a little.
+/// The closure of a chain in units of its reach, with its axes perturbed slightly.
 template <int Size>
 struct ClosureChain {
   std::vector<JointClosure<Size>> joints;
   Closure<Size> tool;  ///< at zero readings
-  double reach;        ///< m
+  double reach;        ///< [m]
 };
 
-/// `reach`: the unit of length of the equations [m].
+/// Returns the closure of a chain; `reach` is the unit of length of the equations [m].
 template <int Size>
 ClosureChain<Size> closureChain(const AxesAtZero& axes, double reach);
 
-/// The chain without its k-th joint, held at a reading.
+/// Returns the chain without its k-th joint, which is held at a reading.
 template <int Size>
 ClosureChain<Size> withJointHeld(ClosureChain<Size> chain, std::size_t k, double reading);
 
-/// Two joints beside the goal, one that is solved for, and `Inner` that are eliminated.
+/// Solver of a closed chain: one or two joints beside the goal and one or two beside the tool are eliminated, one
+/// between is solved for.
 template <int Size>
 class ClosedLoop {
  public:
   static constexpr int kJoints = Size == kLineSize ? 5 : 3;
 
-  /// Of kJoints joints.
+  /// `chain` must have kJoints joints.
   explicit ClosedLoop(const ClosureChain<Size>& chain);
 
-  /// Adds readings near those that meet the goal: those of complex roots, too, where what is imaginary is small
-  /// [rad], since two postures that are about to be one stand there, or would on an arm that bends.
+  /// Adds readings near those that meet the goal. Complex roots with an imaginary part up to `most_imaginary` [rad]
+  /// count too, because two postures are about to coincide there, or would on a flexible arm.
   void addRoots(const Eigen::Vector3d& p_B, const Eigen::Vector3d& axis_B, double most_imaginary,
                 std::vector<Eigen::VectorXd>& roots) const;
 
@@ -48,8 +49,9 @@ class ClosedLoop {
   static constexpr int kOuter = Size == kLineSize ? 2 : 1;       ///< joints beside the goal
   static constexpr int kEliminated = Size == kLineSize ? 2 : 1;  ///< joints beside the tool
   static constexpr int kOuterTerms = Size == kLineSize ? 9 : 3, kInnerTerms = kOuterTerms;
-  static constexpr int kEquations = Size == kLineSize ? 6 : 2;  ///< left when the outer joints are eliminated
-  static constexpr int kUnknowns = 2 * kEquations;              ///< of the matrix polynomial
+  /// Equations left after elimination of the outer joints.
+  static constexpr int kEquations = Size == kLineSize ? 6 : 2;
+  static constexpr int kUnknowns = 2 * kEquations;  ///< of the matrix polynomial
   static_assert(kUnknowns == (Size == kLineSize ? 12 : 4));
 
   using Outer = Eigen::Matrix<double, Size, kOuterTerms>;
@@ -66,7 +68,7 @@ class ClosedLoop {
   std::array<double, kJoints> zero_;
   std::array<bool, kJoints> slides_;
   std::array<JointClosure<Size>, kOuter> outer_;
-  Inner inner_;  ///< terms of the tool's side, that of x^a first
+  Inner inner_;  ///< terms of the tool's side, those of x^2 first
   Eigen::Matrix<double, 1, 3 * kInnerTerms> inner_weight_;
 };
 

@@ -15,8 +15,7 @@ VectorXd FreeMotion::take(const Matrix<double, Dynamic, Dynamic, 0, Rows, Dynami
   free.noalias() = slope.lazyProduct(projector_);
   Square gram(slope.rows(), slope.rows());
   gram.noalias() = free.lazyProduct(free.transpose());
-  // Where every direction is far above the floor, all are taken at once; they are told apart only where that is in
-  // doubt.
+  // If every direction is far above the floor, all are used together; they are distinguished only in doubt.
   const Eigen::LLT<Square> cholesky(gram);
   const Square inverse = cholesky.solve(Square::Identity(gram.rows(), gram.rows()));
   if (cholesky.info() == Eigen::Success && inverse.norm() * floor * floor < 1) {

@@ -1,5 +1,5 @@
-// What the joints can still do once a goal of higher rank holds: least-squares steps, each within what those before
-// leave free. Internal to the inverse.
+// Motion that the joints have left once goals of higher rank are met: least-squares steps, each within the null space
+// of those before. Internal to the inverse.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,15 +10,15 @@ class FreeMotion {
  public:
   explicit FreeMotion(Eigen::Index joints) : projector_(Eigen::MatrixXd::Identity(joints, joints)) {}
 
-  /// The shortest step that brings `slope` * step as near to `wanted` as what is free allows, and takes that from what
-  /// is free. Directions that the free motion changes by less than `floor` per unit of it are left as they are.
-  /// `Rows`: the most rows of the slopes, or Eigen::Dynamic.
+  /// Returns the shortest free step that brings `slope` * step nearest to `wanted`, and removes its directions from the
+  /// free motion. Directions in which a unit of free motion changes the goal by less than `floor` are ignored. `Rows`:
+  /// the largest number of rows of the slopes, or Eigen::Dynamic.
   template <int Rows>
   Eigen::VectorXd take(const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Rows, Eigen::Dynamic>& slope,
                        const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Rows, 1>& wanted, double floor);
 
  private:
-  Eigen::MatrixXd projector_;  ///< onto the motions that are free, joints x joints
+  Eigen::MatrixXd projector_;  ///< projector onto the free motions, joints x joints
 };
 
 }  // namespace tubeplan::deflection

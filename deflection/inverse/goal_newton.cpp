@@ -13,16 +13,17 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Dynamic, Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-constexpr double kPlaceFloor = 1e-4;  ///< of the place's slopes, per reach: what is below is no motion
-constexpr double kPlaceWeight = 10;   ///< of the place, in reaches, against the lean in rad, where a step is judged
-constexpr double kLimitWeight = 2;    ///< of what is past limits, scaled
-constexpr double kIntoLimits = 1e-3;  ///< scaled; a step into the limits that is shorter ends
+constexpr double kPlaceFloor = 1e-4;  ///< slopes of the place per reach below which there is no motion
+/// Weight of the place, in reaches, relative to the tilt in rad, for judging a step.
+constexpr double kPlaceWeight = 10;
+constexpr double kLimitWeight = 2;          ///< weight of the excess over limits, scaled
+constexpr double kIntoLimits = 1e-3;        ///< scaled; a shorter step into the limits ends the iteration
 constexpr double kLongestScaledStep = 0.5;  ///< scaled
-constexpr double kLeastShare = 0.1;   ///< of a step; a shorter one is not tried
-constexpr int kMostStrikes = 4;       ///< steps that lead no nearer however short, before the start is given up
+constexpr double kLeastShare = 0.1;         ///< shortest share of a step that is tried
+constexpr int kMostStrikes = 4;             ///< steps without improvement at any length, before the start is abandoned
 constexpr std::size_t kSideBySide = 32;
 
-/// Of the place's slopes and, of a turret arm, of the lean's with them.
+/// Returns the least singular value of the place's slopes, for a turret arm together with the pitch's.
 double smallestSingularValue(const GoalResidual& r, bool with_lean) {
   const Index rows = r.by_off.rows() + (with_lean ? r.by_lean.rows() : 0);
   Eigen::Matrix<double, Dynamic, Dynamic, 0, 6, Dynamic> held(rows, r.by_off.cols());
@@ -36,11 +37,11 @@ double smallestSingularValue(const GoalResidual& r, bool with_lean) {
 
 struct GoalStep {
   VectorXd joints;         ///< scaled
-  double lean = 0;         ///< rad that it takes from the lean
-  double into_limits = 0;  ///< scaled, of it for the limits' sake
+  double lean = 0;         ///< reduction of the tilt [rad]
+  double into_limits = 0;  ///< scaled part that serves the limits
 };
 
-/// Adds to the step what brings joints back within their limits, as far as the others leave it free.
+/// Adds to the step a motion of joints back into their limits, as far as the others leave it free.
 void addWayIntoLimits(const GoalProblem& problem, const VectorXd& q, FreeMotion& free, GoalStep& step) {
   std::vector<Index> past;
   for (Index k = 0; k < q.size(); ++k)
@@ -79,14 +80,14 @@ bool isMet(const GoalProblem& problem, const GoalResidual& r, const GoalStep& st
          step.into_limits < kIntoLimits && (!problem.isTurret() || r.tilt < std::numbers::pi / 2);
 }
 
-/// What a posture is judged by on the way.
+/// Returns the merit of a posture during the iteration.
 double meritOf(const GoalProblem& problem, const GoalResidual& r, const VectorXd& q) {
   double past = 0;
   for (Index k = 0; k < q.size(); ++k) past += std::pow(problem.pastLimit(k, q[k]), 2);
   return kPlaceWeight * r.off.norm() + r.lean.norm() + kLimitWeight * std::sqrt(past);
 }
 
-/// One start on its way to its goal: asks for the tip at one posture after the other.
+/// The iteration from one start to its goal: it asks for the tip at one posture after the other.
 class Lead {
  public:
   void begin(std::size_t which, const VectorXd& start) {
@@ -98,9 +99,9 @@ class Lead {
   }
 
   [[nodiscard]] std::size_t which() const { return which_; }
-  [[nodiscard]] const VectorXd& asked() const { return there_; }  ///< readings at which the tip is wanted next
+  [[nodiscard]] const VectorXd& asked() const { return there_; }  ///< readings at which the tip is needed next
 
-  /// Takes the tip there; false where the way ends.
+  /// Takes the tip at the readings; returns false at the end of the iteration.
   bool arrive(const GoalProblem& problem, const ToolGoal& goal, TipMotion& tip) {
     problem.evaluate(goal, tip, next_);
     if (is_first_) {
@@ -118,7 +119,7 @@ class Lead {
       there_ = q_ + share_ * whole_;
       return true;
     }
-    // Even the shortest leads nowhere: it is taken, a few times.
+    // If even the shortest step does not improve, it is taken all the same, a few times.
     if (next_.isFinite()) take();
     if (++strikes_ == kMostStrikes) return false;
     ++iterations_;
@@ -151,7 +152,8 @@ class Lead {
     }
     merit_ = meritOf(problem, here_, q_);
     const double longest = step.joints.cwiseAbs().maxCoeff();
-    whole_ = problem.scale().cwiseProduct(step.joints) * (longest > kLongestScaledStep ? kLongestScaledStep / longest : 1);
+    whole_ =
+        problem.scale().cwiseProduct(step.joints) * (longest > kLongestScaledStep ? kLongestScaledStep / longest : 1);
     share_ = 1;
     there_ = q_ + whole_;
     return true;
@@ -159,7 +161,7 @@ class Lead {
 
   std::size_t which_ = 0;
   GoalResidual here_, next_;
-  VectorXd q_, there_, whole_;  ///< whole_: the step that is tried, or a share of it
+  VectorXd q_, there_, whole_;  ///< whole_: the step of which shares are tried
   double merit_ = 0, share_ = 1;
   int strikes_ = 0, iterations_ = 0;
   bool is_first_ = true;

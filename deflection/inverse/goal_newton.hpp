@@ -1,5 +1,5 @@
-// Goals met by steps, for whatever arm. What holds and what is least has an order: the tip's place; then the tool's
-// lean against the goal's axis, as far as the joints can change it with the place held; then, with what is still free,
+// Iteration from starts to goals, for any arm. The goals are ranked: the tip's place; then the least angle between the
+// tool and the goal's axis, as far as the joints can change it with the place held; then, with the remaining freedom,
 // the limits of the joints. Internal to the inverse.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace tubeplan::deflection {
 
-/// One branch for each start, led to its goal, some side by side: each as if it were alone. Newton where the place is
-/// concerned, Gauss-Newton for the lean that stays; shortened while it leads away.
+/// Returns one branch for each start, led to its goal. Some are solved side by side, with the same result as alone. The
+/// steps are Newton's for the place and Gauss-Newton's for the remaining tilt, shortened while the residual grows.
 [[nodiscard]] std::vector<Branch> leadToGoals(GoalProblem& problem, std::span<const ToolGoal> goals,
                                               std::span<const Eigen::VectorXd> starts);
 

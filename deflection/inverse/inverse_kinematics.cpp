@@ -19,7 +19,7 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
-constexpr int kStraightSteps = 12;  ///< without damping; a goal that takes more is met alone
+constexpr int kStraightSteps = 12;  ///< steps without damping; goals that need more are solved alone
 
 simd::Tool toolOf(const Arm& arm, const simd::RevoluteChain& chain) {
   const simd::TurnDirection& last = chain.lastAxis();
@@ -50,19 +50,19 @@ Branch branchOf(const simd::Reached& reached, std::size_t lane) {
 
 }  // namespace
 
-/// What leads starts to their goals: kernels where they can, else one by one.
+/// The iteration from starts to goals: by kernels if possible, else one by one.
 class InverseSolver::Parts {
  public:
   Parts(const Arm& arm, double load, const Vector3d& gravity_B, const InverseKinematicsOptions& asked)
       : options(asked), branches(arm, options), arm_(arm), load_(load), gravity_B_(gravity_B), prepared_(arm) {}
 
-  /// Each start led to its goal.
+  /// Leads each start to its goal.
   std::vector<Branch> lead(std::span<const ToolGoal> goals, std::span<const VectorXd> starts) {
     std::vector<Branch> found(goals.size());
     std::vector<std::size_t> open(goals.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
     const simd::RevoluteChain* chain = prepared_.revoluteChain();
-    // Most goals are met straight away; those that are not would keep their neighbours waiting.
+    // Most goals are met at once; the others would make their neighbours wait.
     if (branches.isTurret() && chain && chain->hasJacobian())
       for (const bool damped : {false, true}) open = leadSideBySide(*chain, goals, starts, open, damped, found);
     leadOthers(goals, starts, open, found);
@@ -74,7 +74,7 @@ class InverseSolver::Parts {
   StartPostures branches;
 
  private:
-  /// Those of `which` that a kernel leads to their goals or as near as they come; returns the others.
+  /// Leads those of `which` that a kernel can lead to their goals, or as near as possible; returns the others.
   std::vector<std::size_t> leadSideBySide(const simd::RevoluteChain& chain, std::span<const ToolGoal> goals,
                                           std::span<const VectorXd> starts, std::span<const std::size_t> which,
                                           bool damped, std::vector<Branch>& found);
@@ -86,7 +86,7 @@ class InverseSolver::Parts {
   double load_;
   Vector3d gravity_B_;
   PreparedArm prepared_;
-  std::optional<GoalProblem> problem_;  ///< made when a kernel leaves something over
+  std::optional<GoalProblem> problem_;  ///< created if a kernel leaves something over
 };
 
 std::vector<std::size_t> InverseSolver::Parts::leadSideBySide(const simd::RevoluteChain& chain,
@@ -146,7 +146,7 @@ void InverseSolver::Parts::leadOthers(std::span<const ToolGoal> goals, std::span
   std::vector<Branch> led = leadToGoals(*problem_, goal_of, from);
   for (std::size_t n = 0; n < which.size(); ++n) found[which[n]] = std::move(led[n]);
   if (!dependsOnPosture(arm_)) return;
-  // A reading that an effect scales is not the same place a whole turn further: it is solved for again there.
+  // A reading that an effect scales is another place after a whole turn: it is solved again there.
   std::vector<std::size_t> turned;
   goal_of.clear(), from.clear();
   for (const std::size_t k : which) {
@@ -187,7 +187,7 @@ std::vector<InverseKinematics> InverseSolver::solve(std::span<const ToolGoal> go
       Branch& branch = found[k];
       const bool known = std::any_of(branches.begin(), branches.end(),
                                      [&](const Branch& other) { return isSameBranch(other.q, branch.q); });
-      // What a search found near the goal and the bent arm does not reach is no branch.
+      // A posture that the search found near the goal and the flexible arm does not reach is no branch.
       if (!known && (parts_->branches.isTurret() || branch.position_error < parts_->options.position_tolerance))
         branches.push_back(std::move(branch));
     }

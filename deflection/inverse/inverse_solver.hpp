@@ -1,4 +1,4 @@
-// Flexible inverse kinematics for many goals of one arm: made ready once, goals and branches solved side by side.
+// Flexible inverse kinematics for many goals of one arm: prepared once, goals and branches solved side by side.
 #pragma once
 
 #include <memory>
@@ -9,25 +9,25 @@
 
 namespace tubeplan::deflection {
 
-/// How many branches a goal can have at the most.
+/// Returns an upper bound of the number of branches of a goal.
 [[nodiscard]] int mostBranches(const Arm& arm, const InverseKinematicsOptions& options);
 
-/// Solves goals of one arm under one load; each thread needs its own. A goal's solution has the same bits whatever is
-/// solved with it.
+/// Solver for goals of one arm under one load; each thread needs its own. A goal's solution has the same bits whatever
+/// is solved with it.
 class InverseSolver {
  public:
-  /// `arm` must outlive this, and stay as it is.
+  /// `arm` must outlive this object, and must not change.
   InverseSolver(const Arm& arm, double load, const Eigen::Vector3d& gravity_B,
                 const InverseKinematicsOptions& options = {});
   InverseSolver(const InverseSolver&) = delete;
   InverseSolver& operator=(const InverseSolver&) = delete;
   ~InverseSolver();
 
-  /// All branches of each goal, as solveInverseKinematics() has them.
+  /// Returns all branches of each goal, equal to those of solveInverseKinematics().
   [[nodiscard]] std::vector<InverseKinematics> solve(std::span<const ToolGoal> goals);
   [[nodiscard]] InverseKinematics solve(const ToolGoal& goal);
 
-  /// One branch for each goal, from a start near it, as refineBranch() has it.
+  /// Returns one branch for each goal, from a start near it, equal to that of refineBranch().
   [[nodiscard]] std::vector<Branch> refine(std::span<const ToolGoal> goals, std::span<const Eigen::VectorXd> starts);
 
  private:

@@ -1,4 +1,4 @@
-// All rigid postures that bring the tip to a place with the tool along an axis: the starts of the flexible solution.
+// All rigid postures with the tip at a place and the tool along an axis: the starts of the flexible solution.
 #pragma once
 
 #include <vector>
@@ -7,22 +7,22 @@
 
 namespace tubeplan::deflection {
 
-/// Where the tool shall be, in the base frame: tip place [m] and unit direction that the tool's axis shall have.
+/// Goal of the tool in the base frame: tip place [m] and unit direction of the tool's axis.
 struct ToolGoal {
   Eigen::Vector3d p_BT = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis_B = Eigen::Vector3d::UnitZ();
 };
 
-/// True for four revolute joints of which the last three are parallel within 5 degrees: a turret that carries a plane
+/// Returns true for four revolute joints with the last three parallel within 5 degrees: a turret that carries a planar
 /// 3R arm.
 bool isTurretArm(const Arm& arm);
 
-/// Closed form for a turret arm: at most four joint vectors (front and back of the turret, elbow either way), exact
-/// where the three axes are parallel, otherwise near; a goal just beyond the rigid reach gets starts near it. Angles in
-/// (-pi, pi]. Empty: out of reach. Calkins' Cobra is such an arm.
+/// Returns the closed form for a turret arm, such as Calkins' Cobra: at most four joint vectors (front and back of the
+/// turret, elbow either way), with angles in (-pi, pi]. They are exact if the three axes are parallel, otherwise
+/// approximate. A goal just beyond the rigid reach gets starts near it. Empty: out of reach.
 std::vector<Eigen::VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal);
 
-/// A deterministic low-discrepancy lattice over the joint limits (one turn where there are none).
+/// Returns a deterministic low-discrepancy lattice over the joint limits (one turn for joints without limits).
 std::vector<Eigen::VectorXd> latticeStarts(const Arm& arm, int count);
 
 }  // namespace tubeplan::deflection

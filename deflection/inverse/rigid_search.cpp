@@ -14,13 +14,13 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
-constexpr int kProbes = 8;              ///< postures at which an arm's freedom is looked at
-constexpr double kTurnsTheTool = 1e-3;  ///< rad per rad, at the best of the probes: less is no freedom to turn the tool
-constexpr double kNearlyReal = 0.2;     ///< rad of a complex root, that may be imaginary
-/// Readings at which joints that are over are held, and turns of the tool about its axis: of turret arms, which have a
-/// closed form; of one of them; of more.
+constexpr int kProbes = 8;              ///< number of postures at which an arm's freedom is examined
+constexpr double kTurnsTheTool = 1e-3;  ///< least freedom to turn the tool at the best of the probes [rad per rad]
+constexpr double kNearlyReal = 0.2;     ///< largest imaginary part of a complex root [rad]
+/// Number of slices, each with readings of the held joints or a rotation of the tool about its axis: for turret arms,
+/// which have a closed form; for one redundant joint; for more.
 constexpr int kTurretSlices = 96, kSlicesOfOne = 24, kSlicesOfMore = 48;
-constexpr std::size_t kStride = 31;  ///< between one slice's turn of the tool and the next one's; prime to their number
+constexpr std::size_t kStride = 31;  ///< step between the tool rotations of successive slices; prime to their number
 
 AxesAtZero withJointHeld(AxesAtZero axes, std::size_t held, double q) {
   const Vector3d direction = axes.direction[held], point = axes.point[held];
@@ -41,7 +41,7 @@ AxesAtZero withJointHeld(AxesAtZero axes, std::size_t held, double q) {
   return axes;
 }
 
-/// What the joints do to the tip per reach and, in the last two rows, to the tool's axis across itself.
+/// Returns the slopes by the joints: of the tip per reach and, in the last two rows, of the tool's axis across itself.
 MatrixXd slopesAt(const AxesAtZero& axes, const VectorXd& q, double reach) {
   TipMotion tip;
   placeRigidTip(axes, q, tip);
@@ -70,7 +70,7 @@ std::vector<double> turnsRound(int count) {
   return turns;
 }
 
-/// The joints to hold, that what the others do to the first `rows` of the slopes is as regular as may be on the whole.
+/// Returns the joints to hold, so that the first `rows` of the others' slopes are as regular as possible on average.
 std::vector<int> heldJoints(const std::vector<MatrixXd>& slopes, Index rows) {
   const Index n = slopes.front().cols();
   double best = -1;
@@ -96,7 +96,7 @@ RigidSearch::RigidSearch(const Arm& arm, const AxesAtZero& axes, Hold hold) : ax
   addSlices(arm);
 }
 
-/// Readings of an even lattice within the limits; only those of the joints that are held count.
+/// Adds slices at the readings of an even lattice within the limits; only those of the held joints matter.
 void RigidSearch::addSlices(const Arm& arm) {
   const bool has_wrist = form_ == Form::kWrist;
   if (held_.empty()) {
@@ -107,7 +107,7 @@ void RigidSearch::addSlices(const Arm& arm) {
                     : held_.size() == 1 && !has_wrist ? kSlicesOfOne
                                                       : kSlicesOfMore;
   const std::vector<double> rolls = turnsRound(count);
-  // Each reading has its own turn of the tool, in an order that has nothing to do with the readings'.
+  // Each reading has its own rotation of the tool, in an order unrelated to the readings.
   std::size_t next = 0;
   for (const VectorXd& q : latticeStarts(arm, count)) {
     slices_.push_back(sliceAt(q(held_), has_wrist ? std::vector{rolls[next % rolls.size()]} : std::vector<double>()));
@@ -151,7 +151,7 @@ RigidSearch::Slice RigidSearch::sliceAt(const VectorXd& readings, std::vector<do
   return {readings, held(axes_), {}};
 }
 
-/// The readings of the joints that are not held.
+/// Returns the readings of the joints that are not held.
 VectorXd RigidSearch::withoutHeld(const VectorXd& q) const {
   std::vector<int> kept;
   for (int k = 0; k < q.size(); ++k)
@@ -185,7 +185,7 @@ void RigidSearch::addFrom(const Slice& slice, const ToolGoal& goal, double most_
 }
 
 void RigidSearch::addPostures(const ToolGoal& goal, std::vector<VectorXd>& postures) const {
-  // Where a slice has two postures that are about to be one, the next slice has them apart.
+  // If two postures are about to coincide in one slice, they are separate in the next.
   const double most_imaginary = isContinuum() ? 0 : kNearlyReal;
   for (const Slice& slice : slices_) addFrom(slice, goal, most_imaginary, postures);
 }

@@ -13,20 +13,22 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::VectorXd;
-constexpr double kBends = 0.03;   ///< of the reach, how far the tip may be off where the bent arm may still get there
-constexpr double kBendsBy = 0.1;  ///< scaled and rad, how much of a limit or tilt the bent arm may make good
-constexpr double kUnlike = 0.3;   ///< scaled, between postures of a continuum that are taken first
-constexpr double kSamePosture = 1e-3;  ///< scaled, between postures that are the same
-constexpr double kNearGoal = 0.01;     ///< of the reach, that a root of the search may be off
-constexpr std::size_t kEnough = 8;     ///< postures of a continuum, within limits: the others are not followed
-constexpr int kMostSpoilt = 4;         ///< postures past limits or too tilted that go on, to say why a goal is not met
+constexpr double kBends = 0.03;        ///< error of the tip, as a share of the reach, that the flexible arm may correct
+constexpr double kBendsBy = 0.1;       ///< excess of a limit or tilt, scaled and rad, that the flexible arm may correct
+constexpr double kUnlike = 0.3;        ///< scaled distance between postures of a continuum that are taken first
+constexpr double kSamePosture = 1e-3;  ///< scaled distance between postures that count as the same
+constexpr double kNearGoal = 0.01;     ///< error of a root of the search, as a share of the reach
+constexpr std::size_t kEnough = 8;     ///< postures of a continuum within limits; further ones are not followed
+/// Postures beyond limits or too tilted that are followed, to explain why a goal is not met.
+constexpr int kMostSpoilt = 4;
 
 InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
   options.position_tolerance = options.pitch_tolerance = 1e-6;
   return options;
 }
 
-/// The closure of three slides is singular, however its axes are moved, and that of two may be.
+/// Returns the number of slides. The closure of three slides is singular even with perturbed axes, and that of two may
+/// be.
 std::ptrdiff_t countSlides(const AxesAtZero& axes) { return std::count(axes.slides.begin(), axes.slides.end(), true); }
 
 }  // namespace
@@ -52,7 +54,7 @@ bool StartPostures::leadAll(const ToolGoal& goal, std::span<const VectorXd> star
   return is_any_met;
 }
 
-/// Those that are as good as at the goal and within limits already: of a continuum there is no need of the others.
+/// Returns the starts that are nearly at the goal and within limits already, so that a continuum needs no others.
 std::vector<StartPostures::Candidate> StartPostures::within(const ToolGoal& goal, std::span<const VectorXd> starts) {
   std::vector<Candidate> good;
   TipMotion tip;
@@ -80,7 +82,7 @@ std::vector<StartPostures::Candidate> StartPostures::search(const ToolGoal& goal
     if (found.size() >= kEnough) return found;
   }
   if (leadAll(goal, starts, found)) return found;
-  // Nothing has the tool along its axis: what has the tip at its place may lean little enough.
+  // If nothing has the tool along its axis, postures with the tip at its place may still have an allowed tilt.
   starts.clear();
   if (!places_) places_.emplace(arm_, axes_, RigidSearch::Hold::kPlace);
   places_->addPostures(goal, starts);
@@ -96,7 +98,7 @@ std::vector<VectorXd> StartPostures::unlike(std::span<const Candidate> candidate
     return false;
   };
   std::vector<VectorXd> chosen;
-  // In the lattice's order, the same for every goal: so neighbouring goals have branches that go with each other.
+  // In the lattice's order, which is the same for every goal, so that neighbouring goals have corresponding branches.
   for (const double least : {kUnlike, kSamePosture})
     for (const Candidate& candidate : candidates) {
       if (static_cast<int>(chosen.size()) >= most) return chosen;

@@ -1,5 +1,5 @@
-// Rigid postures for the goals of one arm, from which the flexible solution sets out; what no goal changes is worked
-// out once. Internal to the inverse.
+// Rigid postures for the goals of one arm, which start the flexible solution; numbers that do not depend on the goal
+// are computed once. Internal to the inverse.
 #pragma once
 
 #include <optional>
@@ -13,23 +13,23 @@ namespace tubeplan::deflection {
 
 class StartPostures {
  public:
-  /// `arm` must outlive this.
+  /// `arm` must outlive this object.
   StartPostures(const Arm& arm, const InverseKinematicsOptions& options);
   StartPostures(const StartPostures&) = delete;
   StartPostures& operator=(const StartPostures&) = delete;
 
   [[nodiscard]] bool isTurret() const { return is_turret_; }
-  /// Adds what turretBranches() has, or what RigidSearch finds: none where the place is out of reach.
+  /// Adds the postures of turretBranches(), or those that RigidSearch finds: none if the place is out of reach.
   void addStarts(const ToolGoal& goal, std::vector<Eigen::VectorXd>& starts);
 
  private:
   struct Candidate {
     Eigen::VectorXd q;
-    double spoilt;  ///< how far past its limits and beyond the largest tilt [scaled, rad]
+    double spoilt;  ///< excess over the limits and over the largest tilt [scaled, rad]
   };
   [[nodiscard]] std::vector<Candidate> search(const ToolGoal& goal);
   [[nodiscard]] std::vector<Candidate> within(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts);
-  /// Each start led to its goal; false where none meets it, and they are only near.
+  /// Leads each start to its goal. Returns false if none meets it, and all are only near.
   bool leadAll(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts, std::vector<Candidate>& candidates);
   [[nodiscard]] std::vector<Eigen::VectorXd> unlike(std::span<const Candidate> candidates, int most) const;
 
@@ -38,7 +38,7 @@ class StartPostures {
   bool is_turret_;
   InverseKinematicsOptions options_;
   GoalProblem rigid_;
-  std::optional<RigidSearch> postures_, places_;  ///< made when they are asked for
+  std::optional<RigidSearch> postures_, places_;  ///< created on first use
 };
 
 }  // namespace tubeplan::deflection

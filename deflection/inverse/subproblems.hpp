@@ -1,4 +1,4 @@
-// Small problems of turns about known axes that closed forms are put together from (Paden 1985, Kahan). Internal to the
+// Small problems of rotations about known axes, from which closed forms are built (Paden 1985, Kahan). Internal to the
 // inverse.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace tubeplan::deflection {
 
-/// Both solutions of a cos x + b sin x = c; none where |c| is too large by more than the share `slack`.
+/// Returns both solutions of a cos x + b sin x = c; none if |c| exceeds the amplitude by more than the share `slack`.
 inline std::vector<double> solveCosineSine(double a, double b, double c, double slack = 1e-12) {
   const double r = std::hypot(a, b);
   if (r == 0 || std::abs(c) > r * (1 + slack)) return {};
@@ -19,20 +19,20 @@ inline std::vector<double> solveCosineSine(double a, double b, double c, double 
   return {middle + half, middle - half};
 }
 
-/// The turns about a unit axis through the origin that lead a point p to where its share along the direction h, which
-/// stays as it is, is `offset`.
+/// Returns the rotations about a unit axis through the origin that move a point p to a component of `offset` along the
+/// fixed direction h.
 inline std::vector<double> solveOffset(const Eigen::Vector3d& axis, const Eigen::Vector3d& h, const Eigen::Vector3d& p,
                                        double offset) {
   const Eigen::Vector3d along = axis * axis.dot(h), across = h - along;
   return solveCosineSine(across.dot(p), axis.cross(across).dot(p), offset - along.dot(p));
 }
 
-/// The turn about a unit axis that leads a to b as seen along it [rad]; zero where either lies on it.
+/// Returns the rotation about a unit axis that takes a to b as seen along it [rad]; zero if either lies on it.
 inline double turnBetween(const Eigen::Vector3d& axis, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(axis.dot(a.cross(b)), a.dot(b) - axis.dot(a) * axis.dot(b));
 }
 
-/// A plane across parallel axes, as 2-D coordinates.
+/// A plane perpendicular to parallel axes, with 2-D coordinates.
 struct Plane {
   Eigen::Vector3d origin, u, v;
   Eigen::Vector2d operator()(const Eigen::Vector3d& p) const { return {u.dot(p - origin), v.dot(p - origin)}; }
@@ -42,11 +42,11 @@ struct Plane {
 inline double angleOf(const Eigen::Vector2d& d) { return std::atan2(d.y(), d.x()); }
 inline Eigen::Vector2d turned(const Eigen::Vector2d& d, double angle) { return Eigen::Rotation2Dd(angle) * d; }
 
-/// Of an elbow's cosine: goals beyond it are out of reach of any deflection.
+/// Largest |cosine| of an elbow: goals beyond it are out of reach with any deflection.
 inline constexpr double kMostBeyond = 1.1;
 
-/// Shoulder and elbow angles that bring the wrist to `w`, shoulder at the plane's origin, `elbow` and `wrist` at zero
-/// readings.
+/// Returns the shoulder and elbow angles that bring the wrist to `w`, with the shoulder at the plane's origin, `elbow`
+/// and `wrist` at zero readings.
 inline std::vector<Eigen::Vector2d> solveTwoLinks(const Eigen::Vector2d& elbow, const Eigen::Vector2d& wrist,
                                                   const Eigen::Vector2d& w) {
   const Eigen::Vector2d upper = elbow, fore = wrist - elbow;

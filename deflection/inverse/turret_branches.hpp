@@ -8,10 +8,10 @@ namespace tubeplan::deflection {
 
 inline constexpr int kTurretBranches = 4;  ///< front and back of the turret, elbow either way
 
-/// Whether an arm of these axes is a turret arm.
+/// Returns true if an arm of these axes is a turret arm.
 [[nodiscard]] bool carriesPlane(const AxesAtZero& axes);
 
-/// Adds what turretBranches() has.
+/// Adds the branches of turretBranches().
 void addTurretBranches(const AxesAtZero& axes, const ToolGoal& goal, std::vector<Eigen::VectorXd>& branches);
 
 }  // namespace tubeplan::deflection

@@ -14,20 +14,21 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Index, Eigen::Matrix3d, Eigen::Vector3d, Eigen::VectorXd;
-constexpr double kMeet = 1e-3;         ///< of the reach, that axes which meet may pass each other by; and in rad
-constexpr double kParallel = 0.02;     ///< rad, between axes that steps then see to
+/// Largest distance between axes that count as intersecting, as a share of the reach, and in rad.
+constexpr double kMeet = 1e-3;
+constexpr double kParallel = 0.02;     ///< angle between axes that iterations can correct [rad]
 constexpr double kLeastSine = 0.2;     ///< between an axis of the wrist and the next
-constexpr double kStretched = 1e-6;    ///< that a wrist's cosine may be past one
-constexpr double kInLine = 1e-6;       ///< rad, between two axes that no reading can be told from
-constexpr double kNearlyInLine = 0.1;  ///< rad: what is nearer may be in line on an arm that bends
-constexpr double kSameRoot = 0.5;      ///< rad, m: between readings at one roll and at the next
-constexpr int kTurnsInLine = 6;        ///< readings of two joints that turn against each other
-constexpr double kNear = 0.01;         ///< of the reach, from its place, of a wrist that is any use
-constexpr double kAtItsPlace = 1e-7;   ///< of the reach
-constexpr double kLongestStep = 0.5;   ///< rad, reaches
+constexpr double kStretched = 1e-6;    ///< excess of a wrist's cosine over one
+constexpr double kInLine = 1e-6;       ///< angle between two axes at which their readings cannot be distinguished [rad]
+constexpr double kNearlyInLine = 0.1;  ///< angle below which axes may be in line on a flexible arm [rad]
+constexpr double kSameRoot = 0.5;      ///< between readings at one roll and at the next [rad, m]
+constexpr int kTurnsInLine = 6;        ///< sampled readings of two joints that turn against each other
+constexpr double kNear = 0.01;         ///< distance of a usable wrist from its place, as a share of the reach
+constexpr double kAtItsPlace = 1e-7;   ///< distance of a converged wrist, as a share of the reach
+constexpr double kLongestStep = 0.5;   ///< [rad, reaches]
 constexpr int kMostSteps = 6;
 
-/// The point that is nearest to the last three axes.
+/// Returns the point nearest to the last three axes.
 Vector3d wristCentre(const AxesAtZero& axes) {
   Matrix3d sum = Matrix3d::Zero();
   Vector3d side = Vector3d::Zero();
@@ -43,7 +44,7 @@ double distanceFromAxis(const AxesAtZero& axes, std::size_t k, const Vector3d& p
   return axes.direction[k].cross(p - axes.point[k]).norm();
 }
 
-/// A right-handed frame whose third direction is the axis, turned about it.
+/// Returns a right-handed frame whose third direction is the axis, turned about it.
 Matrix3d frameAbout(const Vector3d& axis, double roll) {
   const Vector3d u = axis.unitOrthogonal(), v = axis.cross(u);
   Matrix3d R;
@@ -51,7 +52,7 @@ Matrix3d frameAbout(const Vector3d& axis, double roll) {
   return R;
 }
 
-/// A turret that carries two links in a plane.
+/// Returns true for a turret that carries two links in a plane.
 bool carriesTwoLinks(const AxesAtZero& three) {
   return std::ranges::count(three.slides, true) == 0 &&
          three.direction[1].cross(three.direction[2]).norm() < kParallel &&
@@ -110,7 +111,7 @@ bool WristBranches::lead(const Vector3d& p_BW, VectorXd& arm) const {
     for (Index k = 0; k < 3; ++k)
       if (arm_.slides[static_cast<std::size_t>(k)]) slopes.col(k) *= reach_;
     Vector3d by = slopes.partialPivLu().solve(off);
-    // At the edge of the reach the wrist may come only near its place: it stays where the root was.
+    // At the edge of the reach the wrist may only come near its place: the reading then stays at the root.
     if (!(by.cwiseAbs().maxCoeff() < kLongestStep)) break;
     for (Index k = 0; k < 3; ++k) arm[k] += arm_.slides[static_cast<std::size_t>(k)] ? by[k] * reach_ : by[k];
   }
@@ -127,7 +128,7 @@ WristBranches::Root WristBranches::rootAt(VectorXd arm, const Matrix3d& R) const
   return {std::move(arm), turn, {u.dot(to), axes_.direction[3].cross(u).dot(to)}};
 }
 
-/// Readings of the first three joints with the wrist near its place.
+/// Returns readings of the first three joints with the wrist near its place.
 std::vector<VectorXd> WristBranches::armsAt(const Vector3d& p_BW, double most_imaginary) const {
   std::vector<VectorXd> arms;
   if (!carries_two_links_) {
@@ -178,7 +179,7 @@ void WristBranches::addWrists(const Root& root, double q4_in_line, std::vector<V
 void WristBranches::addInLineBetween(const ToolGoal& goal, std::span<const Root> from, double from_roll,
                                      std::span<const Root> to, double to_roll, std::vector<VectorXd>& postures) const {
   const Vector3d &w4 = axes_.direction[3], &w5 = axes_.direction[4], &w6 = axes_.direction[5];
-  const double ahead = turnBetween(w5, w6, w4);  // the reading that points the last axis along the third last
+  const double ahead = turnBetween(w5, w6, w4);  // reading at which the last axis points along the third last
   for (const Root& a : from)
     for (const Root& b : to) {
       VectorXd way = b.arm - a.arm;

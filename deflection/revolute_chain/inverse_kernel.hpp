@@ -1,12 +1,12 @@
-// Newton's method on position and pitch of the deflected tip, goals side by side (inverse_kinematics.cpp says what is
-// met and has the same steps with damping, for goals that these do not meet straight away).
+// Newton's method on position and pitch of the deflected tip, with goals side by side. inverse_kinematics.cpp states
+// the goals, and has the same steps with damping for goals that these do not meet at once.
 #pragma once
 
 #include "deflection/revolute_chain/jacobian_kernel.hpp"
 
 namespace {
 
-/// Position [m] and pitch, times the reach, with their changes by the joints as a share of the reach.
+/// Position [m] and pitch, times the reach, with their slopes by the joints as a share of the reach.
 struct GoalResidual {
   Real value[4], slope[4][4];
   Real position_error, pitch, tilt_sine, tilt_cosine;
@@ -19,14 +19,14 @@ inline Vec turned(const Frame& X, const double* v) {
   return constant(v[0]) * X.x + constant(v[1]) * X.y + constant(v[2]) * X.z;
 }
 
-/// The shapes at the readings tried last, and their tools.
+/// The shapes at the readings tried last, and the directions of their tools.
 struct Tried {
   TurnState t[kMaxTurns];
   Frame frames[kMaxTurns], tip;
   Vec axis, hand, tilt;
 };
 
-/// Residual at the readings in `in`, without slopes; returns the lanes whose shape converges.
+/// Computes the residual at the readings in `in`, without slopes. Returns the lanes whose shape converges.
 inline Bits tryReadings(const RevoluteArm& arm, const Tool& tool, const Goals& goals, const Postures& in, Tried& tried,
                         GoalResidual& out) {
   const Vec n = loadVec(goals.axis_B);
@@ -49,7 +49,7 @@ inline Bits tryReadings(const RevoluteArm& arm, const Tool& tool, const Goals& g
   return isAtMost(constant(0), sweeps);
 }
 
-/// How the residual changes with the readings, as a share of the reach.
+/// Adds the slopes of the residual by the readings, as a share of the reach.
 inline void addSlopes(const RevoluteArm& arm, const Goals& goals, const Tried& tried, GoalResidual& out) {
   Motion columns[kMaxJoints];
   deriveByJoints(arm, tried.t, tried.frames, tried.tip, loadVec(goals.gravity_B), load(goals.load), columns);
@@ -64,7 +64,7 @@ inline void addSlopes(const RevoluteArm& arm, const Goals& goals, const Tried& t
   }
 }
 
-/// The adjugate of a 4 x 4 matrix; returns its determinant.
+/// Computes the adjugate of a 4 x 4 matrix; returns its determinant.
 inline Real adjugateOf(const Real (*a)[4], Real (*adj)[4]) {
   const Real s0 = a[0][0] * a[1][1] - a[1][0] * a[0][1], s1 = a[0][0] * a[1][2] - a[1][0] * a[0][2],
              s2 = a[0][0] * a[1][3] - a[1][0] * a[0][3], s3 = a[0][1] * a[1][2] - a[1][1] * a[0][2],
@@ -73,7 +73,7 @@ inline Real adjugateOf(const Real (*a)[4], Real (*adj)[4]) {
              c3 = a[2][1] * a[3][2] - a[3][1] * a[2][2], c2 = a[2][0] * a[3][3] - a[3][0] * a[2][3],
              c1 = a[2][0] * a[3][2] - a[3][0] * a[2][2], c0 = a[2][0] * a[3][1] - a[3][0] * a[2][1];
   for (int k = 0; k < 2; ++k) {
-    // Of the other row of the upper half, with the lower half's minors; the sign goes with the place.
+    // From the other row of the upper half, with the lower half's minors; the sign depends on the place.
     const Real* u = a[1 - k];
     const Real* l = a[3 - k];
     const double sign = k == 0 ? 1 : -1;
@@ -89,8 +89,8 @@ inline Real adjugateOf(const Real (*a)[4], Real (*adj)[4]) {
   return ((s0 * c5 - s1 * c4) + (s2 * c3 + s3 * c2)) + (s5 * c0 - s4 * c1);
 }
 
-/// The least singular value: the least root of the characteristic polynomial of J^T J, which Newton's method finds from
-/// zero without passing it.
+/// Returns the least singular value, from the least root of the characteristic polynomial of J^T J, which Newton's
+/// method finds from zero without passing it.
 inline Real smallestSingularValue(const Real (*slope)[4], const Real (*adjugate)[4], Real determinant) {
   Real gram[4][4], trace = constant(0), squares = constant(0), c1 = constant(0);
   for (int i = 0; i < 4; ++i)
@@ -128,7 +128,8 @@ inline void record(Bits lanes, double verdict, const GoalResidual& r, Real singu
   put(out.smallest_singular_value, singular);
 }
 
-/// Newton's step of each lane, no joint by more than half a radian; of slopes and adjugate scaled by `share`.
+/// Computes Newton's step of each lane, with no joint moving more than half a radian; slopes and adjugate are scaled by
+/// `share`.
 inline void stepOf(const GoalResidual& r, const Real (*adjugate)[4], Real determinant, double share, Bits lanes,
                    Real* step) {
   Real next[4];
@@ -141,8 +142,8 @@ inline void stepOf(const GoalResidual& r, const Real (*adjugate)[4], Real determ
   for (int i = 0; i < 4; ++i) step[i] = select(lanes, shorter * next[i], step[i]);
 }
 
-/// Each lane steps until its goal is met. Where a step does not bring it nearer it is halved, or, without damping, the
-/// lane is given up at once.
+/// Iterates each lane until its goal is met. A step that does not reduce the residual is halved; without damping, the
+/// lane is abandoned at once.
 inline void meetGoals(const RevoluteArm& arm, const Tool& tool, const Goals& goals, Reached& out) {
   Real at[4], step[4];
   for (int j = 0; j < 4; ++j) {
@@ -181,7 +182,7 @@ inline void meetGoals(const RevoluteArm& arm, const Tool& tool, const Goals& goa
     for (int j = 0; j < 4; ++j) at[j] = select(nearer, load(out.q[j]), at[j]);
     damping = select(nearer, constant(1), 0.5 * damping);
     active = active & ~ends;
-    // Given up: at the first posture, without damping, after too many steps or where no step is short enough.
+    // Abandoned: at the first posture, without damping, after too many steps or if no step is short enough.
     const Bits lost = isLess(steps, constant(0)) | (goals.damped ? all ^ all : ~nearer);
     active = active & ~lost;
     closing = active & (isLess(constant(goals.max_steps), steps + 1.) | isLess(damping, constant(1e-4)) |

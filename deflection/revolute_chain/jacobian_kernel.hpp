@@ -1,10 +1,10 @@
-// Exact derivatives of the deflected tip by the joints, by gravity's direction and by what gives, of shapes side by
+// Exact derivatives of the deflected tip by the joints, by gravity's direction and by compliances, of shapes side by
 // side.
 //
 // In the base, with axis z_i, place p_i and first moment S_i (of the loads beyond, about p_i) of each turn: a turn of j
-// changes the moment about any axis i nearer to the base, or the same, by z_i . a_j, a_j = (z_j x S_j) x g, and about
+// changes the moment about any axis i nearer to the base, or its own, by z_i . a_j, a_j = (z_j x S_j) x g, and about
 // any farther one by z_j . a_i: dead loads have a potential. With a beam's lambda and kappa as its other unknowns that
-// makes a small linear system for what gives when a joint turns; its diagonal is one and the rest a deflection's
+// makes a small linear system for the deflections when a joint turns; its diagonal is one and the rest a deflection's
 // share, so that it is eliminated without pivoting. Gravity and compliances are further columns of the same system.
 #pragma once
 
@@ -14,16 +14,16 @@ namespace {
 
 struct Unknown {
   int turn;
-  bool is_rho;  ///< of a beam's force, else what the turn gives
-  Vec shifts;   ///< displacement of all beyond, per unit (beams)
-  Vec a;        ///< change of the moments nearer to the base by the shift and the turn
-  Vec turns;    ///< of a beam's rho: its change by turns nearer to the base
+  bool is_rho;  ///< true: a beam's rho; false: the deflection of the turn
+  Vec shifts;   ///< displacement of everything beyond, per unit (beams)
+  Vec a;        ///< change of the moments nearer to the base by the shift and the rotation
+  Vec turns;    ///< change of a beam's rho by turns nearer to the base
 };
 
-/// What a compliance of a turn, its springs' or its beam's, changes under the same moment.
+/// Changes by a compliance of a turn, of its springs or its beam, under the same moment.
 struct Softening {
-  Real given;  ///< of what the turn gives
-  Vec shift;   ///< displacement of all beyond, that of `given` apart (beams)
+  Real given;  ///< change of the turn's deflection
+  Vec shift;   ///< displacement of everything beyond, without that by `given` (beams)
   Vec a;       ///< change of the moments nearer to the base by the shift
 };
 
@@ -31,20 +31,20 @@ inline constexpr int kMaxColumns = kMaxJoints + kGravityTurns + kMaxUnknowns;
 
 struct Linearization {
   Unknown unknown[kMaxUnknowns];
-  Softening softening[kMaxUnknowns];  ///< by the springs for a given angle, by the beam for its rho
+  Softening softening[kMaxUnknowns];  ///< by the springs for a deflection, by the beam for its rho
   int count;
   Vec S[kMaxTurns], a[kMaxTurns];
-  int width;  ///< of a row: the unknowns, then what derivatives are taken by
+  int width;  ///< length of a row: the unknowns, then the variables of derivatives
   Real equations[kMaxUnknowns * (kMaxUnknowns + kMaxColumns)];
   Real* row(int r) { return equations + r * width; }
 };
 
-/// What is asked for beside the joints.
+/// Derivatives wanted besides those by joints.
 struct Asked {
   bool gravity, compliances;
 };
 
-/// First moment beyond each turn about its place, into `S`.
+/// Computes the first moment beyond each turn about its place, into `S`.
 inline void outboardMoments(const RevoluteArm& arm, const TurnState* t, const Frame* frames, const Frame& tip,
                             Real at_tip, Vec* S) {
   Vec moment = at_tip * (tip.p - frames[arm.count - 1].p);
@@ -59,23 +59,23 @@ inline void outboardMoments(const RevoluteArm& arm, const TurnState* t, const Fr
   }
 }
 
-/// (z x S) x g.
+/// Returns (z x S) x g.
 inline Vec momentByTurn(Vec z, Vec S, Vec g) { return dot(z, g) * S - dot(S, g) * z; }
 
-/// How a beam's lambda and kappa change with what its turn gives and with rho.
+/// Slopes of a beam's lambda and kappa by its turn's deflection and by rho.
 struct BeamSlopes {
   Real lambda_by_given, kappa_by_given, lambda_by_rho, kappa_by_rho;
 };
 
 inline BeamSlopes slopesOf(const Turn& turn, const TurnState& t) {
   const Real m = turn.beam_compliance * t.moment;
-  const double share = turn.beam_compliance / turn.compliance;  // of m in what the turn gives
+  const double share = turn.beam_compliance / turn.compliance;  // share of m in the turn's deflection
   const Real by_m = m * (1. / 3) + t.rho * t.kappa_by_m, by_rho = m * t.kappa_by_m + 2. * (t.rho * t.kappa_by_rho);
   const Real m_by_rho = -share * t.by_rho;
   return {constant(0.5 * share), share * by_m, t.lambda_by_rho + 0.5 * m_by_rho, by_rho + m_by_rho * by_m};
 }
 
-/// Way along a beam and across it, in the base.
+/// Return the vectors along a beam and across it, in the base.
 inline Vec alongBeam(const Turn& turn, const Frame& near) {
   return constant(turn.p[0]) * near.x + constant(turn.p[1]) * near.y;
 }
@@ -104,12 +104,12 @@ inline void addUnknowns(const RevoluteArm& arm, const TurnState* t, const Frame*
   }
 }
 
-/// Change of the moment about turn i's axis by what turns turn j.
+/// Returns the change of the moment about turn i's axis by a rotation of turn j.
 inline Real momentBy(const Frame* frames, const Vec* a, int i, int j) {
   return i <= j ? dot(frames[i].z, a[j]) : dot(frames[j].z, a[i]);
 }
 
-/// The equation of what a turn gives, per unit of unknown `u`.
+/// Returns the change of the moment on a turn per unit of unknown `u`.
 inline Real momentBy(const Frame* frames, const Linearization& lin, int i, const Unknown& u) {
   if (i < u.turn) return dot(frames[i].z, u.a);
   return u.is_rho ? constant(0) : momentBy(frames, lin.a, i, u.turn);
@@ -168,7 +168,7 @@ inline void eliminate(Linearization& lin) {
   }
 }
 
-/// Columns for gravity turned about each axis of the base, from column `first`.
+/// Adds columns for gravity rotated about each axis of the base, from column `first`.
 inline void addGravity(const RevoluteArm& arm, const Frame* frames, Vec g, int first, Linearization& lin) {
   const Real zero = constant(0);
   const Vec turned[kGravityTurns] = {{zero, -g.z, g.y}, {g.z, zero, -g.x}, {-g.y, g.x, zero}};
@@ -191,19 +191,19 @@ inline void findSoftenings(const RevoluteArm& arm, const TurnState* t, const Fra
     by = {state.moment, none(), none()};
     if (!turn.is_beam) continue;
     if (own.is_rho) {
-      // All of a beam's answer is proportional to its compliance, but for kappa, which goes with the square.
+      // The response of a beam is proportional to its compliance, except for kappa, which depends on the square.
       const double inverse = 1 / turn.beam_compliance;
       by.given = state.moment + inverse * (state.rho * state.by_rho);
       by.shift = inverse * state.lambda * acrossBeam(turn, frames[own.turn - 1]) -
                  2 * inverse * state.kappa * alongBeam(turn, frames[own.turn - 1]);
     }
-    // What the angle alone would displace is counted with the angle.
+    // The displacement by the angle alone is counted with the angle.
     by.shift = by.shift - by.given * lin.unknown[own.is_rho ? k - 1 : k].shifts;
     by.a = (state.size + 0.5 * turn.beam_weight) * cross(by.shift, g);
   }
 }
 
-/// Columns for the compliances, from column `first`.
+/// Adds columns for the compliances, from column `first`.
 inline void addSoftenings(const RevoluteArm& arm, const Frame* frames, Vec g, int first, Linearization& lin) {
   for (int k = 0; k < lin.count; ++k) {
     const int i = lin.unknown[k].turn;
@@ -227,8 +227,8 @@ struct Motion {
   Vec p, w;
 };
 
-/// Motion of the tip by each joint, then by what else is asked for: gravity's turns, then the compliance of each
-/// unknown (a turn's springs, a beam for its rho).
+/// Computes the motion of the tip by each joint, then by the other variables asked for: gravity's rotations, then the
+/// compliance of each unknown (a turn's springs, a beam for its rho).
 inline void derive(const RevoluteArm& arm, const TurnState* t, const Frame* frames, const Frame& tip, Vec gravity,
                    Real at_tip, Asked asked, Linearization& lin, Motion* columns) {
   outboardMoments(arm, t, frames, tip, at_tip, lin.S);
@@ -261,7 +261,7 @@ inline void derive(const RevoluteArm& arm, const TurnState* t, const Frame* fram
   }
 }
 
-/// Motion of the tip by each joint.
+/// Computes the motion of the tip by each joint.
 inline void deriveByJoints(const RevoluteArm& arm, const TurnState* t, const Frame* frames, const Frame& tip,
                            Vec gravity, Real at_tip, Motion* columns) {
   Linearization lin;

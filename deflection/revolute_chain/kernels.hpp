@@ -1,4 +1,4 @@
-// The kernels for this processor: the same shapes, bit for bit, some postures at a time.
+// The kernels for this processor: the same shapes, bit for bit, for several postures at a time.
 #pragma once
 
 #include <span>
@@ -15,10 +15,10 @@ struct Kernel {
   MeetGoals meet;
 };
 
-/// Those that this processor can run, narrow ones first; the first has one lane, the last is the fastest.
+/// Returns the kernels that this processor can run, narrow ones first; the first has one lane, the last is the fastest.
 std::span<const Kernel> kernels();
 
-/// The narrowest that takes so many at once, or the widest.
+/// Returns the narrowest kernel that takes `count` at once, or the widest.
 const Kernel& kernelFor(int count);
 
 }  // namespace tubeplan::deflection::simd

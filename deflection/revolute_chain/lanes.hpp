@@ -1,4 +1,4 @@
-// Numbers side by side, as many as TUBEPLAN_LANES says: one double, or a vector of the processor's.
+// Numbers side by side, TUBEPLAN_LANES of them: one double, or a vector of the processor.
 //
 // For sources that are compiled for one processor each. All is in an unnamed namespace, and nothing of the standard
 // library is used, so that no code for one processor is ever taken for another's. Every operation is that of IEEE
@@ -21,7 +21,7 @@ inline double lane(Real x, int) { return x; }
 inline Real withLane(Real, int, double value) { return value; }
 inline bool any(Bits mask) { return mask != 0; }
 inline Real select(Bits mask, Real yes, Real no) { return mask ? yes : no; }
-/// `yes` where a lane still works: the only lane does, or nobody would ask.
+/// Returns `yes`: the only lane is active, or the caller would not ask.
 inline Real where(Bits, Real yes, Real) { return yes; }
 inline Bits bitsOf(Real x) { return __builtin_bit_cast(Bits, x); }
 inline Real realOf(Bits x) { return __builtin_bit_cast(Real, x); }
@@ -69,10 +69,10 @@ inline Real constant(double x) { return Real{} + x; }
 inline Real least(Real a, Real b) { return select(isLess(b, a), b, a); }
 inline Real greatest(Real a, Real b) { return select(isLess(a, b), b, a); }
 
-/// Correctly rounded, as IEEE wants it of every processor.
+/// Returns the square root, correctly rounded, as IEEE requires of every processor.
 inline Real squareRoot(Real x) {
 #if TUBEPLAN_LANES == 8
-  return (Real)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);  // the plain one brings a warning of its own
+  return (Real)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);  // _mm512_sqrt_pd causes a compiler warning
 #elif TUBEPLAN_LANES == 4
   return (Real)_mm256_sqrt_pd((__m256d)x);
 #else
@@ -81,7 +81,7 @@ inline Real squareRoot(Real x) {
 #endif
 }
 
-/// The size of one number with the sign of another.
+/// Returns the size of one number with the sign of another.
 inline Real withSign(Real size, Real sign) {
   constexpr long long kSign = static_cast<long long>(1ULL << 63);
   return realOf((bitsOf(size) & ~kSign) | (bitsOf(sign) & kSign));
@@ -91,18 +91,18 @@ struct SineCosine {
   Real sine, cosine;
 };
 
-/// Below 0.1 rad, to rounding.
+/// Returns sine and cosine of an angle below 0.1 rad, accurate to rounding.
 inline SineCosine smallSineCosine(Real x) {
   const Real t2 = x * x, t4 = t2 * t2;
-  // Two halves of each series side by side, for a short wait.
+  // Two independent halves of each series shorten the latency.
   const Real sine = (1. - t2 * (1. / 6)) + t4 * ((1. / 120 - t2 * (1. / 5040)) + t4 * (1. / 362880));
   const Real cosine = (1. - t2 * 0.5) + t4 * ((1. / 24 - t2 * (1. / 720)) + t4 * (1. / 40320));
   return {sine * x, cosine};
 }
 
-/// Any angle up to 1e5 rad within 1.5 units in the last place: reduced by multiples of a quarter turn in three parts
-/// (Cody and Waite), then the minimax polynomials of fdlibm's kernels. Beyond, the reduction loses digits; the C
-/// library takes over there.
+/// Returns sine and cosine of any angle up to 1e5 rad within 1.5 units in the last place. The angle is reduced by
+/// multiples of a quarter turn in three parts (Cody and Waite), then the minimax polynomials of fdlibm's kernels apply.
+/// Beyond, the reduction loses digits, and the C library is called.
 inline SineCosine sineCosine(Real x) {
   constexpr double kShift = 0x1.8p52;
   const Real shifted = x * 6.36619772367581382433e-01 + kShift, k = shifted - kShift;
@@ -138,7 +138,7 @@ inline SineCosine sineCosine(Real x) {
   return {s, c};
 }
 
-/// Of what an element turns: mostly small.
+/// Returns sine and cosine of an element's rotation, which is mostly small.
 inline SineCosine bentSineCosine(Real x) {
   const SineCosine little = smallSineCosine(x);
   const Bits small = isLess(absolute(x), constant(0.1));
@@ -147,7 +147,7 @@ inline SineCosine bentSineCosine(Real x) {
   return {select(small, little.sine, full.sine), select(small, little.cosine, full.cosine)};
 }
 
-/// Turns (c, s) by a small angle further, to rounding below 1e-3 rad.
+/// Rotates (c, s) by a small angle, accurate to rounding below 1e-3 rad.
 inline void turnLittle(Real x, Real& c, Real& s) {
   const Real t2 = x * x;
   const Real sine = x - x * t2 * (1. / 6), less = t2 * (0.5 - t2 * (1. / 24));

@@ -9,9 +9,9 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kSameFrame = 1e-15;  ///< of unit vectors, and of the reach: rounding when frames are put together
+constexpr double kSameFrame = 1e-15;  ///< rounding of composed frames, for unit vectors and as a share of the reach
 
-/// A compliance about one axis only: the axis, and how much.
+/// A compliance about one axis only.
 struct OneAxis {
   Vector3d axis;
   double compliance;
@@ -27,7 +27,7 @@ std::optional<OneAxis> oneAxisOf(const Matrix3d& compliance) {
   return OneAxis{axis, size};
 }
 
-/// Axes of which z is the one given.
+/// Returns axes with the given z.
 Matrix3d axesAbout(const Vector3d& z) {
   Vector3d::Index largest = 0;
   z.cwiseAbs().maxCoeff(&largest);
@@ -44,12 +44,12 @@ Matrix3d axesAbout(const Vector3d& z) {
   return R;
 }
 
-/// A rotation as Rz(before) Rx(twist) Rz(after), before = 0 where the twist is none.
+/// A rotation as Rz(before) Rx(twist) Rz(after), with before = 0 without a twist.
 struct Twist {
   double before = 0, cosine = 1, sine = 0, after = 0;
 };
 
-/// Of the angle between the z axes before and after.
+/// Returns the sine of the angle between the z axes before and after.
 double sineOf(const Matrix3d& R) { return std::sqrt(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)); }
 
 Twist twistOf(const Matrix3d& R) {
@@ -64,8 +64,8 @@ Twist twistOf(const Matrix3d& R) {
   const bool square = std::abs(R(2, 2)) < kSameFrame;
   out.cosine = square ? 0 : R(2, 2);
   out.sine = square ? 1 : sine;
-  // What is left after those two: of axes that are all but parallel either angle alone is lost in rounding, but not
-  // both together.
+  // The remainder after those two: for nearly parallel axes either angle alone is lost in rounding, but not both
+  // together.
   const double c = std::cos(out.before), s = std::sin(out.before);
   const Vector3d x(c * R(0, 0) + s * R(1, 0), c * R(1, 0) - s * R(0, 0), R(2, 0));
   out.after = std::atan2(out.cosine * x.y() + out.sine * x.z(), x.x());
@@ -74,7 +74,7 @@ Twist twistOf(const Matrix3d& R) {
 
 }  // namespace
 
-/// Walks the chain outwards, keeping the last turn open and the way from its frame to here.
+/// Builder that walks the chain outwards, with the last turn open and the pose from its frame to the present link.
 class RevoluteChain::Builder {
  public:
   Builder(double reach, std::size_t elements) : reach_(reach) {
@@ -83,7 +83,7 @@ class RevoluteChain::Builder {
   }
 
   bool addElement(const ChainLink<double>& link, const FlexibleElement& element) {
-    // Gaps, zones and compliances of size nothing are as good as none.
+    // Gaps, zones and compliances of size zero count as none.
     if ((element.hasGap() && !element.gap_width.isZero(0)) || !element.flexibility.softness.isZero(0)) return false;
     if (element.flexibility.compliance.isZero(0)) {
       addWeight(element.weight, here_.p + here_.R * (link.p / 2));
@@ -167,7 +167,7 @@ class RevoluteChain::Builder {
     for (int k = 0; k < 3; ++k) turn.moment[k] += weight * place[k];
   }
 
-  /// The last turn goes further by an angle, and its frame with it.
+  /// Turns the last turn further by an angle, and its frame with it.
   void turnFrame(double angle) {
     if (angle == 0) return;
     const Matrix3d back = rotationZ<double>(-angle);
@@ -181,7 +181,7 @@ class RevoluteChain::Builder {
       if (row.turn == last()) row.X_TL = PoseOf<double>{back, Vector3d::Zero()} * row.X_TL;
   }
 
-  /// Whether a turn about the z axis of `axes` here is one with the last turn.
+  /// Returns true if a turn about the z axis of `axes` here can be merged with the last turn.
   [[nodiscard]] bool isOneWithLast(const Matrix3d& R, bool with_joint) const {
     if (!startsAtLast(R)) return false;
     const Turn& turn = out_.turns_.back();
@@ -191,11 +191,12 @@ class RevoluteChain::Builder {
            !(with_joint && turn.joint >= 0);
   }
 
-  /// The turn about the z axis of `axes` (in the axes here), at this place; what follows starts from there.
+  /// Returns the turn about the z axis of `axes` (in the present axes), at this place; the following links start from
+  /// there.
   Turn& turnTo(const Matrix3d& axes, bool with_joint = false) {
     const Matrix3d R = here_.R * axes;
     if (isOneWithLast(R, with_joint)) {
-      // What the last turn gains turns nothing that was fixed to it before.
+      // Additions to the last turn do not move rows that were fixed to it before.
       for (const RowOnTurn& row : out_.rows_) rows_are_fixed_ = rows_are_fixed_ && row.turn != last();
       here_.R = R;
       turnFrame(twistOf(R).after);
@@ -247,7 +248,7 @@ class RevoluteChain::Builder {
     here_ = {};
   }
 
-  /// A beam may start at the last turn's frame whatever hangs from it.
+  /// A beam may start at the last turn's frame with any weights on it.
   [[nodiscard]] bool startsAtLast(const Matrix3d& R) const {
     return last() >= 0 && R(2, 2) > 0 && sineOf(R) < kSameFrame && here_.p.cwiseAbs().maxCoeff() <= kSameFrame * reach_;
   }
@@ -299,7 +300,7 @@ void RevoluteChain::copyDeflections(const double* element_states, long stride,
     double angle = hinge.compliance * moment;
     Vector3d displacement = Vector3d::Zero();
     if (hinge.is_beam) {
-      // What the springs of the same axis leave.
+      // The part that the other springs of the same axis leave.
       angle = angle_of_all - (turns_[static_cast<std::size_t>(hinge.turn)].compliance - hinge.compliance) * moment;
       displacement = lambda * hinge.axis.cross(hinge.member) - kappa * hinge.member;
     }

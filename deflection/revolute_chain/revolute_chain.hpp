@@ -1,4 +1,4 @@
-// An arm's chain as turns about one axis each, where that is what it is: what the kernels solve fast.
+// An arm's chain as rotations about one axis each, for arms that are such: the form that the kernels solve fast.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace tubeplan::deflection::simd {
 
-/// How an element of the chain takes part.
+/// Role of an element in the chain.
 struct RevoluteElement {
-  int turn;              ///< which of the arm's turns it is, or is part of; -1 where it gives nothing
+  int turn;              ///< turn of the arm that it is, or is part of; -1 if it is rigid
   Eigen::Vector3d axis;  ///< unit length, in the element's near axes
-  double compliance;     ///< about it [rad/(N m)]
+  double compliance;     ///< about the axis [rad/(N m)]
   bool is_beam;
-  Eigen::Vector3d member;  ///< of a beam, in its near axes [m]
+  Eigen::Vector3d member;  ///< vector of a beam, in its near axes [m]
 };
 
 /// A direction fixed to a turn.
@@ -33,21 +33,22 @@ struct RowOnTurn {
 
 class RevoluteChain {
  public:
-  /// `joint_of` says which reading turns a link of the chain, -1 for none; `elements` are the chain's, in order.
-  /// Nothing where an element gives about more than one axis, has a clearance or a soft zone, or where the arm is too
-  /// long.
+  /// Builds the chain. `joint_of` holds the reading that turns each link of the chain, -1 for none; `elements` are the
+  /// chain's, in order. Nothing if an element is compliant about more than one axis, has a clearance or a soft zone, or
+  /// if the arm is too long.
   static std::optional<RevoluteChain> of(const Chain<double>& chain, const Arm& arm, const std::vector<int>& joint_of,
                                          const std::vector<FlexibleElement>& elements, double reach);
 
   [[nodiscard]] RevoluteArm numbers() const;
   [[nodiscard]] const std::vector<RevoluteElement>& elements() const { return elements_; }
   [[nodiscard]] bool hasJacobian() const { return has_jacobian_; }
-  /// The z axis of the last jointed row's frame.
+  /// Returns the z axis of the last jointed row's frame.
   [[nodiscard]] const TurnDirection& lastAxis() const { return last_axis_; }
-  /// Every row's frame, in order; empty where one of them lies between two things that turn as one.
+  /// Returns every row's frame, in order; empty if one of them lies between two parts of the same turn.
   [[nodiscard]] const std::vector<RowOnTurn>& rows() const { return rows_; }
 
-  /// Gives the elements their deflections, from what a kernel says of each turn (Shapes::gives, `stride` apart).
+  /// Sets the deflections of the elements from a kernel's output for each turn (Shapes::element_states, `stride`
+  /// apart).
   void copyDeflections(const double* element_states, long stride, std::vector<FlexibleElement>& elements) const;
 
  private:

@@ -11,8 +11,8 @@ bool isStiffnessAt(const ParameterPath& path) {
          deflection::isStiffness(parameterFields()[static_cast<std::size_t>(path.field)].quantity);
 }
 
-/// Every stiffness stands alone in the denominator of its terms: what is left of the compliance without them tells how
-/// it changes.
+/// Returns the slope of a compliance by a stiffness. Every stiffness is the only denominator of its terms, so that the
+/// compliance without them shows the slope.
 std::optional<double> slopeOf(const FlexibleElement& element, const RevoluteElement& hinge, const Row<double>& without,
                               double value) {
   const Eigen::Matrix3d of_number =
@@ -79,7 +79,7 @@ std::optional<RevoluteVariables> RevoluteVariables::of(const std::vector<Variabl
     }
     out.ends_.push_back(out.terms_.size());
   }
-  // Each kind has its place, whether asked for or not: those before the last one that is.
+  // Each kind has its place, whether asked for or not, up to the last one that is.
   out.columns_ = out.has_compliances_ ? first_compliance + 2 * revolute_chain.numbers().count
                  : out.has_gravity_   ? first_compliance
                                       : out.joints_;

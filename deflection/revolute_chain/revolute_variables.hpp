@@ -1,5 +1,5 @@
-// Derivatives by an arm's variables, put together from those that a kernel gives: by joints, by turns of gravity and by
-// the compliance of each turn.
+// Derivatives by an arm's variables, combined from those of a kernel: by joints, by rotations of gravity and by the
+// compliance of each turn.
 #pragma once
 
 #include <optional>
@@ -10,34 +10,34 @@
 
 namespace tubeplan::deflection::simd {
 
-/// The compliance of an element by a number of the arm, along the element's axis [rad/(N m) per unit].
+/// Slope of an element's compliance about its axis by a number of the arm [rad/(N m) per unit].
 struct ElementSlope {
   std::size_t element;
   double slope;
 };
 
-/// How a stiffness's number acts on the elements of a chain; nothing where it is no stiffness, or acts about an axis
-/// that is not the element's.
+/// Returns the slopes of the chain's elements by a stiffness's number; nothing if it is no stiffness, or acts about
+/// another axis than the element's.
 std::optional<std::vector<ElementSlope>> elementSlopes(const Arm& arm, const ParameterPath& path,
                                                        const Chain<double>& chain, const RevoluteChain& revolute_chain,
                                                        const std::vector<FlexibleElement>& elements);
 
-/// Whether these are the same variables in the same order.
+/// Returns true if both are the same variables in the same order.
 bool areSame(const std::vector<Variable>& a, const std::vector<Variable>& b);
 
 class RevoluteVariables {
  public:
-  /// Nothing where a kernel does not give what one of the variables needs.
+  /// Combines the derivatives by `variables`; nothing if a kernel does not give what one of them needs.
   static std::optional<RevoluteVariables> of(const std::vector<Variable>& variables, const Arm& arm,
                                              const Chain<double>& chain, const RevoluteChain& revolute_chain,
                                              const std::vector<FlexibleElement>& elements);
 
-  /// How many columns a kernel writes, of 6 numbers each.
+  /// Returns the number of columns that a kernel writes, of 6 numbers each.
   [[nodiscard]] int columns() const { return columns_; }
-  /// Where in `derivatives` it is to write them, one kind after the other, `lanes` apart.
+  /// Sets the pointers of `out` into `derivatives`, one kind after the other, `lanes` apart.
   void place(double* derivatives, long lanes, Shapes& out) const;
 
-  /// The 6 numbers of a variable, of the first `count` lanes side by side; the 6 in `to` stand `stride` apart.
+  /// Copies the 6 numbers of a variable for the first `count` lanes, side by side; the 6 in `to` are `stride` apart.
   void gather(std::size_t variable, const double* derivatives, long lanes, long count, double* to, long stride) const;
 
  private:

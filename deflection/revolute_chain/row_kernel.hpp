@@ -1,7 +1,7 @@
-// The rows' frames of bent arms side by side. See plain_rows.hpp for what is given, lanes.hpp for the numbers.
+// The rows' frames of bent arms side by side. See plain_rows.hpp for the input, lanes.hpp for the numbers.
 //
 // Bodies of a bent member lie along its chord: the row's axes are turned by the smallest rotation that takes the member
-// to the chord. How far the member bows from it is found at five places of the cubic that the displacement d and the
+// to the chord. The bow of the member from it is found at five places of the cubic that the displacement d and the
 // rotation w of its end define: (3 s^2 - 2 s^3 - s) d + (s^3 - s^2) w x member.
 #pragma once
 
@@ -42,7 +42,7 @@ inline void storeFrameOf(const RowFrame& X, double* to, long stride) {
 
 inline Vec same(const double* v) { return {constant(v[0]), constant(v[1]), constant(v[2])}; }
 
-/// A direction in frame X, in the axes that X is given in.
+/// Returns a direction of frame X in the axes in which X is given.
 inline Vec turned(const RowFrame& X, const double* v) {
   return (constant(v[0]) * X.x + constant(v[1]) * X.y) + constant(v[2]) * X.z;
 }
@@ -54,7 +54,7 @@ inline RowFrame frameIn(const RowFrame& X, const PlainPose& Y) {
   return {turned(X, Y.R), turned(X, Y.R + 3), turned(X, Y.R + 6), placed(X, Y.p)};
 }
 
-/// A vector of all lanes alike, turned and moved by a pose that is the same for all.
+/// Apply a constant pose to a vector or a frame of each lane.
 inline Vec turnedBy(const PlainPose& X, Vec v) { return (v.x * same(X.R) + v.y * same(X.R + 3)) + v.z * same(X.R + 6); }
 
 inline RowFrame movedBy(const PlainPose& X, const RowFrame& Y) {
@@ -82,7 +82,7 @@ inline Real angleOf(const BentPiece& piece, const BentShapes& in) {
   return piece.bends ? load(element_states + in.stride) - piece.others * moment : piece.compliance * moment;
 }
 
-/// Square of the greatest distance of a piece from its chord.
+/// Returns the square of the greatest distance of a piece from its chord [m^2].
 inline Real squaredBow(const BentPiece& piece, const BentShapes& in) {
   const double* element_states = in.element_states + 4 * piece.turn * in.stride;
   const Real lambda = piece.bends ? load(element_states + 2 * in.stride) : constant(0),

@@ -1,10 +1,10 @@
 // The deflected shapes of postures side by side. See revolute_arm.hpp for the arm and lanes.hpp for the numbers.
 //
-// Every load is gravity's, so each turn knows all it carries from gravity's direction, as a sweep outwards turns it
+// Every load is gravity's, so the load of each turn follows from gravity's direction, as a sweep outwards turns it
 // into its frame, and from the size and first moment S of the loads beyond, which a sweep inwards gathers. The moment
-// about its axis is S_x g_y - S_y g_x. Both sweeps bend what they pass by the moment that they meet (Gauss and
+// about its axis is S_x g_y - S_y g_x. Both sweeps bend each turn by its present moment (Gauss and
 // Seidel's method, symmetric: each sweep leaves about a deflection's share of the error). A turn's change within a
-// sweep is passed on by its tangent, so that nothing waits for a sine; the next sweep starts from exact ones.
+// sweep is passed on by its tangent, so that no step waits for a sine; the next sweep starts from exact ones.
 //
 // A beam in the plane of its turn, along v with u = z x v, under force F (all of size `size` and along g), moment M
 // about its far end and weight W: with rho = chord x g, f = cL size, w = cL W,
@@ -21,19 +21,19 @@ namespace {
 using namespace tubeplan::deflection::simd;
 
 struct TurnState {
-  Real rest_c, rest_s, c, s;  ///< of joint and rest; with what has given
+  Real rest_c, rest_s, c, s;  ///< cosine and sine of joint and constant angle; with the deflection added
   Vec g;                      ///< gravity's direction, in the turn's frame
   Real sx, sy;                ///< first moment beyond, x and y before the turn
-  Real size;                  ///< of the loads beyond [N]
-  Real given, moment;         ///< rad, N m
+  Real size;                  ///< sum of the loads beyond [N]
+  Real given, moment;         ///< deflection [rad], moment [N m]
   Real lambda, kappa, rho;    ///< of a beam
   Real by_rho, lambda_by_rho, kappa_by_m, kappa_by_rho;
 };
 
-/// Which lanes still move, and how far a sweep has moved their tips.
+/// Active lanes, and the motion of their tips in a sweep.
 struct Progress {
   Bits active;
-  Real turned, change;  ///< rad; of beams' displacements [m]
+  Real turned, change;  ///< rotation [rad]; change of beams' displacements [m]
 };
 
 inline Vec directionBefore(const TurnState* t, int i, Vec gravity) { return i == 0 ? gravity : t[i - 1].g; }
@@ -76,7 +76,8 @@ inline void begin(const RevoluteArm& arm, const Postures& in, Real load_at_tip, 
   }
 }
 
-/// What the turn gives under a moment, `before` being gravity's direction before it: how much more than so far.
+/// Bends the turn under a moment, `before` being gravity's direction before it; returns the change of its deflection
+/// [rad].
 inline Real bend(const Turn& turn, Real moment, Vec before, TurnState& t, Progress& progress) {
   Real given = turn.compliance * moment;
   if (turn.is_beam) {
@@ -110,7 +111,7 @@ inline Real bend(const Turn& turn, Real moment, Vec before, TurnState& t, Progre
   return more;
 }
 
-/// Way from the frame before to the turn's, as deflected: x and y; z is the turn's own.
+/// Return x and y of the vector from the frame before to the turn's, as deflected; z does not change.
 inline Real chordX(const Turn& turn, const TurnState& t) {
   return turn.p[0] - t.kappa * turn.p[0] - t.lambda * turn.p[1];
 }
@@ -166,9 +167,9 @@ inline void gatherInwards(const RevoluteArm& arm, Vec gravity, Real load_at_tip,
   }
 }
 
-/// Sweeps until each lane rests: returns the sweeps that each took, negative where it does not converge.
+/// Sweeps until each lane is at rest. Returns the number of sweeps of each, negative if it does not converge.
 ///
-/// A lane rests when the next sweep would move its tip by less than the tolerance: either this one did not, or the
+/// A lane is at rest if the next sweep would move its tip by less than the tolerance: either this one did not, or the
 /// changes have shrunk so fast (by the same share at least, four times over) that the next one cannot.
 inline Real converge(const RevoluteArm& arm, const Postures& in, Vec gravity, Real load_at_tip, TurnState* t) {
   if (!arm.is_compliant) return constant(1);
@@ -186,11 +187,11 @@ inline Real converge(const RevoluteArm& arm, const Postures& in, Vec gravity, Re
     sweeps = where(progress.active, constant(sweep), sweeps);
     const Bits lost = progress.active & ~isLess(change, constant(1e300));
     failed = failed | lost;
-    // By this sweep's share of the one before and by the last one's, as sweeps in and out differ.
+    // Bound from this sweep's ratio to the one before and from the last one's, because sweeps in and out differ.
     const Real next = 4. * change;
     const Bits fast = isLess(change * 10., last) & isLess(last * 10., before) &
                       isAtMost(next * change, in.tolerance * last) & isAtMost(next * last, in.tolerance * before);
-    // What the tangents of the sweep before have left out of this one's moments.
+    // Error of this sweep's moments by the tangents of the sweep before.
     const Bits exact = isAtMost(arm.reach * (turned * turned), constant(in.tolerance));
     progress.active = progress.active & ~(lost | (exact & (isAtMost(change, constant(in.tolerance)) | fast)));
     if (!any(progress.active)) break;
@@ -224,7 +225,7 @@ inline void twistAbout(const Turn& turn, Frame& X) {
   X.z = c * X.z - s * y;
 }
 
-/// Frame of every turn in the base; returns the tip's.
+/// Computes the frame of every turn in the base; returns the tip's.
 inline Frame placeFrames(const RevoluteArm& arm, const TurnState* t, Frame* frames) {
   const Real one = constant(1), zero = constant(0);
   Frame X{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}, none()};
