@@ -9,13 +9,14 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr int kEstimates = 20, kEstimatesPerPair = 10;  // of visits, ends included
-constexpr long kMostChecks = 1'000'000;                 // of postures: as for five ways that are made quick
-constexpr double kRounding = 1e-12;                     // of a sum of times, that may be added up in another order
-// Of what a rough way takes beyond its straight line, that is left once it is made quick: 0.6 to 0.7 on the average of
-// three arms, with a deviation of 0.2.
+constexpr int kEstimates = 20, kEstimatesPerPair = 10;  // number of estimates: per visit, ends included, and per pair
+constexpr long kMostChecks = 1'000'000;                 // of postures: as many as for five optimised detours
+constexpr double kRounding = 1e-12;                     // rounding of a sum of times in another order
+// Share of a rough detour's excess over its straight line that remains after optimisation: 0.6 to 0.7 on average for
+// three arms, with a standard deviation of 0.2.
 constexpr std::array kExcessLeft{0.6, 0.2, 0.0};
-constexpr std::size_t kTakenInTurn = 2;  // of these views; the last once they are settled
+// Number of these shares that are used in turn; the last is used once they are settled.
+constexpr std::size_t kTakenInTurn = 2;
 
 std::vector<Stop> stopsOf(const PostureTable& table, const VisitChoice& choice) {
   std::vector<Stop> stops;
@@ -48,7 +49,7 @@ FewTubes::FewTubes(const PlanContext& context, const VisitChoice& choice, const 
 RealOrder FewTubes::order() {
   RealOrder best;
   double least = std::numeric_limits<double>::infinity();
-  std::size_t view = 0, settled = 0;  // views whose order is known
+  std::size_t view = 0, settled = 0;  // number of shares whose order is known
   for (int rounds = 0; rounds < context_.options.reprice_rounds && !context_.isStopped();) {
     const ExactOrder order = exactOrder(table_, times_[view], zones_);
     if (std::isnan(best.lower_bound)) best.lower_bound = order.time * (1 - kRounding);
@@ -74,7 +75,7 @@ RealOrder FewTubes::order() {
   return best;
 }
 
-/// The moves of an order of which less is known.
+/// Returns the moves of an order that are known less well.
 std::vector<FewTubes::Move> FewTubes::movesBelow(const std::vector<int>& postures, Knowledge knowledge) {
   std::vector<Move> moves;
   for (std::size_t k = 0; k + 1 < postures.size(); ++k)
@@ -123,7 +124,7 @@ void FewTubes::noteApart(bool is_apart, const Clearance& tightest) {
   between_ = tightest;
 }
 
-/// One move between parts was met: the others need not be tried one by one.
+/// Marks all moves between parts after one was met, so that the others need not be tried singly.
 void FewTubes::takePartsAsApart() {
   has_parts_ = true;
   const std::vector<int> parts = network_.partsOf(stops_);
@@ -135,7 +136,7 @@ void FewTubes::takePartsAsApart() {
     }
 }
 
-/// So many moves took longer than hoped for that no more is hoped of the rest.
+/// Sets the times of unknown moves by the ratio of known to straight times, once the estimates are used up.
 void FewTubes::expectTheUnknownToBeAsTheKnown() {
   const auto isKnown = [this](int p, int q) { return knowledgeOf(p, q) != Knowledge::kStraight; };
   for (Eigen::MatrixXd& times : times_) {

@@ -1,10 +1,10 @@
-// The order of so few tubes that the quickest can be had: exact for what is known of the moves, and more is asked about
-// them until those that it chooses are known. Internal to the planning of visits.
+// The quickest order of a few tubes: exact for the known times of moves, which are refined until all moves that it
+// chooses are known. Internal to the planning of visits.
 //
-// Of a move the time along the straight line is known at once; the time of a way round, roughly, at some cost; what it
-// takes once it is made quick at ten times that. So each is asked for only where the quickest order hangs on it. How
-// much a rough way gains varies: orders are sought by what is to be expected and by what may be hoped in turn, at last
-// by the very least that moves can take, and of all that were planned in full the quickest is taken.
+// The time of a move along the straight line is known at once. The rough time of a detour has a cost, and the time of
+// its optimised form costs ten times that. So each is computed only if the quickest order depends on it. The gain of
+// optimising a rough detour varies: orders are searched by expected and by optimistic times in turn, at last by lower
+// bounds of the times. The quickest of all orders that were planned in full is the result.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,28 +18,29 @@ namespace tubeplan::planner {
 
 class FewTubes {
  public:
-  /// `zones` has one number for each visit, empty or all the same: any order will do.
+  /// `zones` has one number for each visit, or is empty; if it is empty or constant, any order is allowed.
   FewTubes(const PlanContext& context, const VisitChoice& choice, const PostureTable& table,
            const std::vector<int>& zones, TravelNetwork& network);
 
-  /// As orderWithRealMoves. A move between parts of the free space is avoided as any that cannot be made; the order is
-  /// parted where every one has such a move.
+  /// Returns the order, as orderWithRealMoves(). A move between parts of the free space is avoided like any impossible
+  /// move; the order is parted if every order has such a move.
   [[nodiscard]] RealOrder order();
 
  private:
   enum class Knowledge : char { kStraight, kEstimated, kExact };
 
-  /// One of the moves of an order, between postures of the table.
+  /// A move of an order, between postures of the table.
   struct Move {
     int from, to;
   };
 
-  /// Of the move from posture p to q.
+  /// Returns how well the move from posture p to q is known.
   [[nodiscard]] Knowledge& knowledgeOf(int p, int q) {
     return knowledge_[static_cast<std::size_t>(p * table_.postures() + q)];
   }
   [[nodiscard]] std::vector<Move> movesBelow(const std::vector<int>& postures, Knowledge knowledge);
-  /// `rough` is the time [s] of a way that was found, where it is yet to be made quick; else the time itself.
+  /// Sets the time of a move. `rough` is the time [s] of a detour found but not yet optimised; otherwise the time
+  /// itself.
   void setTime(Move move, double rough, Knowledge knowledge);
   void estimate(const std::vector<Move>& moves);
   void plan(const std::vector<Move>& moves);
@@ -48,7 +49,7 @@ class FewTubes {
   void takePartsAsApart();
   void expectTheUnknownToBeAsTheKnown();
   void showProgress(const std::vector<int>& postures, std::size_t open) const;
-  [[nodiscard]] double timeOf(const std::vector<int>& postures) const;  ///< s, of moves that are known exactly
+  [[nodiscard]] double timeOf(const std::vector<int>& postures) const;  ///< time of moves that are known exactly [s]
   [[nodiscard]] std::vector<Stop> stopsOf(const std::vector<int>& postures) const;
 
   const PlanContext& context_;
@@ -57,10 +58,10 @@ class FewTubes {
   TravelNetwork& network_;
   std::vector<Stop> stops_;  // by posture
   Eigen::MatrixXd straight_;
-  std::array<Eigen::MatrixXd, 3> times_;  // as is to be expected, as may be hoped, and at the very least
+  std::array<Eigen::MatrixXd, 3> times_;  // expected times, optimistic times, lower bounds [s]
   std::vector<Knowledge> knowledge_;
   int estimates_left_;
-  long checks_left_;  // of postures, for estimates
+  long checks_left_;  // postures left to check, for estimates
   bool is_parted_ = false, has_parts_ = false;
   Clearance between_;
 };

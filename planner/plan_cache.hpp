@@ -1,5 +1,5 @@
-// What a plan found out at a cost, kept so that a plan that was stopped goes on and a changed list keeps what still
-// holds. Every entry is the answer to a question of its own (one tube, one travel), whatever else the list asks for.
+// Costly results of a plan, kept so that a stopped plan can resume and a changed list reuses what is still valid. Every
+// entry answers a question of its own (one tube, one travel), independent of the rest of the list.
 #pragma once
 
 #include <map>
@@ -18,29 +18,29 @@ struct TubePosture {
   auto operator<=>(const TubePosture&) const = default;
 };
 
-/// A travel between the standoffs of two tubes; the approach to a tube, where both are the same.
+/// Ends of a travel between the standoffs of two tubes; if both tubes are the same, of the approach to it.
 using MotionEnds = std::pair<TubePosture, TubePosture>;
 
-/// A segment's least clearance, proved.
+/// Proved least clearance of a segment.
 struct SegmentProof {
-  double margin = std::numeric_limits<double>::quiet_NaN();  ///< m, beyond the clearance that the scene asks for
+  double margin = std::numeric_limits<double>::quiet_NaN();  ///< beyond the clearance that the scene requires [m]
   Clearance tightest;
 };
 
 struct PlanCache {
   std::map<int, TubeReach> reach;             ///< by tube
-  std::map<MotionEnds, MotionPlan> travels;   ///< the lesser end first
-  std::map<MotionEnds, SegmentProof> proofs;  ///< as travelled
-  std::vector<VisitOrder> orders;             ///< round after round, in terms of this list's reachable tubes
-  /// Tubes in the order of the plan that was completed last. The next one begins from it where most tubes are the same.
+  std::map<MotionEnds, MotionPlan> travels;   ///< with the smaller end first
+  std::map<MotionEnds, SegmentProof> proofs;  ///< in the direction of travel
+  std::vector<VisitOrder> orders;             ///< one for each round, in terms of this list's reachable tubes
+  /// Tubes in the order of the last completed plan. The next search starts from it if most tubes are the same.
   std::vector<int> visiting_order;
 };
 
-/// How much of a plan was there before.
+/// Numbers of results that were reused.
 struct KeptWork {
   int reach = 0;    ///< tubes
   int travels = 0;  ///< of the path
-  int proofs = 0;   ///< of segments, retreats left out
+  int proofs = 0;   ///< of segments, without retreats
 };
 
 }  // namespace tubeplan::planner

@@ -1,4 +1,4 @@
-// What every stage of the planning of visits works with. Internal to it.
+// Common input of every stage of the planning of visits. Internal to it.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,7 @@
 
 namespace tubeplan::planner {
 
-/// The cell and what is asked of it; the hooks of whoever waits for the plan; the cache, which each stage reads first
-/// and then adds to.
+/// The cell, the options, the hooks of the caller and the cache, which each stage first reads and then adds to.
 struct PlanContext {
   const Workcell& cell;
   const VisitPlanOptions& options;

@@ -14,14 +14,14 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr int kLaterKicksShare = 10;  // rounds after the first begin from a good order
+constexpr int kLaterKicksShare = 10;  // rounds after the first start from a good order
 
-/// Both kinds of end of the route are branch 0.
+/// Returns the branch of a visit; both ends of the route have branch 0.
 int branchOf(const VisitChoice& choice, int visit, int branch) {
   return visit < 0 ? 0 : choice.branches[static_cast<std::size_t>(visit)][static_cast<std::size_t>(branch)];
 }
 
-/// The order as stops, with the start and the end posture put where they belong.
+/// Returns the order as stops, with the start and the end posture at its ends.
 std::vector<Stop> stopsOf(const VisitOrder& order, const VisitChoice& choice, const VisitConditions& conditions) {
   std::vector<Stop> stops;
   if (conditions.start) stops.push_back({kStartPosture, 0});
@@ -31,11 +31,11 @@ std::vector<Stop> stopsOf(const VisitOrder& order, const VisitChoice& choice, co
   return stops;
 }
 
-/// What the moves of an order were found to take.
+/// Result of planning the moves of an order.
 struct Priced {
   bool learnt = false, is_parted = false;
   Clearance between;  ///< of the first move between parts
-  double time = 0;    ///< s; a move without a way counts kForbiddenTime
+  double time = 0;    ///< [s]; a move without a path counts kForbiddenTime
 };
 
 /// Plans the moves that an order chose and puts their extra time into the table.
@@ -59,7 +59,7 @@ Priced priceOrder(const PlanContext& context, const std::vector<Stop>& stops, Tr
   return priced;
 }
 
-/// `penalties` and `choice` must outlive the route.
+/// Adds extra times to a route; `penalties` and `choice` must outlive it.
 void addExtraTimes(const EdgePenalties& penalties, const VisitChoice& choice, Route& route) {
   route.extra_time = [&](int a, int branch_a, int b, int branch_b) {
     return penalties(a, branchOf(choice, a, branch_a), b, branchOf(choice, b, branch_b));
@@ -69,8 +69,8 @@ void addExtraTimes(const EdgePenalties& penalties, const VisitChoice& choice, Ro
     route.with_extra.push_back(penalties.touches(visit));
 }
 
-/// The order of one round, from the memory where it has it. An order kept from another list that cannot avoid a
-/// forbidden move is found anew.
+/// Returns the order of one round, from the cache if it is there. An order kept from another list that cannot avoid a
+/// forbidden move is searched again.
 VisitOrder orderOfRound(const PlanContext& context, const Route& route, const std::vector<int>& zones,
                         std::size_t round, VisitOrderOptions& ordering) {
   auto& known = context.cache.orders;
@@ -92,7 +92,7 @@ std::string inTheWay(const MotionPlan& plan) {
 
 bool isFree(TravelNetwork& network, Stop a, Stop b) { return network.between(a, b).status == MotionPlanStatus::kFree; }
 
-/// The order cut where no travel was found: stretches that can be travelled through.
+/// Returns the stretches of the order that can be travelled, cut at the moves without a travel.
 std::vector<std::vector<Stop>> travelledRuns(const std::vector<Stop>& stops, TravelNetwork& network) {
   std::vector<std::vector<Stop>> runs;
   for (const Stop& stop : stops) {
@@ -109,7 +109,7 @@ void leaveOut(const std::vector<Stop>& run, const MotionPlan& travel, const Visi
       left_out.push_back({choice.reach[static_cast<std::size_t>(stop.visit)].tube, inTheWay(travel), travel.tightest});
 }
 
-/// Keeps the longest stretch and what follows on either side of it without a change of order; the rest is named
+/// Keeps the longest stretch and what follows on either side of it without a change of order; the rest is reported as
 /// unreachable.
 std::vector<Stop> joinInOrder(const std::vector<Stop>& stops, const VisitChoice& choice, TravelNetwork& network,
                               std::vector<UnreachableTube>& left_out) {
@@ -132,7 +132,7 @@ std::vector<Stop> joinInOrder(const std::vector<Stop>& stops, const VisitChoice&
   return kept;
 }
 
-/// Keeps the longest stretch and what can be joined to either end of it; the rest is named unreachable.
+/// Keeps the longest stretch and what can be joined to either end of it; the rest is reported as unreachable.
 std::vector<Stop> joinAnywhere(const std::vector<Stop>& stops, const VisitChoice& choice, TravelNetwork& network,
                                std::vector<UnreachableTube>& left_out) {
   auto runs = travelledRuns(stops, network);
@@ -159,7 +159,7 @@ std::string apartReason(const Clearance& between, bool has_start) {
   return reason;
 }
 
-/// The part with the most tubes.
+/// Returns the part with the most tubes.
 int largestPart(const std::vector<std::vector<int>>& parts) {
   std::map<int, int> tubes;
   for (const auto& of_visit : parts) {

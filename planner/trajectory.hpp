@@ -1,4 +1,4 @@
-// The path of a plan as a controller wants it: positions, speeds and accelerations of the joints over time.
+// The path of a plan in the form for a controller: positions, speeds and accelerations of the joints over time.
 #pragma once
 
 #include "planner/visit_plan.hpp"
@@ -6,14 +6,15 @@
 namespace tubeplan::planner {
 
 struct TrajectoryPoint {
-  double time = 0;                                ///< s
-  Eigen::VectorXd position, speed, acceleration;  ///< rad, 1/s and 1/s^2 of it (m for a sliding joint)
+  double time = 0;                                ///< [s]
+  Eigen::VectorXd position, speed, acceleration;  ///< rad, rad/s, rad/s^2 (m for a sliding joint)
 };
 
-/// Points wherever the acceleration changes: start, end of speeding up, start of slowing down and end of each straight
-/// move, both ends of each rounded corner and of each stay. Cubics through positions and speeds are the motion itself;
-/// any interpolation that keeps the joints' profiles alike stays on the lines that were proved free. The acceleration
-/// is that of the stretch which begins there, none at the end. Times rise strictly, by `least_step` [s] or more.
+/// Returns points wherever the acceleration changes: start, end of speeding up, start of slowing down and end of each
+/// straight move, both ends of each rounded corner and of each stay. Cubics through positions and speeds are the motion
+/// itself; any interpolation with the same profile for all joints stays on the lines that were proved free. The
+/// acceleration is that of the stretch that begins there, zero at the end. Times are strictly increasing, by
+/// `least_step` [s] or more.
 [[nodiscard]] std::vector<TrajectoryPoint> trajectoryOf(const VisitPlan& plan, const JointSpeeds& speeds,
                                                         double least_step = 1e-6);
 

@@ -16,7 +16,7 @@ namespace {
 constexpr int kRoadmapPostures = 2400;  ///< at holes, at most
 constexpr int kRoughShaping = 25;       // attempts
 
-/// How many tubes, spread over the sheet, give the roadmap their postures.
+/// Returns the number of tubes, spread over the sheet, whose standoffs become postures of the roadmap.
 std::size_t roadmapTubes(const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options) {
   return static_cast<std::size_t>(std::max(1, kRoadmapPostures / std::max(1, deflection::mostBranches(arm, options))));
 }
@@ -26,7 +26,8 @@ MotionPlan reversed(MotionPlan plan) {
   return plan;
 }
 
-/// A seed of its own for each pair of tubes, so that neither the order of asking nor the rest of the list matters.
+/// Returns a seed of its own for each pair of tubes, so that neither the order of requests nor the rest of the list
+/// matters.
 std::uint64_t pairSeed(std::uint64_t seed, TubePosture a, TubePosture b) {
   for (int part : {a.tube, a.branch, b.tube, b.branch})
     seed = (seed ^ static_cast<std::uint64_t>(part + 1)) * 0x9E3779B97F4A7C15ULL;
@@ -97,7 +98,7 @@ TubePosture TravelNetwork::postureOf(Stop stop) const {
   return {reach_[static_cast<std::size_t>(stop.visit)].tube, stop.branch};
 }
 
-/// Not run where no line joins the two; without a path where something is in its way.
+/// Plans a travel on the line. Not run if no line joins the two; without a path if something is in its way.
 MotionPlan TravelNetwork::onLine(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1) {
   MotionPlan plan;
   LineTravel line = lines_->between(q0, q1);
@@ -131,7 +132,7 @@ std::vector<int> TravelNetwork::partsOf(const std::vector<Stop>& stops) {
   return roadmap_.get().partsOf(postures);
 }
 
-/// Of two stops the lesser first.
+/// Returns the travel with the smaller stop first.
 const MotionPlan& TravelNetwork::forward(Stop a, Stop b) {
   const MotionEnds ends{postureOf(a), postureOf(b)};
   auto known = context_.cache.travels.find(ends);

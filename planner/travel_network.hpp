@@ -1,4 +1,4 @@
-// The travels between standoffs: planned only when an order asks for them, and kept in the plan's memory.
+// The travels between standoffs: planned on demand, and kept in the plan's cache.
 #pragma once
 
 #include <map>
@@ -9,24 +9,24 @@
 
 namespace tubeplan::planner {
 
-/// A visit's place in the order, as a posture to travel from or to; or the start or the end posture, branch 0.
+/// A visit and its branch as an end of a travel; or the start or the end posture, branch 0.
 struct Stop {
   int visit, branch;
   auto operator<=>(const Stop&) const = default;
 };
 
-/// What a travel through a cell is asked of.
+/// Returns the motion problem of travels through a cell.
 [[nodiscard]] MotionProblem travelProblemOf(const PlanContext& context);
 
-/// The cell's roadmap, made when it is first asked for. Its postures are where tubes all over the sheet are approached
-/// from, whatever the list, and random ones.
+/// The cell's roadmap, built on first use. Its postures are standoffs of tubes all over the sheet, whatever the list,
+/// and random ones.
 class TravelRoadmap {
  public:
   explicit TravelRoadmap(const PlanContext& context) : context_(context) {}
   const Roadmap& get();
 
-  /// Searches ways between the parts that these postures lie in (Roadmap::bridge). Travels that had no way for want of
-  /// one are then planned anew, though not remembered, so that a plan that is resumed goes the same way.
+  /// Searches connections between the parts of these postures (Roadmap::bridge()). Travels that failed for lack of one
+  /// are then planned again, but not cached, so that a resumed plan takes the same course.
   bool bridge(const std::vector<Eigen::VectorXd>& postures);
   [[nodiscard]] bool isBridged() const { return is_bridged_; }
   [[nodiscard]] std::map<MotionEnds, MotionPlan>& rejoined() { return rejoined_; }
@@ -38,26 +38,26 @@ class TravelRoadmap {
   std::map<MotionEnds, MotionPlan> rejoined_;
 };
 
-/// What a travel will take, before it is planned in full.
+/// Time of a travel, before it is planned in full.
 struct TravelEstimate {
-  double time = std::numeric_limits<double>::infinity();  ///< s; infinite where there is no way
-  bool is_exact = false;                                  ///< else of a way that is yet to be made quick
-  bool apart = false;                                     ///< as of the motion's plan, with what is in the way of it
+  double time = std::numeric_limits<double>::infinity();  ///< infinite if there is no path [s]
+  bool is_exact = false;                                  ///< false: time of a detour that is not yet optimised
+  bool apart = false;                                     ///< as MotionPlan::apart, with the obstacle in `tightest`
   Clearance tightest;
-  long checks = 0;  ///< postures asked about
+  long checks = 0;  ///< number of postures checked
 };
 
 class TravelNetwork {
  public:
   TravelNetwork(const PlanContext& context, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap);
 
-  /// The travel from one stop to another, planned the first time it is asked for (or its reverse).
+  /// Returns the travel from one stop to another, planned when it (or its reverse) is first asked for.
   const MotionPlan& between(Stop a, Stop b);
 
-  /// Found in a fraction of the time, and not remembered; what the memory has makes no difference to it.
+  /// Returns an estimate at a fraction of the cost. It is not cached, and does not depend on the cache.
   [[nodiscard]] TravelEstimate estimate(Stop a, Stop b);
 
-  /// The part of the free space that each stop lies in (Roadmap::partsOf).
+  /// Returns the part of the free space of each stop (Roadmap::partsOf()).
   [[nodiscard]] std::vector<int> partsOf(const std::vector<Stop>& stops);
 
   [[nodiscard]] TubePosture postureOf(Stop stop) const;
@@ -75,8 +75,8 @@ class TravelNetwork {
   const std::vector<TubeReach>& reach_;
   TravelRoadmap& roadmap_;
   MotionProblem problem_;
-  std::optional<LineTravels> lines_;           ///< where the tool is to go straight
-  std::map<MotionEnds, MotionPlan> backward_;  ///< the greater end first
+  std::optional<LineTravels> lines_;           ///< if the tool is to move straight
+  std::map<MotionEnds, MotionPlan> backward_;  ///< with the larger end first
 };
 
 }  // namespace tubeplan::planner

@@ -1,5 +1,4 @@
-// What a visit must observe beside the tubes themselves: where the arm comes from and goes to, which tubes come first,
-// how long it stays.
+// Conditions of a visit besides the tubes themselves: start and end of the arm, tubes that come first, and stays.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,16 +9,17 @@
 namespace tubeplan::planner {
 
 struct VisitConditions {
-  std::optional<Eigen::VectorXd> start, end;  ///< rad (m for a slide): at rest there before and after all visits
-  /// Tubes (indices in the sheet): all of a zone are visited before any of the next. Tubes in no zone come last.
+  std::optional<Eigen::VectorXd> start, end;  ///< postures at rest before and after all visits [rad (m for a slide)]
+  /// Tubes (indices in the sheet) by zone: all of a zone are visited before any of the next. Tubes in no zone come
+  /// last.
   std::vector<std::vector<int>> zones;
-  double dwell = 0;                ///< s at each hole ...
-  std::map<int, double> dwell_at;  ///< ... but for these tubes
+  double dwell = 0;                ///< stay at each hole [s]
+  std::map<int, double> dwell_at;  ///< stays of single tubes, which replace `dwell` [s]
 
   [[nodiscard]] double dwellAt(int tube) const;
 };
 
-/// The zone of each tube, from 0 and without gaps; zones of which no tube is there do not count.
+/// Returns the zone of each tube, from 0 and without gaps; zones without any of the tubes do not count.
 [[nodiscard]] std::vector<int> zonesOf(const std::vector<int>& tubes, const VisitConditions& conditions);
 
 }  // namespace tubeplan::planner

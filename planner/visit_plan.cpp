@@ -18,7 +18,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-/// Every tube on its own, so in parallel; results stand in the order of the list.
+/// Computes the reach of every tube, in parallel; results are in the order of the list.
 std::vector<TubeReach> reachAll(const PlanContext& context, const std::vector<int>& tubes, VisitPlan& plan) {
   auto& cached = context.cache.reach;
   std::vector<TubeReach> reach(tubes.size());
@@ -52,7 +52,7 @@ PathSegment segmentOf(SegmentKind kind, int visit, std::vector<Eigen::VectorXd> 
   return segment;
 }
 
-/// Lays the segments out along stops that can all be travelled between; gives the ends of each.
+/// Makes the segments along stops that can all be travelled between; returns the ends of each.
 std::vector<MotionEnds> laySegments(const PlanContext& context, const std::vector<Stop>& stops,
                                     const VisitChoice& choice, TravelNetwork& network, VisitPlan& plan) {
   std::vector<MotionEnds> ends;
@@ -89,7 +89,7 @@ bool hasAllBranches(const VisitChoice& choice) {
   return true;
 }
 
-/// The figures to compare with, of the visits that are in the plan.
+/// Computes the figures for comparison, for the visits in the plan.
 void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, const VisitChoice& choice,
                   VisitPlan& plan) {
   const VisitConditions& conditions = context.options.conditions;
@@ -106,7 +106,7 @@ void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, co
   const Route route = routeOf(kept, context.speeds, conditions);
   const std::vector<int> zones = zonesOf(kept.tubes(), conditions);
   if (kept.reach.size() < choice.reach.size() || !hasAllBranches(kept)) {
-    // Of all branches: that those left out of the choice cannot be joined was not proved.
+    // With all branches: it is not proved that those left out of the choice cannot be joined.
     OneTreeOptions bound = context.options.order.bound;
     bound.stop = context.hooks.stop;
     plan.lower_bound =
@@ -126,7 +126,7 @@ void timeSegments(const JointSpeeds& speeds, VisitPlan& plan) {
   for (const auto& visit : plan.visits) plan.total_time += visit.dwell;
 }
 
-/// What speaks against resting in the start or the end posture; empty where nothing does.
+/// Returns why the arm cannot rest in the start or the end posture; empty if it can.
 std::string findEndProblem(const PlanContext& context) {
   const auto problemAt = [&](const std::string& name, const Eigen::VectorXd& q) -> std::string {
     for (int j = 0; j < q.size(); ++j) {
@@ -143,8 +143,8 @@ std::string findEndProblem(const PlanContext& context) {
   return problem;
 }
 
-/// The order of visits. Where no order avoids a move that cannot be made, ways between the parts are searched for; what
-/// cannot be joined even then is taken out of the choice, and the rest ordered anew.
+/// Finds the order of visits. If no order avoids an impossible move, connections between the parts are searched for.
+/// Tubes that still cannot be joined are removed from the choice, and the rest is ordered again.
 RealOrder orderInOnePart(const PlanContext& context, TravelRoadmap& roadmap, VisitChoice& choice, VisitPlan& plan) {
   std::size_t rounds = 0;
   {
@@ -163,7 +163,7 @@ RealOrder orderInOnePart(const PlanContext& context, TravelRoadmap& roadmap, Vis
   return orderWithRealMoves(context, choice, network, false, rounds);
 }
 
-/// Whether the stops still begin and end where they must.
+/// Returns true if the stops still begin and end as required.
 bool keepsEnds(const std::vector<Stop>& stops, const VisitConditions& conditions) {
   return (!conditions.start || stops.front().visit == kStartPosture) &&
          (!conditions.end || stops.back().visit == kEndPosture);

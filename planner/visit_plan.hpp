@@ -39,7 +39,7 @@
 
 namespace tubeplan::planner {
 
-/// Told how much of a stage is done; asked whether to stop; shown what there is to keep. `progress` and `keep` are
+/// Callbacks of a plan: progress of a stage, question whether to stop, results to keep. `progress` and `keep` are
 /// called by one thread at a time.
 struct PlanHooks {
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress;
@@ -47,10 +47,10 @@ struct PlanHooks {
   std::function<void(const PlanCache& cache)> keep;
 };
 
-/// How the tool goes from tube to tube.
+/// Kind of travel from tube to tube.
 enum class TravelKind {
-  kJoints,  ///< straight in joint space, or round what is in the way
-  kLine,    ///< the deflected tip on the line between the standoffs, where that is possible and free
+  kJoints,  ///< straight in joint space, or round obstacles
+  kLine,    ///< the deflected tip on the line between the standoffs, if that is possible and free
 };
 std::string_view nameOf(TravelKind kind);  ///< joints, line
 std::optional<TravelKind> findTravelKind(std::string_view name);
@@ -63,21 +63,21 @@ struct VisitPlanOptions {
   VisitOrderOptions order;
   MotionPlannerOptions motion;
   VisitConditions conditions;
-  int reprice_rounds = 12;           ///< order, plan the chosen moves, put their true times in, order again
-  double report_accuracy = 2.54e-4;  ///< m, of the least clearance that is reported (0.010 in)
+  int reprice_rounds = 12;           ///< rounds of ordering, planning the chosen moves and setting their true times
+  double report_accuracy = 2.54e-4;  ///< accuracy of the reported least clearance [m] (0.010 in)
 };
 
 enum class SegmentKind { kTravel, kApproach, kRetreat };
 std::string_view nameOf(SegmentKind kind);  ///< travel, approach, retreat
 
-/// One stretch of the path: the arm rests at every waypoint and moves straight in joint space between them, or flows
-/// through them; proved free.
+/// A stretch of the path, proved free: the arm stops at every waypoint and moves straight in joint space between them,
+/// or flows through them.
 struct PathSegment {
   SegmentKind kind = SegmentKind::kTravel;
-  int visit = -1;  ///< the visit it belongs to (a travel: the one it leads to; to the end posture: the last)
+  int visit = -1;  ///< visit that it belongs to (a travel: the one it leads to; to the end posture: the last)
   std::vector<Eigen::VectorXd> waypoints;
-  double margin =
-      std::numeric_limits<double>::quiet_NaN();  ///< m, proved, beyond the clearance that the scene asks for
+  /// Proved, beyond the clearance that the scene requires [m].
+  double margin = std::numeric_limits<double>::quiet_NaN();
   Clearance tightest;
   bool flows = false;
 };
@@ -85,7 +85,7 @@ struct PathSegment {
 struct PlannedVisit {
   int tube = -1;  ///< index in the sheet
   TubeBranch branch;
-  double dwell = 0;  ///< s at the hole
+  double dwell = 0;  ///< stay at the hole [s]
 };
 
 struct UnreachableTube {
@@ -103,48 +103,48 @@ struct VisitPlan {
   std::vector<UnreachableTube> unreachable;
   /// Approach, retreat, travel, approach, ...; before and after them the travels from the start and to the end posture.
   std::vector<PathSegment> segments;
-  double travel_time = std::numeric_limits<double>::quiet_NaN();  ///< s, between the standoffs, start and end postures
-  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< s, proved, of the same
+  double travel_time = std::numeric_limits<double>::quiet_NaN();  ///< between the standoffs, start and end postures [s]
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< proved lower bound of `travel_time` [s]
   double optimality_gap = std::numeric_limits<double>::quiet_NaN();
-  double row_by_row_time = std::numeric_limits<double>::quiet_NaN();  ///< s, straight moves row after row
-  double total_time = std::numeric_limits<double>::quiet_NaN();       ///< s, approaches, retreats and stays included
-  double min_margin = std::numeric_limits<double>::quiet_NaN();       ///< m, proved, over all segments
+  double row_by_row_time = std::numeric_limits<double>::quiet_NaN();  ///< straight moves row after row [s]
+  double total_time = std::numeric_limits<double>::quiet_NaN();       ///< approaches, retreats and stays included [s]
+  double min_margin = std::numeric_limits<double>::quiet_NaN();       ///< proved, over all segments [m]
   Clearance tightest;
   int detours = 0;  ///< travels that are neither a straight joint move nor a line
   int lines = 0;    ///< travels with the tip on a line
-  double line_deviation = std::numeric_limits<double>::quiet_NaN();  ///< m, most a tip leaves its line
-  KeptWork kept;                                                     ///< what the memory had already
+  double line_deviation = std::numeric_limits<double>::quiet_NaN();  ///< largest distance of a tip from its line [m]
+  KeptWork kept;                                                     ///< numbers of results taken from the cache
 };
 
-/// Plans the visit of `tubes` (indices in the sheet). Same cell, list, options and seed: same plan, at any number of
-/// threads.
+/// Plans the visit of `tubes` (indices in the sheet). The same cell, list, options and seed give the same plan, for any
+/// number of threads.
 [[nodiscard]] VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes,
                                    const VisitPlanOptions& options = {}, const PlanHooks& hooks = {});
 
-/// The same with a memory, which must be of the same cell and options and, where it has orders, of the same list; what
-/// it has is not worked out again. Taken up after a stop, wherever that was, it gives the plan of a run without one.
+/// Plans with a cache, which must be of the same cell and options and, if it has orders, of the same list; its results
+/// are not computed again. A plan resumed after a stop is equal to that of an uninterrupted run.
 [[nodiscard]] VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
                                    const PlanHooks& hooks, PlanCache& cache);
 
-/// Speed and acceleration limits of the arm's joints.
+/// Returns the speed and acceleration limits of the arm's joints.
 JointSpeeds jointSpeedsOf(const deflection::Arm& arm);
 
-/// How long a segment takes [s].
+/// Returns the duration of a segment [s].
 [[nodiscard]] double durationOf(const PathSegment& segment, const JointSpeeds& speeds);
 
-/// The postures between which a segment runs straight.
+/// Returns the postures between which a segment is straight.
 [[nodiscard]] std::vector<Eigen::VectorXd> cornersOf(const PathSegment& segment, const JointSpeeds& speeds);
 
-/// One row of the exported path; straight between rows is the motion that was proved free.
+/// A row of the exported path; straight lines between rows are the motion that was proved free.
 struct PathRow {
-  double time = 0;  ///< s
+  double time = 0;  ///< [s]
   int segment = 0;
   SegmentKind kind = SegmentKind::kTravel;
   Eigen::VectorXd q;
 };
 
-/// The whole path in time, rows at most `max_step` seconds apart while the arm moves. A stay at a hole is two rows with
-/// the same posture; the second begins the retreat.
+/// Returns the whole path in time, with rows at most `max_step` seconds apart while the arm moves. A stay at a hole is
+/// two rows with the same posture; the second begins the retreat.
 std::vector<PathRow> samplePath(const VisitPlan& plan, const JointSpeeds& speeds, double max_step = 0.25);
 
 }  // namespace tubeplan::planner

@@ -1,4 +1,4 @@
-// Where bodies are about the rows' origins, wherever these were written: what bounds of their travel start from.
+// Reach of bodies about the rows' origins, however the rows are written: the basis of bounds on their travel.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,12 @@
 namespace tubeplan::planner {
 
 struct AnchoredReach {
-  deflection::Arm arm;             ///< its rows' origins near each other
-  std::vector<double> body_reach;  ///< m, by rows: greatest distance of a body point from the row's origin there
+  deflection::Arm arm;             ///< the arm with its rows' origins near each other
+  std::vector<double> body_reach;  ///< greatest distance of a body point from each row's origin there [m]
 };
 
-/// `body_reach`: the same from the origins as they are written, where those stay.
+/// Moves the rows' origins together. `body_reach` has the same distances from the origins as written, which are kept
+/// where those do not move.
 [[nodiscard]] AnchoredReach anchoredReachOf(const deflection::Arm& arm, const Scene& scene,
                                             std::vector<double> body_reach);
 

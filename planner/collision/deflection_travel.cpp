@@ -15,20 +15,20 @@ namespace {
 
 using deflection::Arm;
 
-constexpr double kMostBending = 0.1;  // rad, of one element; the law of bending holds up to there
+constexpr double kMostBending = 0.1;  // of one element, the limit of the law of bending [rad]
 constexpr int kMostTerms = 200;
-constexpr double kBowShare = 0.3;  // of what a member's end moves: how far its bow from the chord can change
+constexpr double kBowShare = 0.3;  // change of a member's bow from the chord, as a share of the motion of its end
 
-/// All numbers are greatest values over every posture, slides drawn out. A row's origin stands for the place of its
-/// joint's element, the far end of its member for that of its beam.
+/// Place of flexibility, with greatest values over every posture and slides fully extended. A row's origin is the place
+/// of its joint's element, the far end of its member that of its beam.
 struct FlexiblePlace {
   int row;
-  double compliance;  ///< rad/(N m)
-  double length;      ///< m, of the member, or of a slide's bar; 0 for a joint
-  double moment;      ///< N m per unit of gravity: first moment about the near end of all that hangs beyond
-  double weight;      ///< N beyond the near end
-  double reach;       ///< m, of any body point beyond, from the near end
-  double bending;     ///< rad
+  double compliance;  ///< [rad/(N m)]
+  double length;      ///< of the member, or of a slide's bar; 0 for a joint [m]
+  double moment;      ///< per unit of gravity: first moment about the near end of everything beyond [N m]
+  double weight;      ///< beyond the near end [N]
+  double reach;       ///< of any body point beyond, from the near end [m]
+  double bending;     ///< [rad]
 };
 
 double weightOf(const deflection::Row<double>& row, double length) {
@@ -37,7 +37,7 @@ double weightOf(const deflection::Row<double>& row, double length) {
   return weight;
 }
 
-/// Lumps are at `lumps` from the row's origin and as far as they say.
+/// Returns the first moment of a row; lumps are `lumps` beyond the row's origin, plus their own distance.
 double momentOf(const deflection::Row<double>& row, double length, double lumps) {
   double moment = row.weight.distributed * length * length / 2 + row.weight.end * length;
   for (const auto& lump : row.weight.lumps) moment += std::abs(lump.weight) * (lumps + lump.at.norm());
@@ -59,7 +59,7 @@ class Bound {
   /// `load` [N] hangs on the tip.
   Bound(const AnchoredReach& anchored, double load) : arm_(anchored.arm) {
     const int rows = static_cast<int>(arm_.rows.size());
-    // From the tip inwards: what hangs beyond each place.
+    // From the tip inwards: the loads beyond each place.
     double weight = load, moment = 0, reach = 0;
     for (int row = rows - 1; row >= 0; --row) {
       const auto& numbers = arm_.rows[static_cast<std::size_t>(row)];
@@ -82,7 +82,7 @@ class Bound {
     return std::ranges::all_of(places_, [](const FlexiblePlace& place) { return place.bending <= kMostBending; });
   }
 
-  /// Travel per radian that a row is turned, or per metre that it slides; not finite where the series does not
+  /// Returns the travel per radian that a row is turned, or per metre that it slides; not finite if the series does not
   /// converge.
   [[nodiscard]] double travelBy(int row) const {
     const bool is_slide = arm_.rows[static_cast<std::size_t>(row)].joint.type == deflection::JointType::kPrismatic;
@@ -103,23 +103,23 @@ class Bound {
 
  private:
   struct Hanging {
-    double moment, weight;  ///< N m about the row's origin, and N
+    double moment, weight;  ///< about the row's origin [N m]; [N]
   };
 
-  /// What of a row bends, slides drawn out [m].
+  /// Returns the part of a row that bends, with slides fully extended [m].
   static Eigen::Vector3d barOf(const deflection::Row<double>& row, const Eigen::Vector3d& member) {
     if (row.joint.type != deflection::JointType::kPrismatic) return member;
     return deflection::slideLength(row.joint) * Eigen::Vector3d::UnitZ();
   }
 
-  /// What an element's rotation gains at first [rad/rad]: the joint turns what hangs beyond it, and of that an element
-  /// further out carries its own part alone.
+  /// Returns the first gain of an element's rotation [rad/rad]: the joint turns everything beyond it, of which an
+  /// element further out carries its own part alone.
   [[nodiscard]] double gainedByTurn(const FlexiblePlace& place, int row) const {
     return place.compliance * std::min(place.moment, at_origin_[static_cast<std::size_t>(row)].moment);
   }
 
-  /// The same [rad/m]: a longer bar bends more, as its compliance grows with its length; what is before it carries the
-  /// bar's load further out, and the weight of the bar that comes out with it.
+  /// Returns the first gain by a slide [rad/m]. A longer bar bends more, because its compliance grows with its length.
+  /// Elements before it carry the bar's load further out, and the added weight of the bar.
   [[nodiscard]] double gainedBySlide(const FlexiblePlace& place, int row) const {
     if (place.row > row) return 0;
     if (place.row == row && place.length > 0) return kLengthening * place.compliance / place.length * place.moment;
@@ -127,7 +127,7 @@ class Bound {
     return place.compliance * (at_origin_[static_cast<std::size_t>(row)].weight + bar_weight * place.reach);
   }
 
-  /// The displacement of a member's end for the rotation that it gains.
+  /// Returns the displacement of a member's end per rotation that it gains.
   static double displacement(const FlexiblePlace& place) { return place.length * (1 + 2 * place.bending); }
 
   void add(FlexiblePlace place) {
@@ -136,7 +136,7 @@ class Bound {
     places_.push_back(place);
   }
 
-  /// How the rotation that one element gains turns the others.
+  /// Computes how the rotation of one element turns the others.
   void spread() {
     const auto count = static_cast<Eigen::Index>(places_.size());
     spread_ = Eigen::MatrixXd::Zero(count, count);
@@ -145,13 +145,13 @@ class Bound {
         const FlexiblePlace& here = places_[static_cast<std::size_t>(e)];
         const FlexiblePlace& there = places_[static_cast<std::size_t>(other)];
         const double by_displacement = there.weight * displacement(there);
-        // What turns before an element, itself included, turns gravity as the loads beyond it see it.
+        // Rotations before an element, its own included, turn gravity relative to the loads beyond it.
         const double moment = other < e ? here.moment : there.moment + by_displacement;
         spread_(e, other) = here.compliance * moment;
       }
   }
 
-  /// What all gained rotations move a point beyond them, the frames that lie along bent chords and their bow included.
+  /// Returns the motion of a point beyond all rotations, including that of frames along bent chords and of their bow.
   [[nodiscard]] double moved(const Eigen::VectorXd& rotations) const {
     double travel = 0;
     for (std::size_t e = 0; e < places_.size(); ++e) {

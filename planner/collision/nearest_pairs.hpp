@@ -1,9 +1,9 @@
-// The nearest pair of many placed postures at once: of each the one with the least margin, found side by side.
+// The nearest pairs of many placed postures, found side by side: for each posture the one with the least margin.
 //
 // Capsules are measured by kernels, from planes, spheres, boxes, cylinders and each other
 // (kernels/distance_kernel.hpp). For every other pair (a mesh, an arm's body that is no capsule) a kernel gives a lower
-// bound, by the capsule around the body and the box around the mesh; only where that is less than the least distance so
-// far is the pair itself asked, posture by posture.
+// bound, by the capsule around the body and the box around the mesh; only if that is less than the least distance so
+// far is the pair itself computed, posture by posture.
 #pragma once
 
 #include <span>
@@ -18,25 +18,25 @@ namespace tubeplan::planner {
 
 /// The nearest approach of one posture.
 struct NearestPair {
-  double distance = std::numeric_limits<double>::quiet_NaN();  ///< m; as Clearance::distance
-  int pair = -1;                                               ///< none where there is nothing to touch
+  double distance = std::numeric_limits<double>::quiet_NaN();  ///< as Clearance::distance [m]
+  int pair = -1;                                               ///< -1 if there is nothing to touch
 };
 
-/// A scene made ready for many questions. All questions are const and may be asked from several threads at once.
+/// A scene prepared for many queries, which are const and safe from several threads at once.
 class NearestPairs {
  public:
-  /// The scene must be free of problems (findSceneProblems).
+  /// The scene must be free of problems (findSceneProblems()).
   explicit NearestPairs(Scene scene);
 
-  /// One for each posture placed; NaN where the shape does not converge or a pose is not a number.
+  /// Finds one pair for each posture placed; NaN if the shape does not converge or a pose is not finite.
   void find(const deflection::PlacedRows& placed, std::span<NearestPair> found) const;
 
-  /// The same of one posture, with the padding of the base taken off every distance from what stands in the world: pair
-  /// by pair, without a kernel.
+  /// Finds the pair of one posture, with the padding of the base subtracted from every distance to fixed obstacles.
+  /// This is done pair by pair, without a kernel.
   [[nodiscard]] NearestPair findPadded(const deflection::PlacedRows& placed, int lane,
                                        const BasePadding& padding) const;
 
-  /// What `find` has found of the posture in a lane, in words, and where.
+  /// Returns the result of find() for the posture in a lane, with names and point.
   [[nodiscard]] Clearance named(const deflection::PlacedRows& placed, int lane, const NearestPair& found) const;
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -50,12 +50,12 @@ class NearestPairs {
   [[nodiscard]] Capsule around(const deflection::PlacedRows& placed, int lane, int body) const;
 
   Scene scene_;
-  std::vector<const Solid*> solids_;  ///< one per body
+  std::vector<const Solid*> solids_;  ///< one for each body
   std::vector<kernels::PlainBody> bodies_;
   std::vector<kernels::PlainObstacle> obstacles_;
   std::vector<kernels::PairKind> obstacle_kinds_;
-  std::vector<bool> obstacle_is_plain_;    ///< the kernel has the obstacle itself, not what is around it
-  std::vector<kernels::PlainPair> pairs_;  ///< first the exact ones
+  std::vector<bool> obstacle_is_plain_;    ///< true: the kernel has the obstacle itself, not a solid around it
+  std::vector<kernels::PlainPair> pairs_;  ///< the exact ones first
   int exact_ = 0;
 };
 

@@ -1,8 +1,9 @@
-// How far a body may stand from where the model has it, by the uncertainty of the base's calibration.
+// Uncertainty of a body's place caused by the uncertainty of the base's calibration.
 //
-// A point p moves by t + w x (p - p_WB) where the base is off by a shift t and a small turn w. Its standard deviation
-// is a convex function of p, in every direction, so that none within a capsule exceeds that of the capsule's ends and
-// what the turn adds over its radius. It changes by no more than the turn's deviation for each metre that p moves.
+// A point p moves by t + w x (p - p_WB) if the base has an error of a shift t and a small rotation w. Its standard
+// deviation is a convex function of p, in every direction, so that none within a capsule exceeds that of the capsule's
+// ends plus the rotation's part over its radius. It changes by no more than the rotation's deviation for each metre
+// that p moves.
 #pragma once
 
 #include "planner/scene/shape.hpp"
@@ -10,8 +11,8 @@
 
 namespace tubeplan::planner {
 
-/// `sigmas` standard deviations of the base of a cell, as the bodies of a posture feel them. Const use from several
-/// threads is safe.
+/// A multiple `sigmas` of the standard deviation of a cell's base, propagated to the bodies of a posture. Const use
+/// from several threads is safe.
 class BasePadding {
  public:
   BasePadding() = default;
@@ -19,16 +20,16 @@ class BasePadding {
 
   [[nodiscard]] bool isNone() const { return sigmas_ == 0; }
 
-  /// m, of any point of the body in any direction.
+  /// Returns the padding of any point of the body in any direction [m].
   [[nodiscard]] double of(const Capsule& body_W) const;
 
-  /// m, of any point of the body along a direction of unit length: what a plane asks for.
+  /// Returns the padding of any point of the body along a direction of unit length [m], as needed for a plane.
   [[nodiscard]] double along(const Eigen::Vector3d& direction_W, const Capsule& body_W) const;
 
-  /// Towards an obstacle: along its normal where it is a plane.
+  /// Returns the padding towards an obstacle [m]: along its normal if it is a plane.
   [[nodiscard]] double towards(const Shape& obstacle, const Capsule& body_W) const;
 
-  /// m for each metre that a body's point moves, at most.
+  /// Returns the largest change of the padding per metre that a body's point moves.
   [[nodiscard]] double slope() const { return slope_; }
 
  private:

@@ -7,7 +7,7 @@
 namespace tubeplan::planner {
 namespace {
 
-/// m; of each link, the greatest distance of any point from its frame on from the frame's origin.
+/// Returns the greatest distance [m] of any point from each link's frame onwards from that frame's origin.
 std::vector<double> reachesBeyond(std::span<const LinkReach> links) {
   std::vector<double> beyond(links.size());
   for (std::size_t i = links.size(); i-- > 0;) {

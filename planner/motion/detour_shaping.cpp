@@ -14,12 +14,13 @@ namespace {
 
 using Eigen::VectorXd;
 
-// m of travel by one joint: how far beside the straight move a way round is looked for, and how finely it is shaped.
+// Travel by one joint [m]: distances from the straight move at which a detour is searched, and step sizes of its
+// shaping.
 constexpr std::array kSideways{0.03, 0.06, 0.12, 0.25, 0.5, 1.0};
 constexpr std::array kFinerAndFiner{0.8, 0.4, 0.2, 0.1, 0.05, 0.025, 0.012};
-constexpr int kAttemptsForOneMore = 8;    // of which one puts in another waypoint
-constexpr long kMostChecks = 200'000;     // of postures, for one way round
-constexpr double kLeastTimeSaved = 1e-3;  // s
+constexpr int kAttemptsForOneMore = 8;    // attempts of which one adds another waypoint
+constexpr long kMostChecks = 200'000;     // of postures, for one detour
+constexpr double kLeastTimeSaved = 1e-3;  // [s]
 
 bool isWithinLimits(const VectorXd& q, const MotionProblem& problem) {
   return (q.array() >= problem.lower.array()).all() && (q.array() <= problem.upper.array()).all();
@@ -27,14 +28,14 @@ bool isWithinLimits(const VectorXd& q, const MotionProblem& problem) {
 
 bool isFree(const MotionCheckResult& check) { return check.status == MotionCheckStatus::kFree; }
 
-/// Joint steps that move the arm's furthest point by about one metre each; none for a joint that moves nothing.
+/// Returns joint steps that move the arm's furthest point by about one metre each; zero for a joint that moves nothing.
 VectorXd stepsPerMetre(const MotionProblem& problem) {
   const VectorXd& reach = problem.travel.reach_per_joint;
   const double least = 1e-3 * reach.maxCoeff();
   return reach.unaryExpr([least](double r) { return r > least ? 1 / r : 0.0; });
 }
 
-/// Postures beside the middle: one joint or two put aside.
+/// Returns postures beside the middle, with one joint or two displaced.
 std::vector<VectorXd> posturesBeside(const VectorXd& middle, const MotionProblem& problem) {
   const VectorXd steps = stepsPerMetre(problem);
   std::vector<VectorXd> postures;
@@ -68,7 +69,7 @@ struct Shaping {
 
   [[nodiscard]] bool isSpent() const { return checks - checks_before > kMostChecks; }
 
-  /// Takes the shape where it is quicker and free.
+  /// Takes the shape if it is quicker and free.
   bool take(Waypoints shape) {
     if (isSpent()) return false;
     const double now = flowTime(shape, problem);
@@ -92,7 +93,7 @@ struct Shaping {
     }
   }
 
-  /// Moves a waypoint, of all its joints at once, or puts in another beside it.
+  /// Moves all joints of a waypoint, or adds another beside it.
   void moveOne(const VectorXd& steps) {
     Waypoints moved = best;
     const std::size_t k = 1 + generator() % (best.size() - 2);

@@ -11,15 +11,15 @@
 namespace tubeplan::planner {
 namespace {
 
-constexpr std::size_t kLanes = 8;          // the most that any processor has
-constexpr std::size_t kMostTogether = 64;  // postures; what lies behind one that blocks was asked for in vain
+constexpr std::size_t kLanes = 8;          // largest number of any processor
+constexpr std::size_t kMostTogether = 64;  // postures checked together; those behind a blocking one are wasted
 
 struct Sample {
   double s;       ///< place on the motion, 0 to 1
-  double margin;  ///< m
+  double margin;  ///< [m]
 };
 
-/// All that is known of a posture.
+/// A posture with its full clearance.
 struct Named {
   double s;
   Clearance clearance;
@@ -52,7 +52,7 @@ class MotionProof {
     const Sample start = sampleAt(0), goal = travel_ > 0 ? sampleAt(1) : start;
     if (isBlocked()) return;
     result_.proved_margin = std::min(start.margin, goal.margin);
-    // Breadth first: what blocks a motion is mostly met within the first few halvings.
+    // Breadth first: the obstacle of a motion is mostly met within the first few halvings.
     std::deque<Stretch> open;
     if (travel_ > 0) open.push_back({start, goal});
     for (std::size_t left = 0; !open.empty(); --left) {
@@ -78,7 +78,8 @@ class MotionProof {
 
   double travelOf(const Stretch& stretch) const { return travel_ * (stretch.b.s - stretch.a.s); }
 
-  /// Nowhere on the stretch is the margin less: at the place where what is left of both ends' margins is equal.
+  /// Returns the lower bound of the margin on the stretch, at the place where the remainders of both ends' margins are
+  /// equal.
   double lowerBound(const Stretch& stretch) const {
     const double middle = 0.5 * (stretch.a.margin + stretch.b.margin - travelOf(stretch));
     return std::min({stretch.a.margin, stretch.b.margin, middle});
@@ -97,7 +98,7 @@ class MotionProof {
     return true;
   }
 
-  /// Looks ahead to the margins at several places. What is known beforehand changes no answer: it only comes sooner.
+  /// Computes the margins at several places ahead. This changes no result; it only comes sooner.
   void askTogether(const std::vector<double>& places) {
     if (!side_by_side_ || places.size() < 2) return;
     PostureColumns q(q0_.size(), static_cast<Eigen::Index>(places.size()));
@@ -107,8 +108,8 @@ class MotionProof {
     named_.push_back({places[found.tightest], std::move(found.clearance)});
   }
 
-  /// The middles of the next stretches that will be halved: one that is proved by what has been met stays proved. Where
-  /// lanes are left over, those of their halves that will hardly do.
+  /// Computes the middles of the next stretches to be halved. Free lanes take the middles of those halves that will
+  /// probably need it.
   void askForMiddles(const std::deque<Stretch>& open, std::size_t count) {
     if (!side_by_side_) return;
     std::vector<double> places, further;
@@ -130,7 +131,7 @@ class MotionProof {
     askTogether(places);
   }
 
-  /// If the margin in the middle were the mean of the ends'.
+  /// Returns true if the halves would be proved with the mean of the ends' margins in the middle.
   [[nodiscard]] bool halvesWillDo(const Stretch& stretch) const {
     const Sample middle{middleOf(stretch), 0.5 * (stretch.a.margin + stretch.b.margin)};
     return isProved({stretch.a, middle}, middle.margin - 0.25 * travelOf(stretch));
@@ -167,7 +168,7 @@ class MotionProof {
     is_named_ = true;
   }
 
-  /// Whether a posture just met is in the way.
+  /// Returns true if the last posture is blocked.
   bool isBlocked() {
     if (result_.tightest.margin >= 0) return false;
     block("");
@@ -183,12 +184,12 @@ class MotionProof {
 
   const Eigen::VectorXd &q0_, &q1_;
   const PostureClearance& clearance_of_;
-  const SideBySideClearance* side_by_side_;  ///< the same, where it can be asked so
+  const SideBySideClearance* side_by_side_;  ///< `clearance_of_` for several postures at once, if it can be called so
   const double travel_;
   const MotionCheckOptions& options_;
-  std::vector<Sample> known_;  ///< beforehand
-  std::vector<Named> named_;   ///< the tightest posture of each asking
-  bool is_named_ = true;       ///< `tightest` is more than a margin
+  std::vector<Sample> known_;  ///< computed ahead
+  std::vector<Named> named_;   ///< the tightest posture of each batch
+  bool is_named_ = true;       ///< true: `tightest` has its names, not a margin alone
   MotionCheckResult result_;
 };
 

@@ -1,6 +1,6 @@
-// Proof that a straight joint motion is free, by adaptive bisection (Schwarzer, Saha and Latombe 2005): a stretch is
-// free when what its two ends have to spare together exceeds what any point can travel between them. Nothing thin is
-// stepped over.
+// Proof that a straight joint motion is free, by adaptive bisection (Schwarzer, Saha and Latombe 2005). A stretch is
+// free if the margins of its two ends together exceed the travel of any point between them. Thin obstacles are not
+// missed.
 #pragma once
 
 #include <functional>
@@ -12,15 +12,17 @@
 
 namespace tubeplan::planner {
 
-/// The clearance of a posture [rad, m]. A margin that is NaN counts as blocked; then `other` should say why.
+/// Function for the clearance of a posture [rad, m]. A NaN margin counts as blocked; `other` should then state the
+/// reason.
 using PostureClearance = std::function<Clearance(const Eigen::VectorXd& q)>;
 
 struct MotionCheckOptions {
-  double least_travel = 1e-4;  ///< m; a stretch with less travel that is still not proved counts as blocked
-  /// m; go on bisecting until the proved clearance is within this of the least one met. Infinite: free or not is
-  /// enough.
+  /// Shortest travel of a stretch [m]; a shorter one that is still not proved counts as blocked.
+  double least_travel = 1e-4;
+  /// largest difference between proved clearance and least clearance met [m]; bisection continues until then. Infinite:
+  /// only whether it is free matters.
   double accuracy = std::numeric_limits<double>::infinity();
-  int max_checks = 100000;  ///< of postures; a motion not proved by then counts as blocked
+  int max_checks = 100000;  ///< largest number of postures; a motion not proved by then counts as blocked
 };
 
 enum class MotionCheckStatus { kNotRun, kFree, kBlocked };
@@ -28,12 +30,12 @@ enum class MotionCheckStatus { kNotRun, kFree, kBlocked };
 struct MotionCheckResult {
   MotionCheckStatus status = MotionCheckStatus::kNotRun;
   std::string reason;
-  /// m; along the whole motion the margin (distance less what is required) is at least this. Only when free.
+  /// lower bound of the margin (distance less required clearance) along the whole motion [m]; only if free
   double proved_margin = std::numeric_limits<double>::quiet_NaN();
-  /// Where it is blocked; when free, the tightest posture met. The names of the pair are in it.
+  /// the blocked posture, with the names of the pair; if free, the tightest posture met
   Clearance tightest;
-  double where = std::numeric_limits<double>::quiet_NaN();  ///< of `tightest`, as a share of the motion, 0 to 1
-  int checks = 0;                                           ///< postures asked about
+  double where = std::numeric_limits<double>::quiet_NaN();  ///< place of `tightest`, as a share of the motion, 0 to 1
+  int checks = 0;                                           ///< number of postures checked
 };
 
 /// Checks the motion q0 + s (q1 - q0), s from 0 to 1.

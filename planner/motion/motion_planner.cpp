@@ -26,7 +26,7 @@ double costOf(const MotionProblem& problem, const Waypoints& waypoints) {
   return sum;
 }
 
-/// Empty where the posture is fit to stand in.
+/// Returns the problem of a posture; empty if it is allowed.
 std::string postureProblem(const VectorXd& q, const MotionProblem& problem) {
   for (Eigen::Index j = 0; j < q.size(); ++j)
     if (!(q[j] >= problem.lower[j] && q[j] <= problem.upper[j]))
@@ -36,7 +36,7 @@ std::string postureProblem(const VectorXd& q, const MotionProblem& problem) {
   return clearance.margin >= 0 ? "" : describe(clearance);
 }
 
-/// Shortens a path: two places on it are joined directly where that is proved free and costs less.
+/// Shortens a path by joining two places on it directly, if that is proved free and costs less.
 class Shortcutter {
  public:
   Shortcutter(const MotionProblem& problem, const MotionPlannerOptions& options, long& checks)
@@ -79,7 +79,7 @@ class Shortcutter {
     shorter.push_back(at(waypoints, b));
     shorter.insert(shorter.end(), waypoints.begin() + b.stretch + 1, waypoints.end());
     if (!(costOf(problem_, shorter) < costOf(problem_, waypoints))) return;
-    // Parts of proved stretches are proved too but for rounding; they are asked again so that no doubt is left.
+    // Parts of proved stretches are proved except for rounding; they are checked again to be certain.
     const std::size_t i = a.stretch;
     if (isFree(shorter[i + 1], shorter[i + 2]) && isFree(shorter[i], shorter[i + 1]) &&
         isFree(shorter[i + 2], shorter[i + 3]))
@@ -108,7 +108,7 @@ class Shortcutter {
   std::mt19937_64 generator_;
 };
 
-/// Proves every stretch and fills in what was proved. False where one is not free.
+/// Proves every stretch and records the result. Returns false if one is not free.
 bool proveStretches(const MotionProblem& problem, const MotionPlannerOptions& options, MotionPlan& plan) {
   plan.proved_margin = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
@@ -131,7 +131,7 @@ void takeQuickest(Waypoints flow, const MotionProblem& problem, const MotionPlan
   takeFlow(std::move(flow), problem, options.check, plan);
 }
 
-/// A way round through one posture, where there is one.
+/// Finds a detour through one posture, if there is one.
 bool goRound(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem, const MotionPlannerOptions& options,
              MotionPlan& plan) {
   if (!problem.speeds) return false;
@@ -141,7 +141,7 @@ bool goRound(const VectorXd& q0, const VectorXd& q1, const MotionProblem& proble
   return true;
 }
 
-/// Lets the arm flow through the waypoints where that is proved free and saves time.
+/// Makes the arm flow through the waypoints if that is proved free and saves time.
 void letFlow(const MotionProblem& problem, const MotionPlannerOptions& options, MotionPlan& plan) {
   if (!problem.speeds || !(flowTime(plan.waypoints, problem) < plan.cost)) return;
   const MotionCheckResult check = checkFlow(plan.waypoints, problem, options.check, plan.checks);
@@ -158,7 +158,7 @@ std::string noPathReason(const MotionSearchResult& search, const MotionCheckResu
   return reason;
 }
 
-/// A way round of straight stretches, by the roadmap or by a search; false, with the reason, where there is none.
+/// Finds a detour of straight stretches, by the roadmap or by a search; false, with the reason, if there is none.
 bool findWay(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem, const MotionPlannerOptions& options,
              const MotionCheckResult& straight, MotionPlan& plan) {
   plan.status = MotionPlanStatus::kNoPath;
@@ -229,8 +229,7 @@ MotionPlan planMotion(const VectorXd& q0, const VectorXd& q1, const MotionProble
     letFlow(problem, options, plan);
     return plan;
   }
-  // Every stretch was proved when it came in, and the same question has the same answer if clearance depends on the
-  // posture alone.
+  // Every stretch was proved when it was added, and the result is the same if clearance depends on the posture alone.
   plan.waypoints.clear();
   return stopAt(MotionPlanStatus::kNoPath,
                 "a motion proved free was not free when checked again: its clearance changes between calls");

@@ -1,4 +1,4 @@
-// A free motion between two postures: straight in joint space where that is proved free, else found by search and
+// A free motion between two postures: straight in joint space if that is proved free, else found by search and
 // shortened.
 #pragma once
 
@@ -15,27 +15,27 @@ namespace tubeplan::planner {
 
 struct RoadmapWay;
 
-/// Joints in rad (m for a sliding one). A limit may be infinite: then the search stays within half a turn beyond start
-/// and goal.
+/// Motion problem, with joints in rad (m for a sliding one). A limit may be infinite: the search then stays within half
+/// a turn beyond start and goal.
 struct MotionProblem {
   Eigen::VectorXd lower, upper;
   PostureClearance clearance_of;
   TravelBound travel;
-  /// What a straight move costs (its time, say): shortening makes the sum less. The travel bound where not given.
+  /// Cost of a straight move, such as its time; shortening reduces the sum. If empty, the travel bound.
   std::function<double(const Eigen::VectorXd&, const Eigen::VectorXd&)> cost;
-  /// Where given, a way round flows through its waypoints without rest (flowing_timing.hpp) if that can be proved free,
-  /// and is made quick.
+  /// Speeds of the joints. If given, a detour flows through its waypoints without stops (flowing_timing.hpp), if that
+  /// can be proved free, and is optimised.
   std::optional<JointSpeeds> speeds = std::nullopt;
-  /// Where given, asked for a way round before one is searched for (roadmap.hpp); counts the postures it asked about.
+  /// Source of detours that is tried before a search (roadmap.hpp); counts the postures checked.
   std::function<RoadmapWay(const Eigen::VectorXd&, const Eigen::VectorXd&, long& checks)> roadmap = {};
 };
 
 struct MotionPlannerOptions {
   std::uint64_t seed = 1;
-  int max_iterations = 3000;  ///< of the search; no clock is asked, so that a plan depends on nothing but its seed
-  double range = 0;           ///< m of travel, the longest step of the search; 0: a fifth of the joint space's diagonal
+  int max_iterations = 3000;  ///< iterations of the search; no clock is used, so that a plan depends on its seed alone
+  double range = 0;           ///< longest step of the search, as travel [m]; 0: a fifth of the joint space's diagonal
   int shortcut_attempts = 100;
-  int shaping_attempts = 1500;  ///< at each fineness, to make a way round quick
+  int shaping_attempts = 1500;  ///< attempts per step size to optimise a detour
   MotionCheckOptions check = {};
 };
 
@@ -43,27 +43,28 @@ enum class MotionPlanStatus { kNotRun, kFree, kNoPath, kStartBlocked, kGoalBlock
 
 struct MotionPlan {
   MotionPlanStatus status = MotionPlanStatus::kNotRun;
-  std::string reason;  ///< what is in the way, where there is no path
-  std::vector<Eigen::VectorXd>
-      waypoints;          ///< start and goal included; each straight stretch between them (or the flow) is proved free
-  bool straight = false;  ///< start and goal alone
-  bool apart = false;     ///< no path: the ends lie in parts of the free space that the roadmap has no way between
-  bool flows = false;     ///< through the waypoints without rest; what is proved free is then that flow
-  /// m; most the deflected tip leaves the line between its ends, where it was to keep to it; else not a number
+  std::string reason;  ///< if there is no path, what is in the way
+  /// Start and goal included; each straight stretch between them (or the flow) is proved free.
+  std::vector<Eigen::VectorXd> waypoints;
+  bool straight = false;  ///< true: start and goal alone
+  /// True: no path, because the ends lie in parts of the free space that the roadmap does not connect.
+  bool apart = false;
+  bool flows = false;  ///< true: passes the waypoints without stops; that flow is then proved free
+  /// largest distance of the deflected tip from the line between its ends, if it had to follow it; else NaN [m]
   double line_deviation = std::numeric_limits<double>::quiet_NaN();
   double cost = std::numeric_limits<double>::quiet_NaN();
-  double proved_margin = std::numeric_limits<double>::quiet_NaN();  ///< m, least over the stretches
-  Clearance tightest;  ///< the tightest posture met on the way; when there is none, what blocks the straight move
+  double proved_margin = std::numeric_limits<double>::quiet_NaN();  ///< least over the stretches [m]
+  Clearance tightest;  ///< the tightest posture met on the path; if there is none, what blocks the straight move
   int iterations = 0;  ///< of the search
-  long checks = 0;     ///< postures asked about
+  long checks = 0;     ///< number of postures checked
 };
 
-/// Takes the flow through waypoints for the plan's way, with what is proved of it: no path where a part of it is not
-/// proved free. The problem must have speeds.
+/// Makes the flow through waypoints the plan's path, with its proved margin; no path if a part of it is not proved
+/// free. The problem must have speeds.
 void takeFlow(std::vector<Eigen::VectorXd> flow, const MotionProblem& problem, const MotionCheckOptions& options,
               MotionPlan& plan);
 
-/// Plans from q0 to q1. Same problem, options and seed: same waypoints, to the bit.
+/// Plans from q0 to q1. The same problem, options and seed give the same waypoints, to the bit.
 [[nodiscard]] MotionPlan planMotion(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const MotionProblem& problem,
                                     const MotionPlannerOptions& options = {});
 

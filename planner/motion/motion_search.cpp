@@ -25,10 +25,10 @@ namespace og = ompl::geometric;
 using Eigen::VectorXd;
 using Space = ob::RealVectorStateSpace;
 
-/// Coordinates of the search: metres of travel, so that one range suits turning and sliding joints, near ones and far
+/// Coordinates of the search in metres of travel, so that one range suits revolute and sliding joints, near and far
 /// ones.
 struct TravelCoordinates {
-  VectorXd scale;  ///< m per rad (or m)
+  VectorXd scale;  ///< [m per rad (or m)]
   VectorXd lower, upper;
 
   static TravelCoordinates of(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem) {
@@ -52,7 +52,7 @@ struct TravelCoordinates {
   }
 };
 
-/// OMPL's own samplers draw from a generator whose seed is global to the process.
+/// A sampler with its own seed; OMPL's samplers draw from a generator whose seed is global to the process.
 class SeededSampler : public ob::StateSampler {
  public:
   SeededSampler(const ob::StateSpace* space, std::uint64_t seed) : ob::StateSampler(space), generator_(seed) {}
@@ -79,7 +79,7 @@ class SeededSampler : public ob::StateSampler {
   std::mt19937_64 generator_;
 };
 
-/// What the checkers share: the question asked of each posture and motion, and the tally of what was in the way.
+/// Shared data of the checkers: the clearance of each posture and motion, and the counts of blocking pairs.
 struct Referee {
   const MotionProblem& problem;
   const MotionPlannerOptions& options;
@@ -146,7 +146,7 @@ ob::StateSpacePtr makeSpace(const TravelCoordinates& coordinates, std::uint64_t 
   return space;
 }
 
-/// The path's postures; its ends are the very start and goal, not their images there and back through the scaling.
+/// Returns the path's postures; its ends are the exact start and goal, not their images after scaling and back.
 std::vector<VectorXd> waypointsOf(const og::PathGeometric& path, const TravelCoordinates& coordinates,
                                   const VectorXd& q0, const VectorXd& q1) {
   std::vector<VectorXd> waypoints;
@@ -164,9 +164,10 @@ bool allStretchesFree(const std::vector<VectorXd>& waypoints, Referee& referee) 
 
 }  // namespace
 
-// OMPL 1.5.2: one planner, space and problem for one query (trees of an earlier one are not wholly forgotten), a linear
-// list of neighbours (the tree-shaped one is broken after a rebuild and draws from the global generator), exact
-// solutions alone (an approximate one may start at the goal), and the whole path proved again.
+// Searches with OMPL 1.5.2, with these precautions: one planner, space and problem for one query (trees of an earlier
+// one are not wholly forgotten), a linear list of neighbours (the tree-shaped one is broken after a rebuild and draws
+// from the global generator), exact solutions alone (an approximate one may start at the goal), and a second proof of
+// the whole path.
 MotionSearchResult searchMotion(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem,
                                 const MotionPlannerOptions& options) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);

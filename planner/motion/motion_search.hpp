@@ -1,4 +1,4 @@
-// The search for a way round, by OMPL's RRT-Connect; its types stay behind this header.
+// The search for a detour, by OMPL's RRT-Connect; this header hides its types.
 #pragma once
 
 #include <map>
@@ -10,18 +10,18 @@
 
 namespace tubeplan::planner {
 
-/// How often each pair of names was in the way.
+/// Number of times that each pair of names was in the way.
 using BlockerCounts = std::map<std::pair<std::string, std::string>, int>;
 
 struct MotionSearchResult {
-  std::vector<Eigen::VectorXd>
-      waypoints;  ///< empty: none found; else from start to goal exactly, each stretch proved free
+  /// Empty: none found; else from start to goal exactly, each stretch proved free.
+  std::vector<Eigen::VectorXd> waypoints;
   int iterations = 0;
-  long checks = 0;  ///< postures asked about
+  long checks = 0;  ///< number of postures checked
   BlockerCounts blockers;
 };
 
-/// Grows two trees from start and goal until they meet or the iterations are spent. Both ends must be free and within
+/// Grows two trees from start and goal until they meet or the iterations are used up. Both ends must be free and within
 /// limits.
 [[nodiscard]] MotionSearchResult searchMotion(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1,
                                               const MotionProblem& problem, const MotionPlannerOptions& options);

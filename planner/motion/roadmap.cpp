@@ -27,7 +27,7 @@ constexpr int kBridgeAttempts = 3;  // searches between two parts
 VectorXd randomPosture(const MotionProblem& problem, std::mt19937_64& generator) {
   VectorXd q(problem.lower.size());
   for (Eigen::Index j = 0; j < q.size(); ++j) {
-    // A joint without limits goes once around.
+    // A joint without limits turns once around.
     const double low = std::isfinite(problem.lower[j]) ? problem.lower[j] : -std::numbers::pi;
     const double high = std::isfinite(problem.upper[j]) ? problem.upper[j] : std::numbers::pi;
     q[j] = randomBetween(low, high, generator);
@@ -65,7 +65,7 @@ void Roadmap::addRandomPostures() {
   }
 }
 
-/// Each posture with its nearest ones, every pair once.
+/// Returns each posture with its nearest ones, every pair once.
 std::vector<Roadmap::Candidate> Roadmap::candidates() const {
   const auto count = static_cast<std::size_t>(postures());
   std::vector<std::vector<Candidate>> nearest(count);
@@ -126,7 +126,7 @@ std::vector<Roadmap::Edge> Roadmap::attach(const VectorXd& q, long& checks) cons
   return joined;
 }
 
-/// Dijkstra's shortest path from any of the first to any of the second; empty where there is none.
+/// Returns Dijkstra's shortest path from any of the first to any of the second; empty if there is none.
 std::vector<int> Roadmap::quickest(const std::vector<Edge>& from, const std::vector<Edge>& to) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<double> cost(postures_.size(), kInfinity), last(postures_.size(), kInfinity);
@@ -202,7 +202,7 @@ std::vector<int> Roadmap::partsOf(const std::vector<VectorXd>& postures) const {
   return parts;
 }
 
-/// Of the pairs of nodes nearest to each other some are tried, the nearest first; straight stretches, or none.
+/// Searches between some pairs of nearest nodes, the nearest first. Returns straight stretches, or none.
 std::vector<VectorXd> Roadmap::wayBetween(const std::vector<int>& from, const std::vector<int>& to,
                                           MotionPlannerOptions options) const {
   std::vector<Candidate> nearest;
@@ -264,7 +264,7 @@ bool Roadmap::bridge(const std::vector<VectorXd>& postures, const MotionPlannerO
   const int main =
       std::ranges::max_element(asked, [](const auto& a, const auto& b) { return a.second < b.second; })->first;
   asked.erase(main);
-  // One search at a time: OMPL's planners share what they know of their spaces.
+  // One search at a time, because OMPL's planners share knowledge of their spaces.
   bool found = false;
   for (const auto& [part, count] : asked) {
     const auto way = wayBetween(nodes.at(part), nodes.at(main), options);

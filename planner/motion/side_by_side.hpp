@@ -1,4 +1,4 @@
-// A clearance that can be asked of many postures at once, where that costs less than one after the other.
+// A clearance that can be computed for many postures together, at less cost than one after the other.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,16 @@
 
 namespace tubeplan::planner {
 
-/// As good as any PostureClearance; a motion's proof that is handed one finds out (std::function::target) and asks for
-/// a whole level of its bisection together.
+/// A PostureClearance for many postures. The proof of a motion recognises it (std::function::target), and computes a
+/// whole level of its bisection together.
 struct SideBySideClearance {
   PostureClearance alone;
-  std::function<MarginsSideBySide(const PostureColumns&)> many;  ///< what `alone` says, bit for bit
+  std::function<MarginsSideBySide(const PostureColumns&)> many;  ///< the same results as `alone`, bit for bit
 
   Clearance operator()(const Eigen::VectorXd& q) const { return alone(q); }
 };
 
-/// Of an arm, `spare` [m] taken off; `clearance` must outlive it.
+/// Returns the clearance of an arm with `spare` [m] subtracted; `clearance` must outlive it.
 [[nodiscard]] PostureClearance sideBySide(const ArmClearance& clearance, ContactRule rule, double spare);
 
 }  // namespace tubeplan::planner

@@ -1,4 +1,4 @@
-// The best posture at each tube when the order is given, and the row-by-row order that practice would take.
+// The best posture at each tube for a given order, and the usual row-by-row order.
 #pragma once
 
 #include <limits>
@@ -15,24 +15,25 @@ struct BranchChoice {
   BranchChoiceStatus status = BranchChoiceStatus::kNotRun;
   std::string reason;
   std::vector<int> branches;  ///< by place in the order
-  double travel_time =
-      std::numeric_limits<double>::quiet_NaN();  ///< s, with start, end and extra times; infinite if forbidden
+  /// With start, end and extra times; infinite if forbidden [s].
+  double travel_time = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The branches that make the given order quickest, exactly (shortest path through the layers of postures).
+/// Finds the branches that make the given order quickest, exactly (shortest path through the layers of postures).
 /// `order` names visits, each at most once; it may leave visits out.
 [[nodiscard]] BranchChoice bestBranches(const Route& route, const std::vector<int>& order);
 
 class PostureTable;
 
-/// The same on prepared data: nodes of the route in order, start and end nodes included where given. Writes the chosen
-/// posture of each node of the order; gives the time [s], where a forbidden move counts `kForbiddenTime`.
+/// Chooses the posture of each node in prepared data: nodes of the route in order, with start and end nodes if there
+/// are any. Returns the time [s], in which a forbidden move counts `kForbiddenTime`.
 double choosePostures(const PostureTable& table, const std::vector<int>& node_order, std::vector<int>& posture_of_node);
 
-/// The order of visits with the start and end nodes put where they belong.
+/// Returns the order of visits with the start and end nodes added at its ends.
 [[nodiscard]] std::vector<int> withEndNodes(const PostureTable& table, const std::vector<int>& order);
 
-/// Row after row, every second row backwards. One row and column number for each visit.
+/// Returns the order row after row, with every second row backwards. `rows` and `columns` have one number for each
+/// visit.
 [[nodiscard]] std::vector<int> serpentineOrder(const std::vector<int>& rows, const std::vector<int>& columns);
 
 }  // namespace tubeplan::planner

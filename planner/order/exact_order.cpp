@@ -20,7 +20,7 @@ Eigen::MatrixXd timesBy(const PostureTable& table, double (PostureTable::*time)(
   return times;
 }
 
-/// By visit: the visits that must have been made before it.
+/// Returns for each visit the visits that must precede it.
 std::vector<VisitSet> visitsBefore(int visits, const std::vector<int>& zones) {
   std::vector<VisitSet> before(static_cast<std::size_t>(visits), 0);
   if (zones.empty()) return before;
@@ -30,14 +30,14 @@ std::vector<VisitSet> visitsBefore(int visits, const std::vector<int>& zones) {
   return before;
 }
 
-/// Without visits: from the start to the end posture, where there are both.
+/// Returns the order without visits: from the start to the end posture, if there are both.
 ExactOrder betweenEnds(const PostureTable& table, const Eigen::MatrixXd& times) {
   ExactOrder order{{}, table.postures() == 2 ? times(0, 1) : 0};
   for (int p = 0; p < table.postures(); ++p) order.postures.push_back(p);
   return order;
 }
 
-/// Fills a table by set of visits and posture to stand in, and reads the quickest order out of it.
+/// Dynamic programme: fills a table by set of visits and last posture, and reads the quickest order from it.
 class Programme {
  public:
   Programme(const PostureTable& table, const Eigen::MatrixXd& times, const std::vector<int>& zones)
@@ -75,7 +75,7 @@ class Programme {
     }
   }
 
-  /// Having visited a set and standing in p: to every posture of every visit that may come next.
+  /// Extends a set whose last posture is p to every posture of every visit that may come next.
   void goOn(VisitSet set, int p) {
     const double here = least_(p, set);
     for (int v = 0; v < table_.visits(); ++v) {
@@ -115,7 +115,7 @@ class Programme {
   std::vector<VisitSet> before_;
   int standing_;  // postures of visits
   VisitSet all_;
-  Eigen::ArrayXXd least_;      // s, by posture and set
+  Eigen::ArrayXXd least_;      // by posture and set [s]
   Eigen::ArrayXXi came_from_;  // the posture before
 };
 

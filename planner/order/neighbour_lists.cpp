@@ -25,7 +25,7 @@ int widestJoint(const PostureTable& table) {
   return widest;
 }
 
-// A short sorted list that keeps the best `count` nodes, each once.
+// A short sorted list of the best `count` nodes, each once.
 class BestNodes {
  public:
   explicit BestNodes(std::size_t count) : count_(count) {}

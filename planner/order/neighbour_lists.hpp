@@ -10,11 +10,11 @@ namespace tubeplan::planner {
 
 struct Neighbour {
   int node;
-  double time;  ///< s, straight, least over the branches, without extra time
+  double time;  ///< straight, least over the branches, without extra time [s]
 };
 
-/// Up to `count` neighbours for each node, nearest first; ties by number. Exact: a sweep along the joint that spreads
-/// widest.
+/// Returns up to `count` neighbours for each node, nearest first; ties by number. Exact, by a sweep along the joint
+/// with the widest spread.
 [[nodiscard]] std::vector<std::vector<Neighbour>> nearestNeighbours(const PostureTable& table, int count);
 
 }  // namespace tubeplan::planner

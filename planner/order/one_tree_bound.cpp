@@ -10,20 +10,20 @@
 namespace tubeplan::planner {
 namespace {
 
-constexpr double kFirstStep = 1;  // as a share of the way to the known time
+constexpr double kFirstStep = 1;  // as a share of the distance to the known time
 constexpr int kPatience = 10;     // steps without gain before the share falls
 constexpr double kFall = 0.8;
-// Of the latest tree in the running mean. Prices of postures flip whole nodes and need a long memory.
+// Weight of the latest tree in the running mean. Prices of postures flip whole nodes and need a long memory.
 constexpr double kMeanShareByNodes = 0.3, kMeanShareByPostures = 0.03;
 constexpr std::size_t kCutsOfRound = 10;
 constexpr int kMostPosturesToCut = 1000;
-constexpr double kWorthwhile = 2e-3;  // of the bound, that cuts gain in a round, or could in all
-constexpr int kIdleCutRounds = 3;     // one after the other that gain less: borders help one another
+constexpr double kWorthwhile = 2e-3;  // gain of cuts in a round, or possible in all, as a share of the bound
+constexpr int kIdleCutRounds = 3;     // successive rounds with less gain, because borders help one another
 
 enum class Detail { kNodes, kPostures };
 
-// What a tree breaks of the conditions that the prices stand for, in the order of the prices. By nodes: the ends of all
-// postures together, which is all there is with one posture a node and gets the most from the first steps with several.
+// Returns the violations of the conditions by a tree, in the order of the prices. By nodes, the ends of all postures
+// are taken together: with one posture a node there are no others, and with several it is best for the first steps.
 std::vector<double> violations(const PostureTable& table, const PairGraph& graph, const PricedTree& tree,
                                Detail detail) {
   const std::size_t first_cut = tree.ends.size() + tree.pair_ends.size();
@@ -55,7 +55,7 @@ class Ascent {
     best_.of_pair.assign(graph_.pairPrices(), 0.0);
   }
 
-  // Proves the bound at the best prices so far and lets the graph learn the edges it lacked.
+  // Proves the bound at the best prices so far and adds the missing edges to the graph.
   void prove() {
     const PricedTree tree = graph_.completeTree(best_);
     proved_ = std::max(proved_, tree.bound);
@@ -63,7 +63,7 @@ class Ascent {
     best_.of_pair.resize(graph_.pairPrices(), 0.0);
   }
 
-  // Adds borders that the trees of the last climb cross too seldom. False where there are none.
+  // Adds borders that the trees of the last climb cross too seldom. Returns false if there are none.
   bool cut() {
     const std::size_t most = std::min(kCutsOfRound, PairGraph::kMostCuts - graph_.cuts());
     const auto cuts = findCrossedTooSeldom(table_, neighbours_, meanUse(), most);
@@ -72,7 +72,8 @@ class Ascent {
     return !cuts.empty();
   }
 
-  // From the best prices along a running mean of what the trees break (the volume method of Barahona and Anbil, 2000).
+  // Improves the best prices along a running mean of the trees' violations (the volume method of Barahona and Anbil,
+  // 2000).
   void climb(int steps, double first_share, Detail detail) {
     const double mean_share = detail == Detail::kNodes ? kMeanShareByNodes : kMeanShareByPostures;
     double share = first_share;
@@ -101,7 +102,7 @@ class Ascent {
     }
   }
 
-  // Whether the mean of what trees use is kept, to find borders by.
+  // Returns true if the mean use of edges is kept, to find borders by.
   bool countsUse() const {
     return table_.postures() > table_.nodes() && table_.visits() <= options_.cuts_up_to &&
            table_.postures() <= kMostPosturesToCut && graph_.cuts() < PairGraph::kMostCuts;
@@ -126,7 +127,7 @@ class Ascent {
     return prices;
   }
 
-  // The price of a pair or a cut that is zero cannot fall further.
+  // Returns false for the price of a pair or a cut that is zero and cannot fall further.
   bool counts(std::size_t k, double mean) const {
     const std::size_t postures = best_.of_posture.size(), first_cut = postures + best_.of_pair.size();
     return k < postures || mean > 0 || (k < first_cut ? best_.of_pair[k - postures] : best_.of_cut[k - first_cut]) > 0;
@@ -148,7 +149,7 @@ class Ascent {
   std::vector<std::vector<Neighbour>> neighbours_;
   PairGraph graph_;
   Prices best_;
-  EdgeUse use_;  // by which trees of the climb so far, over the scale: the latest count most
+  EdgeUse use_;  // by the trees of the climb so far, over the scale: the latest count most
   double use_scale_ = 1;
   double proved_ = 0;  // times are not negative
   int iterations_ = 0;

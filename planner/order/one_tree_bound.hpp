@@ -16,14 +16,15 @@
 namespace tubeplan::planner {
 
 struct OneTreeOptions {
-  int iterations = 1500;    ///< subgradient steps on the sparse graph, in all
-  int rounds = 4;           ///< trees on the complete graph; each adds its edges to the sparse one
+  int iterations = 1500;    ///< number of subgradient steps on the sparse graph, in all
+  int rounds = 4;           ///< number of trees on the complete graph; each adds its edges to the sparse one
   int neighbours = 10;      ///< of each visit in the sparse graph
-  int complete_up_to = 30;  ///< visits; smaller problems use the complete graph throughout
-  int cuts_up_to = 100;     ///< visits; smaller problems with a few branches each ask for borders crossed too seldom
-  int cut_rounds = 12;      ///< ... after the other rounds, as long as they gain anything worth their while
-  double known_time = std::numeric_limits<double>::quiet_NaN();  ///< s, of some route; steers the steps
-  std::function<bool()> stop;                                    ///< asked at every step; the bound so far holds as any
+  int complete_up_to = 30;  ///< number of visits up to which the complete graph is used throughout
+  int cuts_up_to = 100;     ///< number of visits up to which problems with a few branches each add border cuts
+  int cut_rounds = 12;      ///< rounds of cuts after the other rounds, while they gain enough
+  /// Time of a known route, which controls the step size [s].
+  double known_time = std::numeric_limits<double>::quiet_NaN();
+  std::function<bool()> stop;  ///< called at every step; the bound so far is valid if it stops
 };
 
 enum class OneTreeStatus { kNotRun, kSolved, kBadInput };
@@ -31,12 +32,12 @@ enum class OneTreeStatus { kNotRun, kSolved, kBadInput };
 struct OneTreeBound {
   OneTreeStatus status = OneTreeStatus::kNotRun;
   std::string reason;
-  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< s
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< [s]
   int iterations = 0;
 };
 
-/// Holds for every route of straight moves, with or without further postures to rest at on the way: straight times obey
-/// the triangle inequality. Extra times are ignored, for they are found, not proved.
+/// Computes the bound. It holds for every route of straight moves, with or without further stops, because straight
+/// times obey the triangle inequality. Extra times are ignored, because they are not proved.
 [[nodiscard]] OneTreeBound oneTreeBound(const Route& route, const OneTreeOptions& options = {});
 
 }  // namespace tubeplan::planner

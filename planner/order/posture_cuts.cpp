@@ -7,12 +7,12 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr double kLeastUse = 1e-3;   // of an edge, that counts
-constexpr double kEnough = 0.95;     // a flow of so much is as good as one crossing
-constexpr double kLeastFlow = 1e-6;  // of what is left of an edge
-constexpr int kSources = 4;          // visits that flows begin at
+constexpr double kLeastUse = 1e-3;   // least use of an edge that counts
+constexpr double kEnough = 0.95;     // flow that counts as one crossing
+constexpr double kLeastFlow = 1e-6;  // least remaining capacity of an edge
+constexpr int kSources = 4;          // number of visits from which flows start
 
-/// Flows through used edges; all postures of a visit are one end.
+/// Flows through used edges; all postures of a visit form one end.
 class UsedEdges {
  public:
   UsedEdges(const PostureTable& table, const EdgeUse& use) : table_(table), full_(table.postures()) {
@@ -27,7 +27,8 @@ class UsedEdges {
 
   [[nodiscard]] bool isUsed(int posture) const { return !full_[posture].empty(); }
 
-  /// The greatest flow between two visits, or at least kEnough of it. `reached`: the side of `from` where it is less.
+  /// Returns the greatest flow between two visits, or at least kEnough of it. `reached`: the side of `from` if it is
+  /// less.
   double flow(int from, int to, std::vector<char>& reached) {
     left_ = full_;
     double sum = 0;
@@ -45,7 +46,7 @@ class UsedEdges {
     double left;
   };
 
-  /// A posture of the visit `to` that something is left on the way to; -1 without.
+  /// Returns a posture of the visit `to` with capacity left on a path to it; -1 if there is none.
   int search(int from, int to, std::vector<char>& reached) {
     reached.assign(full_.size(), 0);
     came_from_.assign(full_.size(), {-1, -1});

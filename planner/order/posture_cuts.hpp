@@ -10,12 +10,12 @@
 
 namespace tubeplan::planner {
 
-/// How much of each edge between two postures is used, on the average of trees.
+/// Use of each edge between two postures, averaged over trees.
 using EdgeUse = std::map<std::pair<int, int>, double>;
 
-/// Up to `most` sets, by posture, each with all postures of one visit and none of another. A route crosses the border
-/// of each once at least; what is used crosses it less. Found as least cuts between visits (a flow through used edges);
-/// a posture that nothing uses is on the side of the used one that is nearest to it.
+/// Returns up to `most` sets, by posture, each with all postures of one visit and none of another. A route crosses the
+/// border of each at least once; the used edges cross it less. The sets are minimum cuts between visits (a flow through
+/// used edges). An unused posture is on the side of the nearest used one.
 [[nodiscard]] std::vector<std::vector<char>> findCrossedTooSeldom(const PostureTable& table,
                                                                   const std::vector<std::vector<Neighbour>>& neighbours,
                                                                   const EdgeUse& use, std::size_t most);

@@ -9,7 +9,8 @@
 namespace tubeplan::planner {
 namespace {
 
-/// Values by posture and joint, those of each node's postures for one joint next to each other.
+/// Returns the values by posture and joint, rearranged so that those of each node's postures for one joint are
+/// adjacent.
 std::vector<double> jointByJoint(const PostureTable& table, const std::vector<double>& values, int stride) {
   std::vector<double> by_joint;
   by_joint.reserve(static_cast<std::size_t>(table.postures() * table.joints()));
@@ -20,7 +21,7 @@ std::vector<double> jointByJoint(const PostureTable& table, const std::vector<do
   return by_joint;
 }
 
-/// unitMoveDuration() of each: `seconds` are cruising times, and then durations.
+/// Applies unitMoveDuration() to each: `seconds` are cruising times on input, durations on output.
 template <class Ramps>
 void makeDurations(Eigen::ArrayXd& seconds, const Ramps& ramps) {
   seconds = (ramps > seconds.square()).select(2 * ramps.sqrt(), (seconds > 0).select(seconds + ramps / seconds, 0.));

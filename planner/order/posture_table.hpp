@@ -1,6 +1,6 @@
 // All postures of a route in one flat table, with the time of a move between two of them. Internal to the ordering.
 //
-// Nodes: the visits, then the start posture, then the end posture, where given. Postures of a node are consecutive.
+// Nodes: the visits, then the start posture, then the end posture, if given. Postures of a node are consecutive.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 
 namespace tubeplan::planner {
 
-/// Stands for an infinite extra time [s], so that differences stay finite.
+/// Replacement for an infinite extra time [s], so that differences stay finite.
 inline constexpr double kForbiddenTime = 1e6;
 
 class PostureTable {
@@ -22,32 +22,32 @@ class PostureTable {
   [[nodiscard]] int visits() const { return visits_; }
   [[nodiscard]] int nodes() const { return static_cast<int>(first_.size()) - 1; }
   [[nodiscard]] int postures() const { return first_.back(); }
-  [[nodiscard]] int startNode() const { return start_node_; }  ///< -1 without
-  [[nodiscard]] int endNode() const { return end_node_; }      ///< -1 without
+  [[nodiscard]] int startNode() const { return start_node_; }  ///< -1 if there is none
+  [[nodiscard]] int endNode() const { return end_node_; }      ///< -1 if there is none
   [[nodiscard]] int first(int node) const { return first_[node]; }
-  [[nodiscard]] int last(int node) const { return first_[node + 1]; }  ///< one past
+  [[nodiscard]] int last(int node) const { return first_[node + 1]; }  ///< one past the last
   [[nodiscard]] int nodeOf(int posture) const { return node_of_[posture]; }
   [[nodiscard]] int joints() const { return joints_; }
-  /// Joint value over its greatest speed [s]: differences bound the time of a move from below.
+  /// Returns the joint value divided by its greatest speed [s]: differences are lower bounds of the time of a move.
   [[nodiscard]] double scaled(int posture, int joint) const { return by_speed_[posture * stride_ + joint]; }
 
-  /// Time [s] along the straight line, without extra time.
+  /// Returns the time [s] along the straight line, without extra time.
   [[nodiscard]] double straight(int a, int b) const {
     const double cruise_seconds = greatestDifference(by_speed_, a, b);
     return unitMoveDuration(cruise_seconds,
                             one_ratio_ ? ratio_ * cruise_seconds : greatestDifference(by_acceleration_, a, b));
   }
-  /// Straight line and extra time [s]; forbidden moves cost `kForbiddenTime`.
+  /// Returns the time of the straight line with extra time [s]; forbidden moves cost `kForbiddenTime`.
   [[nodiscard]] double cost(int a, int b) const { return has_extra_ ? straight(a, b) + extra(a, b) : straight(a, b); }
-  /// The same to each posture of `node`, first to last; bit for bit what cost() has.
+  /// Computes the costs to all postures of `node`, with the same bits as cost().
   void costsTo(int node, int posture, Eigen::ArrayXd& times) const;
-  /// Of a set by posture: 1 where all postures of `node` are in it, 0 where none is, else -1.
+  /// Returns 1 if all postures of `node` are in the set, 0 if none is, else -1.
   [[nodiscard]] int sideOf(int node, const std::vector<char>& inside) const;
-  /// The posture of `node` that costs least to reach from `posture`.
+  /// Returns the posture of `node` that costs least to reach from `posture`.
   [[nodiscard]] int nearestPosture(int posture, int node) const;
 
  private:
-  static constexpr int kStep = 4;  // joints compared at a time
+  static constexpr int kStep = 4;  // number of joints compared at a time
 
   [[nodiscard]] double extra(int a, int b) const;
   [[nodiscard]] bool mayCostExtra(int node) const {
@@ -68,17 +68,17 @@ class PostureTable {
   const Route* route_;
   int visits_;
   int joints_;
-  int stride_;  // joints, and noughts up to a whole number of steps
+  int stride_;  // number of joints, padded with zeros to a multiple of kStep
   int start_node_ = -1;
   int end_node_ = -1;
   bool has_extra_;
-  bool one_ratio_ = false;  // of speed to acceleration for all joints: one difference decides
-  double ratio_ = 0;        // s
+  bool one_ratio_ = false;  // true: one ratio of speed to acceleration for all joints, so that one difference is enough
+  double ratio_ = 0;        // [s]
   std::vector<int> first_, node_of_;
-  std::vector<char> with_extra_;         // by visit: whether a move to or from it may cost extra; empty: any may
-  std::vector<double> by_speed_;         // posture x joint: value / max_speed
-  std::vector<double> by_acceleration_;  // posture x joint: value / max_acceleration
-  std::vector<double> by_joint_, by_joint_acceleration_;  // the same node by node: joint x posture
+  std::vector<char> with_extra_;  // by visit: nonzero if a move to or from it may have extra time; empty: any may
+  std::vector<double> by_speed_;  // posture x joint: value / max_speed
+  std::vector<double> by_acceleration_;                   // posture x joint: value / max_acceleration
+  std::vector<double> by_joint_, by_joint_acceleration_;  // the same values node by node: joint x posture
 };
 
 }  // namespace tubeplan::planner

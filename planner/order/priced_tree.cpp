@@ -18,7 +18,7 @@ bool joinsBothEnds(const PostureTable& table, int a, int b) { return a >= table.
 
 }  // namespace
 
-// The cheapest known way to join a node to the tree.
+// The cheapest known link of a node to the tree.
 struct PairGraph::Link {
   double price = kInfinity;
   int from = -1, to = -1;  // postures
@@ -63,7 +63,8 @@ class PairGraph::Sum {
     magnitude_ += std::abs(value);
   }
 
-  // The posture of greatest worth; equals share, in proportion to their use, so that there is less to correct.
+  // Takes the posture of greatest worth; equal ones share, in proportion to their use, so that less correction is
+  // needed.
   void takePostures(int node, const std::vector<double>& worth) {
     const double greatest = *std::max_element(worth.begin() + table_.first(node), worth.begin() + table_.last(node));
     add(-greatest);
@@ -90,7 +91,8 @@ class PairGraph::Sum {
     ++tree_.ends[posture];
   }
 
-  // A given start or end posture has one more end; a free end takes the cheapest visit, two free ends take two visits.
+  // Adds the ends of the route: a given start or end posture has one more end; a free end takes the cheapest visit, two
+  // free ends take two visits.
   void addRouteEnds() {
     for (int node = table_.visits(); node < table_.nodes(); ++node) addEnd(node);
     const int free_ends = 2 - (table_.nodes() - table_.visits());

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kNarrowView = 3, kWideView = 60;  // rounds of averaging over neighbours
 
-// For each node the posture from which its neighbours are quickest to reach, on the average of a region that grows by
-// the rounds.
+// Returns for each node the posture from which its neighbours are quickest to reach, on average over a region that
+// grows with the rounds.
 std::vector<int> locallyQuickest(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours,
                                  int rounds) {
   std::vector<std::vector<int>> beside(table.postures());
@@ -37,7 +37,7 @@ std::vector<int> locallyQuickest(const PostureTable& table, const std::vector<st
   return quickest;
 }
 
-// A growing route. Its last place is a node, and one posture of it unless any will do (-1).
+// A growing route. Its last place is a node with one posture, or any posture (-1).
 class NearestNeighbourTour {
  public:
   // `only` names the one posture allowed at each node, or is empty.

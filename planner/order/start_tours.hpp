@@ -1,4 +1,4 @@
-// Nearest-neighbour routes to begin the search from. Internal to the ordering.
+// Nearest-neighbour routes as starts of the search. Internal to the ordering.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace tubeplan::planner {
 
-/// Orders of all visits: one by the least time over the branches of two visits; one for each branch of its first visit,
-/// which goes on to the nearest posture from there, so that the arm keeps to one branch while it can; and some that
-/// stay in the branch in which a tube's neighbourhood is quickest to cross, seen narrowly or widely, so that the arm
-/// changes branch between regions.
+/// Returns orders of all visits. One uses the least time over the branches of two visits. One for each branch of its
+/// first visit always takes the nearest posture, so that the arm keeps to one branch while it can. Some stay in the
+/// branch in which a tube's neighbourhood, narrow or wide, is quickest to cross, so that the arm changes branch between
+/// regions.
 [[nodiscard]] std::vector<std::vector<int>> startTours(const PostureTable& table,
                                                        const std::vector<std::vector<Neighbour>>& neighbours);
 

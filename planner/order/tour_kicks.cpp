@@ -10,7 +10,8 @@ namespace {
 constexpr int kLongestKick = 30;  // places
 constexpr int kBranchKickEvery = 16;
 
-// The standard distributions differ between libraries; the small bias of the remainder does not matter here.
+// Returns a random number below `bound`. The standard distributions differ between libraries; the small bias of the
+// remainder does not matter here.
 int below(int bound, std::mt19937_64& random) { return static_cast<int>(random() % static_cast<std::uint64_t>(bound)); }
 
 }  // namespace
@@ -42,7 +43,7 @@ bool TourSearch::swapSegments(std::mt19937_64& random) {
   return true;
 }
 
-// Puts a visit in another branch and lets those behind it follow as smoothly as they can.
+// Puts a visit in another branch and lets those behind it follow as smoothly as possible.
 bool TourSearch::switchBranches(std::mt19937_64& random) {
   const int start = below(size(), random), length = 1 + below(std::min(kLongestKick, size() - 2), random);
   int node = tour_[start];

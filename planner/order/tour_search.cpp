@@ -10,7 +10,7 @@
 namespace tubeplan::planner {
 namespace {
 
-constexpr double kLeastGain = 1e-8;  // s; above the rounding of sums with forbidden moves in them
+constexpr double kLeastGain = 1e-8;  // [s]; above the rounding of sums that include forbidden moves
 
 }  // namespace
 
@@ -146,7 +146,7 @@ bool TourSearch::tryTwoOpt(int a, int b, const Junction& at, double gain_so_far)
   return true;
 }
 
-// Moves one of the stretches beside `at.node`, so that their common last node touches it.
+// Moves one of the stretches beside `at.node`, so that their common last node is adjacent to it.
 bool TourSearch::tryOrOpt(const Stretches& stretches, const Junction& at, double gain_so_far) {
   const double beyond = gain_so_far + cost(at.node, at.beyond), behind = gain_so_far + cost(at.node, at.behind);
   for (int i = 0; i < stretches.size; ++i) {
@@ -161,7 +161,7 @@ bool TourSearch::tryOrOpt(const Stretches& stretches, const Junction& at, double
   return false;
 }
 
-// A single visit may take another branch at its new place.
+// Tries another branch of a single visit at its new place.
 bool TourSearch::tryOtherBranch(const Stretches& stretches, const Junction& at, double now) {
   const Segment& segment = stretches.segments[0];
   const int node = segment.last;
@@ -189,8 +189,8 @@ bool TourSearch::insert(const Segment& segment, int c, int d, bool keeps_sense, 
   return true;
 }
 
-// before [first..last] after .. c d  ->  before after .. c [last..first] d; or, when the segment keeps its sense,
-// before [first..last] after .. d c  ->  before after .. d [first..last] c.
+// Moves a segment: before [first..last] after .. c d  ->  before after .. c [last..first] d; or, if it keeps its
+// direction, before [first..last] after .. d c  ->  before after .. d [first..last] c.
 void TourSearch::moveSegment(const Segment& segment, int c, int d, bool keeps_sense) {
   const auto [before, first, last, after] = segment;
   const int near = keeps_sense ? d : c, far = keeps_sense ? c : d;
@@ -199,7 +199,7 @@ void TourSearch::moveSegment(const Segment& segment, int c, int d, bool keeps_se
   if (keeps_sense && first != last) exchange(near, last, first, far);
 }
 
-// Edges a-b and c-d, met in the same sense, become a-c and b-d.
+// Replaces edges a-b and c-d, met in the same direction, by a-c and b-d.
 void TourSearch::exchange(int a, int b, int c, int d) {
   if (next(a) == b) {
     reversePlaces(place_[b], place_[c]);

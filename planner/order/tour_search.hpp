@@ -1,8 +1,8 @@
 // Local search on the order of a route: 2-opt, Or-opt and branch changes, with local kicks. Internal to the ordering.
 //
-// The open route is kept as a closed tour. Its ends are anchors: the start and end postures, and one free anchor that
-// costs nothing to reach unless both ends are given. Anchors that belong together are bound by an edge that no move
-// gains by breaking.
+// The open route is kept as a closed tour. Its ends are anchors: the start and end postures, and one free anchor at
+// no cost unless both ends are given. Anchors that belong together are joined by an edge so cheap that no move gains
+// by breaking it.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ class TourSearch {
  public:
   TourSearch(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours);
 
-  /// Takes over a route: all visits in order, and the posture of every node.
+  /// Starts from a route: all visits in order, and the posture of every node.
   void restart(const std::vector<int>& order, const std::vector<int>& posture_of_node);
-  /// Moves until none of the neighbourhood gains.
+  /// Applies moves until none of the neighbourhood reduces the time.
   void improve();
-  /// Kicks `count` places one after the other and keeps what does not lose.
+  /// Applies `count` local kicks one after the other, and keeps those that lose nothing.
   void kick(long count, std::mt19937_64& random);
 
   [[nodiscard]] std::vector<int> order() const;  ///< visits, first to last
@@ -35,13 +35,13 @@ class TourSearch {
   struct Segment {  // a stretch of the tour: before, first .. last, after
     int before, first, last, after;
   };
-  struct Junction {  // a place to join to: a node with its two neighbours
+  struct Junction {  // a place for insertion: a node with its two neighbours
     int node, beyond, behind;
   };
   static constexpr int kLongestInsertion = 3;
   struct Stretches {  // of growing length, all with the same last node
     Segment segments[kLongestInsertion];
-    double saved[kLongestInsertion];  // s, by closing the tour behind them
+    double saved[kLongestInsertion];  // time saved by closing the tour behind them [s]
     int size = 0;
   };
   enum class Side { kNext, kPrevious };
@@ -53,7 +53,7 @@ class TourSearch {
   [[nodiscard]] double cost(int node_a, int node_b) const { return costAt(node_a, posture_of_node_[node_a], node_b); }
   [[nodiscard]] double costAt(int node_a, int posture_a, int node_b) const;
 
-  /// Of each posture of `node_a`, to the posture that `node_b` has.
+  /// Computes the costs of each posture of `node_a` to the present posture of `node_b`.
   void costsFrom(int node_a, int node_b, Eigen::ArrayXd& times) const;
 
   void improveDirty();
@@ -80,7 +80,7 @@ class TourSearch {
   int visits_;
   int free_anchor_ = -1;
   std::vector<int> tour_, place_, posture_of_node_;
-  std::vector<Change> changes_;  // since the last kick, to take them back
+  std::vector<Change> changes_;  // since the last kick, for undo
   double gained_ = 0;            // since the last kick
   Eigen::ArrayXd times_, other_times_;
   std::vector<int> dirty_;

@@ -16,9 +16,9 @@
 namespace tubeplan::planner {
 namespace {
 
-constexpr double kTrialShare = 0.08;   // of all kicks, for each start tour ...
-constexpr double kFinishShare = 0.32;  // ... and for the best of them
-constexpr double kFewBranches = 4;     // for each visit, on the average: with more there are fewer kicks
+constexpr double kTrialShare = 0.08;   // share of all kicks for each start tour
+constexpr double kFinishShare = 0.32;  // share of all kicks for the best of them
+constexpr double kFewBranches = 4;     // average branches per visit above which there are fewer kicks
 constexpr long kKicksBetweenStops = 1000;
 constexpr int kLegs = 8;  // stretches of kicks, each followed by the exact branch choice
 
@@ -34,7 +34,7 @@ Candidate withBestPostures(const PostureTable& table, const std::vector<int>& or
   return candidate;
 }
 
-// Local search and exact branch choice in turn, until neither gains.
+// Alternates local search and exact branch choice, until neither gains.
 Candidate settled(const PostureTable& table, TourSearch& search, Candidate candidate) {
   for (;;) {
     search.restart(candidate.order, candidate.posture_of_node);
@@ -56,8 +56,8 @@ Candidate kicked(const PostureTable& table, TourSearch& search, const Candidate&
   return next.time < candidate.time ? next : candidate;
 }
 
-/// Each start tour searched for a while, side by side; each draws from a seed of its own, so that the threads do not
-/// matter.
+/// Returns the best of the start tours after a short search of each, side by side. Each has a seed of its own, so that
+/// the threads do not matter.
 Candidate bestOfTrials(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours, long kicks,
                        const VisitOrderOptions& options) {
   auto tours = startTours(table, neighbours);
@@ -92,7 +92,8 @@ struct Searched {
   double lower_bound = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// A kick tries every branch of the visits about it: with many, fewer are made in the same time.
+/// Returns the number of kicks. A kick tries every branch of the visits about it: with many, fewer are made in the same
+/// time.
 long kicksFor(const PostureTable& table, const VisitOrderOptions& options) {
   const long kicks = std::clamp<long>(static_cast<long>(options.kicks_per_visit) * table.visits(), options.least_kicks,
                                       std::max(options.least_kicks, options.most_kicks));
@@ -100,7 +101,7 @@ long kicksFor(const PostureTable& table, const VisitOrderOptions& options) {
   return std::lround(static_cast<double>(kicks) * std::min(1., std::sqrt(kFewBranches / branches)));
 }
 
-/// The bound is found while the search goes on: a time near the best is all that it wants to know.
+/// Searches an order, and computes the bound at the same time: it only needs a time near the best.
 Searched searched(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
   const auto neighbours = nearestNeighbours(table, options.neighbours);
   const long kicks = kicksFor(table, options);
@@ -124,7 +125,7 @@ Searched searched(const Route& route, const PostureTable& table, const VisitOrde
   return result;
 }
 
-/// The quickest order of straight moves is a bound that nothing is above.
+/// Solves exactly; the quickest order of straight moves is the best possible bound.
 Searched exact(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
   const ExactOrder order = exactOrder(table, timesWithExtra(table));
   Searched result;

@@ -1,4 +1,4 @@
-// In which order, and in which branch, to visit the tubes so that the arm travels the least time.
+// Order and branches of the visits for the least travel time.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@ namespace tubeplan::planner {
 
 struct VisitOrderOptions {
   std::uint64_t seed = 1;
-  int kicks_per_visit = 30;    ///< local perturbations tried; the effort is a count, so that a run repeats itself
+  int kicks_per_visit = 30;    ///< local perturbations; the effort is a count, so that a run is repeatable
   int least_kicks = 20'000;    ///< for small problems
-  int most_kicks = 2'000'000;  ///< for great ones
-  int neighbours = 8;          ///< of each visit that a move of the local search may join it to
-  double most_exact_work = kMostExactWork;  ///< smaller problems are solved exactly (exact_order.hpp)
-  bool with_bound = true;  ///< without: lower_bound and gap stay NaN (the bound does not depend on extra times)
+  int most_kicks = 2'000'000;  ///< for large ones
+  int neighbours = 8;          ///< number of other visits that a move of the local search may join to a visit
+  double most_exact_work = kMostExactWork;  ///< largest work of problems that are solved exactly (exact_order.hpp)
+  bool with_bound = true;  ///< false: lower_bound and gap stay NaN (the bound does not depend on extra times)
   OneTreeOptions bound;
-  /// An order of all visits to begin from: what local search gains on it is taken, and nothing else is tried.
+  /// An order of all visits to start from; only local search improves it, and nothing else is tried.
   std::vector<int> start;
-  /// One more tour to begin the search from, where it is not empty: an order of all visits found before.
+  /// An additional start of the search, if it is not empty: an order of all visits found before.
   std::vector<int> hint;
-  /// Asked now and then, from several threads; once true, what comes back is not the search's best.
+  /// Called now and then, from several threads. Once it returns true, the result is not the search's best.
   std::function<bool()> stop;
 };
 
@@ -37,15 +37,15 @@ struct VisitOrder {
   std::string reason;
   std::vector<int> order;     ///< visits, first to last
   std::vector<int> branches;  ///< by place in the order: branch at order[k]
-  double travel_time =
-      std::numeric_limits<double>::quiet_NaN();  ///< s, straight moves and extra times; start and end included
-  double lower_bound = std::numeric_limits<double>::quiet_NaN();     ///< s, proved
+  /// Straight moves and extra times, start and end included [s].
+  double travel_time = std::numeric_limits<double>::quiet_NaN();
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();     ///< proved [s]
   double optimality_gap = std::numeric_limits<double>::quiet_NaN();  ///< (travel_time - lower_bound) / lower_bound
 };
 
-/// Nearest-neighbour starts, 2-opt and Or-opt with neighbour lists, the exact branch choice in turn with them, and
-/// local double-bridge kicks. A few visits are ordered exactly. The same input and seed give the same route, on
-/// any number of threads; `extra_time` is asked from several at once.
+/// Orders the visits by nearest-neighbour starts, 2-opt and Or-opt with neighbour lists, alternating with the exact
+/// branch choice, and local double-bridge kicks. A few visits are ordered exactly. The same input and seed give the
+/// same route, on any number of threads; `extra_time` is called from several at once.
 [[nodiscard]] VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options = {});
 
 }  // namespace tubeplan::planner

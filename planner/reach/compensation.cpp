@@ -28,8 +28,8 @@ const CompensationRow& rowOf(Compensation mode) {
   return *std::find_if(kModes.begin(), kModes.end(), [&](const auto& row) { return row.mode == mode; });
 }
 
-/// The way up to a branch's goal: its via points at equal heights, from the goal down to the standoff, are made twice
-/// as many until the placer's own tip keeps to the vertical midway between them.
+/// The approach to a branch's goal. Its via points, at equal heights from the goal down to the standoff, are doubled
+/// until the placer's own tip keeps to the vertical midway between them.
 class Approach {
  public:
   Approach(const Vector3d& goal_W, TubeBranch& branch) : goal_W_(goal_W), branch_(&branch), postures_{branch.q} {}
@@ -38,7 +38,7 @@ class Approach {
   [[nodiscard]] const VectorXd& lowest() const { return postures_.back(); }
   [[nodiscard]] const std::vector<VectorXd>& middles() const { return middles_; }
 
-  /// At a share of the standoff below the goal.
+  /// Returns the place at a share of the standoff below the goal.
   [[nodiscard]] Vector3d placeAt(double share, double standoff) const {
     return goal_W_ - share * standoff * kHoleAxis_W;
   }
@@ -50,7 +50,7 @@ class Approach {
     if (!fails(via)) postures_.push_back(via.q);
   }
 
-  /// One more between every two.
+  /// Adds one via point between every two.
   void addBetween(std::span<const deflection::Branch> vias) {
     std::vector<VectorXd> denser{postures_.front()};
     for (std::size_t k = 0; k < vias.size(); ++k) {
@@ -66,7 +66,8 @@ class Approach {
     for (std::size_t k = 0; k + 1 < postures_.size(); ++k) middles_.push_back((postures_[k] + postures_[k + 1]) / 2);
   }
 
-  /// Ends where the tip is near enough to the vertical at the middles, or where no more via points are allowed.
+  /// Ends the refinement if the tip is near enough to the vertical at the middles, or if no more via points are
+  /// allowed.
   void judge(std::span<const Vector3d> tips_W, const CompensationOptions& options) {
     double worst = 0;
     for (const Vector3d& tip_W : tips_W) worst = worseOf(worst, (tip_W - goal_W_).head<2>().norm());
@@ -102,7 +103,7 @@ void dropClosed(std::vector<Approach>& approaches) {
   std::erase_if(approaches, [](const Approach& approach) { return !approach.isOpen(); });
 }
 
-/// The first via points of all branches: halfway down, then at the standoff.
+/// Adds the first via points of all branches: halfway down, then at the standoff.
 void goDown(ToolPlacer& placer, double standoff, std::vector<Approach>& approaches) {
   for (const double share : {0.5, 1.}) {
     std::vector<Vector3d> places;
@@ -117,7 +118,7 @@ void goDown(ToolPlacer& placer, double standoff, std::vector<Approach>& approach
   }
 }
 
-/// Judges all by the tips midway between their via points.
+/// Judges all approaches by the tips midway between their via points.
 void judgeMiddles(ToolPlacer& placer, const CompensationOptions& options, std::vector<Approach>& approaches) {
   std::vector<VectorXd> postures;
   for (Approach& approach : approaches) {
@@ -152,7 +153,7 @@ void makeDenser(ToolPlacer& placer, double standoff, std::vector<Approach>& appr
   dropClosed(approaches);
 }
 
-/// As many via points as keep the placer's tip within the tolerance of its straight line.
+/// Adds as many via points as keep the placer's tip within the tolerance of its straight line.
 void addApproaches(ToolPlacer& placer, const CompensationOptions& options, std::vector<Approach> approaches) {
   if (options.max_via_points < 3) {
     for (Approach& approach : approaches) approach.fail("the tip leaves the hole's axis between via points");
@@ -166,7 +167,7 @@ void addApproaches(ToolPlacer& placer, const CompensationOptions& options, std::
   }
 }
 
-/// The two models that a mode works with: one for the goal, one for the way up to it. Either is made when asked for.
+/// The two models of a mode: one for the goal, one for the approach. Each is created on first use.
 class Modes {
  public:
   Modes(const Workcell& cell, const CompensationOptions& options) : cell_(cell), options_(options), tips_(cell) {}
@@ -180,7 +181,7 @@ class Modes {
     ToolPlacer& via = options_.mode == Compensation::kViaPoint ? flexible() : rigid();
     std::vector<Approach> approaches;
     for (TubeBranch& branch : branches)
-      // The goal as the way's own model sees it: for goal-point compensation, the rigid place of the flexible goal.
+      // The goal in the approach's own model: for goal-point compensation, the rigid place of the flexible goal.
       if (branch.status == BranchStatus::kConverged) approaches.emplace_back(via.tipsAt({branch.q}).front(), branch);
     addApproaches(via, options_, std::move(approaches));
     for (TubeBranch& branch : branches)

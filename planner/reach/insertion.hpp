@@ -1,4 +1,4 @@
-// The tool inside a tube: how much play it has there.
+// Clearance of the tool inside a tube.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace tubeplan::planner {
 
-/// The least play [m] that the tool has in the tube of the hole centred at `hole_W` while the joints run straight from
-/// posture to posture, by the deflected shape at each and midway; negative where it would touch, infinite where the tip
-/// stays below the face. See tubesheets::playInTube.
+/// Returns the least clearance [m] of the tool in the tube of the hole centred at `hole_W` while the joints move
+/// straight from posture to posture. It is computed on the deflected shape at each posture and midway. Negative if the
+/// tool would touch, infinite if the tip stays below the face. See tubesheets::playInTube().
 [[nodiscard]] double playInTube(const Workcell& cell, const Eigen::Vector3d& hole_W,
                                 const std::vector<Eigen::VectorXd>& postures);
 

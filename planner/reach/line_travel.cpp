@@ -12,8 +12,9 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 
-constexpr double kShortest = 1. / 2048;  // of the line; postures that differ over less are of different branches
-constexpr int kMostTries = 6;            // each with via points to half the tolerance of the one before
+// Share of the line; postures that differ over less belong to different branches.
+constexpr double kShortest = 1. / 2048;
+constexpr int kMostTries = 6;  // attempts, each with via points to half the tolerance of the one before
 
 double distanceFromLine(const Vector3d& p, const Vector3d& from, const Vector3d& to) {
   const Vector3d along = (to - from).stableNormalized();
@@ -39,7 +40,7 @@ LineTravels::LineTravels(const Workcell& cell, JointSpeeds speeds, const deflect
                          const LineTravelOptions& options)
     : speeds_(std::move(speeds)), options_(options), placer_(cell, cell.arm, inverse) {}
 
-/// At the corners' own tips and midway between them.
+/// Returns the deviation of the tips at the corners and midway between them.
 double LineTravels::deviationOf(const std::vector<VectorXd>& corners, const Vector3d& from_W, const Vector3d& to_W) {
   std::vector<VectorXd> postures = middlesOf(corners);
   postures.insert(postures.end(), corners.begin(), corners.end());
@@ -48,8 +49,8 @@ double LineTravels::deviationOf(const std::vector<VectorXd>& corners, const Vect
   return worst;
 }
 
-/// Puts a via point on the line into the middle of every stretch whose tip leaves it; false, with the reason, where one
-/// cannot be had.
+/// Adds a via point on the line in the middle of every stretch whose tip leaves it; false, with the reason, if one
+/// cannot be reached.
 bool LineTravels::refine(double tolerance, const Vector3d& from_W, const Vector3d& to_W, std::vector<double>& shares,
                          LineTravel& travel) {
   const auto fail = [&travel](LineTravelStatus status, std::string reason) {

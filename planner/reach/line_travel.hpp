@@ -1,5 +1,5 @@
-// The tool moved straight from one standoff to another, as a camera is moved along a row at constant height: the
-// deflected tip stays on the line, every via point solved on the flexible model (Calkins 1994, section 4.3.2).
+// Straight travel of the tool from one standoff to another, as a camera moves along a row at constant height. The
+// deflected tip stays on the line, with every via point solved on the flexible model (Calkins 1994, section 4.3.2).
 #pragma once
 
 #include <limits>
@@ -12,7 +12,8 @@
 namespace tubeplan::planner {
 
 struct LineTravelOptions {
-  double tolerance = 5.08e-5;  ///< m; most the deflected tip may leave the line, cut corners included (0.002 in)
+  /// Largest distance of the deflected tip from the line, cut corners included [m] (0.002 in).
+  double tolerance = 5.08e-5;
   int most_waypoints = 1025;
 };
 
@@ -20,13 +21,14 @@ enum class LineTravelStatus { kNotRun, kOnLine, kNotReached, kOtherPosture, kToo
 
 struct LineTravel {
   LineTravelStatus status = LineTravelStatus::kNotRun;
-  std::string reason;                      ///< why there is none
-  std::vector<Eigen::VectorXd> waypoints;  ///< both ends included; to be flowed through without rest
-  double deviation = std::numeric_limits<double>::quiet_NaN();  ///< m, most the tip leaves the line along that flow
+  std::string reason;                      ///< reason if there is none
+  std::vector<Eigen::VectorXd> waypoints;  ///< both ends included; to be passed without stops
+  /// Largest distance of the tip from the line along that flow [m].
+  double deviation = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// From one posture to another. Where they are branches of their own, no line joins them: kOtherPosture. Whether the
-/// way is clear is not asked.
+/// Travels from one posture to another. Postures of different branches are not joined by a line: kOtherPosture.
+/// Collisions are not checked.
 class LineTravels {
  public:
   LineTravels(const Workcell& cell, JointSpeeds speeds, const deflection::InverseKinematicsOptions& inverse = {},

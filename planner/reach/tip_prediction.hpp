@@ -1,4 +1,4 @@
-// The tip as a workcell's model has it, for many postures: what predictTip() and lateralDeviation() answer one by one.
+// Predicted tips of a workcell's model for many postures, with the results of predictTip() and lateralDeviation().
 #pragma once
 
 #include <cmath>
@@ -8,13 +8,13 @@
 
 namespace tubeplan::planner {
 
-/// The larger; not a number where one is none.
+/// Returns the larger of two numbers; NaN if either is NaN.
 inline double worseOf(double a, double b) { return a <= b || std::isnan(b) ? b : a; }
 
-/// Predicts tips of one workcell; each thread needs its own. Not numbers where a shape does not converge.
+/// Predictor of tips of one workcell; each thread needs its own. Results are NaN if a shape does not converge.
 class TipPrediction {
  public:
-  /// `cell` must outlive this, and stay as it is.
+  /// `cell` must outlive this object, and must not change.
   explicit TipPrediction(const Workcell& cell);
 
   [[nodiscard]] PredictedTip at(const Eigen::VectorXd& q);

@@ -1,4 +1,4 @@
-// Places of the tool in the world as joint readings, and joint readings as places of its tip: of one model of a cell.
+// Conversion between places of the tool in the world and joint readings, for one model of a cell.
 #pragma once
 
 #include <vector>
@@ -9,18 +9,19 @@
 
 namespace tubeplan::planner {
 
-/// The arm as it is, or rigid: both outlive the placer. The tool points along the holes' axis as far as the arm can.
+/// Places the tool with the true or the rigid arm; cell and arm must outlive it. The tool points along the holes' axis
+/// as far as the arm can.
 class ToolPlacer {
  public:
   ToolPlacer(const Workcell& cell, const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options);
 
   [[nodiscard]] std::vector<deflection::Branch> allBranches(const Eigen::Vector3d& tip_W);
 
-  /// From a start near each.
+  /// Returns one branch for each place, from a start near it.
   [[nodiscard]] std::vector<deflection::Branch> near(const std::vector<Eigen::Vector3d>& tips_W,
                                                      const std::vector<Eigen::VectorXd>& starts);
 
-  /// In the world; not numbers where the shape does not converge.
+  /// Returns the tips in the world [m]; NaN if the shape does not converge.
   [[nodiscard]] std::vector<Eigen::Vector3d> tipsAt(const std::vector<Eigen::VectorXd>& postures);
 
  private:

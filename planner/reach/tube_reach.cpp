@@ -10,7 +10,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-/// How far a branch came before it failed; the furthest failure is the telling one.
+/// Progress of a branch before it failed; the furthest failure is the most informative.
 enum class Hurdle { kNone, kKinematics, kStandoff, kApproach, kTube };
 
 struct BranchVerdict {
@@ -19,12 +19,13 @@ struct BranchVerdict {
   Clearance blocking;
 };
 
-constexpr double kSameTilt = 0.0044;  ///< rad; a quarter of a degree
+constexpr double kSameTilt = 0.0044;  ///< a quarter of a degree [rad]
 
-constexpr Eigen::Index kJointsThatTilt = 5;  ///< at least: three hold the tip's place, two more tilt the tool
+/// Least number of joints: three hold the tip's place, two more tilt the tool.
+constexpr Eigen::Index kJointsThatTilt = 5;
 
-/// Where others stand the tool more upright, branches that lean more are left out. Fewer joints have no say in what
-/// stays of the tilt: all their branches are kept.
+/// Leaves out branches with more tilt than the others. With fewer joints the remaining tilt is not controlled, so that
+/// all branches are kept.
 void keepUpright(const deflection::Arm& arm, std::vector<TubeBranch>& branches) {
   if (branches.size() < 2 || arm.jointCount() < kJointsThatTilt) return;
   const double least = std::ranges::min_element(branches, {}, &TubeBranch::tilt)->tilt;
@@ -66,7 +67,7 @@ TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOpti
   Hurdle furthest = Hurdle::kNone;
   const Workcell& cell = clearance.cell();
   const Eigen::Vector3d hole_W = holeCentre(cell.sheet.tubes.at(tube));
-  CompensationOptions compensation = options.compensation;  // whose standoff is below the face, not below the goal
+  CompensationOptions compensation = options.compensation;  // its standoff is below the face, not below the goal
   compensation.standoff += cell.insertion + clearance.padding().along(kHoleAxis_W, {hole_W, hole_W, 0});
   for (auto& branch : compensate(cell, visitPlace(cell, cell.sheet.tubes.at(tube)), compensation)) {
     const BranchVerdict verdict = judge(clearance, hole_W, branch, options);

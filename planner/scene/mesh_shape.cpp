@@ -17,17 +17,17 @@ double leastOfBox(const AlignedBox3d& box, const Vector3d& direction) {
   return direction.dot(box.center()) - 0.5 * direction.cwiseAbs().dot(box.sizes());
 }
 
-/// The triangle nearest to a body, found in the mesh's frame. What is no nearer than the nearest so far is mostly known
-/// so by the plane that parts that one from the body.
+/// Search for the triangle nearest to a body, in the mesh's frame. Most triangles that are no nearer are excluded by
+/// the plane that separates the nearest one from the body.
 class NearestTriangle {
  public:
-  /// The body lies within `radius` of the segment; what is `enough` or more away is not looked for.
+  /// The body lies within `radius` of the segment; triangles at `enough` or more are ignored.
   NearestTriangle(const Vector3d& from, const Vector3d& to, double radius, double enough)
       : from_(from), to_(to), around_(from.cwiseMin(to), from.cwiseMax(to)), radius_(radius) {
     least.distance = enough;
   }
 
-  /// `gap_to(triangle)` in frame F; `reach(direction)` is how far the body goes that way.
+  /// Searches with `gap_to(triangle)` in frame F; `reach(direction)` is the body's extent in that direction.
   template <class GapTo, class Reach>
   void search(const TriangleTree& tree, const GapTo& gap_to, const Reach& reach) {
     const auto bound = [&](const AlignedBox3d& box, double enough) {
@@ -50,10 +50,10 @@ class NearestTriangle {
   const Vector3d &from_, &to_;
   AlignedBox3d around_;
   double radius_;
-  double reach_ = std::numeric_limits<double>::infinity();  ///< of the body along `least.across`
+  double reach_ = std::numeric_limits<double>::infinity();  ///< extent of the body along `least.across`
 };
 
-/// Of a segment.
+/// Returns the triangle nearest to a segment.
 TriangleGap nearestTriangle(const TriangleTree& tree, const Vector3d& from, const Vector3d& to, double enough) {
   NearestTriangle nearest(from, to, 0, enough);
   nearest.search(
@@ -66,7 +66,7 @@ TriangleGap nearestTriangle(const TriangleTree& tree, const Vector3d& from, cons
 
 MeshShape::MeshShape(const TriangleMesh& mesh, const Isometry3d& X_FM) : survey_(surveyMesh(mesh)), tree_(mesh, X_FM) {}
 
-/// What cannot be told counts as inside.
+/// Returns true if a point is inside; doubtful cases count as inside.
 bool MeshShape::isInside(const Vector3d& p) const { return survey_.isClosed() && tree_.windingNumber(p) != 0; }
 
 double MeshShape::pointDistance(const Vector3d& p) const {

@@ -1,4 +1,4 @@
-// A mesh as a thing to keep off.
+// A mesh as an obstacle or body.
 #pragma once
 
 #include "planner/scene/shape.hpp"
@@ -6,10 +6,11 @@
 
 namespace tubeplan::planner {
 
-/// A closed mesh is solid: what is wholly inside touches it. An open one is its triangles alone, without thickness.
+/// A shape of triangles. A closed mesh is solid: a body wholly inside touches it. An open one is its triangles alone,
+/// without thickness.
 class MeshShape : public Shape {
  public:
-  /// A mesh free of problems, its frame M placed at X_FM.
+  /// `mesh` must be free of problems; its frame M is placed at X_FM.
   MeshShape(const TriangleMesh& mesh, const Eigen::Isometry3d& X_FM);
 
   [[nodiscard]] double pointDistance(const Eigen::Vector3d& p_F) const override;

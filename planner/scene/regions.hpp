@@ -1,4 +1,4 @@
-// The regions of the table of scene shapes (scene_shapes.cpp), for those who take them by kind.
+// The regions of the table of scene shapes (scene_shapes.cpp), for code that needs them by kind.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace tubeplan::planner {
 
-/// The room inside a sphere; exact for every body.
+/// The inside of a sphere as a region; exact for every body.
 class SphereInterior : public Shape {
  public:
   SphereInterior(const Eigen::Vector3d& centre, double radius) : centre_(centre), radius_(radius) {}

@@ -1,6 +1,5 @@
-// The open table of scene shapes: one row per kind, with all that a reader, a help page or a drawing needs to know of
-// it. Adding a shape is adding its row (and its class, if no present one serves) in scene_shapes.cpp; nothing else
-// names a kind.
+// The open table of scene shapes: one row per kind, with all that a reader, a help page or a drawing needs. A new shape
+// is a row (and a class, if no present one fits) in scene_shapes.cpp; nothing else names a kind.
 #pragma once
 
 #include <span>
@@ -13,50 +12,50 @@
 
 namespace tubeplan::planner {
 
-/// What a field's numbers are, hence how a reader converts them and which values make sense.
+/// Meaning of a field's numbers, which decides their conversion by a reader and their valid values.
 enum class ShapeQuantity {
-  kPosition,   ///< m, any
-  kSize,       ///< m, above zero
+  kPosition,   ///< any value [m]
+  kSize,       ///< above zero [m]
   kDirection,  ///< no unit, any length but zero
-  kAngle,      ///< rad, any
-  kMesh,       ///< the name of a file: the reader hands over its triangles [m]; no number
-  kUnit,       ///< the name of that file's unit of length; no number
+  kAngle,      ///< any value [rad]
+  kMesh,       ///< name of a file, whose triangles [m] the reader supplies; no number
+  kUnit,       ///< name of that file's unit of length; no number
 };
 
 struct ShapeField {
   std::string_view name;
   ShapeQuantity quantity;
-  int count;             ///< of numbers; 0 for a name
+  int count;             ///< number of values; 0 for a name
   bool required = true;  ///< a field left out is all zeros
 };
 
 struct MadeShape {
-  ShapePointer shape;   ///< empty where there is a problem
-  std::string problem;  ///< says which field and why; empty where there is none
+  ShapePointer shape;   ///< empty if there is a problem
+  std::string problem;  ///< field and reason; empty if there is none
 };
 
 struct ShapeRow {
-  std::string_view key;   ///< as a file writes it; nested keys are parted by a dot (`inside_of.sphere`)
+  std::string_view key;   ///< as written in a file; nested keys are separated by a dot (`inside_of.sphere`)
   std::string_view help;  ///< one sentence
   std::vector<ShapeField> fields;
-  bool may_be_body;  ///< whether a link can have this shape: only solids can
+  bool may_be_body;  ///< true: a link can have this shape, which only solids can
   MadeShape (*make)(std::span<const double> numbers, const TriangleMesh* mesh);
 };
 
 [[nodiscard]] const std::vector<ShapeRow>& sceneShapes();
 
-/// The row with this key; null where there is none.
+/// Returns the row with this key, or null if there is none.
 [[nodiscard]] const ShapeRow* findSceneShape(std::string_view key);
 
-/// How many numbers a row wants.
+/// Returns the count of numbers that a row needs.
 [[nodiscard]] int numberCount(const ShapeRow& row);
 
-/// The field of a row that names a mesh; null where there is none.
+/// Returns the field of a row that names a mesh, or null if there is none.
 [[nodiscard]] const ShapeField* findMeshField(const ShapeRow& row);
 
-/// Builds a shape from its numbers, [m] and [rad], field after field as the row lists them, and of a row that names one
-/// the mesh [m]. A wrong count, a number that is not finite, a size that is not above zero, a zero direction, a mesh
-/// that cannot be used or what the row itself finds wrong is given as the problem.
+/// Builds a shape from its numbers, [m] and [rad], in the order of the row's fields, and from the mesh [m] if the row
+/// names one. The problem reports a wrong count, a number that is not finite, a size not above zero, a zero direction,
+/// an unusable mesh, or what the row itself finds wrong.
 [[nodiscard]] MadeShape makeShape(const ShapeRow& row, std::span<const double> numbers,
                                   const TriangleMesh* mesh = nullptr);
 

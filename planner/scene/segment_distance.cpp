@@ -11,12 +11,12 @@ using Eigen::Vector3d;
 constexpr double kFinestStep = 1e-15;  // as a share of the segment
 constexpr int kMostSteps = 100;
 
-/// Half the slope of the squared distance along the segment, and the slope of that.
+/// Half the slope of the squared distance along the segment, and its derivative.
 struct Slope {
   double slope, curvature;
 };
 
-/// Where on the segment, 0 to 1, the slope passes zero.
+/// Returns the place on the segment, 0 to 1, where the slope is zero.
 template <class SlopeAt>
 double levelPlace(const SlopeAt& slope_at) {
   const Slope start = slope_at(0.0), end = slope_at(1.0);

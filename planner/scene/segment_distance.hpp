@@ -8,16 +8,17 @@
 
 namespace tubeplan::planner {
 
-/// Two points, one of a segment and one of a solid. The same point where they meet.
+/// Two points, one of a segment and one of a solid; the same point where they meet.
 struct SegmentNearest {
   Eigen::Vector3d on_segment, on_solid;
 };
 
-/// To the box |x| <= half.x, |y| <= half.y, |z| <= half.z.
+/// Returns the nearest points of a segment and the box |x| <= half.x, |y| <= half.y, |z| <= half.z.
 [[nodiscard]] SegmentNearest nearestToBox(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                           const Eigen::Vector3d& half);
 
-/// To the cylinder about z with flat ends at z = -half_length and z = half_length.
+/// Returns the nearest points of a segment and the cylinder about z with flat ends at z = -half_length and z =
+/// half_length.
 [[nodiscard]] SegmentNearest nearestToCylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
                                                double half_length);
 

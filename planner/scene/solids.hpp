@@ -1,4 +1,4 @@
-// The solids of the table of scene shapes (scene_shapes.cpp), for those who take them by kind.
+// The solids of the table of scene shapes (scene_shapes.cpp), for code that needs them by kind.
 #pragma once
 
 #include <fcl/geometry/shape/box.h>
@@ -13,7 +13,7 @@
 
 namespace tubeplan::planner {
 
-/// Pose with its origin half-way from `from` to `to` and z along them.
+/// Returns the pose with its origin half-way from `from` to `to` and z along them.
 inline Eigen::Isometry3d poseAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.translation() = 0.5 * (from + to);
@@ -22,7 +22,7 @@ inline Eigen::Isometry3d poseAlong(const Eigen::Vector3d& from, const Eigen::Vec
   return X;
 }
 
-/// A capsule, or with both ends the same a sphere.
+/// A capsule, or a sphere if both ends are the same.
 class CapsuleSolid : public Solid {
  public:
   explicit CapsuleSolid(const Capsule& capsule) : Solid(capsule, true, coreOf(capsule)) {}

@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Two edges nearer than this to parallel (sine) have no face whose direction can be told.
+// Sine of an angle between edges below which their normal is not well defined.
 constexpr double kThinnest = 1e-10;
 
-/// Zero where the triangle is a line or a point.
+/// Returns the normal; zero if the triangle is a line or a point.
 Vector3d normalOf(const Corners& t) {
   const Vector3d ab = t[1] - t[0], ac = t[2] - t[0], normal = ab.cross(ac);
   const double length = normal.norm();
@@ -21,7 +21,7 @@ Vector3d normalOf(const Corners& t) {
   return normal / length;
 }
 
-/// Whether the foot of p's perpendicular is on the triangle.
+/// Returns true if the foot of p's perpendicular is on the triangle.
 bool isOver(const Corners& t, const Vector3d& normal, const Vector3d& p) {
   for (std::size_t k = 0; k < 3; ++k)
     if (normal.dot((t[(k + 1) % 3] - t[k]).cross(p - t[k])) < 0) return false;
@@ -39,7 +39,7 @@ struct Segment {
   }
 };
 
-/// A solid without its rounding, which whoever asks puts back.
+/// A solid without its rounding, which the caller adds again.
 struct Core {
   const Solid& solid;
   [[nodiscard]] SegmentNearest nearestTo(const Vector3d& a, const Vector3d& b) const { return solid.nearestTo(a, b); }
@@ -49,9 +49,9 @@ struct Core {
   }
 };
 
-/// The nearest points of a convex body and a triangle are on an edge of the triangle, or the body's is the one farthest
-/// towards the face. Where they meet without an edge of the triangle meeting the body, the face cuts the body off
-/// whole.
+/// Returns the gap of a convex body and a triangle. The nearest points are on an edge of the triangle, or the body's is
+/// the one farthest towards the face. If they meet without an edge of the triangle meeting the body, the face cuts the
+/// body completely.
 template <class Body>
 TriangleGap gapBetween(const Corners& t, const Body& body) {
   TriangleGap best{-std::numeric_limits<double>::infinity(), {}};

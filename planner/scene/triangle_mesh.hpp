@@ -1,4 +1,4 @@
-// A surface of triangles as data, and what is known of it as a whole.
+// A surface of triangles as data, and its topology.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,26 +15,26 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// More would take seconds to read at every command.
+/// Largest number of triangles; more would take seconds to read at every command.
 inline constexpr std::size_t kMostTriangles = 2'000'000;
 
-/// Empty for a mesh that can be used: it has triangles, not too many, with corners that exist and are finite numbers of
-/// at most a million, not all of them without a face.
+/// Returns the problem of a mesh; empty if it is usable. A usable mesh has triangles, not too many, with corners that
+/// exist and are finite numbers of at most a million, and not all of them degenerate.
 [[nodiscard]] std::string findMeshProblem(const TriangleMesh& mesh);
 
-/// How the triangles meet. Corners in the very same place are one.
+/// Topology of the triangles. Corners at the same coordinates count as one.
 struct MeshSurvey {
-  std::size_t open_edges = 0;    ///< with an odd number of triangles
-  std::size_t turned_edges = 0;  ///< passed more often one way than the other: neighbours that face opposite ways
+  std::size_t open_edges = 0;    ///< edges with an odd number of triangles
+  std::size_t turned_edges = 0;  ///< edges passed more often one way than the other: neighbours that face opposite ways
   Eigen::AlignedBox3d bounds;
-  /// The surface has an inside: round any edge as many triangles face one way as the other.
+  /// Returns true if the surface has an inside: round any edge as many triangles face one way as the other.
   [[nodiscard]] bool isClosed() const { return open_edges == 0 && turned_edges == 0; }
 };
 
-/// The mesh must be free of problems.
+/// Surveys a mesh, which must be free of problems.
 [[nodiscard]] MeshSurvey surveyMesh(const TriangleMesh& mesh);
 
-/// "solid", or "a surface: 12 edges are open", as a sentence goes on after "it is ".
+/// Returns "solid", or "a surface: 12 edges are open", to follow "it is ".
 [[nodiscard]] std::string describe(const MeshSurvey& survey);
 
 }  // namespace tubeplan::planner

@@ -1,4 +1,4 @@
-// Triangles in a tree of boxes: those near something are found without looking at the others.
+// Triangles in a tree of boxes: those near a body are found without looking at the others.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,36 +14,36 @@ namespace tubeplan::planner {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-/// Least of the triangle along a direction.
+/// Returns the least coordinate of the triangle along a direction.
 [[nodiscard]] inline double leastAlong(const Corners& triangle, const Eigen::Vector3d& direction) {
   return std::min({direction.dot(triangle[0]), direction.dot(triangle[1]), direction.dot(triangle[2])});
 }
 
 class TriangleTree {
  public:
-  /// A mesh free of problems, its frame M placed at X_FM.
+  /// `mesh` must be free of problems; its frame M is placed at X_FM.
   TriangleTree(const TriangleMesh& mesh, const Eigen::Isometry3d& X_FM);
 
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return nodes_.front().box; }
   [[nodiscard]] std::span<const Corners> triangles() const { return triangles_; }
 
   /// Calls `look(corners)` for triangles in the order of their boxes' distance. `distance_of(box, least)` is a lower
-  /// bound of what a triangle in the box can give; a box of `least` or more is left out. `look` lowers `least` itself.
+  /// bound of the result for a triangle in the box; boxes of `least` or more are skipped. `look` lowers `least` itself.
   template <class DistanceOf, class Look>
   void nearestFirst(const DistanceOf& distance_of, const Look& look, const double& least) const {
     descend(0, distance_of(nodes_.front().box, least), distance_of, look, least);
   }
 
-  /// How often the surface turns round p_F: not zero inside a closed mesh. Counted along a ray, triangles that face it
-  /// against those that face away. None where every ray that was tried passes too near an edge to tell, as for a point
-  /// on the surface.
+  /// Returns the winding number of the surface round p_F: not zero inside a closed mesh. It counts triangles along a
+  /// ray that face it against those that face away. Nothing if every ray that was tried passes too near an edge, as for
+  /// a point on the surface.
   [[nodiscard]] std::optional<int> windingNumber(const Eigen::Vector3d& p_F) const;
 
  private:
   struct Node {
     Eigen::AlignedBox3d box;
-    int first = 0, count = 0;  ///< of the triangles of a leaf
-    int right = 0;             ///< the other child, the one being the next node; 0 for a leaf
+    int first = 0, count = 0;  ///< triangles of a leaf
+    int right = 0;             ///< the second child, the first being the next node; 0 for a leaf
   };
   struct Item;  ///< a triangle while the tree is built
 

@@ -1,9 +1,8 @@
 // A polyline travelled without rest at its inner waypoints: straight stretches at constant speed, joined by parabolas
 // that cut the corners (linear segments with parabolic blends: Paul, Robot Manipulators, 1981, chapter 5).
 //
-// A parabola lasts b and begins and ends b/2 from the waypoint's time; at most |v' - v| b / 8 parts it from the corner.
-// What is driven, and so what is to be proved, are chords of the parabolas: rows of a path are joined by straight
-// lines.
+// A parabola lasts b and begins and ends b/2 from the waypoint's time; it is at most |v' - v| b / 8 from the corner.
+// The arm moves, and is proved free, along chords of the parabolas: rows of a path are joined by straight lines.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,9 +12,9 @@
 
 namespace tubeplan::planner {
 
-/// From `start` on, until the next phase: constant acceleration.
+/// A phase of constant acceleration, from `start` until the next phase.
 struct FlowPhase {
-  double start = 0, duration = 0;             ///< s
+  double start = 0, duration = 0;             ///< [s]
   Eigen::VectorXd from, speed, acceleration;  ///< rad, rad/s, rad/s^2 (m for a slide)
 
   [[nodiscard]] Eigen::VectorXd at(double time_in_phase) const;
@@ -24,18 +23,19 @@ struct FlowPhase {
 struct TimedFlow {
   std::vector<FlowPhase> phases;
   Eigen::VectorXd end;
-  double duration = 0;  ///< s
+  double duration = 0;  ///< [s]
 };
 
-/// From rest at the first waypoint to rest at the last, no joint beyond its limits. At least one waypoint; a single one
-/// gives a flow without phases. Asserts that the limits are usable (`findSpeedProblems`).
+/// Times a flow from rest at the first waypoint to rest at the last, with no joint beyond its limits. There must be one
+/// waypoint or more; a single one gives a flow without phases. Asserts that the limits are usable
+/// (findSpeedProblems()).
 [[nodiscard]] TimedFlow timeFlow(const std::vector<Eigen::VectorXd>& waypoints, const JointSpeeds& speeds);
 
-/// Postures at most `max_step` [s] apart, evenly within each straight phase, and at the ends of the chords of each
-/// curved one. Times rise strictly; empty for a flow without phases.
+/// Returns postures at most `max_step` [s] apart, evenly within each straight phase, and at the ends of the chords of
+/// each curved one. Times are strictly increasing; empty for a flow without phases.
 [[nodiscard]] std::vector<TimedPosture> sampleFlow(const TimedFlow& flow, double max_step);
 
-/// The postures between which the samples run straight, whatever their step: ends of phases and of chords.
+/// Returns the postures between which the samples are straight, for any step: ends of phases and of chords.
 [[nodiscard]] std::vector<Eigen::VectorXd> cornersOf(const TimedFlow& flow);
 
 }  // namespace tubeplan::planner

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 
-/// Between holes the tool has no leave to touch anything that stands in the world.
+/// Returns the scene for travels between holes, in which the tool may not touch obstacles.
 Scene withoutContact(Scene scene) {
   if (scene.links.empty()) return scene;
   std::set<std::string> tool{scene.links.back().name}, obstacles;
@@ -33,7 +33,7 @@ Scene withoutContact(Scene scene) {
   return scene;
 }
 
-/// Greatest distance of a body point from its row's origin, which is slid along the row's z.
+/// Returns the greatest distance of a body point from its row's origin, with the origin moved along the row's z.
 double thickestBody(const Scene& scene, const std::vector<double>& slid) {
   double thick = 0;
   for (const auto& body : scene.bodies) {
@@ -44,7 +44,8 @@ double thickestBody(const Scene& scene, const std::vector<double>& slid) {
   return thick;
 }
 
-/// The lengths of all rows beyond a row's axis and the thickest body: no point is further from it.
+/// Returns the sum of the lengths of all rows beyond a row's axis and the thickest body: no point is further from the
+/// axis.
 double reachBeyond(const deflection::Arm& arm, int row, double thick) {
   double reach = thick;
   for (std::size_t next = static_cast<std::size_t>(row) + 1; next < arm.rows.size(); ++next)
@@ -53,7 +54,7 @@ double reachBeyond(const deflection::Arm& arm, int row, double thick) {
   return reach;
 }
 
-/// Per joint, what it can move a point by, with the rows that turn with it. A slide moves all by 1.
+/// Returns for each joint the greatest motion of a point, with the rows that turn with it; a slide moves all by 1.
 VectorXd leversOf(const deflection::Arm& arm, double thick) {
   const auto active = deflection::activeRows(arm);
   VectorXd lever = VectorXd::Zero(static_cast<Eigen::Index>(active.size()));
@@ -125,14 +126,14 @@ class PathClearance {
  private:
   [[nodiscard]] bool isStopped() const { return hooks_.stop && hooks_.stop(); }
 
-  /// Else the row is refuted, and the way there may have no end.
+  /// Returns true if a row is within limits. Otherwise it is refuted, and the travel to it may be unbounded.
   [[nodiscard]] bool isWithinLimits(const VectorXd& q) const {
     for (int j = 0; j < q.size(); ++j)
       if (isPastLimit(arm_.joint(j), q[j])) return false;
     return true;
   }
 
-  /// What was met at a row is a lower value of its margin, by no more than it may be off.
+  /// Checks the stated clearance. A margin met at a row is a lower bound of the true one, with a limited error.
   void checkStated() {
     if (!plan_.least_clearance || plan_.path.empty()) return;
     const double stated = *plan_.least_clearance - travel_scene_.clearance;
@@ -146,7 +147,7 @@ class PathClearance {
     return marginOf(placing_.place(q), 0, kind, names);
   }
 
-  /// Rows are placed side by side, as many as the processor has lanes.
+  /// Returns the margin at a row. Rows are placed side by side, as many as the processor has lanes.
   double marginAtRow(std::size_t k, std::string* names) {
     const auto lanes = static_cast<std::size_t>(placing_.lanes());
     if (k % lanes == 0) {
@@ -166,7 +167,7 @@ class PathClearance {
            placed.bow[static_cast<std::size_t>(lane)] - jump_;
   }
 
-  /// No point of the arm moves further than this in a straight joint move, deflection's change included.
+  /// Returns the upper bound of any point's travel in a straight joint move, including changes of the deflection.
   double travel(const VectorXd& a, const VectorXd& b) const { return lever_.dot((b - a).cwiseAbs()); }
 
   void meet(double margin, const std::string& names) {
@@ -175,7 +176,7 @@ class PathClearance {
     result_.tightest = names;
   }
 
-  /// False once the stretch is refuted, or all is stopped.
+  /// Proves the stretch between two rows. Returns false once it is refuted, or the check is stopped.
   bool proveBetween(const PathRow& a, const VectorXd& qb, double margin_a, double margin_b, std::size_t row) {
     const double far = travel(a.q, qb), proved = std::min({margin_a, margin_b, (margin_a + margin_b - far) / 2});
     const bool too_coarse = proved < least_met_ - options_.report_accuracy && far >= options_.least_travel;
@@ -206,17 +207,17 @@ class PathClearance {
   Scene travel_scene_;
   LipschitzMargins travelling_, approaching_;
   deflection::RowPlacing placing_;
-  deflection::PlacedRows rows_;  ///< those around the one asked about
+  deflection::PlacedRows rows_;  ///< those around the requested one
   std::vector<Isometry3d> frames_;
   VectorXd lever_;
   double jump_ = 0;
-  double least_met_ = std::numeric_limits<double>::infinity();  ///< m, margin of a posture
+  double least_met_ = std::numeric_limits<double>::infinity();  ///< least margin of a posture [m]
 };
 
 }  // namespace
 
 bool isPastLimit(const deflection::Joint<double>& joint, double q) {
-  constexpr double kRounding = 1e-12;  // rad or m, to which a plan's files state joint values
+  constexpr double kRounding = 1e-12;  // resolution of joint values in a plan's files [rad or m]
   return q < joint.lower - kRounding || q > joint.upper + kRounding;
 }
 

@@ -1,4 +1,4 @@
-// Proves again that the arm keeps clear along a written path: the last of the checks of plan_checks.hpp.
+// A second proof that the arm keeps clear along a written path: the last of the checks of plan_checks.hpp.
 #pragma once
 
 #include "planner/verification/plan_checks.hpp"
@@ -7,11 +7,11 @@ namespace tubeplan::planner {
 
 using TellFinding = std::function<void(std::string what)>;
 
-/// Past it by more than rounding. [rad or m]
+/// Returns true if a joint value [rad or m] is beyond its limits by more than rounding.
 [[nodiscard]] bool isPastLimit(const deflection::Joint<double>& joint, double q);
 
-/// At the path's rows and everywhere between those within the joints' limits. All joint values must be there, and
-/// finite. `find` is given what is wrong; `result` gets the least margin and the tightest pair.
+/// Checks the clearance at the path's rows and everywhere between those within the joints' limits. All joint values
+/// must exist and be finite. `find` is called for each fault; `result` receives the least margin and the tightest pair.
 void checkPathClearance(const Workcell& cell, const StatedPlan& plan, const PlanCheckOptions& options,
                         const PlanHooks& hooks, const TellFinding& find, PlanCheck& result);
 

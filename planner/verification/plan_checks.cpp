@@ -19,8 +19,8 @@ namespace {
 using Eigen::Vector3d, Eigen::VectorXd;
 constexpr std::size_t kMostFindings = 100;
 constexpr double kLimitShare = 1 + 1e-9;
-constexpr double kTimeTolerance = 1e-6;  // s
-constexpr double kSumTolerance = 1e-3;   // s, of many
+constexpr double kTimeTolerance = 1e-6;  // [s]
+constexpr double kSumTolerance = 1e-3;   // of a sum of many times [s]
 
 class Checker {
  public:
@@ -56,7 +56,7 @@ class Checker {
     if (result_.findings.size() < kMostFindings) result_.findings.push_back(std::move(what));
   }
 
-  /// Not a number where the shape does not converge.
+  /// Returns the tip; NaN if the shape does not converge.
   Vector3d tipAt(const VectorXd& q) {
     if (arm_.solve({q, cell_.load, gravity_B_}, {1e-13, 100}) != deflection::KinematicsStatus::kConverged)
       return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -96,7 +96,7 @@ class Checker {
       checkStatics(name, tube.q, tip);
       if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance))
         find(name + ": the stated tip is not the model's");
-      // Sideways: what lets a step of the tool in or keeps it out.
+      // The lateral offset, which decides whether a step of the tool enters.
       const double sideways = (tip - tube.hole_W).head<2>().norm();
       if (tube.centring_error && !(std::abs(*tube.centring_error - sideways) <= options_.stated_tolerance))
         find(name + ": the stated centring error is not the model's");
@@ -108,7 +108,8 @@ class Checker {
     }
   }
 
-  /// Of the posture that was solved last: the tool enters where it leans no more than its first step allows.
+  /// Checks the tilt of the posture that was solved last: the tool enters if it leans no more than its first step
+  /// allows.
   void checkTilt(const std::string& tube, const std::optional<double>& stated) {
     const Vector3d axis_W = cell_.X_WB.linear() * (arm_.X_BD().R * cell_.arm.tool_axis_L);
     const double tilt = std::atan2(axis_W.cross(kHoleAxis_W).norm(), axis_W.dot(kHoleAxis_W));
@@ -122,7 +123,7 @@ class Checker {
       find(tube + ": the stated tilt is not the model's");
   }
 
-  /// The deflected shape once more, by a method that shares nothing with the first.
+  /// Computes the deflected shape again, by a method without common code.
   void checkStatics(const std::string& tube, const VectorXd& q, const Vector3d& tip) {
     const auto other = solveSegmentedStatics(cell_.arm, {q, cell_.load, gravity_B_});
     if (other.status == SegmentedStaticsStatus::kNotCovered) {
@@ -138,11 +139,11 @@ class Checker {
           apart));
   }
 
-  /// Travels before the first approach: the one from the start posture, or none.
+  /// Returns the number of travels before the first approach: the one from the start posture, or none.
   int leading() const { return !plan_.path.empty() && plan_.path.front().kind == SegmentKind::kTravel ? 1 : 0; }
 
-  /// Time rises, and segments follow one another: up to a tube, down from it, on to the next. A path may set out from a
-  /// posture and come to rest in one.
+  /// Checks that time increases, and that segments follow one another: up to a tube, down from it, on to the next. A
+  /// path may begin and end in a posture at rest.
   void checkOrder() {
     static constexpr std::array kCycle{SegmentKind::kTravel, SegmentKind::kApproach, SegmentKind::kRetreat};
     const int first = 1 - leading();
@@ -179,8 +180,8 @@ class Checker {
       }
   }
 
-  /// Mean speeds between rows, and their change over the time between the middles: within limits if the motion itself
-  /// is.
+  /// Checks the mean speeds between rows, and their change over the time between the middles: they are within limits if
+  /// the motion itself is.
   void checkSpeeds() {
     const JointSpeeds limits = jointSpeedsOf(cell_.arm);
     VectorXd before;
@@ -196,7 +197,7 @@ class Checker {
         const VectorXd acceleration = (speed - before) / ((step + step_before) / 2);
         const double pull = (acceleration.cwiseAbs().array() / limits.max_acceleration.array()).maxCoeff();
         result_.worst_acceleration_share = std::max(result_.worst_acceleration_share, pull);
-        // Joint values are written to 1e-12 rad; over two short steps that is a share of the limit, too.
+        // Joint values are written to 1e-12 rad, which over two short steps is a share of the limit, too.
         const double rounding = 8e-12 / (step * std::min(step, step_before)) / limits.max_acceleration.minCoeff();
         if (!(pull <= kLimitShare + rounding))
           find(fmt::format("path row {}: a joint exceeds its acceleration limit ({:.4f} of it)", k + 1, pull));
@@ -206,7 +207,7 @@ class Checker {
     }
   }
 
-  /// The stated times are those of the path.
+  /// Checks that the stated times are those of the path.
   void checkTimes() {
     if (plan_.path.empty()) return;
     double travel = 0;
@@ -220,14 +221,14 @@ class Checker {
     compare("total time", plan_.total_time, plan_.path.back().time - plan_.path.front().time);
   }
 
-  /// How long the arm rests at a row [s].
+  /// Returns how long the arm rests at a row [s].
   double stayAfter(std::size_t k) const {
     std::size_t last = k;
     while (last + 1 < plan_.path.size() && plan_.path[last + 1].q == plan_.path[k].q) ++last;
     return plan_.path[last].time - plan_.path[k].time;
   }
 
-  /// Each stated tube must be the end of one approach, in order, and the arm stay there as stated.
+  /// Checks that each stated tube is the end of one approach, in order, and that the arm stays there as stated.
   void checkApproaches() {
     std::size_t tube = 0;
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
@@ -248,7 +249,7 @@ class Checker {
     if (tube < plan_.tubes.size()) find(fmt::format("the path approaches {} of {} tubes", tube, plan_.tubes.size()));
   }
 
-  /// Up to a tube and down from it the tip follows the hole's axis, at the rows and midway between them.
+  /// Checks that the tip follows the hole's axis up to a tube and down from it, at the rows and midway between them.
   void checkAxes() {
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
       const PathRow& row = plan_.path[k];
@@ -267,7 +268,7 @@ class Checker {
     }
   }
 
-  /// What of the tool is in a tube keeps off it.
+  /// Checks that the part of the tool in a tube does not touch it.
   void checkPlay(std::size_t k, const VectorXd& q, const StatedTube& tube) {
     if (!(cell_.insertion > 0)) return;
     const Vector3d off = tipAt(q) - tube.hole_W;
@@ -279,7 +280,7 @@ class Checker {
                        tubesheets::tubeName(tube.row, tube.column)));
   }
 
-  /// Infinite where the shape does not converge.
+  /// Returns the distance from the hole's axis; infinite if the shape does not converge.
   double offAxis(const VectorXd& q, const StatedTube& tube) {
     const double off = (tipAt(q) - tube.hole_W).head<2>().norm();
     return std::isnan(off) ? std::numeric_limits<double>::infinity() : off;

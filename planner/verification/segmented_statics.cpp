@@ -15,17 +15,17 @@ using deflection::JointType;
 using Eigen::AngleAxisd, Eigen::Matrix3d, Eigen::Vector3d;
 using Row = deflection::Row<double>;
 
-/// A rigid step outwards: a turn, a spring, then a way with its weight; and what hangs at its end.
+/// A rigid step outwards: a rotation, a spring, then a translation with its weight; and the loads at its end.
 struct Step {
   Matrix3d turn = Matrix3d::Identity();
-  Matrix3d compliance = Matrix3d::Zero();  ///< rad/(N m), of the spring behind the turn, in its axes
+  Matrix3d compliance = Matrix3d::Zero();  ///< of the spring after the rotation, in its axes [rad/(N m)]
   Vector3d softness = Vector3d::Zero(), knee = Vector3d::Zero();
   Vector3d way = Vector3d::Zero();
-  double weight = 0;                       ///< N, along the way
-  double end_weight = 0;                   ///< N, at its end ...
-  Vector3d end_moment = Vector3d::Zero();  ///< ... and the first moment there of what hangs aside [N m]
-  Vector3d pull_B = Vector3d::Zero();      ///< N, at its end, in base axes
-  Vector3d bent = Vector3d::Zero();        ///< rad, how the spring has turned
+  double weight = 0;                       ///< along the translation [N]
+  double end_weight = 0;                   ///< at its end [N]
+  Vector3d end_moment = Vector3d::Zero();  ///< first moment of eccentric loads at its end [N m]
+  Vector3d pull_B = Vector3d::Zero();      ///< force at its end, in base axes [N]
+  Vector3d bent = Vector3d::Zero();        ///< rotation of the spring [rad]
 };
 
 Matrix3d turned(const Vector3d& by) {
@@ -33,7 +33,7 @@ Matrix3d turned(const Vector3d& by) {
   return angle > 0 ? AngleAxisd(angle, by / angle).toRotationMatrix() : Matrix3d::Identity();
 }
 
-/// Denavit and Hartenberg's four steps as Craig has them with Hayati's lean, or URDF's, written out.
+/// Placement by Denavit and Hartenberg's four steps in Craig's form with Hayati's beta, or by URDF's origin.
 struct Placement {
   Vector3d way;
   Matrix3d turn;
@@ -52,7 +52,7 @@ Placement placementOf(const Row& row) {
               .toRotationMatrix()};
 }
 
-/// Curvature per moment [1/(N m^2)] of a member along e.
+/// Returns the curvature per moment [1/(N m^2)] of a member along e.
 Matrix3d curvatureOf(const Row& row, const Vector3d& e) {
   Matrix3d curvature = Matrix3d::Zero();
   const auto addAbout = [&](int axis, double compliance) {
@@ -85,7 +85,7 @@ class SegmentedArm {
     }
   }
 
-  /// One pass: where everything is, then what turns each spring; the largest change [rad].
+  /// Makes one pass: places everything, then turns each spring. Returns the largest change [rad].
   double pass() {
     place();
     const Vector3d& g = posture_.gravity_B;
@@ -106,7 +106,7 @@ class SegmentedArm {
     return change;
   }
 
-  /// The tip for the springs as they are turned.
+  /// Returns the tip for the present rotations of the springs.
   Vector3d tip() {
     place();
     return tip_;
@@ -154,7 +154,7 @@ class SegmentedArm {
     }
   }
 
-  /// Lumps of a rigid row hang from its frame; along a flexible member each hangs from the piece that it is beside.
+  /// Adds lumps: those of a rigid row hang from its frame; along a flexible member each hangs from the nearest piece.
   void addLumps(const Row& row, const Vector3d& member) {
     const bool gives = member.squaredNorm() > 0 && !curvatureOf(row, member.normalized()).isZero(0);
     Step& frame = steps_.emplace_back();
@@ -211,7 +211,7 @@ class SegmentedArm {
     }
   }
 
-  /// In the axes that the spring is fixed in, those before it turns.
+  /// Returns the moment in the axes that the spring is fixed in, before its rotation.
   [[nodiscard]] Vector3d springMoment(std::size_t k, const Vector3d& moment_B) const {
     return turned(steps_[k].bent) * (frames_[k].transpose() * moment_B);
   }
@@ -230,7 +230,7 @@ class SegmentedArm {
   int pieces_;
   std::vector<Step> steps_;
   std::vector<std::pair<double, deflection::Lump<double>>> pending_;  ///< lumps along the member to come
-  std::vector<Matrix3d> frames_;                                      ///< of each step, behind its spring
+  std::vector<Matrix3d> frames_;                                      ///< of each step, after its spring
   Vector3d tip_;
 };
 

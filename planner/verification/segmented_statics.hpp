@@ -1,5 +1,5 @@
 // The deflected tip by another method than the plan's: members cut into many rigid pieces with a spring in the middle
-// of each, and nothing shared with the kernels, elements or derivatives of the flexible kinematics. Slow and plain: a
+// of each, without any code of the flexible kinematics' kernels, elements or derivatives. It is slow and simple: a
 // second opinion for the checker.
 #pragma once
 
@@ -11,8 +11,8 @@
 namespace tubeplan::planner {
 
 struct SegmentedStaticsOptions {
-  int pieces = 32;          ///< of every flexible member: the error falls with their square
-  double tolerance = 1e-9;  ///< rad, largest turn of a spring between two passes that asks for another
+  int pieces = 32;          ///< pieces of every flexible member; the error decreases with their square
+  double tolerance = 1e-9;  ///< largest rotation of a spring between two passes that still requires another [rad]
   int max_passes = 200;
 };
 
@@ -20,12 +20,12 @@ enum class SegmentedStaticsStatus { kNotRun, kConverged, kNotConverged, kNotCove
 
 struct SegmentedStatics {
   SegmentedStaticsStatus status = SegmentedStaticsStatus::kNotRun;
-  std::string reason;                              ///< why not
-  Eigen::Vector3d p_BD = Eigen::Vector3d::Zero();  ///< m, the deflected tip in the base
+  std::string reason;                              ///< reason if not converged
+  Eigen::Vector3d p_BD = Eigen::Vector3d::Zero();  ///< deflected tip in the base [m]
 };
 
-/// The shape at rest: every spring turns by its compliance times the moment of what lies beyond it, taken on the bent
-/// shape. Effects take part by their own laws; arms with clearances are not covered.
+/// Solves the shape at rest: every spring turns by its compliance times the moment of everything beyond it, on the bent
+/// shape. Effects act by their own laws; arms with clearances are not covered.
 [[nodiscard]] SegmentedStatics solveSegmentedStatics(const deflection::Arm& arm, const deflection::Posture& posture,
                                                      const SegmentedStaticsOptions& options = {});
 

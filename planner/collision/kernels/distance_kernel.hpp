@@ -1,8 +1,8 @@
-// Distances between segments and what they may meet, side by side. See lanes.hpp for the numbers.
+// Distances of segments from obstacles and each other, side by side. See lanes.hpp for the numbers.
 //
-// Those of planes, spheres and other segments are closed forms. Along a segment the squared distance from a box or a
-// cylinder is convex: its slope's zero is found by Newton steps kept within a bracket, as in segment_distance.hpp, each
-// lane until it rests. What is given is then the gap between the planes that support the two across the points found:
+// Distances from planes, spheres and other segments are closed forms. Along a segment the squared distance from a box
+// or a cylinder is convex: its slope's zero is found by Newton steps kept within a bracket, as in segment_distance.hpp,
+// each lane until it converges. The result is the gap between the planes that support the two across the points found:
 // never more than the distance, wherever the search ended.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace tubeplan::planner::kernels;
 
-constexpr double kContactGap = 1e-9;   // m; a gap that is smaller counts as contact
+constexpr double kContactGap = 1e-9;   // a smaller gap counts as contact [m]
 constexpr double kFinestStep = 1e-15;  // as a share of the segment
 constexpr int kMostSteps = 100;
 
@@ -24,8 +24,8 @@ struct Segment {
 inline Real squared(Vec v) { return dot(v, v); }
 inline Real clamped(Real x, Real low, Real high) { return least(greatest(x, low), high); }
 
-/// Of two segments (Ericson 2005, 5.1.9): the nearest points have an end of one, or are where the common perpendicular
-/// stands. All of these are tried.
+/// Returns the squared distance of two segments (Ericson 2005, 5.1.9). The nearest points have an end of one, or lie on
+/// the common perpendicular; all of these are tried.
 inline Real squaredDistance(const Segment& a, const Segment& b) {
   const Real zero = constant(0), one = constant(1);
   const Vec along_a = a.to - a.from, along_b = b.to - b.from, offset = a.from - b.from;
@@ -42,12 +42,12 @@ inline Real squaredDistance(const Segment& a, const Segment& b) {
                at(onA(one), one));
 }
 
-/// Half the slope of the squared distance along a segment, and the slope of that.
+/// Half the slope of the squared distance along a segment, and its derivative.
 struct Slope {
   Real slope, curvature;
 };
 
-/// Where on the segment, 0 to 1, the slope passes zero; `asked` are the lanes that matter.
+/// Returns the place on the segment, 0 to 1, where the slope is zero; `asked` are the lanes that matter.
 template <class SlopeAt>
 inline Real levelPlace(Bits asked, const SlopeAt& slope_at) {
   const Real zero = constant(0), one = constant(1);
@@ -71,7 +71,8 @@ inline Real levelPlace(Bits asked, const SlopeAt& slope_at) {
   return select(at_start, zero, select(at_end, one, s));
 }
 
-/// The gap across the points found: `reach` of the solid towards the segment, for a direction of length 1.
+/// Returns the gap across the points found. `reach` is the solid's extent towards the segment, for a direction of
+/// length 1.
 template <class Reach>
 inline Real gapAcross(const Segment& segment, Vec on_segment, Vec on_solid, Real radius, const Reach& reach) {
   const Vec way = on_solid - on_segment;
@@ -81,7 +82,7 @@ inline Real gapAcross(const Segment& segment, Vec on_segment, Vec on_solid, Real
   return select(isLess(constant(kContactGap), distance), gap, -greatest(radius, constant(kContactGap)));
 }
 
-/// Of a capsule from the box of half the size `half` about the origin.
+/// Returns the distance of a capsule from the box of half size `half` about the origin.
 inline Real distanceFromBox(Bits asked, const Segment& segment, Real radius, Vec half) {
   const Real zero = constant(0);
   const Vec along = segment.to - segment.from;
@@ -106,7 +107,7 @@ inline Real distanceFromBox(Bits asked, const Segment& segment, Real radius, Vec
   });
 }
 
-/// Of a capsule from the cylinder about z.
+/// Returns the distance of a capsule from the cylinder about z.
 inline Real distanceFromCylinder(Bits asked, const Segment& segment, Real radius, Real thick, Real half) {
   const Real zero = constant(0);
   const Vec along = segment.to - segment.from;
@@ -128,7 +129,7 @@ inline Real distanceFromCylinder(Bits asked, const Segment& segment, Real radius
   });
 }
 
-/// Square of how far a point is outside the box.
+/// Returns the square of a point's distance outside the box.
 inline Real squaredBeyondBox(Vec p, Vec half) {
   const Real zero = constant(0);
   return squared({greatest(absolute(p.x) - half.x, zero), greatest(absolute(p.y) - half.y, zero),

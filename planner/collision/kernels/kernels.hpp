@@ -1,4 +1,4 @@
-// The clearance kernels for this processor: the same numbers, bit for bit, some postures at a time.
+// The clearance kernels for this processor: the same numbers, bit for bit, for several postures at a time.
 #pragma once
 
 #include <span>
@@ -12,10 +12,10 @@ struct Kernel {
   void (*nearest)(const PlainScene&, const double* frames, const FoundPairs&);
 };
 
-/// As many as deflection/revolute_chain/kernels.hpp has, of the same widths.
+/// Returns the kernels, as many as deflection/revolute_chain/kernels.hpp has and of the same widths.
 std::span<const Kernel> kernels();
 
-/// The one of that width.
+/// Returns the kernel of that width.
 const Kernel& kernelOf(int lanes);
 
 }  // namespace tubeplan::planner::kernels

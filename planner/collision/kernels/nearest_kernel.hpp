@@ -1,8 +1,8 @@
-// The nearest pair of each of the postures side by side. See plain_cell.hpp for what is given.
+// The nearest pair of each of the postures side by side. See plain_cell.hpp for the input.
 //
 // Pairs are taken one after the other, all postures at once. Before a search, or two segments, the sphere around the
-// capsule decides whether a pair can be nearer than the nearest so far; a lane where it cannot is left as it is even
-// when its neighbours go on, so that every posture has the same bits in any company.
+// capsule decides whether a pair can be nearer than the nearest so far; a lane where it cannot is unchanged even
+// if its neighbours continue, so that every posture has the same bits whatever its neighbours.
 #pragma once
 
 #include "planner/collision/kernels/distance_kernel.hpp"
@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kInfinity = __builtin_inf();
 
-/// Whether things whose middles are so far apart (squared) can be nearer than `limit`, all within `reach` of the
-/// middles.
+/// Returns true if bodies within `reach` of their middles, which have that squared distance, can be nearer than
+/// `limit`.
 inline Bits mayBeNearer(Real squared_apart, Real limit, double reach) {
   const Real most = limit + reach;
   return isLess(constant(0), most) & ~isLess(most * most, squared_apart);
@@ -86,7 +86,7 @@ inline Found look(const PlainScene& scene, const PlainPair& pair, const FoundPai
   }
 }
 
-/// `frames` as PlacedRows has them, as far apart as the results.
+/// Finds the nearest pair. `frames` are laid out as in PlacedRows, with the stride of the results.
 inline void findNearest(const PlainScene& scene, const double* frames, const FoundPairs& out) {
   for (int i = 0; i < scene.body_count; ++i) {
     const PlainBody& body = scene.bodies[i];

@@ -1,4 +1,4 @@
-// A cell as plain numbers: what the clearance kernels are given.
+// A cell as plain numbers: the input of the clearance kernels.
 //
 // Postures stand side by side: entry l of each array belongs to lane l, numbers of a posture are `stride` apart.
 //
@@ -11,18 +11,18 @@ namespace tubeplan::planner::kernels {
 
 using deflection::simd::kMostLanes, deflection::simd::PlainPose;
 
-/// A capsule carried by a row, in its frame. Around the body, where that is another solid.
+/// A capsule in the frame of the row that carries it; around the body, if that is another solid.
 struct PlainBody {
   int row;
   double from[3], to[3], radius, half_length;
 };
 
-/// [m]; what a kind of pair does not need is nothing.
+/// An obstacle [m]; numbers that a kind of pair does not need are zero.
 struct PlainObstacle {
-  double from[3], to[3];       ///< of a capsule; `from` of a plane is a point of it, of a sphere its centre
-  double normal[3];            ///< of a plane, of length 1
+  double from[3], to[3];       ///< ends of a capsule; `from` is a point of a plane or the centre of a sphere
+  double normal[3];            ///< normal of a plane, of length 1
   double radius, half_length;  ///< of a sphere, a capsule, or a cylinder about z of C
-  double half[3];              ///< of the sizes of a box along the axes of C
+  double half[3];              ///< half sizes of a box along the axes of C
   PlainPose X_CW;
 };
 
@@ -33,7 +33,7 @@ struct PlainPair {
   int body, other;
 };
 
-/// First the pairs whose distance the kernel gives, then those of which it gives a lower bound.
+/// A scene, with the pairs first whose distance the kernel computes, then those for which it computes a lower bound.
 struct PlainScene {
   const PlainBody* bodies;
   const PlainObstacle* obstacles;
@@ -42,10 +42,10 @@ struct PlainScene {
 };
 
 struct FoundPairs {
-  double* ends;      ///< 6 for each body: from and to in the world
-  double* distance;  ///< least of the exact pairs [m]
-  double* nearest;   ///< which one; -1 where there is none
-  double* bounds;    ///< for each of the other pairs
+  double* ends;      ///< 6 for each body: both ends in the world
+  double* distance;  ///< least distance of the exact pairs [m]
+  double* nearest;   ///< index of that pair; -1 if there is none
+  double* bounds;    ///< one for each of the other pairs
   long stride;
 };
 
