@@ -1,5 +1,5 @@
-// How far the tip is beyond x, y, z along the direction dx, dy, dz, of either sign: a dial indicator, a height gauge, a
-// laser that looks along a line.
+// Kind `axis`: the distance of the tip beyond x, y, z along the direction dx, dy, dz, of either sign, as a dial
+// indicator, a height gauge or a laser along a line measures it.
 #pragma once
 
 #include "calibration/measurements/distance.hpp"

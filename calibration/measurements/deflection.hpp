@@ -1,11 +1,11 @@
-// How far the tip moves by its load, the joint readings unchanged: x, y, z.
+// Kind `deflection`: the displacement of the tip by its load, with the joint readings unchanged, as x, y, z.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"
 
 namespace tubeplan::calibration::deflection_reading {
 
-/// From where the tip rests unloaded at the same joint readings.
+/// Returns the same posture unloaded, from which the displacement is taken.
 inline Departure departure(const Measurement& reading) { return {&reading, true}; }
 
 inline MeasurementKindRow kind() {

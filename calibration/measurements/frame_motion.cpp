@@ -38,8 +38,8 @@ bool isMeasurementScale(const deflection::Arm& arm, const deflection::Variable& 
          deflection::EffectStage::kMeasurement;
 }
 
-/// True lengths to measured ones, where the arm carries an error of the measuring scale: the first rows, all but turns.
-/// Touches of unknown points measure nothing in the world.
+/// Converts true lengths to measured ones, if the arm has an error of the measuring scale: the first rows, all but
+/// rotations. Touches of unknown points measure nothing in the world.
 void scaleCoordinates(const deflection::Arm& arm, const Measurement& reading, const PredictionRequest& request,
                       Prediction& prediction) {
   if (arm.effects.empty() || !kindOf(reading).is_by_scale || touchesUnknownPoint(reading)) return;
@@ -71,7 +71,7 @@ void deriveOf(const FrameMotion& frame, const MeasuredSlope& slope, const Isomet
   auto next = static_cast<Index>(request.numbers.size());
   if (next) seen(0, next, prediction.by_numbers);
   if (request.by_base) {
-    // Turning the base by w turns the arm by w, and gravity, seen from the base, by -w.
+    // A rotation of the base by w turns the arm by w, and gravity in the base frame by -w.
     MeasuredRows by_gravity;
     seen(next, 3, by_gravity);
     next += 3;

@@ -1,4 +1,4 @@
-// From a reading to the posture that the model is asked about.
+// The posture of a reading, as input of the model.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace tubeplan::calibration {
 
-/// The posture that a reading states, for a base placed at X_WB. The one place where a reading's conditions reach the
-/// model.
+/// Returns the posture that a reading states, for a base placed at X_WB. All conditions of a reading reach the model
+/// through this function.
 [[nodiscard]] inline deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm,
                                                    const Eigen::Isometry3d& X_WB) {
   deflection::Posture posture{reading.q, reading.load, deflection::gravityInBase(arm, X_WB)};
@@ -24,7 +24,7 @@ namespace tubeplan::calibration {
   return posture;
 }
 
-/// The reading that a displacement is taken from: another, or the same with nothing on its tip.
+/// Returns the reading from which a displacement is taken: another one, or the same with nothing on its tip.
 [[nodiscard]] inline Measurement readingAt(const Departure& from) {
   Measurement reading = *from.reading;
   if (!from.is_unloaded) return reading;
@@ -33,7 +33,8 @@ namespace tubeplan::calibration {
   return reading;
 }
 
-/// Of a displacement, the posture that it is taken from: the same without its load, or that of another reading.
+/// Returns the posture from which a displacement is taken: the same without its load, or that of another reading.
+/// Nothing for other readings.
 [[nodiscard]] inline std::optional<deflection::Posture> referencePostureOf(const Measurement& reading,
                                                                            const deflection::Arm& arm,
                                                                            const Eigen::Isometry3d& X_WB) {

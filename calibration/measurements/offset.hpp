@@ -1,5 +1,5 @@
-// What a camera on the tool sees of a hole, or of a mark at x, y, z: its centre from the tip along the tool frame's
-// axes, as many of the three as it can see.
+// Kind `offset`: the centre of a hole, or of a mark at x, y, z, from the tip along the tool frame's axes, as a camera
+// on the tool measures it. As many of the three components are stated as the camera sees.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
 inline MeasuredValue measured(const Measurement& reading) {
   return partly_seen::stated<MeasuredValue>(reading, reading.own);
 }
-/// The camera looks along the world's z, the holes' axis.
+/// Writes what a camera sees that looks along the world's z, the holes' axis.
 inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& reading) {
   const Eigen::Index unseen = partly_seen::axisAlong(Eigen::Vector3d::UnitZ(), tool);
   reading.own = partly_seen::without(seen(reading, tool) + noise.head<3>(), unseen);

@@ -1,4 +1,4 @@
-// Kinds that measure some of three components: those that are stated.
+// Parts shared by the kinds that measure some of three components: those that are stated.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@ namespace tubeplan::calibration::partly_seen {
 
 inline int statedRows(const Measurement& reading) { return 3 - static_cast<int>(reading.own.array().isNaN().count()); }
 
-/// The rows that were measured.
+/// Returns the rows that were measured.
 template <class Rows>
 Rows stated(const Measurement& reading, const Rows& all) {
   Rows some(statedRows(reading), all.cols());
@@ -19,13 +19,13 @@ Rows stated(const Measurement& reading, const Rows& all) {
   return some;
 }
 
-/// With what is not seen left out.
+/// Returns the values with NaN for the unseen one.
 inline Eigen::Vector3d without(Eigen::Vector3d values, Eigen::Index unseen) {
   values[unseen] = std::numeric_limits<double>::quiet_NaN();
   return values;
 }
 
-/// The axis of the tool frame that lies most along a direction of the world.
+/// Returns the axis of the tool frame that is most nearly along a direction of the world.
 inline Eigen::Index axisAlong(const Eigen::Vector3d& direction_W, const ToolPose& tool) {
   Eigen::Index axis = 0;
   (tool.R_WT.transpose() * direction_W).cwiseAbs().maxCoeff(&axis);

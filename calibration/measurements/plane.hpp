@@ -1,6 +1,6 @@
-// The tip touches a plane whose place nobody knows: a face of a datum block, a granite table. What is read are the
-// joints; the error is how far the tip is off the plane that all readings of the same point lie nearest to. The radius
-// of a ball at the tip shifts the plane and nothing else, as long as one side is touched.
+// Kind `plane`: the tip touches a plane of unknown place, such as a face of a datum block or a granite table. The
+// joints are read; the error is the distance of the tip from the plane that fits all readings of the same point best.
+// The radius of a ball at the tip only shifts the plane, as long as one side is touched.
 #pragma once
 
 #include <Eigen/Eigenvalues>
@@ -24,7 +24,8 @@ inline MeasuredSlope slope(const Measurement& reading, const ToolPose&) {
 }
 inline MeasuredValue measured(const Measurement&) { return MeasuredValue::Zero(1); }
 
-/// A normal that leans takes a point off by how far it is along the plane.
+/// Returns the slopes by the plane's two angles and its distance. Tilting the normal moves a point off the plane by its
+/// distance along it.
 inline PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& tool) {
   PlaceColumns columns = PlaceColumns::Zero(1, kNumbers);
   if (!reading.surface) return columns;
@@ -34,9 +35,9 @@ inline PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& t
   return columns;
 }
 
-/// The normal is the direction in which the points are spread least, on the side of the one before.
+/// Fits the plane. Its normal is the direction of least spread of the points, on the side of the normal before.
 inline bool settle(const Eigen::Matrix3Xd& points_W, const Measurement&, Surface& surface) {
-  constexpr double kLine = 1e-6;  // of the spread along the points: less across them is a line
+  constexpr double kLine = 1e-6;  // relative to the spread along the points: with less across them they form a line
   if (points_W.cols() < kNumbers) return false;
   const Eigen::Vector3d mean = points_W.rowwise().mean();
   const Eigen::Matrix3Xd from = points_W.colwise() - mean;
@@ -53,7 +54,7 @@ inline Eigen::Vector3d nearest(const Surface& surface, const Eigen::Vector3d& p_
   return p_W - surface.direction_W * surface.direction_W.dot(p_W - surface.p_W);
 }
 
-/// Where it touches is the plane's place.
+/// Writes nothing: the touched point follows from the plane's place.
 inline void recordNothing(const ToolPose&, double, const MeasuredValue&, Measurement&) {}
 
 inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string& kind) {

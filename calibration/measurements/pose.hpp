@@ -1,4 +1,5 @@
-// The tool frame whole: the tip's place x, y, z and its turn roll, pitch, yaw (a tracker's six-degree probe).
+// Kind `pose`: the whole tool frame, with the tip's place x, y, z and its rotation roll, pitch, yaw (a tracker's
+// six-degree probe).
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"

@@ -1,4 +1,4 @@
-// The tip's place, as a laser tracker sees it: x, y, z.
+// Kind `position`: the tip's place x, y, z, as a laser tracker measures it.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"

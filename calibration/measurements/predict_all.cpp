@@ -23,10 +23,10 @@ bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& r
 
 namespace {
 
-constexpr std::size_t kReadingsOfCore = 128;  // that one core takes at once, side by side ...
-constexpr std::size_t kReadingsInTurn = 16;   // ... or one by one, which share what is prepared of the arm
+constexpr std::size_t kReadingsOfCore = 128;  // block for one core, side by side
+constexpr std::size_t kReadingsInTurn = 16;   // block for one core, one by one, which shares the prepared arm
 
-/// What is asked of which readings.
+/// The readings to predict, and the request.
 struct AskedReadings {
   const PlacedArm& placed;
   const std::vector<Measurement>& readings;
@@ -49,7 +49,7 @@ bool predictInTurn(const AskedReadings& asked, std::size_t first, std::size_t co
   return true;
 }
 
-/// A block of readings, and behind them the postures that displacements are taken from.
+/// A block of readings, followed by the reference postures of displacements.
 class SideBySide {
  public:
   explicit SideBySide(const AskedReadings& asked) : asked_(asked) {}
@@ -107,10 +107,10 @@ class SideBySide {
   const AskedReadings& asked_;
   deflection::PostureBatch postures_;
   deflection::TipBatch tips_;
-  std::vector<Index> from_;  ///< the posture to take off, -1 where there is none
+  std::vector<Index> from_;  ///< index of the reference posture, -1 if there is none
   Eigen::Matrix3d tool_frame_;
-  FrameMotion frame_, reference_;  ///< of one reading after the other, as is ...
-  Prediction prediction_;          ///< ... this
+  FrameMotion frame_, reference_;  ///< reused for one reading after another
+  Prediction prediction_;          ///< reused for one reading after another
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Readings predicted on all cores.
+// Prediction of many readings on all cores.
 #pragma once
 
 #include <functional>
@@ -12,13 +12,13 @@ class Kinematics;
 
 namespace tubeplan::calibration {
 
-/// Whether joints, load and gravity are all that matters to the model of any of the readings: arms without effects,
-/// tips on which nothing but a load hangs, no frames of rows. Their shapes are solved side by side.
+/// Returns true if joints, load and gravity are all that the model of these readings depends on, so that their shapes
+/// can be solved side by side. This holds for arms without effects, tips that carry only a load, and no frames of rows.
 [[nodiscard]] bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& readings);
 
-/// Calls `each(k, prediction)` for every reading, the order and the thread left open; reading k is made at base pose
-/// `base_pose_of[k]`. False where a shape does not converge, or as soon as it is asked to stop: some are left out then.
-/// `prepared`, where not null, is of the arm, for few readings that are asked for at one base after another.
+/// Calls `each(k, prediction)` for every reading, in any order and on any thread; reading k is made at base pose
+/// `base_pose_of[k]`. Returns false if a shape does not converge or `stop` asks to stop; some readings are then left
+/// out. `prepared`, if not null, belongs to the arm, and helps when few readings are asked for at many bases.
 [[nodiscard]] bool predictAll(const PlacedArm& placed, const std::vector<Measurement>& readings,
                               const std::vector<int>& base_pose_of, const PredictionRequest& request,
                               const StopQuestion& stop,

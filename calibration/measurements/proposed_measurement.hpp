@@ -1,4 +1,4 @@
-// A reading that could be made. What is proposed is another type than what was measured: it has no measured value.
+// A reading that could be made. It is a type of its own, because it has no measured value.
 #pragma once
 
 #include <limits>
@@ -16,37 +16,38 @@ namespace tubeplan::calibration {
 struct ProposedMeasurement {
   std::string id;
   MeasurementKind kind = MeasurementKind::kPosition;
-  std::string point;  ///< as of Measurement
+  std::string point;  ///< as in Measurement
   std::string setup;
-  double load = 0;         ///< N, hung from the tip
-  Eigen::VectorXd q;       ///< where the joints are brought to, rad (m for a prismatic joint)
-  Eigen::VectorXd side_q;  ///< the same of the side chains' joints
-  std::optional<Eigen::Vector3d>
-      known_W;  ///< m, the hole, mark or anchor that it is taken of; none of a measured place
+  double load = 0;         ///< load hung from the tip [N]
+  Eigen::VectorXd q;       ///< joint positions to move to [rad, m for a prismatic joint]
+  Eigen::VectorXd side_q;  ///< joint positions of the side chains [rad, m]
+  /// Known hole, mark or anchor of the reading [m]; nothing for an unknown place.
+  std::optional<Eigen::Vector3d> known_W;
   std::optional<Eigen::Vector3d> direction_W;
-  std::shared_ptr<const Measurement> reference;             ///< the reading made that a way is taken from
-  bool is_length_alone = false;                             ///< of that way its length is measured, not its coordinates
-  std::optional<int> row;                                   ///< of the arm, as of Measurement
-  std::optional<Surface> surface;                           ///< that `point` is taken to be, of kinds that touch one
-  double given = std::numeric_limits<double>::quiet_NaN();  ///< m, of it what its own column states (a ball's radius)
-  double sigma = std::numeric_limits<double>::quiet_NaN();  ///< m, that a coordinate would have
-  double turn_sigma = std::numeric_limits<double>::quiet_NaN();  ///< rad, that an angle would have
-  std::vector<int> approach_directions;                          ///< in which the joints are to arrive
-  deflection::ConditionValues conditions;  ///< that are expected; nothing can be read before the time among them
+  std::shared_ptr<const Measurement> reference;  ///< earlier reading from which a displacement is taken
+  bool is_length_alone = false;    ///< true: only the length of the displacement is measured, not its coordinates
+  std::optional<int> row;          ///< row of the arm, as in Measurement
+  std::optional<Surface> surface;  ///< assumed surface of `point`, for kinds that touch one
+  /// Number that its own column states, such as a ball's radius [m].
+  double given = std::numeric_limits<double>::quiet_NaN();
+  double sigma = std::numeric_limits<double>::quiet_NaN();       ///< expected standard deviation of a coordinate [m]
+  double turn_sigma = std::numeric_limits<double>::quiet_NaN();  ///< expected standard deviation of an angle [rad]
+  std::vector<int> approach_directions;                          ///< directions from which the joints are to arrive
+  deflection::ConditionValues conditions;  ///< expected conditions; the time among them is the earliest for the reading
 };
 
-/// Return whether a proposed reading touches a point whose place is, or is not, known.
+/// Return true if a proposed reading touches a point of known place, or of unknown place.
 [[nodiscard]] bool touchesKnownPoint(const ProposedMeasurement& proposed);
 [[nodiscard]] bool touchesUnknownPoint(const ProposedMeasurement& proposed);
 
-/// Returns what must be written down of it: of a way either its coordinates or its length.
+/// Returns the values that must be written down; for a displacement either its coordinates or its length.
 [[nodiscard]] ValueColumns valueColumnsOf(const ProposedMeasurement& proposed);
 
-/// Returns the reading's conditions, its joints where they are brought to, and nothing measured.
+/// Returns a reading with the proposed conditions and joint positions, and nothing measured.
 [[nodiscard]] Measurement conditionsOf(const ProposedMeasurement& proposed);
 
-/// Returns what the arm where it stands last would read, without noise: for the arithmetic of a design, never for a
-/// table. Nothing where the shape does not converge.
+/// Returns the reading expected without noise where the arm was placed last, or nothing if the shape does not converge.
+/// It serves the computation of a design, and must not enter a table of measurements.
 [[nodiscard]] std::optional<Measurement> expectedReading(const PlacedArm& placed, const ProposedMeasurement& proposed);
 
 }  // namespace tubeplan::calibration

@@ -1,4 +1,4 @@
-// An arm placed for fits to readings: a base pose for every set-up that they name.
+// Arms placed for fits to readings: a base pose for every set-up that they name.
 #pragma once
 
 #include <vector>

@@ -18,7 +18,7 @@ bool isOnePosture(const std::vector<Measurement>& readings) {
   });
 }
 
-/// The first reading of an unknown place that too few share, or nothing.
+/// Returns the first reading of an unknown place that too few share, or nothing.
 std::optional<int> loneReading(const std::vector<Measurement>& readings) {
   std::map<std::string, std::vector<int>> touched;
   for (std::size_t k = 0; k < readings.size(); ++k)
@@ -28,7 +28,7 @@ std::optional<int> loneReading(const std::vector<Measurement>& readings) {
   return std::nullopt;
 }
 
-/// Of a touched surface: as many readings place it as it has numbers, and none of them says anything.
+/// Returns the problem of a touched surface with too few readings: as many as its numbers only place it.
 ReadingProblem fewOfSurface(int place, const std::vector<Measurement>& readings) {
   const Measurement& first = readings[static_cast<std::size_t>(place)];
   const auto count = std::count_if(readings.begin(), readings.end(),

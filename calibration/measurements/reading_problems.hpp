@@ -1,4 +1,4 @@
-// What makes a set of readings unfit to identify anything from.
+// Faults of a set of readings that keep it from identifying anything.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,17 @@
 
 namespace tubeplan::calibration {
 
-/// Why readings determine nothing, or not enough.
+/// Reason why readings determine nothing, or not enough.
 struct ReadingProblem {
-  int reading = -1;  ///< the one to blame, where there is one
+  int reading = -1;  ///< index of the reading at fault; -1 if there is none
   std::string found, expected, advice;
 };
 
-/// Numbers that the readings hold beyond the places of unknown points.
+/// Returns how many numbers the readings hold beyond those that the places of unknown points take.
 [[nodiscard]] int numbersMeasured(const std::vector<Measurement>& readings);
 
-/// The first thing that keeps these readings from telling anything: none at all, a point of unknown place touched once,
-/// all at one posture, fewer numbers measured than free.
+/// Finds the first fault that makes the readings useless: none at all, a point of unknown place touched once, all at
+/// one posture, fewer numbers measured than free.
 [[nodiscard]] std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>& readings,
                                                                const std::vector<Unknown>& unknowns);
 

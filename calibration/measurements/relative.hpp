@@ -1,6 +1,6 @@
-// How far the tip has come from where it was at another reading, `reference`: x, y, z of the way in the world, or its
-// length alone. A known spacing is used by it without a known place: two sockets of a jig, two holes a pitch apart, the
-// travel on a slide's scale.
+// Kind `relative`: the displacement of the tip from its place at another reading, `reference`, as x, y, z in the world
+// or as its length alone. It makes use of a known spacing whose place is unknown: two sockets of a jig, two holes a
+// pitch apart, the travel on a slide's scale.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"
@@ -10,7 +10,7 @@ namespace tubeplan::calibration::relative {
 
 inline int rowsOf(const Measurement& reading) { return reading.p_W ? 3 : 1; }
 
-/// `tool.p_W` is the way from the reference.
+/// Returns the predicted values; `tool.p_W` is the displacement from the reference.
 inline MeasuredValue value(const Measurement& reading, const ToolPose& tool) {
   if (reading.p_W) return tool.p_W;
   return MeasuredValue::Constant(1, tool.p_W.norm());
@@ -23,12 +23,12 @@ inline MeasuredValue measured(const Measurement& reading) {
   return reading.p_W ? MeasuredValue(*reading.p_W) : distance::measured(reading);
 }
 
-/// The way's coordinates or its length, not both.
+/// Returns true if the reading states the displacement's coordinates or its length, not both.
 inline bool isPossible(const Measurement& reading) {
   return reading.p_W ? std::isnan(reading.own[0]) : distance::isPossible(reading);
 }
 
-/// From where the tip was at the other reading; until that is known, from where it rests unloaded.
+/// Returns the reference reading or, until that is known, the unloaded tip of this reading.
 inline Departure departure(const Measurement& reading) {
   return reading.reference ? Departure{reading.reference.get(), false} : Departure{&reading, true};
 }

@@ -1,6 +1,6 @@
-// The tip touches a sphere whose centre nobody knows: a tooling ball. What is read are the joints; the error is how far
-// the tip is off the sphere that all readings of the same point lie nearest to. Its radius (that of a ball at the tip
-// added) is known, which makes it a length among the readings, or found with the centre.
+// Kind `sphere`: the tip touches a sphere of unknown centre, such as a tooling ball. The joints are read; the error is
+// the distance of the tip from the sphere that fits all readings of the same point best. Its radius (including that of
+// a ball at the tip) is known, which adds a length to the readings, or is found with the centre.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@ namespace tubeplan::calibration::sphere {
 
 inline constexpr std::array<MeasuredColumn, 1> kColumns{{{"radius", deflection::Quantity::kLength}}};
 
-/// The radius is given, where it is.
+/// Returns true if the radius is left out or above zero.
 inline bool isPossible(const Measurement& reading) { return !(reading.own[0] <= 0); }
 
 inline bool isRadiusKnown(const Measurement& reading) { return !std::isnan(reading.own[0]); }
 inline int numbersOf(const Measurement& reading) { return isRadiusKnown(reading) ? 3 : 4; }
 
-/// From the centre to the tip; of a tip in the centre any direction.
+/// Returns the unit vector from the centre to the tip; z if the tip is at the centre.
 inline Eigen::Vector3d outwards(const Surface& surface, const Eigen::Vector3d& p_W) {
   const Eigen::Vector3d from = p_W - surface.p_W;
   return from.norm() > 0 ? Eigen::Vector3d(from.normalized()) : Eigen::Vector3d::UnitZ();
@@ -41,7 +41,7 @@ inline PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& t
   return columns;
 }
 
-/// Distances of points from a sphere, and how they change with its centre and, where that is open, its radius.
+/// Distances of points from a sphere [m], and their slopes by its centre and, if it is unknown, its radius.
 struct Distances {
   Eigen::VectorXd error;
   Eigen::MatrixXd columns;
@@ -55,7 +55,7 @@ inline Distances distancesFrom(const Surface& surface, const Eigen::Matrix3Xd& p
   return distances;
 }
 
-/// The sphere by |p|^2 = 2 c p + (r^2 - |c|^2), which is linear in c and the bracket.
+/// Fits the sphere by |p|^2 = 2 c p + (r^2 - |c|^2), which is linear in c and the bracket.
 inline Surface algebraic(const Eigen::Matrix3Xd& points_W) {
   const Eigen::Vector3d mean = points_W.rowwise().mean();
   const Eigen::Matrix3Xd from = points_W.colwise() - mean;
@@ -69,10 +69,10 @@ inline Surface algebraic(const Eigen::Matrix3Xd& points_W) {
   return surface;
 }
 
-/// Gauss and Newton, with steps halved until the points come nearer.
+/// Fits the sphere by Gauss-Newton steps, each halved until the sum of squares falls.
 inline Surface nearestSphere(Surface surface, const Eigen::Matrix3Xd& points_W, int numbers) {
   constexpr int kMostSteps = 50, kMostHalvings = 12;
-  constexpr double kStill = 1e-14;  // m
+  constexpr double kStill = 1e-14;  // smallest step [m]
   Distances at = distancesFrom(surface, points_W, numbers);
   for (int steps = 0; steps < kMostSteps; ++steps) {
     Eigen::VectorXd step = -at.columns.completeOrthogonalDecomposition().solve(at.error);
@@ -104,7 +104,7 @@ inline bool settle(const Eigen::Matrix3Xd& points_W, const Measurement& reading,
   return true;
 }
 
-inline constexpr double kUsualRadius = 0.0125;  // m, of a tooling ball of an inch
+inline constexpr double kUsualRadius = 0.0125;  // radius [m] of a tooling ball of one inch diameter
 
 inline Surface through(const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W) {
   return {p_W - kUsualRadius * direction_W, direction_W, kUsualRadius};
@@ -113,7 +113,7 @@ inline Eigen::Vector3d nearest(const Surface& surface, const Eigen::Vector3d& p_
   return surface.p_W + surface.radius * outwards(surface, p_W);
 }
 
-/// Where it touches is the centre's place; the radius is stated.
+/// Writes the radius; the touched point follows from the centre's place.
 inline void record(const ToolPose&, double, const MeasuredValue&, Measurement& reading) {
   if (reading.surface) reading.own[0] = reading.surface->radius;
 }

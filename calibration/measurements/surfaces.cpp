@@ -13,7 +13,7 @@ namespace {
 
 constexpr deflection::FlexibleKinematicsOptions kSettleExactly{1e-13, 100};
 
-/// The readings of each surface.
+/// Returns the readings of each surface.
 std::map<std::string, std::vector<std::size_t>> bySurface(const std::vector<Measurement>& readings) {
   std::map<std::string, std::vector<std::size_t>> groups;
   for (std::size_t k = 0; k < readings.size(); ++k)
@@ -21,7 +21,7 @@ std::map<std::string, std::vector<std::size_t>> bySurface(const std::vector<Meas
   return groups;
 }
 
-/// Where the measured point of the tool touches, in the world [m]; nothing where the shape does not converge.
+/// Returns the contact of the tool's measured point in the world [m]; nothing if the shape does not converge.
 std::optional<ToolPose> contactOf(const PlacedArm& placed, const Measurement& reading) {
   const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
   const auto tool = toolAt(placed.arm, X_WB, reading, kSettleExactly);

@@ -1,5 +1,5 @@
-// Touched planes and spheres of unknown place, found from the tips that touched them: exactly at one state of the arm,
-// so that a fit has no variables for them.
+// Fit of touched planes and spheres of unknown place to the tips that touched them. The fit is exact at one state of
+// the arm, so that an identification needs no variables for them.
 #pragma once
 
 #include <string>
@@ -9,22 +9,22 @@
 
 namespace tubeplan::calibration {
 
-/// Whether any of the readings touches one.
+/// Returns true if any of the readings touches a surface of unknown place.
 [[nodiscard]] bool touchSurfaces(const std::vector<Measurement>& readings);
 
-/// Gives all readings of a surface the one that lies nearest to the points that touched it, the arm being as it is;
-/// where those do not determine one, readings keep what they have. False where a shape does not converge.
+/// Sets the surface of all its readings to the one nearest to the points that touched it, with the arm as it is.
+/// Readings keep their surface if the points do not determine one. Returns false if a shape does not converge.
 bool settleSurfaces(const PlacedArm& placed, std::vector<Measurement>& readings);
 
-/// A settled surface, and how well its readings lie on it.
+/// A fitted surface and the residual of its readings.
 struct SettledSurface {
   std::string kind, point;
   Surface surface;
   int readings = 0;
-  double rms = 0;  ///< m, of the readings' distances from it
+  double rms = 0;  ///< root mean square of the readings' distances from it [m]
 };
 
-/// Returns the surfaces that the readings touch, in the order of their names; none whose place is not determined.
+/// Returns the surfaces that the readings touch, in the order of their names, without those that are not determined.
 [[nodiscard]] std::vector<SettledSurface> surfacesOf(const PlacedArm& placed, std::vector<Measurement> readings);
 
 }  // namespace tubeplan::calibration

@@ -1,5 +1,5 @@
-// An inclinometer on the tool, or on a row of the arm: how far the axes of the frame that it is fixed to rise above the
-// horizontal, as many of the three as it reads. Where an axis stands upright its angle is lost.
+// Kind `tilt`: an inclinometer on the tool or on a row of the arm. It reads the angles of its frame's axes above the
+// horizontal, as many of the three as are stated. An axis that stands upright has no usable angle.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace tubeplan::calibration::tilt {
 inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"tilt_x", deflection::Quantity::kAngle},
                                                          {"tilt_y", deflection::Quantity::kAngle},
                                                          {"tilt_z", deflection::Quantity::kAngle}}};
-inline constexpr double kUpright = 1 - 1e-9;  // sine of an angle from which its slope is no number
+inline constexpr double kUpright = 1 - 1e-9;  // largest sine of an angle, for a finite slope
 
-/// Sines of the angles above the horizontal; `direction_W` points up.
+/// Returns the sines of the angles of the three axes above the horizontal; `direction_W` points up.
 inline Eigen::Vector3d sines(const Measurement& reading, const ToolPose& tool) {
   return (tool.R_WT.transpose() * *reading.direction_W).cwiseMax(-kUpright).cwiseMin(kUpright);
 }

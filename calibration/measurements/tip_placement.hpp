@@ -1,4 +1,4 @@
-// Bringing the deflected tip to a place from a posture nearby, whatever way the tool then points.
+// Placement of the deflected tip at a point from a posture nearby, with the tool in any direction.
 #pragma once
 
 #include "deflection/flexible_kinematics.hpp"
@@ -6,7 +6,7 @@
 namespace tubeplan::calibration {
 
 struct TipPlacementOptions {
-  double tolerance = 1e-11;  ///< m
+  double tolerance = 1e-11;  ///< [m]
   int max_iterations = 60;
   double singular_floor = 0.01;  ///< least singular value of the tip's motion per reach and rad
 };
@@ -18,10 +18,10 @@ struct TipPlacement {
   Eigen::VectorXd q;  ///< joint readings
 };
 
-/// Broyden's method on the three coordinates alone, with the smallest joint motion, from the posture's own readings. It
-/// starts with the Jacobian of the deflected shape taken as rigid, which is right but for a few per cent and far
-/// quicker than exact derivatives. Limits are not looked at. Stretched: the arm there can hardly move in some
-/// direction.
+/// Moves the tip to `p_BT` [m] by Broyden's method on its three coordinates, with the smallest joint motion, from the
+/// readings of `start`. The first Jacobian is that of the deflected shape taken as rigid, which is right within a few
+/// per cent and far quicker than exact derivatives. Joint limits are ignored. kStretched: the arm can hardly move in
+/// some direction there.
 [[nodiscard]] TipPlacement placeTip(const deflection::Arm& arm, const deflection::Posture& start,
                                     const Eigen::Vector3d& p_BT, const TipPlacementOptions& options = {});
 

@@ -1,11 +1,11 @@
-// The tip rests centred at a point, which several readings may share; its place x, y, z is known or not.
+// Kind `touch`: the tip rests centred at a point, which several readings may share; its place x, y, z is known or not.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"
 
 namespace tubeplan::calibration::touch {
 
-/// Where it rests is its point's place, known or not.
+/// Writes nothing: the tip rests at its point, whether its place is known or not.
 inline void recordNothing(const ToolPose&, double, const MeasuredValue&, Measurement&) {}
 
 inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string&) {

@@ -1,5 +1,5 @@
-// The columns of a measurement table that hold what was measured. All others say of what, where, how and how well it
-// was read.
+// The columns of a measurement table that hold measured values. All other columns describe what was read, where, how
+// and how accurately.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace tubeplan::calibration {
 
-/// A number that stands in a column of a kind's own: NAME_UNIT, or NAME where it has no unit.
+/// A number in a column of a kind's own: NAME_UNIT, or NAME if it has no unit.
 struct MeasuredColumn {
   const char* name;
   deflection::Quantity quantity;
@@ -19,16 +19,16 @@ struct MeasuredColumn {
 inline constexpr std::array<MeasuredColumn, 3> kPlaceColumns{
     {{"x", deflection::Quantity::kLength}, {"y", deflection::Quantity::kLength}, {"z", deflection::Quantity::kLength}}};
 
-/// What must be written down of a reading of a kind.
+/// Values that must be written down for a reading of a kind.
 struct ValueColumns {
-  bool has_joints = false;              ///< every joint's: a tip that rests at a point is measured by its joints alone
-  bool has_place = false;               ///< x, y, z, which else are the place of what it is measured from
-  std::vector<MeasuredColumn> numbers;  ///< x, y, z where they are measured, then the kind's own
-  int least = 0;                        ///< of the numbers, that a reading states
+  bool has_joints = false;  ///< true: all joints; a tip that rests at a point is measured by its joints alone
+  bool has_place = false;   ///< true: x, y, z, which are otherwise the place from which it is measured
+  std::vector<MeasuredColumn> numbers;  ///< x, y, z if they are measured, then the kind's own
+  int least = 0;                        ///< least number of them that a reading states
 };
 
-/// Return the columns of kinds that measure all of their own numbers; some of them; x, y, z beside all of them; x, y, z
-/// or else their own; and nothing but the joints.
+/// Return the columns of kinds that measure: all of their own numbers; some of them; x, y, z and all of them; x, y, z
+/// or else their own; nothing but the joints.
 [[nodiscard]] inline ValueColumns allOfOwn(std::span<const MeasuredColumn> own) {
   return {false, false, {own.begin(), own.end()}, static_cast<int>(own.size())};
 }
