@@ -44,9 +44,10 @@ double priorSigma(const Parameter& parameter, const deflection::Arm& arm, const 
   }
 }
 
-/// Returns a square root of a covariance, columns of no variance left out.
+/// Returns a square root of a covariance, without columns of zero variance.
 MatrixXd rootOf(const MatrixXd& covariance) {
-  constexpr double kLeast = 1e-14;  // of the largest eigenvalue, each number by its own standard deviation
+  // Share of the largest eigenvalue, with each number scaled by its own standard deviation.
+  constexpr double kLeast = 1e-14;
   const VectorXd sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt();
   const VectorXd scale = sigma.unaryExpr([](double s) { return s > 0 ? 1 / s : 0; });
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd(scale.asDiagonal() * covariance * scale.asDiagonal()));
@@ -62,7 +63,7 @@ MatrixXd rootOf(const MatrixXd& covariance) {
 UncertainNumbers uncertainNumbers(const deflection::Arm& arm, const ArmUncertainty& uncertainty) {
   FreeChoice choice{{}, false, {}};
   std::vector<double> sigmas;
-  std::vector<Index> of_covariance;  // of each determined number of this arm, its place there
+  std::vector<Index> of_covariance;  // index of each determined number of this arm in the covariance
   const auto& determined = uncertainty.determined;
   for (std::size_t k = 0; k < determined.size(); ++k)
     if (deflection::findParameter(arm, determined[k])) {
@@ -83,7 +84,7 @@ UncertainNumbers uncertainNumbers(const deflection::Arm& arm, const ArmUncertain
   numbers.root = MatrixXd::Zero(together + alone, root.cols() + alone);
   numbers.root.topLeftCorner(root.rows(), root.cols()) = root;
   numbers.root.bottomRightCorner(alone, alone) = VectorXd::Map(sigmas.data(), alone).asDiagonal();
-  for (Index k = 0; k < numbers.root.rows(); ++k)  // of values: to first order those of variables by the slope
+  for (Index k = 0; k < numbers.root.rows(); ++k)  // of values; to first order, those of variables divided by the slope
     numbers.root.row(k) /= slopeAt(numbers.unknowns[static_cast<std::size_t>(k)], 0);
   return numbers;
 }

@@ -36,7 +36,7 @@ void recordResiduals(const TouchFit& fit, const std::vector<Measurement>& touche
   result.rms = fit.error_W.norm() / std::sqrt(static_cast<double>(touches.size()));
 }
 
-/// How the tip of the arm as filed moves with each uncertain number, by one standard normal of them all: 3 x k.
+/// Slopes of the tip of the filed arm by the uncertain numbers, as independent standard normals: 3 x k.
 struct FiledTip {
   bool ok = false;
   Vector3d p_W = Vector3d::Zero();
@@ -54,7 +54,7 @@ FiledTip filedTip(ReadingPredictor& predictor, const UncertainNumbers& numbers, 
   return {true, tip.value, numbers.unknowns.empty() ? MatrixXd::Zero(3, 1) : MatrixXd(tip.by_numbers * numbers.root)};
 }
 
-/// Between the tips of every two touches by the arm as filed, beside those of their holes.
+/// Records the distances between the tips of every two touches by the filed arm, beside those of their holes.
 void recordDistances(const TouchesToExplain& asked, const TouchFit& fit, BaseCalibration& result) {
   const auto& touches = asked.touches;
   ReadingPredictor predictor(asked.arm);
@@ -81,7 +81,7 @@ void recordNumbers(const UncertainNumbers& numbers, const TouchFit& fit, BaseCal
   }
 }
 
-/// Looks at a lack of fit that neither noise, nor the numbers, nor the model's usual error explain.
+/// Examines a lack of fit that neither noise, nor the numbers, nor the model's usual error explain.
 bool isMistaken(const TouchesToExplain& asked, BaseCalibration& result) {
   const double least = asked.options.mistaken_hole_p_value;
   if (!(result.p_value < least)) return false;

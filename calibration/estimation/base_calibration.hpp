@@ -1,5 +1,5 @@
-// The base's pose from three or more touched holes (Calkins 1994, section 5.4; more than three as section 6.2 asks),
-// with what the touches say of the arm's own numbers.
+// The base's pose from three or more touched holes (Calkins 1994, section 5.4; more than three as section 6.2
+// suggests), with an update of the arm's own numbers.
 #pragma once
 
 #include <functional>
@@ -15,20 +15,19 @@ namespace tubeplan::calibration {
 /// A hole that a touch may have been mistaken for.
 struct NeighbourHole {
   std::string name;
-  Eigen::Vector3d p_WH = Eigen::Vector3d::Zero();  ///< m
+  Eigen::Vector3d p_WH = Eigen::Vector3d::Zero();  ///< centre [m]
 };
 using NeighbourQuestion = std::function<std::vector<NeighbourHole>(const Measurement& touch)>;
 
 struct BaseCalibrationOptions {
-  ArmUncertainty arm;  ///< of the numbers in the arm's file, which are found beside the base within it
-  double model_sigma =
-      7.62e-4;  ///< m per coordinate (0.030 in, the thesis's mean touch error): what the model may be off
-  double collinear_ratio = 0.05;        ///< least height of the touches' triangle against its longest side
-  double mistaken_hole_p_value = 1e-4;  ///< below it, touches are searched for a mistaken hole; 0: never
-  NeighbourQuestion neighbours;         ///< of the hole that a touch names, for telling a mistaken one
-  double model_error = 0;               ///< m, as in TouchFitOptions ...
-  bool finds_model_error = true;        ///< ... and this too
-  bool finds_suspects = true;           ///< whether a lack of fit is searched for the touch or joint that explains it
+  ArmUncertainty arm;             ///< uncertainty of the numbers in the arm's file, which are fitted with the base
+  double model_sigma = 7.62e-4;   ///< model error per coordinate [m] (0.030 in, the thesis's mean touch error)
+  double collinear_ratio = 0.05;  ///< least height of the touches' triangle relative to its longest side
+  double mistaken_hole_p_value = 1e-4;  ///< below it, a mistaken hole is searched for; 0: never
+  NeighbourQuestion neighbours;   ///< neighbours of the hole that a touch names, for the search for a mistaken one
+  double model_error = 0;         ///< as in TouchFitOptions [m]
+  bool finds_model_error = true;  ///< as in TouchFitOptions
+  bool finds_suspects = true;     ///< true: after a lack of fit, the touch or joint that explains it is searched for
   LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
 };
 
@@ -36,72 +35,73 @@ enum class CalibrationStatus { kNotRun, kDone, kRefused, kNotConverged };
 
 struct TouchResidual {
   std::string id, hole;
-  Eigen::Vector3d residual_W = Eigen::Vector3d::Zero();  ///< tip minus hole, by the base and the arm as found [m]
-  Eigen::Vector3d sigma_W = Eigen::Vector3d::Zero();     ///< of the reading itself
+  Eigen::Vector3d residual_W = Eigen::Vector3d::Zero();  ///< tip minus hole, for the fitted base and arm [m]
+  Eigen::Vector3d sigma_W = Eigen::Vector3d::Zero();     ///< of the reading itself [m]
 };
 
-/// Distance between two touched holes: by the arm as its file has it, and on the sheet. Independent of the base.
+/// Distance between two touched holes: by the arm of the file, and on the sheet. It does not depend on the base.
 struct DistanceCheck {
   std::string from, to;
-  double by_arm = 0, on_sheet = 0;  ///< m
-  double sigma = 0;                 ///< m, of the difference, by the touches' noise and the arm's uncertain numbers
+  double by_arm = 0, on_sheet = 0;  ///< [m]
+  double sigma = 0;                 ///< of the difference, from the touches' noise and the arm's uncertain numbers [m]
 };
 
-/// A number of the arm beside which the touches were fitted.
+/// A number of the arm that was fitted with the base.
 struct TouchedNumber {
   std::string name;
   deflection::Quantity quantity = deflection::Quantity::kNone;
-  double filed = 0, value = 0;      ///< in the arm's file; as the touches have it
+  double filed = 0, value = 0;      ///< value in the arm's file; fitted value
   double prior = 0, posterior = 0;  ///< standard deviations before and after the touches
 };
 
-/// One joint reading of one touch which, were it off by so much, would explain a lack of fit.
+/// A joint reading of one touch, with the error that would explain a lack of fit.
 struct SuspectReading {
   std::string touch;
   Eigen::Index joint = -1;
-  double off = 0;      ///< rad or m: what was read less what the others ask for
-  double p_value = 0;  ///< of the touches with it
+  double off = 0;      ///< reading minus the value that the other touches require [rad or m]
+  double p_value = 0;  ///< of the touches with that correction
 };
 
 struct BaseCalibration {
   CalibrationStatus status = CalibrationStatus::kNotRun;
-  std::string reason;                 ///< why refused
+  std::string reason;                 ///< reason if refused
   std::vector<std::string> suspects;  ///< "touch T2 named R10C20 fits R10C21"
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  deflection::Arm arm;                 ///< with its numbers as the touches have them: the one that stands at X_WB
-  std::vector<TouchedNumber> numbers;  ///< that differ from the arm given
+  deflection::Arm arm;                 ///< the arm with its fitted numbers, which stands at X_WB
+  std::vector<TouchedNumber> numbers;  ///< numbers that differ from the given arm
   JointUncertainty uncertainty;        ///< of base and numbers together
   Eigen::Matrix<double, 6, 6> covariance =
       Eigen::Matrix<double, 6, 6>::Constant(std::numeric_limits<double>::quiet_NaN());
-  int odd_touch = -1;  ///< the one touch, of four or more that do not fit, without which the others do
-  double rms_of_others = std::numeric_limits<double>::quiet_NaN();  ///< m, then
-  std::vector<SuspectReading> suspect_readings;                     ///< where the touches do not fit, likeliest first
+  int odd_touch = -1;  ///< the only touch, of four or more that do not fit, without which the others do; -1: none
+  /// Rms of the other touches' residuals without it [m].
+  double rms_of_others = std::numeric_limits<double>::quiet_NaN();
+  std::vector<SuspectReading> suspect_readings;  ///< explanations if the touches do not fit, likeliest first
   std::vector<TouchResidual> residuals;
   std::vector<DistanceCheck> distances;
-  double rms = std::numeric_limits<double>::quiet_NaN();   ///< of the residuals' lengths [m]
-  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< against the touches' noise and the numbers' uncertainty
+  double rms = std::numeric_limits<double>::quiet_NaN();  ///< of the residuals' lengths [m]
+  /// Relative to the touches' noise and the numbers' uncertainty.
+  double chi2 = std::numeric_limits<double>::quiet_NaN();
   double p_value = std::numeric_limits<double>::quiet_NaN();
-  double model_error = 0;             ///< m, of each coordinate beyond noise and numbers, as the covariance has it
-  bool is_model_error_found = false;  ///< by these touches, which do not fit
+  double model_error = 0;             ///< of each coordinate beyond noise and numbers, included in the covariance [m]
+  bool is_model_error_found = false;  ///< true: estimated from these touches, which do not fit
   int degrees_of_freedom = 0;
   int iterations = 0;
-  /// From where the search started, which is where the base should stand: shift [m], then rotation vector [rad], world
-  /// axes.
+  /// Step from the start of the search, which is the nominal base: shift [m], then rotation vector [rad], world axes.
   BaseStep from_start = BaseStep::Constant(std::numeric_limits<double>::quiet_NaN());
 };
 
-/// Returns whether chi-square refuses the fit (p < 0.01): the arm does what neither its model nor the uncertainty of
-/// its numbers allows, or a touch is not what it is said to be.
+/// Returns true if chi-square rejects the fit (p < 0.01): the arm deviates from its model beyond the uncertainty of its
+/// numbers, or a touch has an error.
 [[nodiscard]] bool isFitRefused(const BaseCalibration& calibration);
 
-/// Finds the base by fitTouches(), from any start, by touches of known places of one set-up, each with its sigma. A fit
-/// that is refused leaves its residuals and what may be wrong with the touches.
+/// Finds the base by fitTouches(), from any start, from touches of known places of one set-up, each with its sigma. A
+/// refused fit still has its residuals and possible errors of the touches.
 [[nodiscard]] BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Measurement>& touches,
                                             const Eigen::Isometry3d& X_WB_start,
                                             const BaseCalibrationOptions& options = {});
 
-/// Why these touches cannot place a base (fewer than three holes, one hole twice under the same load, near a line), or
-/// empty.
+/// Returns why these touches cannot place a base (fewer than three holes, one hole twice under the same load, near a
+/// line); empty if they can.
 std::string findTouchProblem(const std::vector<Measurement>& touches, const BaseCalibrationOptions& options = {});
 
 }  // namespace tubeplan::calibration

@@ -14,7 +14,7 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 
 namespace {
 
-/// In place, what the unknown places absorb.
+/// Subtracts in place the components that the unknown places absorb.
 void takePointsOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
   for (const auto& point : weights.points) {
     const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());  // of each of its readings
@@ -30,7 +30,7 @@ void takePointsOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) 
   }
 }
 
-/// Errors as seen from the estimates of the unknown places.
+/// Subtracts the estimates of the unknown places from the errors.
 void takeEstimatesOff(const ReadingWeights& weights, VectorXd& error) {
   for (const auto& point : weights.points) {
     const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());
@@ -119,7 +119,7 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   if (!linearize(x, jacobian != nullptr)) return false;
   r.resize(weights_.rows + prior_slopes_.size());
   if (jacobian) jacobian->setZero(r.size(), x.size());
-  if (x.size() == 0) jacobian = nullptr;  // no columns: nothing to weight, and nowhere that rows of them could be
+  if (x.size() == 0) jacobian = nullptr;  // no columns: nothing to weight, and no storage for their rows
   applyWeights(r, jacobian);
   if (error) *error = last_.error;
   takeSharedOff(weights_, r);
@@ -131,7 +131,7 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   return true;
 }
 
-/// Errors at x, and their slopes where they are asked for: those of last time where it is the same state.
+/// Computes errors at x, and their slopes if asked for; reuses the last ones for the same state.
 bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   const bool is_there = last_.ok && last_.x.size() == x.size() && last_.x == x && last_.error.size() == weights_.rows;
   if (is_there && (!with_jacobian || last_.jacobian.cols() == x.size())) return true;
@@ -141,7 +141,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   last_.jacobian.setZero(with_jacobian ? weights_.rows : 0, with_jacobian ? x.size() : 0);
   if (!settled_.empty() && !settleSurfaces(placed_, settled_)) return false;
   if (!fill(with_jacobian)) {
-    goOn(stop_);  // rows that were left out by a stop are no figures
+    goOn(stop_);  // rows left out by a stop are no results
     return false;
   }
   last_.x = x;
@@ -150,7 +150,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
 
 namespace {
 
-/// whitener * from, by blocks of a size that is known for most readings.
+/// Computes whitener * from, by blocks of a size that is fixed for most readings.
 void whiten(const MatrixXd& whitener, const Eigen::Ref<const MatrixXd>& from, Eigen::Ref<MatrixXd> to) {
   if (whitener.rows() == 3)
     to.noalias() = Matrix3d(whitener).lazyProduct(from);
@@ -169,7 +169,7 @@ void CampaignResidual::applyWeights(VectorXd& r, MatrixXd* jacobian) const {
   }
 }
 
-/// False where a shape does not converge.
+/// Returns false if a shape does not converge.
 bool CampaignResidual::fill(bool with_jacobian) {
   static const PredictionRequest kValues;
   const auto& readings = taken();

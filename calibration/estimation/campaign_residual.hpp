@@ -1,5 +1,5 @@
-// The whitened residual of readings at one state after another, as a fit asks for it: what no variable changes is
-// worked out once, and at the state asked for last only the weights are applied anew.
+// The whitened residual of readings at one state after another, as a fit needs it. Parts that do not depend on the
+// variables are computed once, and at the last state only the weights are applied again.
 #pragma once
 
 #include "calibration/estimation/whitened_residual.hpp"
@@ -8,31 +8,32 @@
 
 namespace tubeplan::calibration {
 
-/// Index of the base pose that each reading was made at.
+/// Returns the index of the base pose of each reading.
 [[nodiscard]] std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurement>& readings);
 
 class CampaignResidual {
  public:
-  /// Whether the unknowns' priors stand as further residuals below those of the readings, one for each unknown.
+  /// Choice whether the unknowns' priors are further residuals after those of the readings, one for each unknown.
   enum class Priors { kNone, kAppended };
 
-  /// All of these must outlive this. Asked to stop, an evaluation unwinds by WorkStopped.
+  /// All arguments must outlive this object. An evaluation that is asked to stop throws WorkStopped.
   CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                    const std::vector<Measurement>& readings, const ReadingWeights& weights,
                    Priors priors = Priors::kNone, StopQuestion stop = {});
   CampaignResidual(const CampaignResidual&) = delete;
   CampaignResidual& operator=(const CampaignResidual&) = delete;
 
-  /// The residual at variables x, its Jacobian where it is not null; false where the model cannot be evaluated.
+  /// Computes the residual at variables x, and its Jacobian if not null. Returns false if the model cannot be
+  /// evaluated.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
     return evaluate(x, r, jacobian, nullptr);
   }
 
-  /// The same with the error in metres, not whitened (WhitenedResidual::error), where it is not null.
+  /// Computes also the error in metres, not whitened (WhitenedResidual::error), if not null.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian, Eigen::VectorXd* error);
 
  private:
-  /// Errors in metres and their slopes at one state, by no weights; no slopes where they were not asked for.
+  /// Errors in metres and their slopes at one state, without weights; no slopes if they were not asked for.
   struct Unweighted {
     Eigen::VectorXd x;
     Eigen::VectorXd error;
@@ -46,24 +47,24 @@ class CampaignResidual {
   bool fill(bool with_jacobian);
   void scatter(int base_pose, const Prediction& prediction, Eigen::Index row);
 
-  /// The readings, those of surfaces with the surface as the arm at the variables asked for last touches it.
+  /// Returns the readings; those of surfaces have the surface fitted to the arm at the last variables.
   [[nodiscard]] const std::vector<Measurement>& taken() const { return settled_.empty() ? readings_ : settled_; }
 
   const PlacedArm& start_;
   const std::vector<Unknown>& unknowns_;
   const std::vector<Measurement>& readings_;
   const ReadingWeights& weights_;
-  Eigen::VectorXd prior_slopes_;  ///< none where no priors are appended
+  Eigen::VectorXd prior_slopes_;  ///< empty if no priors are appended
   StopQuestion stop_;
-  std::vector<Measurement> settled_;                ///< none where no surface is touched
+  std::vector<Measurement> settled_;                ///< empty if no surface is touched
   std::vector<int> base_pose_of_;                   ///< of each reading
-  PredictionRequest slopes_asked_;                  ///< the numbers, and the base where one is free
+  PredictionRequest slopes_asked_;                  ///< the numbers, and the base if one is free
   std::vector<Eigen::Index> numbers_;               ///< column of each number
-  std::vector<std::vector<Eigen::Index>> bases_;    ///< of each placing: six columns, or none
-  PlacedArm placed_;                                ///< at the variables asked for last, with ...
-  std::vector<double> slopes_;                      ///< ... the slope of each number by its variable ...
-  std::vector<Eigen::Matrix3d> turns_;              ///< ... and from the rotation vector's rate to the turn's
-  std::optional<deflection::Kinematics> prepared_;  ///< of the placed arm, where no variable changes that
+  std::vector<std::vector<Eigen::Index>> bases_;    ///< six columns of each base, or none
+  PlacedArm placed_;                                ///< at the last variables
+  std::vector<double> slopes_;                      ///< slope of each number by its variable
+  std::vector<Eigen::Matrix3d> turns_;              ///< from the rotation vector's rate to the angular rate
+  std::optional<deflection::Kinematics> prepared_;  ///< for the placed arm, if no variable changes it
   Unweighted last_;
 };
 

@@ -15,7 +15,7 @@ bool contains(const std::vector<Unknown>& unknowns, const std::string& name) {
   return std::any_of(unknowns.begin(), unknowns.end(), [&](const Unknown& unknown) { return unknown.name == name; });
 }
 
-/// The numbers that the fit held.
+/// Returns the numbers that the fit held.
 UncertainNumbers heldNumbers(const Identification& fit, const std::vector<Unknown>& fitted,
                              const ArmUncertainty& uncertainty) {
   UncertainNumbers all = uncertainNumbers(fit.fitted.arm, uncertainty), held;
@@ -29,7 +29,8 @@ UncertainNumbers heldNumbers(const Identification& fit, const std::vector<Unknow
   return held;
 }
 
-/// Base steps are counted for an arm with one base pose; each of several belongs to a set-up, and none to the cell.
+/// Returns true for numbers that the result includes. Base steps are, for an arm with one base pose; each of several
+/// belongs to a set-up, and none to the cell.
 bool isKept(const Unknown& unknown, const Identification& fit) {
   return unknown.owner == Unknown::Owner::kArm || fit.fitted.base_poses.size() == 1;
 }
@@ -51,7 +52,7 @@ std::optional<ArmUncertainty> determinedNumbers(const Identification& fit, const
   if (!weights) return std::nullopt;
   const auto at = whitenedResidual(fit.fitted, all, readings, *weights, zerosOf(all), true);
   if (!at.ok) return std::nullopt;
-  // Variables: the fitted numbers, then independent standard normals behind those that were held.
+  // Variables: the fitted numbers, then independent standard normals for those that were held.
   const auto own = static_cast<Index>(fitted.size()), n = static_cast<Index>(all.size());
   MatrixXd to_numbers = MatrixXd::Zero(n, own + held.root.cols());
   to_numbers.topLeftCorner(own, own).setIdentity();
@@ -61,7 +62,7 @@ std::optional<ArmUncertainty> determinedNumbers(const Identification& fit, const
   prior.head(own) = priorSlopes(fitted).cwiseAbs2();
   gradient.head(own) += priorSlopes(fitted).cwiseProduct(priorResiduals(fitted, zerosOf(fitted)));
   const MatrixXd inverse = inverseOfInformation(jacobian.transpose() * jacobian + MatrixXd(prior.asDiagonal()));
-  const VectorXd shift = inverse * gradient;  // of the most probable values from those that were written
+  const VectorXd shift = inverse * gradient;  // from the written to the most probable values
   const MatrixXd covariance = to_numbers * (inverse + shift * shift.transpose()) * to_numbers.transpose();
   ArmUncertainty determined = held_numbers;
   determined.determined.clear();

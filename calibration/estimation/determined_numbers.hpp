@@ -1,4 +1,4 @@
-// How well all of an arm's numbers are known by a campaign: those that were fitted, and those that were held.
+// Uncertainty of all of an arm's numbers after a campaign: of those that were fitted, and of those that were held.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,10 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the covariance of every number about its value in the fitted arm, numbers that were held among them with
-/// `held` for their prior, and of the base where there is one. Held numbers whose most probable value is another by the
-/// readings are as much more uncertain. Nothing where the model cannot be linearised at `readings`, which were fitted.
+/// Returns the covariance of every number about its value in the fitted arm, including numbers that were held, with
+/// `held` as their prior, and of the base if there is one. If the readings prefer another value of a held number, its
+/// uncertainty is increased by that difference. `readings` are those that were fitted; nothing if the model cannot be
+/// linearised at them.
 [[nodiscard]] std::optional<ArmUncertainty> determinedNumbers(const Identification& fit,
                                                               const std::vector<Measurement>& readings,
                                                               const ArmUncertainty& held);

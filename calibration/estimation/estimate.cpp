@@ -27,7 +27,7 @@ void takeFit(const Identification& fit, Estimate& estimate) {
   estimate.model_error = std::max(fit.model_error, estimate.model_error);
 }
 
-/// J^T J of the readings; zero where the model cannot be evaluated.
+/// Returns J^T J of the readings; zero if the model cannot be evaluated.
 MatrixXd informationOf(const Estimate& estimate, const std::vector<Measurement>& readings) {
   const auto weights = weighReadings(placedAsEstimated(estimate), readings, {}, estimate.model_error);
   const auto by_variables = weights ? sensitivityOf(estimate, readings, *weights) : std::nullopt;
@@ -35,7 +35,8 @@ MatrixXd informationOf(const Estimate& estimate, const std::vector<Measurement>&
   return by_variables->transpose() * *by_variables;
 }
 
-/// Each variable is known to its typical size, or better by a prior of its own; each normal of `beside` to 1.
+/// Returns the prior information: each variable is known to its typical size, or better by its own prior; each normal
+/// of `beside` to 1.
 VectorXd informationBeforehand(const Estimate& estimate) {
   const auto n = static_cast<Index>(estimate.unknowns.size());
   VectorXd information = VectorXd::Ones(n + estimate.beside.root.cols());
@@ -46,7 +47,7 @@ VectorXd informationBeforehand(const Estimate& estimate) {
   return information;
 }
 
-/// Whether a base alone is to be found, by touches that calibrateBase() takes.
+/// Returns true if a base alone is to be found, by touches that calibrateBase() accepts.
 bool placesByTouches(const Estimate& estimate, const std::vector<Measurement>& readings) {
   const bool is_base_alone = std::all_of(estimate.unknowns.begin(), estimate.unknowns.end(),
                                          [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
@@ -55,7 +56,7 @@ bool placesByTouches(const Estimate& estimate, const std::vector<Measurement>& r
          findTouchProblem(readings).empty();
 }
 
-/// Fits the base and the numbers beside it; false where the search ends without them.
+/// Fits the base with the uncertain numbers; false if the search fails.
 bool fitBaseByTouches(const std::vector<Measurement>& touches, Estimate& estimate) {
   BasePose& base = estimate.start.base_poses.front();
   const TouchFit fit =
@@ -70,7 +71,7 @@ bool fitBaseByTouches(const std::vector<Measurement>& touches, Estimate& estimat
   return true;
 }
 
-/// Fits the free numbers, all others exact; false where the readings do not allow it.
+/// Fits the free numbers, with all others exact; false if the readings do not allow it.
 bool fitFreeNumbers(const PlacedArm& placed, const std::vector<Measurement>& readings, const FreeChoice& free,
                     Estimate& estimate) {
   IdentificationOptions options;
@@ -133,7 +134,7 @@ std::optional<MatrixXd> sensitivityOf(const Estimate& estimate, const std::vecto
 
 std::vector<MatrixXd> tipSensitivities(const Estimate& estimate, const std::vector<VectorXd>& postures, double load) {
   std::vector<Measurement> tips;
-  ReadingWeights weights;  // none: every coordinate as it is
+  ReadingWeights weights;  // none: coordinates are not weighted
   for (const auto& q : postures) {
     Measurement tip;
     tip.q = q;

@@ -1,4 +1,4 @@
-// What readings made so far determine of the free numbers, as information that further readings add to.
+// Information on the free numbers from the readings so far, to which further readings add.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,42 +11,43 @@
 
 namespace tubeplan::calibration {
 
-/// What leaves readings uncertain beside the free numbers and their own noise.
+/// Uncertainty of readings besides the free numbers and their own noise.
 struct DoubtBeside {
   ArmUncertainty arm = ArmUncertainty::none();  ///< of numbers that are not free
-  double model_error = 0;                       ///< m per coordinate, as it is known beforehand
+  double model_error = 0;                       ///< per coordinate, known beforehand [m]
 };
 
-/// The model as known: where its free numbers stand, and how well. Every number is taken as known beforehand to its
-/// typical size (Unknown::typical), so that what no reading determines has a sigma too.
+/// Present knowledge of the model: values of its free numbers, and their uncertainty. Every number has a prior of its
+/// typical size (Unknown::typical), so that undetermined ones have a sigma too.
 struct Estimate {
-  std::vector<FreeProblem> problems;  ///< why the names cannot be freed; the rest is not to be used then
-  std::string note;                   ///< why the readings could not be fitted: the drawing's values stand in then
+  std::vector<FreeProblem> problems;  ///< reasons why the names cannot be freed; the rest is then not to be used
+  std::string note;  ///< reason why the readings could not be fitted; the values are then those of the file
   PlacedArm start;
   std::vector<Unknown> unknowns;
   Eigen::VectorXd x;            ///< variables of the unknowns at the fit, from `start`
-  double model_error = 0;       ///< m, of each coordinate beyond the readings' noise (Identification::model_error)
+  double model_error = 0;       ///< of each coordinate beyond the readings' noise (Identification::model_error) [m]
   UncertainNumbers beside;      ///< of the arm, which are not free
   Eigen::MatrixXd information;  ///< of the variables over their typical sizes, then of the normals of `beside`
 };
 
-/// Fits the readings (any number, also none; those held out are left alone) and counts what they determine. Touches of
-/// known holes that find nothing but a base are fitted as `calibrate` does, the doubt's numbers beside it; other
-/// readings are fitted as if these were exact.
+/// Fits the readings (any number, also none; held-out ones are not used) and adds up their information. Touches of
+/// known holes that determine a base alone are fitted as `calibrate` does, with the doubt's numbers; for other readings
+/// these count as exact.
 [[nodiscard]] Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                     const std::vector<Measurement>& readings, const FreeChoice& free,
                                     const DoubtBeside& doubt = {});
 
-/// The arm as known, placed.
+/// Returns the estimated arm, placed.
 [[nodiscard]] PlacedArm placedAsEstimated(const Estimate& estimate);
 
-/// Sensitivity of weighted readings to each variable of the information; nothing where a shape does not converge.
+/// Returns the sensitivity of weighted readings to each variable of the information; nothing if a shape does not
+/// converge.
 [[nodiscard]] std::optional<Eigen::MatrixXd> sensitivityOf(const Estimate& estimate,
                                                            const std::vector<Measurement>& readings,
                                                            const ReadingWeights& weights);
 
-/// Sensitivity of the tip in the world [m] to each variable of the information, one 3 x n matrix for each posture, the
-/// arm standing where it was placed last. Every posture's shape must converge.
+/// Returns the sensitivity of the tip in the world [m] to each variable of the information, a 3 x n matrix for each
+/// posture, with the arm where it was placed last. Every posture's shape must converge.
 [[nodiscard]] std::vector<Eigen::MatrixXd> tipSensitivities(const Estimate& estimate,
                                                             const std::vector<Eigen::VectorXd>& postures, double load);
 

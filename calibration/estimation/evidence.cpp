@@ -14,8 +14,9 @@ namespace {
 
 constexpr int kLeastPostures = 4;
 constexpr int kLeastFreedom = 6;
-constexpr double kTooGood = 1e-6;    // lower tail of chi-square
-constexpr double kFarTooGood = 0.5;  // of the stated noise: a fit that is better than this is no rounding of sigma
+constexpr double kTooGood = 1e-6;  // lower tail of chi-square
+// Ratio to the stated noise below which a good fit is not explained by a rounded sigma.
+constexpr double kFarTooGood = 0.5;
 
 std::string plural(int count, const char* noun) { return std::to_string(count) + " " + noun + (count == 1 ? "" : "s"); }
 

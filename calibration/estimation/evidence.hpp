@@ -1,4 +1,4 @@
-// Whether readings can bear a verdict on a model at all.
+// Checks whether readings allow a verdict on a model at all.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,18 @@
 
 namespace tubeplan::calibration {
 
-/// Why readings can bear no verdict, and what would be needed.
+/// Reason why readings allow no verdict, and what is needed.
 struct EvidenceProblem {
   std::string what, needed;
 };
 
-/// Too few postures or degrees of freedom beside the numbers that the readings determine.
+/// Returns a problem if there are too few postures, or too few degrees of freedom beside the numbers that the readings
+/// determine.
 [[nodiscard]] std::optional<EvidenceProblem> findLackOfFreedom(const std::vector<Measurement>& readings,
                                                                int degrees_of_freedom, int numbers_determined);
 
-/// A fit far better than the stated noise allows (the lower tail of chi-square): the noise is stated too large, so
-/// that nothing could be seen beside it.
+/// Returns a problem if a fit is far better than the stated noise allows (the lower tail of chi-square). The noise is
+/// then stated too large, and hides every other error.
 [[nodiscard]] std::optional<EvidenceProblem> findOverstatedNoise(double chi2, int degrees_of_freedom);
 
 }  // namespace tubeplan::calibration

@@ -19,10 +19,10 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 namespace {
 
 constexpr int kMaxRounds = 3;
-constexpr double kWeightsRest = 1e-3;  // relative change of chi-square by new weights that asks for another round
-constexpr double kNearMinimum = 0.01;  // of chi-square, that a fit which creeps has yet to fall
+constexpr double kWeightsRest = 1e-3;  // relative change of chi-square by new weights that requires another round
+constexpr double kNearMinimum = 0.01;  // share of chi-square that a slow fit may still fall
 constexpr int kMaxModelErrorRounds = 8;
-constexpr double kModelErrorConverged = 0.01;  // relative change that asks for no further round
+constexpr double kModelErrorConverged = 0.01;  // relative change that requires no further round
 
 LeastSquaresProblem problemOf(const std::shared_ptr<CampaignResidual>& residual, const std::vector<Unknown>& unknowns,
                               const VectorXd& x) {
@@ -62,7 +62,7 @@ LeastSquaresResult minimizeOrUnwind(const LeastSquaresProblem& problem, const Le
 
 namespace {
 
-/// One fit under way.
+/// A fit in progress.
 class Fitting {
  public:
   Fitting(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
@@ -122,7 +122,7 @@ class Fitting {
     return fit_.solution.status != LeastSquaresStatus::kFailed;
   }
 
-  /// Of the readings alone, at the solution and by the weights as they are.
+  /// Returns the residual of the readings alone, at the solution and with the present weights.
   WhitenedResidual residual(bool with_jacobian) {
     WhitenedResidual at;
     at.ok = with_priors_->evaluate(fit_.solution.x, at.r, with_jacobian ? &at.jacobian : nullptr, &at.error);
@@ -132,7 +132,7 @@ class Fitting {
     return at;
   }
 
-  /// Of the readings by their stated noise alone.
+  /// Returns the chi-square of the readings with their stated noise alone.
   [[nodiscard]] double statedChi2() const {
     if (fit_.weights.model_error == 0) return comparableChi2(readings_, fit_.weights, fit_.residual.r, options_.loss);
     const ReadingWeights stated = reweighted(fit_.weights, readings_, 0, fit_.factors);
@@ -141,8 +141,8 @@ class Fitting {
     return comparableChi2(readings_, stated, by_stated.r, options_.loss);
   }
 
-  /// Encoders' noise reaches a reading by the posture's slopes, and a robust weight by the residual: both follow the
-  /// solution.
+  /// Repeats the fit until the weights converge. Encoders' noise depends on the posture's slopes, and a robust weight
+  /// on the residual: both change with the solution.
   bool untilWeightsRest() {
     const bool is_robust = options_.loss != RobustLoss::kNone;
     const int rounds = is_robust ? 5 * kMaxRounds : kMaxRounds;
@@ -163,10 +163,10 @@ class Fitting {
       fit_.factors = factors;
       if (rest) break;
     }
-    return weigh(false);  // what is reported is by the weights at the solution
+    return weigh(false);  // results are reported with the weights at the solution
   }
 
-  /// Residual, covariance and chi-square at the solution.
+  /// Computes residual, covariance and chi-square at the solution.
   bool describe() {
     fit_.residual = residual(true);
     if (!fit_.residual.ok || !fit_.residual.r.allFinite() || !fit_.residual.jacobian.allFinite())
@@ -183,8 +183,8 @@ class Fitting {
     return true;
   }
 
-  /// What chi-square is expected to fall by yet, to second order: gradient^T covariance gradient. One is a step of one
-  /// standard deviation.
+  /// Returns the expected further fall of chi-square, to second order: gradient^T covariance gradient. One is a step of
+  /// one standard deviation.
   [[nodiscard]] double distanceToMinimum() const {
     const VectorXd gradient = fit_.residual.jacobian.transpose() * fit_.residual.r +
                               priorSlopes(unknowns_).cwiseProduct(priorResiduals(unknowns_, fit_.solution.x));
@@ -196,7 +196,7 @@ class Fitting {
   const std::vector<Measurement>& readings_;
   const FitOptions& options_;
   Fit fit_;
-  std::shared_ptr<CampaignResidual> with_priors_;  ///< by the weights of `fit_`, whatever they become
+  std::shared_ptr<CampaignResidual> with_priors_;  ///< with the present weights of `fit_`
 };
 
 }  // namespace

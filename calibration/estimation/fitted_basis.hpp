@@ -1,4 +1,4 @@
-// A fit as others go on from it: a comparison looks at what it leaves, a diagnosis adds to it.
+// A fit in the form that comparison and diagnosis need: one examines its residual, the other adds to it.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace tubeplan::calibration {
 
-/// The readings and the optimum, with its derivatives.
+/// The readings and the optimum of a fit, with its derivatives.
 struct FittedBasis {
   std::vector<Measurement> readings;  ///< those in use
   PlacedArm fitted;                   ///< the baseline at its optimum
-  std::vector<Unknown> unknowns;      ///< of the baseline, 0 at its optimum
-  ReadingWeights weights;             ///< by the stated noise
+  std::vector<Unknown> unknowns;      ///< unknowns of the baseline, 0 at its optimum
+  ReadingWeights weights;             ///< from the stated noise
   WhitenedResidual residual;          ///< at the optimum, with the Jacobian by `unknowns`
-  StopQuestion stop = {};             ///< asked within fits, which unwind where the answer is yes
+  StopQuestion stop = {};             ///< called within fits, which throw WorkStopped if it returns true
 };
 
-/// The variables of a baseline's unknowns, moved so that 0 is its optimum.
+/// Returns the basis of a baseline fit, with its variables shifted so that 0 is the optimum.
 [[nodiscard]] FittedBasis basisOf(const Identification& baseline, const std::vector<Measurement>& readings,
                                   const StopQuestion& stop = {});
 

@@ -17,13 +17,13 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kLeastLeft = 6;  // groups of a set-up that a fit without the others places its base by
-constexpr double kSamePosture = 0.01;  // rad, m: readings of one posture differ by noise, or by what a load asks for
+constexpr std::size_t kLeastLeft = 6;  // groups of a set-up that must remain to place its base
+constexpr double kSamePosture = 0.01;  // difference between readings of one posture [rad, m], by noise or by a load
 
-/// Numbers postures: one within reach of the first of a group belongs to it.
+/// Numbering of postures: one near the first of a group belongs to it.
 class PostureGroups {
  public:
-  /// The first posture of the reading's group, as an index of a reading; itself where it is a new one.
+  /// Returns the index of the first reading of the reading's group; its own index if the group is new.
   int leaderOf(const std::vector<Measurement>& readings, int reading) {
     const Measurement& m = readings[static_cast<std::size_t>(reading)];
     const long cell = m.q.size() ? std::lround(m.q[0] / kSamePosture) : 0;
@@ -55,7 +55,7 @@ std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
   std::map<std::string, int> index;
   std::vector<int> groups;
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    // What states its own place may name the reflector that was seen: one name at every posture.
+    // For readings that state their own place, `point` may name the reflector, which is the same at every posture.
     const bool is_touch = touchesKnownPoint(readings[k]) || touchesUnknownPoint(readings[k]);
     const std::string key = is_touch && !readings[k].point.empty()
                                 ? "point " + readings[k].point
@@ -67,7 +67,7 @@ std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
 
 namespace {
 
-/// Of each set-up its groups; one of several set-ups counts to the first.
+/// Returns the groups of each set-up; one in several set-ups counts for the first.
 std::map<std::string, std::vector<int>> groupsBySetup(const std::vector<Measurement>& readings,
                                                       const std::vector<int>& groups) {
   std::map<std::string, std::vector<int>> by_setup;
@@ -77,8 +77,8 @@ std::map<std::string, std::vector<int>> groupsBySetup(const std::vector<Measurem
   return by_setup;
 }
 
-/// Folds of groups, dealt in the order of `rank` set-up by set-up, so that no fold takes most of one. A set-up whose
-/// base would be left to a few groups is never kept out (-1), where there are others.
+/// Returns folds of groups, assigned in the order of `rank` set-up by set-up, so that no fold takes most of one. A
+/// set-up whose base would be left with few groups is never held out (-1), if there are others.
 std::vector<int> dealt(std::map<std::string, std::vector<int>> by_setup, const std::vector<int>& rank, int folds) {
   const auto leavesFew = [&](const std::vector<int>& groups) {
     const auto parts = static_cast<std::size_t>(folds);
@@ -114,7 +114,7 @@ std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, st
 std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& readings) {
   ReadingPredictor predictor(placed.arm);
   const std::vector<int> groups = groupByPose(readings);
-  std::map<std::string, std::map<int, double>> reach;  // of each set-up's poses, m
+  std::map<std::string, std::map<int, double>> reach;  // of each set-up's poses [m]
   for (std::size_t k = 0; k < readings.size(); ++k) {
     Measurement tip = readings[k];
     tip.kind = MeasurementKind::kPosition;
@@ -200,7 +200,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// The rows of the whole fit that are of readings outside the fold.
+/// Returns the rows of the whole fit for readings outside the fold.
 std::vector<Index> rowsOutside(int fold, const std::vector<int>& folds, const std::vector<Measurement>& readings,
                                const ReadingWeights& weights) {
   std::vector<Index> rows;
@@ -209,7 +209,8 @@ std::vector<Index> rowsOutside(int fold, const std::vector<int>& folds, const st
   return rows;
 }
 
-/// From the variables of the whole fit to those of a fit to these rows alone; nothing where it is far.
+/// Returns the step from the variables of the whole fit to those of a fit to these rows alone; nothing if it is too
+/// long.
 std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& whole, const std::vector<Unknown>& unknowns) {
   const VectorXd& x = whole.solution.x;
   const MatrixXd jacobian = whole.residual.jacobian(rows, Eigen::all);
@@ -225,7 +226,7 @@ std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& whole,
   return step;
 }
 
-/// Errors of a fold's readings by the whole fit, moved to first order by the step to the fold's own.
+/// Changes the errors of a fold's readings, to first order, by the step to the fold's own fit.
 void moveErrors(int fold, const std::vector<int>& folds, const Fit& whole, const VectorXd& step, VectorXd& error) {
   const ReadingWeights& weights = whole.weights;
   for (std::size_t k = 0; k < folds.size(); ++k) {
@@ -237,7 +238,8 @@ void moveErrors(int fold, const std::vector<int>& folds, const Fit& whole, const
   }
 }
 
-/// Without touched points, whose places every fold estimates from its own readings, no reading is predicted again.
+/// Cross-validates without another prediction of readings. There must be no touched points, whose places every fold
+/// estimates from its own readings.
 std::optional<ErrorSize> crossValidateToFirstOrder(const std::vector<Unknown>& unknowns,
                                                    const std::vector<Measurement>& readings, const Fit& whole,
                                                    const std::vector<int>& folds, const WorkHooks& hooks) {
@@ -260,7 +262,7 @@ std::optional<ErrorSize> crossValidateBySteps(const PlacedArm& start, const std:
                                               const std::vector<Measurement>& readings, const Fit& whole,
                                               const std::vector<int>& folds, const WorkHooks& hooks) {
   const bool is_judged_whole = std::all_of(folds.begin(), folds.end(), [](int fold) { return fold >= 0; });
-  if (!whole.weights.shared.empty()) return std::nullopt;  // its rows are not those of one fold
+  if (!whole.weights.shared.empty()) return std::nullopt;  // its rows do not belong to one fold
   if (whole.weights.points.empty() && whole.residual.error.size() == whole.weights.rows && is_judged_whole)
     return crossValidateToFirstOrder(unknowns, readings, whole, folds, hooks);
   int fold = 0;

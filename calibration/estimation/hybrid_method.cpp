@@ -1,5 +1,5 @@
-// Levenberg-Marquardt first, which is quickest where a fit is well posed; where it finds no rest soon, as in a long
-// bent valley, Ipopt goes another way from the same start, and the lower of the two ends is followed to its bottom.
+// Levenberg-Marquardt first, which is quickest for well-posed fits. If it does not converge soon, as in a long bent
+// valley, Ipopt starts from the same point, and the lower of the two ends is followed to its minimum.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kSoon = 30;  // iterations
 
-/// The work of both, for what one of them has found.
+/// Returns the result with the work of both methods counted.
 LeastSquaresResult withWorkOf(LeastSquaresResult found, const LeastSquaresResult& other) {
   found.iterations += other.iterations;
   found.evaluations += other.evaluations;

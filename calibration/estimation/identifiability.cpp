@@ -9,13 +9,14 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kSharpened = 0.5;   // of what a number may be off by: the most that its sigma may be
+constexpr double kSharpened = 0.5;   // largest sigma of an identifiable number, as a share of its prior uncertainty
 constexpr double kCorrelated = 0.3;  // correlation from which a number is named as a partner
 constexpr double kOneWithIt = 0.95;  // correlation from which a number is known as well as its partner is
 constexpr std::size_t kMostPartners = 4;
-constexpr double kSeen = 2;  // sigmas that a compliance must be from none: else its stiffness has no upper end
+// Least distance of a compliance from zero in sigmas: otherwise its stiffness has no upper limit.
+constexpr double kSeen = 2;
 
-/// How far the number may be off as far as anybody knows beforehand.
+/// Returns the prior uncertainty of a number.
 double yardstickOf(const Unknown& unknown) { return std::min(unknown.typical, unknown.prior_sigma); }
 
 bool isSharp(const Unknown& unknown, double sigma, double x) {
@@ -52,7 +53,7 @@ std::vector<NumberIdentifiability> judgeIdentifiability(const MatrixXd& jacobian
     numbers[n].with = partnersOf(k, covariance);
     if (!numbers[n].with.empty()) numbers[n].verdict = Identifiability::kInCombination;
   }
-  // As sharp as the prior of one that the readings cannot distinguish from it.
+  // A number is as uncertain as one that the readings cannot distinguish from it.
   for (std::size_t n = 0; n < unknowns.size(); ++n) {
     if (numbers[n].verdict != Identifiability::kYes) continue;
     const auto k = static_cast<Index>(n);

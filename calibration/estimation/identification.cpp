@@ -24,7 +24,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kStrongCorrelation = 0.9;
-constexpr std::size_t kManyReadings = 1000;  // from which a fold's fit is a mere step from the fit to all
+// Number of readings from which a fold's fit is a single step from the fit to all.
+constexpr std::size_t kManyReadings = 1000;
 
 std::vector<Measurement> readingsOf(const std::vector<Measurement>& all, bool held_out, std::vector<int>* used) {
   std::vector<Measurement> some;
@@ -86,7 +87,7 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
                                                    VectorXd::Zero(static_cast<Index>(bases.size())), folds, options);
 }
 
-/// Singular values of the readings' Jacobian, each column by its number's typical size.
+/// Returns the singular values of the readings' Jacobian, with each column scaled by its number's typical size.
 VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns) {
   if (unknowns.empty()) return {};
   for (std::size_t k = 0; k < unknowns.size(); ++k) jacobian.col(static_cast<Index>(k)) *= unknowns[k].typical;
@@ -94,8 +95,8 @@ VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns)
   return square.selfadjointView<Eigen::Lower>().eigenvalues().cwiseMax(0).cwiseSqrt().reverse();
 }
 
-/// Errors [m] at the solution as anybody would find them there: of touches from their points' estimates by the noise,
-/// not by what a robust loss made of it.
+/// Returns the errors [m] at the solution. For touches they are from their points' estimates with the noise alone,
+/// without the weights of a robust loss.
 VectorXd errorsOf(const FittedModel& model) {
   if (model.fit.factors.size() == 0) return model.fit.residual.error;
   const ReadingWeights plain = reweighted(model.fit.weights, model.fitted, model.fit.weights.model_error);
@@ -129,7 +130,7 @@ void countWork(const LeastSquaresResult& solution, Identification& result) {
   result.jacobian_evaluations += solution.jacobian_evaluations;
 }
 
-/// Places unknown bases with nothing else free, so that the rest starts from a sensible place.
+/// Places unknown bases with nothing else free, as a start for the rest.
 void fitBases(FittedModel& model, Identification& result) {
   const auto bases = basesOf(model.unknowns);
   if (bases.empty()) return;
@@ -153,7 +154,7 @@ VectorXd drawStart(const std::vector<Unknown>& unknowns, std::uint64_t seed, int
 
 bool isUsable(const Fit& fit) { return fit.solution.status != LeastSquaresStatus::kFailed && fit.residual.ok; }
 
-/// The lowest of the fits from several starts; false where none is possible.
+/// Takes the lowest of the fits from several starts; false if none is possible.
 bool fitFromStarts(FittedModel& model, Identification& result) {
   std::vector<double> ends;
   const int starts = std::max(1, model.options.starts);
@@ -177,7 +178,7 @@ bool fitFromStarts(FittedModel& model, Identification& result) {
   return isUsable(model.fit);
 }
 
-/// The error of the model as it is placed; its readings' weights, or nothing where it cannot be evaluated.
+/// Computes the error of the model as placed; returns its readings' weights, or nothing if it cannot be evaluated.
 std::optional<ReadingWeights> measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitted,
                                            ErrorSize& size) {
   auto weights = weighReadings(placed, fitted);
@@ -197,19 +198,19 @@ void noteReadingProblem(const std::vector<Measurement>& fitted, const std::vecto
   if (problem.reading >= 0) problem.reading = result.used[static_cast<std::size_t>(problem.reading)];
 }
 
-/// A stiffness that the readings do not need is rigid; any other number stays at its start.
+/// Drops a number: a stiffness becomes rigid; any other number stays at its start.
 void giveUp(const IdentifiedNumber& number, PlacedArm& start) {
   const bool is_stiffness = number.unknown.scale != Unknown::Scale::kLinear;
   deflection::locate(start.arm, number.unknown.path) = is_stiffness ? deflection::kRigid : number.unknown.start;
 }
 
-/// How many sigmas a number is from what it would be if it were given up.
+/// Returns the distance in sigmas of a number from its value if it were dropped.
 double needOf(const IdentifiedNumber& number) {
   if (number.unknown.scale != Unknown::Scale::kLinear) return number.value / number.sigma;  // of the compliance
   return std::abs(number.value - number.unknown.start) / number.sigma;
 }
 
-/// The number that the readings need least, where its chance of being nothing is above the level; -1 otherwise.
+/// Returns the number that the readings need least, if its probability of being zero is above the level; -1 otherwise.
 int leastNeeded(const Identification& result, double level) {
   int least = -1;
   double need = std::numeric_limits<double>::infinity();
@@ -224,7 +225,7 @@ int leastNeeded(const Identification& result, double level) {
 Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
                             const IdentificationOptions& options);
 
-/// Again and again without what the readings need least, where that is asked for.
+/// Identifies repeatedly, each time without the number that the readings need least, if that is asked for.
 Identification identifyNeeded(const PlacedArm& start, const std::vector<Measurement>& readings,
                               const IdentificationOptions& options) {
   PlacedArm from = start;

@@ -1,5 +1,5 @@
-// The numbers of the model found from readings, each with its uncertainty and a word on whether the readings determine
-// it (Calkins 1994, chapter 3).
+// The numbers of the model found from readings, each with its uncertainty and whether the readings determine it
+// (Calkins 1994, chapter 3).
 //
 // Example, compiled and run by tests/examples:
 //
@@ -51,41 +51,43 @@ struct IdentificationOptions {
   FreeChoice free;
   LeastSquaresOptions solver;
   RobustLoss loss = RobustLoss::kNone;
-  int starts = 1;               ///< the first as given, the others drawn around it
+  int starts = 1;               ///< number of starts: the first as given, the others drawn around it
   std::uint64_t seed = 1;       ///< of the drawn starts and the folds
-  int folds = 5;                ///< of the cross-validation by pose, where no reading is marked held-out; 0: none
-  double outlier_level = 0.01;  ///< chance of naming any reading an outlier where there is none
-  double drop_level = 0;        ///< above 0: numbers that the readings do not need at this level are given up
+  int folds = 5;                ///< folds of the cross-validation by pose, if no reading is marked held-out; 0: none
+  double outlier_level = 0.01;  ///< chance of naming any reading an outlier if there is none
+  double drop_level = 0;        ///< above 0: numbers that the readings do not need at this level are dropped
   bool intervals_by_profile = true;
-  bool may_hold_all = false;                  ///< nothing free is no reason to refuse: the model is judged as it stands
-  std::optional<ArmUncertainty> uncertainty;  ///< of the numbers that are held; none: what is determined is not asked
-  WorkHooks hooks;                            ///< the solver is stopped by these too
-  IterationObserver observe = {};  ///< of the fits to all readings, from every start; refits of some are not reported
+  bool may_hold_all = false;  ///< true: a model without free numbers is judged as it stands; false: it is refused
+  /// Of the numbers that are held; nothing: determined numbers are not computed.
+  std::optional<ArmUncertainty> uncertainty;
+  WorkHooks hooks;  ///< also stop the solver
+  /// Called for the fits to all readings, from every start, but not for refits of some.
+  IterationObserver observe = {};
 };
 
 enum class IdentificationStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };
 
 struct IdentifiedNumber {
   Unknown unknown;
-  double value = 0;  ///< of the parameter; of a base component: of its step
+  double value = 0;  ///< of the parameter; for a base component, of its step
   double sigma = std::numeric_limits<double>::quiet_NaN();
   double lower = std::numeric_limits<double>::quiet_NaN();  ///< 95 % interval
   double upper = std::numeric_limits<double>::quiet_NaN();
-  bool is_profile = false;  ///< the interval is by profile, not by sigma
+  bool is_profile = false;  ///< true: the interval is by profile, not by sigma
   Identifiability identifiable = Identifiability::kNo;
-  std::vector<std::string> with;  ///< names of the unknowns it is determined in combination with
-  double prior_deviation = 0;     ///< from the arm's file, in standard deviations of its prior
+  std::vector<std::string> with;  ///< names of the unknowns that it is determined in combination with
+  double prior_deviation = 0;     ///< deviation from the arm's file, in standard deviations of its prior
   bool is_at_bound = false;
-  /// Values of an effect's size with which the readings are explained equally, the most probable first; empty where
-  /// only `value` does. The interval is over all.
+  /// Values of an effect's size that explain the readings equally well, most probable first; empty if only `value`
+  /// does. The interval covers all.
   std::vector<double> modes;
-  std::string note;  ///< one plain sentence where there is something to say
+  std::string note;  ///< a sentence for the user, or empty
 };
 
 struct Outlier {
   int reading = -1;
-  double size = 0;    ///< m, how far the reading is off by the fit without it
-  double sigmas = 0;  ///< the same in noise sigmas
+  double size = 0;    ///< error of the reading against the fit without it [m]
+  double sigmas = 0;  ///< `size` in noise sigmas
 };
 
 struct StrongCorrelation {
@@ -93,67 +95,69 @@ struct StrongCorrelation {
   double value = 0;
 };
 
-/// Errors of a set of readings: root mean square, mean and largest of their lengths [m]. The length of an error is that
-/// of all its rows together: of a measured place the distance to the predicted one, of an angle what it moves at
+/// Errors of a set of readings: root mean square, mean and largest of their lengths [m]. The length of an error
+/// combines all its rows: for a measured place the distance to the predicted one, for an angle the angle times
 /// kTurnLever.
 struct ErrorSize {
   double rms = std::numeric_limits<double>::quiet_NaN();
   double mean = std::numeric_limits<double>::quiet_NaN();
   double max = std::numeric_limits<double>::quiet_NaN();
   int readings = 0;
-  bool are_angles = false;  ///< the readings measure nothing but angles
+  bool are_angles = false;  ///< true: all readings measure angles alone
 };
 
 struct Identification {
   IdentificationStatus status = IdentificationStatus::kNotRun;
   std::string reason;
-  std::vector<FreeProblem> problems;              ///< why refused: names that cannot be freed
-  std::optional<ReadingProblem> reading_problem;  ///< why refused: readings that do not determine enough
-  std::vector<std::string> dropped;               ///< "NAME: why", numbers that the readings do not need
-  PlacedArm start, fitted;                        ///< with only the bases placed; with everything
+  std::vector<FreeProblem> problems;              ///< if refused: names that cannot be freed
+  std::optional<ReadingProblem> reading_problem;  ///< if refused: readings that do not determine enough
+  std::vector<std::string> dropped;               ///< numbers that the readings do not need, "NAME: why"
+  PlacedArm start, fitted;                        ///< model with only the bases placed; with everything fitted
   std::vector<IdentifiedNumber> numbers;
-  Eigen::MatrixXd covariance;  ///< of the numbers' variables, in their order (compliances of stiffnesses)
+  Eigen::MatrixXd covariance;  ///< of the numbers' variables, in their order (compliances for stiffnesses)
   std::vector<StrongCorrelation> correlations;
-  ErrorSize before, after_base, after;  ///< as the model stands; with only the bases fitted; with everything
-  ErrorSize heldout_before, heldout;    ///< on readings kept from the fit; before: with only the bases fitted
-  int not_judged = 0;                   ///< readings kept from the fit that it cannot judge (judgeable())
-  double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms that noise alone leaves [m]
+  /// With the model as it stands; with only the bases fitted; with everything fitted.
+  ErrorSize before, after_base, after;
+  ErrorSize heldout_before, heldout;  ///< on held-out readings; before: with only the bases fitted
+  int not_judged = 0;                 ///< number of held-out readings that the fit cannot judge (judgeable())
+  double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms from noise alone [m]
   double chi2 = std::numeric_limits<double>::quiet_NaN();
   int degrees_of_freedom = 0;  ///< of the readings, less the numbers that they determine; may be none
   double p_value = std::numeric_limits<double>::quiet_NaN();
-  double model_error = 0;  ///< m, standard deviation of each coordinate beyond the noise, as the covariance has it:
-                           ///< above 0 where chi-square refuses the stated noise
-  std::optional<ArmUncertainty> uncertainty;  ///< of all the arm's numbers by the readings, where it was asked for
+  /// Standard deviation of each coordinate beyond the noise, included in the covariance [m]; above 0 if chi-square
+  /// rejects the stated noise.
+  double model_error = 0;
+  std::optional<ArmUncertainty> uncertainty;  ///< of all the arm's numbers, given the readings, if it was asked for
   std::vector<Outlier> outliers;
   Eigen::VectorXd errors;           ///< length of each fitted reading's error [m], in the order of `used`
-  std::vector<int> used;            ///< readings that were fitted
-  Eigen::VectorXd singular_values;  ///< of the readings' Jacobian, each column by its number's typical size
+  std::vector<int> used;            ///< indices of the fitted readings
+  Eigen::VectorXd singular_values;  ///< of the readings' Jacobian, with each column scaled by its number's typical size
   int iterations = 0, evaluations = 0, jacobian_evaluations = 0;
   int starts_agreeing = 1;
 };
 
-/// The numbers in the order of the covariance, as variables that are 0 where the fit left them.
+/// Returns the numbers in the order of the covariance, as variables that are 0 at the fit.
 [[nodiscard]] std::vector<Unknown> fittedUnknowns(const Identification& result);
 
-/// Finds the free numbers and the base poses that are not known. Readings marked held-out are not fitted but judged.
+/// Finds the free numbers and the unknown base poses. Readings marked held-out are not fitted but judged.
 [[nodiscard]] Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                       const std::vector<Measurement>& readings, const IdentificationOptions& options);
 
-/// One step of several: what it frees, and the set-up whose readings it uses (empty: all).
+/// A stage of an identification: the numbers that it frees, and the set-up whose readings it uses (empty: all).
 struct IdentificationStage {
   std::vector<std::string> names;
   std::string setup;
 };
 
-/// The thesis's way: each stage frees its own numbers with those of the stages before held where they were found, their
-/// covariance carried into its own. Returns one result for each stage, up to one that is refused or stopped; the last
-/// has the whole covariance in its sigmas.
+/// Identifies in stages, as in the thesis: each stage frees its own numbers with those of earlier stages held at their
+/// values, whose covariance is carried over. Returns one result for each stage, up to one that is refused or stopped.
+/// The sigmas of the last include the whole covariance.
 [[nodiscard]] std::vector<Identification> identifyInStages(const PlacedArm& start,
                                                            const std::vector<Measurement>& readings,
                                                            const std::vector<IdentificationStage>& stages,
                                                            const IdentificationOptions& options);
 
-/// The same from a state with a base pose for every set-up.
+/// Identifies from a state with a base pose for every set-up.
 [[nodiscard]] Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
                                       const IdentificationOptions& options);
 

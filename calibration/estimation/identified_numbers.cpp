@@ -15,9 +15,9 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kNormal95 = 1.959963984540054;
-constexpr double kBoundMargin = 1e-4;  // of a typical size, that counts as at the bound
-constexpr double kPoorNormal = 0.2;    // sigma of a compliance over itself from which the normal interval is poor
-constexpr double kLeaning = 0.3;       // correlation with a number near its bound that spoils the normal interval
+constexpr double kBoundMargin = 1e-4;  // share of a typical size that counts as at the bound
+constexpr double kPoorNormal = 0.2;    // relative sigma of a compliance from which the normal interval is poor
+constexpr double kLeaning = 0.3;       // correlation with a number near its bound that makes the normal interval wrong
 
 bool isAtBound(const Unknown& unknown, double x) {
   const double margin = kBoundMargin * unknown.typical;
@@ -31,7 +31,7 @@ std::string namesOf(const std::vector<std::string>& names) {
   return text;
 }
 
-constexpr double kFarFromDrawing = 3;  // of the prior's standard deviations
+constexpr double kFarFromDrawing = 3;  // multiple of the prior's standard deviation
 
 bool isCompliance(const Unknown& unknown) { return unknown.scale == Unknown::Scale::kCompliance; }
 
@@ -52,8 +52,8 @@ std::string noteOf(const IdentifiedNumber& number, bool is_nearly_rigid) {
   return "";
 }
 
-/// Whether the normal interval of a stiffness is poor: it is wide, or made wide by another that can hardly go on in the
-/// direction that would make up for it.
+/// Returns true if the normal interval of a stiffness is poor: it is wide, or widened by a correlated number that can
+/// hardly move in the compensating direction.
 bool isNormalPoor(const std::vector<Unknown>& unknowns, const VectorXd& x, const MatrixXd& covariance, Index k) {
   const auto sigma = [&](Index i) { return std::sqrt(covariance(i, i)); };
   if (sigma(k) > kPoorNormal / valueAt(unknowns[static_cast<std::size_t>(k)], x[k])) return true;

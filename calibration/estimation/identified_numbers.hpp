@@ -1,22 +1,22 @@
-// What a fit says of each number: its value with an interval, how far the readings determine it, and a plain sentence
-// where there is something to say.
+// Results of a fit for each number: its value with an interval, how far the readings determine it, and a note if one is
+// needed.
 #pragma once
 
 #include "calibration/estimation/fit.hpp"
 
 namespace tubeplan::calibration {
 
-/// A fit of an identification, and what it was made from.
+/// A fit of an identification, and its input.
 struct FittedModel {
   const std::vector<Measurement>& fitted;
   const IdentificationOptions& options;
-  PlacedArm start;  ///< where the unknowns' variables are 0
+  PlacedArm start;  ///< state with the unknowns' variables at 0
   std::vector<Unknown> unknowns;
   Fit fit;
-  std::optional<ReadingWeights> start_weights;  ///< at `start`, where it can be evaluated
+  std::optional<ReadingWeights> start_weights;  ///< at `start`, if it can be evaluated
 };
 
-/// Fills `numbers`, one for each unknown in their order.
+/// Sets `numbers`, one for each unknown in their order.
 void describeNumbers(const FittedModel& model, Identification& result);
 
 }  // namespace tubeplan::calibration

@@ -1,4 +1,4 @@
-// The one place that knows Ipopt.
+// The only user of Ipopt.
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
 #include <IpTNLP.hpp>
@@ -14,12 +14,12 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 using Ipopt::Number;
-constexpr double kUnbounded = 2e19;      // what Ipopt takes for infinity
-constexpr double kRestingShare = 1e-13;  // of chi2
+constexpr double kUnbounded = 2e19;      // Ipopt's value for infinity
+constexpr double kRestingShare = 1e-13;  // share of chi2
 constexpr double kNearBound = 1e-2;      // in units of a variable's scale
 
-/// Half the squared residual as Ipopt asks for it. Trial points are asked for values alone; the Jacobian of a point
-/// that was accepted serves its gradient and its Hessian.
+/// Half the squared residual in Ipopt's interface. Trial points are evaluated without a Jacobian; the Jacobian of an
+/// accepted point serves its gradient and its Hessian.
 class NonlinearProgram : public Ipopt::TNLP {
  public:
   NonlinearProgram(ScaledProblem& problem, const IterationObserver& observe)
@@ -80,9 +80,9 @@ class NonlinearProgram : public Ipopt::TNLP {
     return true;
   }
 
-  /// Ipopt's own test is absolute in the gradient; with a large lack of fit rounding keeps it from ever being met.
-  /// Where the best step predicts no fall beyond rounding, or twice there has been none, this is as far down as it
-  /// goes.
+  /// Stops the iteration at the minimum. Ipopt's own test is absolute in the gradient; with a large lack of fit
+  /// rounding keeps it from ever being met. The minimum is reached if the best step predicts no fall beyond rounding,
+  /// or if two steps brought none.
   bool intermediate_callback(Ipopt::AlgorithmMode, Ipopt::Index iteration, Number value, Number, Number, Number,
                              Number step, Number damping, Number, Number, Ipopt::Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
@@ -96,11 +96,12 @@ class NonlinearProgram : public Ipopt::TNLP {
                          Ipopt::Index, const Number*, const Number*, Number, const Ipopt::IpoptData*,
                          Ipopt::IpoptCalculatedQuantities*) override {
     solution = Eigen::Map<const VectorXd>(x, n);
-    chi2 = chi2At(x);  // Ipopt's own value means nothing after a failed evaluation
+    chi2 = chi2At(x);  // Ipopt's own value is invalid after a failed evaluation
   }
 
  private:
-  /// Away from all bounds, whose barriers have a part in every step, a Gauss-Newton step predicts the fall.
+  /// Returns true at the minimum. Away from all bounds, whose barriers affect every step, a Gauss-Newton step predicts
+  /// the fall.
   [[nodiscard]] bool isAtBottom(Number value) const {
     const double now = 2 * value;
     if (!linearized_ || !(std::abs(r_.squaredNorm() - now) <= kRestingShare * now)) return false;
@@ -133,16 +134,16 @@ class NonlinearProgram : public Ipopt::TNLP {
   ScaledProblem& problem_;
   const IterationObserver& observe_;
   Eigen::Index n_;
-  VectorXd x_;  // where chi2_ was asked
+  VectorXd x_;  // point of chi2_
   double chi2_ = std::numeric_limits<double>::quiet_NaN();
-  VectorXd linearized_x_, r_;  // where r_ and J_ were asked
+  VectorXd linearized_x_, r_;  // point of r_ and J_
   MatrixXd J_;
   bool linearized_ = false;
   double last_value_ = std::numeric_limits<double>::quiet_NaN();
   int resting_ = 0;
 };
 
-/// Null where Ipopt could not start.
+/// Returns a solver, or null if Ipopt could not start.
 Ipopt::SmartPtr<Ipopt::IpoptApplication> makeSolver() {
   Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = IpoptApplicationFactory();
   auto settings = solver->Options();
@@ -153,7 +154,7 @@ Ipopt::SmartPtr<Ipopt::IpoptApplication> makeSolver() {
   settings->SetNumericValue("bound_relax_factor", 0);
   settings->SetStringValue("mu_strategy", "adaptive");
   // Every solution of the few equations costs MUMPS far more than arithmetic: one for each step, not three, and refined
-  // only where it is not accurate.
+  // only if it is inaccurate.
   settings->SetStringValue("mu_oracle", "loqo");
   settings->SetIntegerValue("min_refinement_steps", 0);
   if (solver->Initialize("") != Ipopt::Solve_Succeeded) return nullptr;
@@ -192,8 +193,8 @@ Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
 
 LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
                                            const IterationObserver& observe) {
-  // MUMPS, the linear solver that Debian's Ipopt brings, keeps its instances in an unguarded table of the process. One
-  // Ipopt serves all then: making it ready takes longer than many a problem.
+  // MUMPS, the linear solver of Debian's Ipopt, keeps its instances in an unguarded table of the process. One Ipopt
+  // serves all calls, because its preparation takes longer than many a problem.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   static const Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = makeSolver();

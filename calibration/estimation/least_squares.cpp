@@ -26,7 +26,7 @@ LeastSquaresResult evaluateFixed(const LeastSquaresProblem& problem) {
                              : scaled.failureAtStart();
 }
 
-/// Nothing can be evaluated any more once a stop is asked for: every method then ends at once.
+/// Minimises with failing evaluations after a stop, so that every method ends at once.
 LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, const LeastSquaresProblem& problem,
                                         const LeastSquaresStop& rest, const LeastSquaresOptions& options) {
   bool is_stopped = false;
@@ -35,7 +35,7 @@ LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, cons
     is_stopped = is_stopped || options.stop();
     try {
       return !is_stopped && problem.evaluate(x, r, jacobian);
-    } catch (const WorkStopped&) {  // no solver of ours or of others is unwound through
+    } catch (const WorkStopped&) {  // no solver is unwound through by an exception
       is_stopped = true;
       return false;
     }
@@ -53,7 +53,7 @@ LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, cons
 std::span<const LeastSquaresMethodKind> leastSquaresMethods() {
   using Method = LeastSquaresMethod;
   static constexpr std::array kMethods{
-      // Levenberg-Marquardt; where that does not converge soon, the interior point too.
+      // Levenberg-Marquardt; if that does not converge soon, the interior point too.
       LeastSquaresMethodKind{Method::kHybrid, "in-turn", {1e-9, 400}, minimizeHybrid},
       // Ipopt on the Gauss-Newton Hessian, until the gradient is within tolerance.
       LeastSquaresMethodKind{Method::kInteriorPoint, "ipopt", {1e-10, 200}, minimizeByInteriorPoint},

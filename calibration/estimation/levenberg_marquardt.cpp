@@ -1,6 +1,6 @@
 // Levenberg-Marquardt with bounds, as a trust region: Gauss-Newton steps in the variables that no bound holds, damped
-// until they are no longer than the model has proved good for (Moré 1978, "The Levenberg-Marquardt algorithm:
-// implementation and theory"). Cheap to start, so it is what repeated refits use.
+// until they are no longer than the region in which the model has proved good (Moré 1978, "The Levenberg-Marquardt
+// algorithm: implementation and theory"). It starts at little cost, so that repeated refits use it.
 #include <algorithm>
 #include <cmath>
 
@@ -12,14 +12,15 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr double kFirstRadius = 1;            // of a typical size, in the mean over the variables
-constexpr double kLeastRadius = 1e-14;        // of the same: shorter steps change nothing
-constexpr double kRest = 1e-13;               // of a variable's own curvature: what only rounding would move stays
-constexpr double kUnseen = 1e-30;             // of the largest curvature: what no residual depends on stays
-constexpr double kLengthRest = 0.1;           // of the radius, by which a damped step may be longer
-constexpr int kDampings = 20;                 // tries to bring a step to the radius
-constexpr int kFactorisations = 100;          // tries to make the damped matrix positive definite, doubling each time
-constexpr double kNoLackOfFit = 1e-6;         // chi2 below which the tolerance is no longer a share of it
+constexpr double kFirstRadius = 1;      // in typical sizes, as the mean over the variables
+constexpr double kLeastRadius = 1e-14;  // in typical sizes: shorter steps change nothing
+constexpr double kRest = 1e-13;         // share of a variable's own curvature: changes by rounding alone are suppressed
+// Share of the largest curvature: variables without effect on any residual do not move.
+constexpr double kUnseen = 1e-30;
+constexpr double kLengthRest = 0.1;    // share of the radius by which a damped step may be longer
+constexpr int kDampings = 20;          // attempts to bring a step to the radius
+constexpr int kFactorisations = 100;   // attempts to make the damped matrix positive definite, doubling each time
+constexpr double kNoLackOfFit = 1e-6;  // chi2 below which the tolerance is no longer relative to it
 constexpr double kGood = 0.75, kPoor = 0.25;  // shares of the predicted fall for a longer, and for a shorter radius
 
 /// Half of chi2's change by a step, to second order: gradient . step + step . normal step / 2.
@@ -36,7 +37,7 @@ struct QuadraticModel {
   }
 };
 
-/// Variables at a bound that the gradient presses against take no part in a step.
+/// Returns the variables that take part in a step: not those at a bound that the gradient pushes against.
 std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, const VectorXd& gradient) {
   std::vector<Index> free;
   for (Index k = 0; k < x.size(); ++k) {
@@ -47,7 +48,7 @@ std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, cons
   return free;
 }
 
-/// -(normal + damping) \ pull; where it is to be no longer than `radius`, the damping grows until it is (Newton's
+/// Returns -(normal + damping) \ pull. If its length exceeds `radius`, the damping grows until it does not (Newton's
 /// method on the length's inverse).
 VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, double& damping) {
   normal.diagonal() *= 1 + kRest;
@@ -56,7 +57,7 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
   int indefinite = 0;
   for (int k = 0; k <= kDampings; ++k) {
     factor.compute(normal);
-    if (factor.info() != Eigen::Success) {  // by rounding: the damping is too small to be seen
+    if (factor.info() != Eigen::Success) {  // by rounding: the damping is too small to have an effect
       if (++indefinite > kFactorisations) break;
       const double more = std::max(damping, kRest * normal.diagonal().maxCoeff());
       normal.diagonal().array() += more;
@@ -74,8 +75,8 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
   return VectorXd::Zero(pull.size());
 }
 
-/// The step of the free variables, of `radius` at most; what would leave its bounds goes to the bound, and the others
-/// are solved for again with it there, under the same damping.
+/// Returns the step of the free variables, of `radius` at most. Variables that would leave their bounds go to the
+/// bound, and the others are solved again with them there, with the same damping.
 VectorXd boundedStep(const ScaledProblem& problem, const QuadraticModel& model, const VectorXd& x,
                      std::vector<Index> free, double radius, double& damping) {
   VectorXd step = VectorXd::Zero(x.size());
@@ -102,7 +103,7 @@ VectorXd boundedStep(const ScaledProblem& problem, const QuadraticModel& model, 
   return step;
 }
 
-/// One descent, point after point.
+/// One minimisation, point after point.
 class TrustRegionMinimizer {
  public:
   TrustRegionMinimizer(const LeastSquaresProblem& problem, const IterationObserver& observe)
@@ -130,22 +131,22 @@ class TrustRegionMinimizer {
   QuadraticModel model_;
   std::vector<Index> free_;
   double last_fall_ = std::numeric_limits<double>::infinity();
-  bool is_linear_ = true;  ///< r_ and jacobian_ are those of x_
+  bool is_linear_ = true;  ///< true: r_ and jacobian_ belong to x_
   int iterations_ = 0;
-  double length_ = 0, damping_ = 0;  ///< of the last step that was taken
+  double length_ = 0, damping_ = 0;  ///< of the last step taken
 };
 
-/// How far steps may go, by how well the last one was predicted.
+/// Adapts the radius to the quality of the last prediction.
 void TrustRegionMinimizer::adaptRadius(double length, double fall, double predicted) {
-  const double share = fall > 0 ? fall / predicted : 0;  // a step that ran against bounds may predict a rise
+  const double share = fall > 0 ? fall / predicted : 0;  // a step limited by bounds may predict a rise
   if (share > kGood)
     radius_ = std::max(radius_, 2 * length);
   else if (!(share > kPoor))
     radius_ = kPoor * std::min(radius_, length);
 }
 
-/// Whether chi2 falls there; then x_ is moved. Most steps are taken, so the Jacobian comes with the value; after one
-/// that was not, the value alone.
+/// Moves x_ to a point if chi2 falls there. Most steps are taken, so that the Jacobian is computed with the value;
+/// after a rejected step, the value alone.
 bool TrustRegionMinimizer::moveTo(const VectorXd& next, double predicted, bool is_first) {
   const bool is_linear = predicted > 0 && is_first && scaled_.linearizeAt(next, next_r_, next_jacobian_);
   const double tried = is_linear ? next_r_.squaredNorm() : predicted > 0 ? scaled_.chi2At(next) : chi2_;
@@ -161,14 +162,14 @@ bool TrustRegionMinimizer::moveTo(const VectorXd& next, double predicted, bool i
   return true;
 }
 
-/// Shortens the step until chi2 falls by it.
+/// Shortens the step until chi2 falls.
 TrustRegionMinimizer::Step TrustRegionMinimizer::step(double tolerance) {
   for (bool is_first = true;; is_first = false) {
     double damping = 0;
     const VectorXd next = scaled_.withinBounds(x_ + boundedStep(scaled_, model_, x_, free_, radius_, damping));
     const double predicted = model_.predictedReduction(next - x_);
     const double little = tolerance * std::max(chi2_, kNoLackOfFit);
-    // Where steps had to be kept short, the last one must have brought as little as this one would.
+    // If steps had to be short, the last one must have brought as little as this one would.
     if (std::abs(predicted) <= little && (damping == 0 || (is_first && last_fall_ <= little))) return Step::kAtRest;
     if (moveTo(next, predicted, is_first)) {
       damping_ = damping;

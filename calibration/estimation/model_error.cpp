@@ -1,4 +1,4 @@
-// modelErrorOf: what a model's own error is beside the noise.
+// modelErrorOf(): the model's own error beside the noise.
 #include <algorithm>
 #include <cmath>
 
@@ -12,9 +12,9 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kGrossErrorLevel = 0.01;  // chance of taking any reading for a gross error where there is none
+constexpr double kGrossErrorLevel = 0.01;  // chance of taking any reading for a gross error if there is none
 
-/// Errors of readings against their noise and a further variance of every coordinate.
+/// Errors of readings relative to their noise and a further variance of every coordinate.
 class ErrorVariance {
  public:
   ErrorVariance(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error) {
@@ -26,12 +26,12 @@ class ErrorVariance {
     }
   }
 
-  /// The square of a reading's error in units of its variance, over its rows.
+  /// Returns the mean square over its rows of a reading's error in units of its variance.
   [[nodiscard]] double meanSquare(std::size_t reading, double variance) const {
     return (squares_[reading].array() / (noise_[reading].array() + variance)).mean();
   }
 
-  /// The variance at which `size(variance)`, which falls with it, comes down to nothing.
+  /// Returns the variance at which `size(variance)`, which falls with it, reaches zero.
   template <class Size>
   [[nodiscard]] double solve(const Size& size) const {
     if (!(size(0.) > 0)) return 0;
@@ -45,7 +45,7 @@ class ErrorVariance {
     return high;
   }
 
-  /// Median over the readings of the mean square, each in units of what normal noise makes of it.
+  /// Returns the median over the readings of the mean square, each relative to that of normal noise.
   [[nodiscard]] double usualSquare(double variance) const {
     std::vector<double> squares;
     for (std::size_t k = 0; k < squares_.size(); ++k)
@@ -63,7 +63,7 @@ double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeigh
                     int degrees_of_freedom) {
   if (degrees_of_freedom <= 0) return 0;
   const ErrorVariance errors(readings, weights, error);
-  // What most readings are off by says which are gross errors: those are no error of the model.
+  // The usual error of most readings shows which are gross errors: those are no error of the model.
   const double usual = errors.solve([&](double v) { return errors.usualSquare(v) - 1; });
   ChiSquareLimit limitOf(kGrossErrorLevel / static_cast<double>(readings.size()));
   std::vector<std::size_t> kept;

@@ -14,11 +14,11 @@ namespace {
 
 /// A reading's error by the fit without it.
 struct Alone {
-  VectorXd error;     // m
-  double square = 0;  // against its covariance: chi-square of as many degrees of freedom as it has rows
+  VectorXd error;     // [m]
+  double square = 0;  // relative to its covariance: chi-square with as many degrees of freedom as rows
 };
 
-/// Rows of each reading in the basis of its unknown point; empty for others.
+/// Returns the rows of each reading in the basis of its unknown point; empty for others.
 std::vector<MatrixXd> pointBlocks(const ReadingWeights& weights, std::size_t readings) {
   std::vector<MatrixXd> blocks(readings);
   for (const auto& point : weights.points)
@@ -29,9 +29,9 @@ std::vector<MatrixXd> pointBlocks(const ReadingWeights& weights, std::size_t rea
   return blocks;
 }
 
-/// With H the reading's block of the projection on what was fitted, the error without it is (I - H)^-1 r and its
-/// covariance (I - H)^-1, both in units of the reading's weighted noise; a robust fit's factor f gives the noise back:
-/// the reading's own part of that covariance stays 1, the others' part grows by 1 / f.
+/// Returns the error without the reading. With H its block of the projection on the fitted unknowns, that is (I - H)^-1
+/// r with covariance (I - H)^-1, both in units of the reading's weighted noise. A robust fit's factor f restores the
+/// noise: the reading's own part of that covariance stays 1, the others' part grows by 1 / f.
 Alone judgeAlone(const VectorXd& r, const MatrixXd& H, double factor, const MatrixXd& covariance) {
   const Index n = r.size();
   const auto left = (MatrixXd::Identity(n, n) - H).completeOrthogonalDecomposition();
@@ -56,7 +56,7 @@ std::vector<Alone> judgeAll(const std::vector<Measurement>& readings, const Fit&
   return all;
 }
 
-/// Square of the factor by which most readings are off by more than their noise; 1 where they are not.
+/// Returns the square of the factor by which most readings exceed their noise; 1 if they do not.
 double usualSquare(const std::vector<Measurement>& readings, const std::vector<Alone>& all) {
   std::vector<double> sizes;
   for (std::size_t k = 0; k < all.size(); ++k) {

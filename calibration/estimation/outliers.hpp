@@ -1,4 +1,4 @@
-// Readings that are off by more than noise explains.
+// Readings with errors beyond what noise explains.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace tubeplan::calibration {
 
-/// Each reading against the fit without it, in noise sigmas; those that chance exceeds less often than `level` in the
-/// whole set are named, the worst first, as indices of `readings`. Where most readings are off by more than their noise
-/// the measure is what most are off by. A robust fit's weights are taken off.
+/// Compares each reading with the fit without it, in noise sigmas, and returns those that chance exceeds less often
+/// than `level` in the whole set, worst first, as indices of `readings`. If most readings have errors beyond their
+/// noise, the scale is that of most errors. A robust fit's weights are removed first.
 [[nodiscard]] std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, const Fit& fit, double level);
 
 }  // namespace tubeplan::calibration

@@ -9,7 +9,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kSingular = 1e-14;  // of the largest eigenvalue, columns of unit length
+constexpr double kSingular = 1e-14;  // share of the largest eigenvalue, for columns of unit length
 
 }  // namespace
 
@@ -32,7 +32,7 @@ MatrixXd posteriorCovariance(const MatrixXd& jacobian, const std::vector<Unknown
   MatrixXd information = MatrixXd::Zero(n, n);
   if (jacobian.rows() > 0) information.selfadjointView<Eigen::Lower>().rankUpdate(jacobian.transpose());
   information.diagonal() += priorSlopes(unknowns).cwiseAbs2();
-  // Numbers of unit information: a compliance and a length differ by many powers of ten.
+  // Scale to unit information: a compliance and a length differ by many powers of ten.
   const VectorXd scale =
       information.diagonal().unaryExpr([](double value) { return value > 0 ? 1 / std::sqrt(value) : 0; });
   information =

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kRise = 3.841458820694124;  // 95 % of chi-square with one degree of freedom
 constexpr int kMaxSteps = 12;
-constexpr double kFarthest = 40;  // sigmas; a variable that can go farther is not bounded on that side
+constexpr double kFarthest = 40;  // sigmas; a variable that can move farther is not bounded on that side
 
-/// Each fit starts at the last.
+/// Returns options for fits that start at the last one.
 LeastSquaresOptions nearby(const StopQuestion& stop) {
   return {1e-6, 30, LeastSquaresMethod::kLevenbergMarquardt, stop};
 }
@@ -26,10 +26,11 @@ struct Profile {
   const std::vector<Measurement>& readings;
   const Fit& best;
   int variable;
-  double least;  ///< chi-square of readings and priors at the best
+  double least;  ///< chi-square of readings and priors at the optimum
   LeastSquaresOptions solver;
 
-  /// Root of the chi-square's rise over what it may rise, at an offset: -1 at the best, 0 at the interval's end.
+  /// Returns the root of the chi-square's rise relative to the allowed rise, less 1, at an offset: -1 at the optimum, 0
+  /// at the interval's end.
   [[nodiscard]] double riseAt(double offset, VectorXd& x) const {
     std::vector<Unknown> fixed = unknowns;
     const double value = best.solution.x[variable] + offset;
@@ -41,7 +42,7 @@ struct Profile {
     return std::sqrt(std::max(0., solution.chi2 - least) / kRise) - 1;
   }
 
-  /// The offset in one direction where the rise is reached; infinite where it is not.
+  /// Returns the offset in one direction at which the rise is reached; infinite if it is not.
   [[nodiscard]] double end(double direction, double sigma) const {
     const Unknown& unknown = unknowns[static_cast<std::size_t>(variable)];
     const double room =

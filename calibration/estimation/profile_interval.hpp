@@ -1,5 +1,5 @@
-// The 95 % interval of one variable by its profile: how far it can be moved, everything else fitted again, before the
-// chi-square rises by 3.84.
+// The 95 % interval of one variable by its profile: the range within which chi-square, with everything else fitted
+// again, rises by no more than 3.84.
 #pragma once
 
 #include "calibration/estimation/fit.hpp"
@@ -7,11 +7,12 @@
 namespace tubeplan::calibration {
 
 struct ProfileInterval {
-  double lower = -std::numeric_limits<double>::infinity();  ///< of the variable; infinite where the rise is not reached
+  double lower = -std::numeric_limits<double>::infinity();  ///< of the variable; infinite if the rise is not reached
   double upper = std::numeric_limits<double>::infinity();
 };
 
-/// `best` is a fit of all unknowns; `sigma` the variable's own at it. The chi-square is that of readings and priors.
+/// Returns the interval. `best` is a fit of all unknowns; `sigma` the variable's own at it. The chi-square is that of
+/// readings and priors.
 [[nodiscard]] ProfileInterval profileInterval(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                               const std::vector<Measurement>& readings, const Fit& best, int variable,
                                               double sigma, const StopQuestion& stop = {});

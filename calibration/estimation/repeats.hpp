@@ -1,8 +1,8 @@
-// The noise by what repeated readings differ, whatever the model: pure error, and the lack of fit beyond it.
+// The noise from differences of repeated readings, independent of the model: pure error, and the lack of fit beyond it.
 //
-// Repeats may say that the noise is another than was stated, by a factor of three at most: whoever states a noise knows
-// it so well. Readings made alike that scatter more are off for another reason, a row logged twice or a joint with
-// play, and excuse no model.
+// Repeats may correct the stated noise by a factor of three at most, because a stated noise is known that well.
+// Repeated readings that scatter more have another error, such as a row logged twice or a joint with clearance, and do
+// not excuse the model.
 #pragma once
 
 #include <limits>
@@ -12,33 +12,35 @@
 
 namespace tubeplan::calibration {
 
-inline constexpr double kMostNoiseRatio = 3;  ///< of the noise by repeats over the stated noise
+inline constexpr double kMostNoiseRatio = 3;  ///< largest ratio of the noise by repeats to the stated noise
 
-/// Chi-squares by the stated noise. NaN where nothing was read twice.
+/// Statistics of repeated readings, with chi-squares by the stated noise. NaN if nothing was read twice.
 struct Repeats {
-  int groups = 0;                                                ///< of readings made alike
-  int readings = 0;                                              ///< in them
+  int groups = 0;                                                ///< number of groups of repeated readings
+  int readings = 0;                                              ///< number of readings in them
   double pure_error = std::numeric_limits<double>::quiet_NaN();  ///< chi-square about the groups' means
   int pure_freedom = 0;
-  double noise_ratio = std::numeric_limits<double>::quiet_NaN();    ///< noise by repeats over the stated noise
-  double noise_p_value = std::numeric_limits<double>::quiet_NaN();  ///< two-sided, that both are the same
-  double lack_of_fit_F = std::numeric_limits<double>::quiet_NaN();  ///< by a noise of kMostNoiseRatio at most
+  double noise_ratio = std::numeric_limits<double>::quiet_NaN();  ///< noise by repeats over the stated noise
+  /// Two-sided, for the hypothesis that both are the same.
+  double noise_p_value = std::numeric_limits<double>::quiet_NaN();
+  double lack_of_fit_F = std::numeric_limits<double>::quiet_NaN();  ///< with a noise of kMostNoiseRatio at most
   int lack_freedom = 0;
   double lack_of_fit_p_value = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Group of each reading: those of one set-up, point, place on the tool, load and approach, at one posture within what
-/// encoders and a hand repeat. Readings of one point from different postures are no repeats.
+/// Returns the group of each reading. A group has the same set-up, point, place on the tool, load and approach, at one
+/// posture within the repeatability of encoders and of manual work. Readings of one point from different postures are
+/// no repeats.
 [[nodiscard]] std::vector<int> groupRepeats(const std::vector<Measurement>& readings);
 
-/// `error` [m] of the readings by a model whose lack of fit is `chi2` for `freedom` degrees.
+/// Judges repeats. `error` [m] are the readings' errors by a model whose lack of fit is `chi2` for `freedom` degrees.
 [[nodiscard]] Repeats judgeRepeats(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                    const Eigen::VectorXd& error, double chi2, int freedom);
 
-/// Returns whether the repeats say that the stated noise is wrong, at this level: then lack of fit is judged by them.
+/// Returns true if the repeats reject the stated noise at this level; lack of fit is then judged by them.
 [[nodiscard]] bool disagreesWithStatedNoise(const Repeats& repeats, double level);
 
-/// Returns whether repeated readings differ by more than any noise.
+/// Returns true if repeated readings differ by more than any noise.
 [[nodiscard]] inline bool areBeyondNoise(const Repeats& repeats) {
   return repeats.groups > 0 && repeats.noise_ratio > kMostNoiseRatio;
 }

@@ -13,13 +13,13 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-/// Weight of a reading whose whitened length is so many times the usual one.
+/// Returns the weight of a reading by the ratio of its whitened length to the usual one.
 double robustFactor(double length, RobustLoss loss) {
   if (loss == RobustLoss::kNone) return 1;
   return loss == RobustLoss::kHuber ? (length > 1.6 ? 1.6 / length : 1) : 1 / (1 + length * length / 6);
 }
 
-/// Of a reading's whitened square what a robust loss leaves, in the mean over normal noise.
+/// Returns the mean share of a reading's whitened square that a robust loss leaves, for normal noise.
 double shareLeft(int rows, RobustLoss loss) {
   constexpr int kSteps = 400;
   double sum = 0;

@@ -1,5 +1,5 @@
-// A least-squares problem as the methods see it: variables in units of their scale, always within bounds, and every
-// evaluation counted.
+// A least-squares problem as the methods see it: with variables in units of their scale, always within bounds, and
+// every evaluation counted.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@ namespace tubeplan::calibration {
 
 class ScaledProblem {
  public:
-  /// `problem` must outlive this.
+  /// `problem` must outlive this object.
   explicit ScaledProblem(const LeastSquaresProblem& problem);
 
-  // All in units of the scale.
+  // Start and bounds in units of the scale.
   [[nodiscard]] Eigen::VectorXd start() const { return withinBounds(problem_.start.cwiseQuotient(problem_.scale)); }
   [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }
   [[nodiscard]] const Eigen::VectorXd& upper() const { return upper_; }
@@ -21,13 +21,13 @@ class ScaledProblem {
     return x.cwiseMax(lower_).cwiseMin(upper_);
   }
 
-  /// r . r at scaled x; infinity where the problem cannot be evaluated or is not finite.
+  /// Returns r . r at scaled x; infinity if the problem cannot be evaluated or is not finite.
   [[nodiscard]] double chi2At(const Eigen::VectorXd& x);
 
-  /// Residuals at scaled x and their Jacobian by the scaled variables; false as above.
+  /// Computes residuals at scaled x and their Jacobian by the scaled variables; false in the same cases.
   [[nodiscard]] bool linearizeAt(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd& jacobian);
 
-  /// What a method found at scaled x, with the evaluations counted so far.
+  /// Returns the result of a method at scaled x, with the evaluations counted so far.
   [[nodiscard]] LeastSquaresResult resultAt(const Eigen::VectorXd& x, double chi2, LeastSquaresStatus status,
                                             std::string reason, int iterations = 0) const;
   [[nodiscard]] LeastSquaresResult failureAtStart() const;

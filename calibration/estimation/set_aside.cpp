@@ -13,9 +13,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kFewOutliers = 10;  // one reading in that many, at most
+constexpr std::size_t kFewOutliers = 10;  // at most one reading in that many
 
-/// How many readings each unknown place is left without these.
+/// Returns how many readings of each unknown place are left without these.
 std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
   std::map<std::string, int> left;
   for (std::size_t k = 0; k < readings.size(); ++k)
@@ -37,8 +37,8 @@ std::vector<int> outliersOf(const Identification& fit) {
   return places;
 }
 
-/// Those of them that the fit of the others misses by more than their noise; a fit that weighs readings down names some
-/// that are none. Only of kinds that state a place: others are taken as they were found.
+/// Returns those of them that the fit of the others misses by more than their noise, because a robust fit names some
+/// that are no outliers. Only kinds that state a place are checked; others are kept as they were found.
 std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set_aside,
                           const std::vector<Measurement>& readings, double level) {
   std::vector<int> missed;

@@ -1,4 +1,4 @@
-// Readings that a fit, a comparison and a diagnosis set aside as outliers, by their places in ascending order.
+// Readings that a fit, a comparison and a diagnosis set aside as outliers, as ascending indices.
 #pragma once
 
 #include <functional>
@@ -9,31 +9,32 @@
 
 namespace tubeplan::calibration {
 
-/// With the touches that are then left alone at a point of unknown place: they determine nothing.
+/// Adds touches that are then left alone at a point of unknown place: they determine nothing.
 [[nodiscard]] std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& readings);
 
-/// How many of these readings must be outliers: of the touches of one unknown point that are all set aside, one is left
-/// alone or is as good as the others.
+/// Returns how many of these readings must be outliers. If all touches of an unknown point are set aside, one of them
+/// counts as good.
 [[nodiscard]] double countOutliers(const std::vector<int>& set_aside, const std::vector<Measurement>& readings);
 
-/// The fit of the readings that are left.
+/// The fit of the remaining readings.
 struct WithoutOutliers {
   std::vector<int> set_aside;
   Identification fit;
 };
 
-/// Fits the model as it stands to some of the readings.
+/// Function that fits the model as it stands to some of the readings.
 using BaselineFit = std::function<Identification(const std::vector<Measurement>& readings, RobustLoss loss)>;
 
-/// Outliers are looked for again in what is left, since a large one hides a smaller one, and by a fit that weighs
-/// readings down where the baseline fails and names none: several at once draw it to themselves. `level` is
-/// IdentificationOptions::outlier_level. Nothing where there are none, or more than one reading in ten.
+/// Finds outliers and fits the others. The search is repeated on the remaining readings, because a large outlier hides
+/// a smaller one. If the baseline fails and names none, the search uses a robust fit, because several outliers pull a
+/// plain fit to themselves. `level` is IdentificationOptions::outlier_level. Nothing if there are none, or more than
+/// one reading in ten.
 [[nodiscard]] std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& readings,
                                                              const Identification& baseline, double level,
                                                              const BaselineFit& fit);
 
-/// Returns the readings that are set aside before a model is fitted or judged, by withoutOutliers(): empty where there
-/// are none, or too many. `baseline` is the fit of all readings by `options`; nothing may have been free.
+/// Returns the readings to set aside before a model is fitted or judged, by withoutOutliers(); empty if there are none,
+/// or too many. `baseline` is the fit of all readings by `options`, possibly without free numbers.
 [[nodiscard]] std::vector<int> readingsToSetAside(const PlacedArm& start, const std::vector<Measurement>& readings,
                                                   const Identification& baseline, const IdentificationOptions& options);
 

@@ -17,7 +17,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Where encoders were read: readings with these in common have their errors in common.
+/// Set-up and joint readings: readings at the same station have their encoder errors in common.
 using Station = std::pair<std::string, std::vector<double>>;
 
 Station stationOf(const std::string& setup, const Measurement& reading) {
@@ -26,7 +26,7 @@ Station stationOf(const std::string& setup, const Measurement& reading) {
   return {setup, std::move(joints)};
 }
 
-/// One reading's share of a station: its columns of `by_joints` from `first`.
+/// One reading's part of a station: its columns of `by_joints` from `first`.
 struct Share {
   int reading = 0;
   Index first = 0;
@@ -39,7 +39,8 @@ VectorXd encoderSigmas(const deflection::Arm& arm) {
   return sigmas;
 }
 
-/// Places among all rows of the rows of some readings, where each reading's first row is `first_row_of` it.
+/// Returns the indices among all rows of the rows of some readings, where each reading's first row is `first_row_of`
+/// it.
 template <class FirstRow>
 std::vector<Index> rowsOfThese(const ReadingWeights& weights, const std::vector<int>& readings,
                                const FirstRow& first_row_of) {
@@ -59,7 +60,8 @@ void takeOff(const SharedNoise& shared, const std::vector<Index>& rows, Eigen::R
   columns(rows, Eigen::all) = own - shared.Q * (shared.shrink.asDiagonal() * (shared.Q.transpose() * own));
 }
 
-/// What an unknown place absorbs must not reach beyond its own touches.
+/// Returns true if sharing is possible: the components that an unknown place absorbs must not reach beyond its own
+/// touches.
 bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& readings) {
   const auto at = [&](const Share& share) -> const Measurement& {
     return readings[static_cast<std::size_t>(share.reading)];
@@ -70,10 +72,11 @@ bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& 
   });
 }
 
-/// Stations that long chains of ways hang together by mix all of their readings: too many to be worth it.
+/// Returns the stations that are worth it. Those connected by long chains of displacements mix all of their readings,
+/// which are too many.
 std::vector<bool> areAffordable(const std::vector<const std::vector<Share>*>& stations,
                                 const std::vector<Measurement>& readings, Index joints) {
-  constexpr double kMostNumbers = 5e6;  // of all Q of readings that hang together
+  constexpr double kMostNumbers = 5e6;  // largest number of entries of all Q of connected readings
   std::vector<int> leader(readings.size());
   std::iota(leader.begin(), leader.end(), 0);
   const auto leaderOf = [&](int k) {
@@ -101,7 +104,7 @@ SharedNoise sharedBy(const std::vector<Share>& shares, const VectorXd& sigmas, s
     auto columns = by_joints[static_cast<std::size_t>(reading)].middleCols(first, sigmas.size());
     const MatrixXd slopes = columns * sigmas.asDiagonal();
     columns.setZero();
-    if (!shared.readings.empty() && shared.readings.back() == reading) {  // a way that ends where it began
+    if (!shared.readings.empty() && shared.readings.back() == reading) {  // a displacement that ends where it began
       shared.slopes.back() += slopes;
       continue;
     }
@@ -147,7 +150,7 @@ std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm, const s
 
 namespace {
 
-/// What was placed before and reaches a noise's rows, in its order, and all readings that it mixes.
+/// Earlier groups that affect a noise's rows, in their order, and all readings that they mix.
 struct Reach {
   std::vector<std::size_t> before;
   std::vector<int> mixed;
@@ -165,7 +168,7 @@ Reach reachOf(const std::vector<SharedNoise>& shared, const std::vector<int>& re
     open.erase(open.begin());
     reach.before.push_back(next);
     for (const int k : shared[next].mixed)
-      if (mixed.insert(k).second)  // rows that were zero until now: what was placed before `next` left them so
+      if (mixed.insert(k).second)  // these rows were zero so far: groups placed before `next` left them so
         for (const std::size_t other : placed[static_cast<std::size_t>(k)])
           if (other > next) open.insert(other);
   }
@@ -176,8 +179,8 @@ Reach reachOf(const std::vector<SharedNoise>& shared, const std::vector<int>& re
 }  // namespace
 
 void placeSharedNoise(ReadingWeights& weights) {
-  constexpr double kSeen = 1e-9;  // of an eigenvalue: what adds less than that to a variance of one
-  std::vector<std::vector<std::size_t>> placed(weights.whitener.size());  // of each reading, what mixes it already
+  constexpr double kSeen = 1e-9;  // eigenvalue below which the addition to a variance of one is negligible
+  std::vector<std::vector<std::size_t>> placed(weights.whitener.size());  // groups that already mix each reading
   for (std::size_t s = 0; s < weights.shared.size(); ++s) {
     SharedNoise& shared = weights.shared[s];
     const Reach reach = reachOf(weights.shared, shared.readings, placed);

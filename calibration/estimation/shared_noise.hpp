@@ -1,4 +1,4 @@
-// Noise that several readings have in common: encoders that were read once for all of them.
+// Noise common to several readings: errors of encoders that were read once for all of them.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,40 +11,41 @@
 
 namespace tubeplan::calibration {
 
-/// The encoders' errors at one posture, which reach every reading there: several shots at the same joint readings, and
-/// the posture that the ways of a whole campaign are taken from.
+/// The encoders' errors at one posture, which affect every reading there: several readings at the same joint values,
+/// and the reference posture of a campaign's displacements.
 ///
-/// With the readings' own noise whitened, what the common errors add to their covariance is I + U U^T, U the whitened
+/// With the readings' own noise whitened, the covariance with common errors is I + U U^T, U the whitened
 /// slopes times the encoders' standard deviations. Its inverse root is I - Q diag(shrink) Q^T, with Q the
 /// eigenvectors of U U^T and shrink = 1 - (1 + eigenvalue)^(-1/2).
 struct SharedNoise {
   std::vector<int> readings;
-  std::vector<Eigen::MatrixXd> slopes;  ///< of each, rows x joints [m, rad]: by one standard deviation of an encoder
-  std::vector<int> mixed;               ///< these readings, and those that share other noise with them
-  Eigen::MatrixXd Q;                    ///< rows of `mixed`, one after another
+  /// Rows x joints of each reading [m, rad], per standard deviation of an encoder.
+  std::vector<Eigen::MatrixXd> slopes;
+  std::vector<int> mixed;  ///< these readings, and those that share other noise with them
+  Eigen::MatrixXd Q;       ///< rows of `mixed`, one after another
   Eigen::VectorXd shrink;
 };
 
 struct ReadingWeights;
 
-/// What is shared, by `by_joints` of each reading (ReadingPredictor), the smallest first; Q and shrink are empty yet.
-/// What a reading has for itself is left in `by_joints`, the rest of it zero. Touches of an unknown point share noise
-/// with touches of that point only.
+/// Returns the shared noise from `by_joints` of each reading (ReadingPredictor), the smallest group first; Q and shrink
+/// are still empty. Noise of a reading alone remains in `by_joints`, with the rest set to zero. Touches of an unknown
+/// point share noise with touches of that point only.
 [[nodiscard]] std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm,
                                                            const std::vector<Measurement>& readings,
                                                            std::vector<Eigen::MatrixXd>& by_joints);
 
-/// Where the rows of these readings begin when they stand alone, one after another, and how many there are.
+/// Returns the first row of each of these readings when they are stacked alone, and the total number of rows.
 [[nodiscard]] std::pair<std::map<int, Eigen::Index>, Eigen::Index> rowsAlone(const ReadingWeights& weights,
                                                                              const std::vector<int>& readings);
 
-/// Q and shrink of what the weights share, by their whiteners.
+/// Computes Q and shrink of the weights' shared noise from their whiteners.
 void placeSharedNoise(ReadingWeights& weights);
 
-/// Makes whitened columns (rows of `weights`) those of readings without noise in common.
+/// Transforms whitened columns (rows of `weights`) to those of readings without common noise.
 void decorrelate(const ReadingWeights& weights, Eigen::Ref<Eigen::MatrixXd> columns);
 
-/// The same of these readings' rows alone, one after another; noise that is shared with other readings stays.
+/// Transforms the rows of these readings alone, one after another; noise shared with other readings remains.
 void decorrelateWithin(const ReadingWeights& weights, const std::vector<int>& readings,
                        Eigen::Ref<Eigen::MatrixXd> rows);
 

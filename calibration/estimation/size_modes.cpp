@@ -17,23 +17,24 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr std::size_t kMostReadings = 400;  // that are asked; what so many leave open more do as well
-constexpr double kAsGood = 4;       // of chi-square with priors, within which sizes explain the readings as well
-constexpr double kPromising = 0.5;  // of the best fall of chi-square, from which a fit is begun
-constexpr double kApart = 3;        // standard deviations, by which other sizes differ
-constexpr double kDecides = 4;      // standard deviations of a reading, by which it tells two modes apart
+// Largest number used; ambiguities that remain with so many remain with more.
+constexpr std::size_t kMostReadings = 400;
+constexpr double kAsGood = 4;  // range of chi-square with priors within which sizes explain the readings equally well
+constexpr double kPromising = 0.5;  // share of the best fall of chi-square from which a fit is started
+constexpr double kApart = 3;        // standard deviations by which other sizes differ
+constexpr double kDecides = 4;      // standard deviations of a reading by which it distinguishes two modes
 constexpr int kIterations = 20;
-constexpr double kExact = 1e-6;                      // m, of a tip by encoders that state no noise
-constexpr double kStretch = 0.05, kMostStretch = 3;  // of sizes in proportion, as they are tried; and the largest
-constexpr double kAmplitudes[] = {0.0125, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8};  // of the typical size
+constexpr double kExact = 1e-6;                      // error of a tip with encoders that state no noise [m]
+constexpr double kStretch = 0.05, kMostStretch = 3;  // step of the common factor of sizes, and its largest value
+constexpr double kAmplitudes[] = {0.0125, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8};  // as shares of the typical size
 
-/// One or two sizes that are not what they are where the effect does nothing, with the sign of each.
+/// One or two sizes that differ from their neutral values, with the sign of each.
 struct Direction {
-  std::vector<std::size_t> sizes;  ///< places among the unknowns
+  std::vector<std::size_t> sizes;  ///< indices among the unknowns
   VectorXd signs;
 };
 
-/// The sizes of one effect, alone and in twos, beside everything else that was fitted.
+/// Search over the sizes of one effect, singly and in pairs, with everything else that was fitted.
 class SizeSearch {
  public:
   explicit SizeSearch(const SizeModesQuestion& question) : asked_(question) {
@@ -50,7 +51,7 @@ class SizeSearch {
     bare_ = applied(asked_.placed, asked_.unknowns, neutral);
   }
 
-  /// Returns the modes, the most probable first.
+  /// Returns the modes, most probable first.
   [[nodiscard]] std::vector<SizeMode> find() const {
     if (weights_.rows == 0) return {};
     std::vector<SizeMode> modes{asFound()};
@@ -73,7 +74,7 @@ class SizeSearch {
  private:
   [[nodiscard]] bool isSize(std::size_t k) const { return std::ranges::find(asked_.sizes, k) != asked_.sizes.end(); }
 
-  /// The unknowns with these sizes after all others, 0 where the effect does nothing.
+  /// Returns the unknowns with these sizes after all others, 0 at neutral values.
   [[nodiscard]] std::vector<Unknown> unknownsOf(const Direction& direction) const {
     std::vector<Unknown> unknowns = others_;
     for (const std::size_t k : direction.sizes)
@@ -81,7 +82,7 @@ class SizeSearch {
     return unknowns;
   }
 
-  /// Each size alone, either way, and each two of one quantity in between.
+  /// Returns the directions: each size alone with either sign, and each pair of one quantity in between.
   [[nodiscard]] std::vector<Direction> directions() const {
     std::vector<Direction> directions;
     for (auto i = asked_.sizes.begin(); i != asked_.sizes.end(); ++i)
@@ -105,7 +106,7 @@ class SizeSearch {
                                                                 : std::numeric_limits<double>::infinity();
   }
 
-  /// The best of some amplitudes in a direction, all else as it was found.
+  /// Returns the best of some amplitudes in a direction, with all else as it was found.
   [[nodiscard]] VectorXd bestAlong(const Direction& direction, const std::vector<Unknown>& unknowns) const {
     VectorXd best = zerosOf(unknowns);
     double least = std::numeric_limits<double>::infinity();
@@ -121,7 +122,7 @@ class SizeSearch {
     return best;
   }
 
-  /// Standard deviations of all sizes, 0 of those that are not among the last unknowns.
+  /// Returns the standard deviations of all sizes, 0 for those that are not among the last unknowns.
   [[nodiscard]] VectorXd sigmaAt(const LeastSquaresProblem& problem, const VectorXd& x,
                                  const std::vector<std::size_t>& sizes) const {
     VectorXd sigma = VectorXd::Zero(static_cast<Index>(asked_.sizes.size())), r;
@@ -168,7 +169,7 @@ class SizeSearch {
     return mode;
   }
 
-  /// The sizes of a mode in proportion: all 1 as it is, all 0 where the effect does nothing.
+  /// Returns the state with all sizes of a mode multiplied by a factor: 1 leaves them, 0 makes the effect neutral.
   [[nodiscard]] PlacedArm stretched(const SizeMode& mode, double by) const {
     PlacedArm state = mode.state;
     for (std::size_t k = 0; k < asked_.sizes.size(); ++k) {
@@ -179,8 +180,8 @@ class SizeSearch {
     return state;
   }
 
-  /// Chi-square of what the readings say: of a count of steps the distance beyond its tolerances, by the encoders'
-  /// noise.
+  /// Returns the chi-square of the readings; for a count of steps it measures the distance beyond its tolerances, by
+  /// the encoders' noise.
   [[nodiscard]] double disagreementOf(const PlacedArm& state) const {
     double sum = 0;
     for (std::size_t k = 0; k < readings_.size(); ++k) {
@@ -203,7 +204,7 @@ class SizeSearch {
     return sum;
   }
 
-  /// Takes for each size how far all may be stretched, up and down, with the readings explained.
+  /// Sets for each size how far all may be multiplied, up and down, with the readings still explained.
   void findRange(SizeMode& mode) const {
     const double limit = disagreementOf(mode.state) + kAsGood;
     double down = 1, up = 1;
@@ -217,7 +218,7 @@ class SizeSearch {
     mode.upper = least.cwiseMax(most).cwiseMax(mode.values + doubt);
   }
 
-  /// Adds a mode unless one like it is there, whose place it takes where it is better by more than a number costs.
+  /// Adds a mode, or replaces a similar one if it is better by more than the penalty of a number.
   static void keep(const SizeMode& mode, std::vector<SizeMode>& modes) {
     if (!std::isfinite(mode.cost)) return;
     for (SizeMode& other : modes) {
@@ -234,13 +235,13 @@ class SizeSearch {
   }
 
   const SizeModesQuestion& asked_;
-  PlacedArm bare_;  ///< where the effect does nothing, all else as found
+  PlacedArm bare_;  ///< state with a neutral effect, and all else as found
   std::vector<Unknown> others_;
   std::vector<Measurement> readings_;
   ReadingWeights weights_;
 };
 
-/// Kinds of which a single reading would tell the two states apart, made where the readings were.
+/// Returns the kinds of which a single reading, made where the readings were, would distinguish the two states.
 std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm& other,
                                            const std::vector<Measurement>& readings) {
   std::vector<MeasurementKind> kinds;
@@ -256,7 +257,7 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
       const auto& X_other = other.base_poses[static_cast<std::size_t>(basePoseOf(other, asked))].X_WB;
       const auto here = toolAt(one.arm, X_one, asked), there = toolAt(other.arm, X_other, asked);
       if (!here || !there) continue;
-      // A touch states its hole, and the joints follow: the tips differ by as much as the place measured would.
+      // A touch states its hole, and the joints follow: the tips differ by as much as the measured place would.
       kind.record(*here, 1, MeasuredValue::Zero(6), asked);
       const double apart = kind.is_touch ? (here->p_W - there->p_W).norm()
                                          : (predictedValue(asked, *there) - predictedValue(asked, *here)).norm();

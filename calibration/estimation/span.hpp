@@ -1,15 +1,14 @@
-// What the columns of a Jacobian can follow, and what is left of others beside it.
+// The span of a Jacobian's columns, and the part of other columns outside it.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace tubeplan::calibration {
 
-/// An orthonormal basis of what the columns span; columns that add nothing to the others cost nothing, and scales do
-/// not matter.
+/// Returns an orthonormal basis of the columns' span. Dependent columns are dropped, and scales do not matter.
 [[nodiscard]] Eigen::MatrixXd spanOf(Eigen::MatrixXd columns);
 
-/// The part of columns that the orthonormal Q does not span.
+/// Returns the part of the columns that the orthonormal Q does not span.
 [[nodiscard]] Eigen::MatrixXd without(const Eigen::MatrixXd& Q, const Eigen::MatrixXd& columns);
 
 }  // namespace tubeplan::calibration

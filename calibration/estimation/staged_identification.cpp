@@ -12,13 +12,13 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// What the stages so far have found: variables that are 0 where they stand now, and their covariance.
+/// Results of the stages so far: variables that are 0 at the present state, and their covariance.
 struct Found {
   std::vector<Unknown> unknowns;
   MatrixXd covariance;
 };
 
-/// A stage's readings, and where each stands among all.
+/// A stage's readings, and the index of each among all.
 struct StageReadings {
   std::vector<Measurement> list;
   std::vector<int> among_all;
@@ -34,7 +34,7 @@ StageReadings readingsOf(const std::vector<Measurement>& all, const std::string&
   return some;
 }
 
-/// Whoever reads the result knows all readings, not the stage's.
+/// Changes a stage's indices of readings to those among all readings, which the result refers to.
 void countAmongAll(const StageReadings& some, Identification& stage) {
   const auto rename = [&](int& reading) { reading = some.among_all[static_cast<std::size_t>(reading)]; };
   for (auto& outlier : stage.outliers) rename(outlier.reading);
@@ -42,7 +42,7 @@ void countAmongAll(const StageReadings& some, Identification& stage) {
   if (stage.reading_problem && stage.reading_problem->reading >= 0) rename(stage.reading_problem->reading);
 }
 
-/// Sigmas and intervals again, from a larger covariance.
+/// Computes sigmas and intervals again from a larger covariance.
 void inflateCovariance(Identification& stage) {
   for (std::size_t i = 0; i < stage.numbers.size(); ++i) {
     auto& number = stage.numbers[i];
@@ -54,8 +54,8 @@ void inflateCovariance(Identification& stage) {
   }
 }
 
-/// Errors of the held numbers move a stage's optimum by A = -C J^T J_held, C its posterior covariance: theirs comes in
-/// by it.
+/// Adds the uncertainty of held numbers. Their errors move a stage's optimum by A = -C J^T J_held, with C its posterior
+/// covariance.
 void carry(const std::vector<Measurement>& readings, Found& found, Identification& stage) {
   auto own = fittedUnknowns(stage);
   const auto weights = weighReadings(stage.fitted, readings, {}, stage.model_error);
@@ -77,7 +77,7 @@ void carry(const std::vector<Measurement>& readings, Found& found, Identificatio
   found.unknowns = both;
 }
 
-/// A number that a stage frees again is its own, not one that it holds.
+/// Returns true for a number that a stage frees again, and so does not hold.
 bool isFreed(const Identification& stage, const Unknown& number) {
   return std::any_of(stage.numbers.begin(), stage.numbers.end(),
                      [&](const IdentifiedNumber& own) { return own.unknown.name == number.name; });
@@ -95,7 +95,7 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
   for (const auto& stage : stages) {
     IdentificationOptions now = options;
     now.free.names = stage.names;
-    now.uncertainty.reset();  // of one stage's readings alone it would not be that of all
+    now.uncertainty.reset();  // with one stage's readings alone it would not be that of all
     const auto some = readingsOf(readings, stage.setup);
     PlacedArm from{state.arm, {}};
     for (const auto& base_pose : state.base_poses)

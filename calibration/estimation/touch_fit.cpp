@@ -16,10 +16,10 @@ using Eigen::Index, Eigen::Isometry3d, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::
 
 namespace {
 
-constexpr double kFarthest = 8;  // standard deviations of a number that a fit may go
+constexpr double kFarthest = 8;  // largest deviation of a number in a fit, in standard deviations
 constexpr int kModelErrorRounds = 24;
 
-/// Touches beside a base and an arm whose numbers are uncertain; x is the base's step, then z.
+/// Least-squares problem of touches with a base and uncertain numbers of the arm; x is the base's step, then z.
 class TouchProblem {
  public:
   TouchProblem(const deflection::Arm& arm, const UncertainNumbers& numbers, const std::vector<Measurement>& touches,
@@ -41,8 +41,8 @@ class TouchProblem {
     return arm;
   }
 
-  /// Covariance of each touch by its own noise and its encoders' at x, and L^-1 of it with a model error; false where a
-  /// shape does not converge.
+  /// Computes the covariance of each touch from its own and its encoders' noise at x, and L^-1 of it with a model
+  /// error; false if a shape does not converge.
   bool weigh(const VectorXd& x, double model_error) {
     const deflection::Arm arm = armAt(x);
     const Isometry3d X_WB = baseAt(x);
@@ -61,7 +61,8 @@ class TouchProblem {
     return true;
   }
 
-  /// Whitened errors and their slopes by x, those of z's prior below; errors in metres where `error` is not null.
+  /// Computes whitened errors and their slopes by x, followed by those of z's prior; errors in metres if `error` is not
+  /// null.
   bool evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobian, Eigen::Matrix3Xd* error = nullptr) const {
     const deflection::Arm arm = armAt(x);
     const Isometry3d X_WB = baseAt(x);
@@ -102,7 +103,7 @@ class TouchProblem {
     return problem;
   }
 
-  /// Of the base's step from where it was found and of the numbers' variables, by the slopes at x.
+  /// Returns the covariance of the base's step from its fitted place and of the numbers' variables, by the slopes at x.
   [[nodiscard]] MatrixXd covarianceAt(const VectorXd& x, const MatrixXd& jacobian) const {
     const Index n = numbers_.root.rows();
     MatrixXd back = MatrixXd::Zero(6 + n, variables());
@@ -123,7 +124,7 @@ class TouchProblem {
   }
 
  private:
-  /// From the rate of each number's variable to that of its value.
+  /// Returns the slopes from each number's variable to its value.
   [[nodiscard]] Eigen::DiagonalMatrix<double, Eigen::Dynamic> numberSlopes(const VectorXd& x) const {
     VectorXd slopes = numbers_.root * x.tail(x.size() - 6);
     for (Index k = 0; k < slopes.size(); ++k)
@@ -142,7 +143,7 @@ class TouchProblem {
 constexpr const char* kTooCompliant =
     "the model cannot be evaluated at the touches: the arm is too compliant for its load";
 
-/// Minimises by weights that are taken anew at the minimum, once.
+/// Minimises with weights that are computed again at the minimum, once.
 bool minimize(TouchProblem& problem, double model_error, LeastSquaresMethod method, VectorXd& x, TouchFit& fit) {
   for (int round = 0; round < 2; ++round) {
     if (!problem.weigh(x, model_error)) {
@@ -164,7 +165,7 @@ bool minimize(TouchProblem& problem, double model_error, LeastSquaresMethod meth
   return true;
 }
 
-/// The model error by which chi-square is what its degrees of freedom expect.
+/// Finds the model error with which chi-square equals its degrees of freedom.
 bool findModelError(TouchProblem& problem, LeastSquaresMethod method, VectorXd& x, TouchFit& fit) {
   const double refused = fit.chi2;
   double low = fit.model_error, high = low + fit.error_W.norm() / std::sqrt(static_cast<double>(fit.error_W.size()));

@@ -2,9 +2,10 @@
 //
 // With z the numbers as independent standard normals (UncertainNumbers) and s a step of the base, the fit minimises
 //     sum_k |L_k^-1 (tip_k(s, z) - hole_k)|^2 + |z|^2,
-// L_k L_k^T the covariance of a touch by its own noise, its encoders' and the model's stated error. What the arm's file
-// does not know is so part of the base's covariance: a touch pulls at the base only as far as the arm cannot have been
-// otherwise. The minimum has 3 n - 6 degrees of freedom where the numbers are as uncertain as was stated.
+// L_k L_k^T the covariance of a touch by its own noise, its encoders' and the model's stated error. The uncertainty of
+// the arm's file is so part of the base's covariance: a touch moves the base only by the part of its error that the
+// arm's numbers cannot explain. The minimum has 3 n - 6 degrees of freedom if the numbers have their stated
+// uncertainty.
 #pragma once
 
 #include <limits>
@@ -18,12 +19,13 @@
 namespace tubeplan::calibration {
 
 struct TouchFitOptions {
-  double model_error = 0;         ///< m per coordinate beyond noise and numbers, as it is known beforehand
-  bool finds_model_error = true;  ///< where chi-square refuses that (p < 0.01), as much more as it asks for
+  double model_error = 0;  ///< per coordinate beyond noise and numbers, known beforehand [m]
+  /// True: if chi-square rejects that (p < 0.01), the model error is increased as it requires.
+  bool finds_model_error = true;
   LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
 };
 
-/// Variables that are uncertain together and zero where base and arm stand now: the base's six first, then numbers.
+/// Variables that are uncertain together and zero at the present base and arm: the base's six first, then numbers.
 struct JointUncertainty {
   std::vector<Unknown> numbers;
   Eigen::MatrixXd covariance;  ///< (6 + n) x (6 + n), of the base's step and of the numbers' variables
@@ -31,26 +33,27 @@ struct JointUncertainty {
 
 struct TouchFit {
   LeastSquaresStatus status = LeastSquaresStatus::kNotRun;
-  std::string reason;  ///< why it is not kConverged
+  std::string reason;  ///< reason if not kConverged
   int iterations = 0;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  deflection::Arm arm;                                     ///< with its numbers where the touches have them
+  deflection::Arm arm;                                     ///< with its fitted numbers
   JointUncertainty uncertainty;                            ///< about X_WB and `arm`
-  std::vector<Eigen::Matrix3d> noise;                      ///< of each touch by its own noise and its encoders' [m^2]
-  Eigen::Matrix3Xd error_W;                                ///< tip less hole of each touch [m]
-  double model_error = 0;                                  ///< m per coordinate, as counted
-  bool is_model_error_found = false;                       ///< by these touches: it is more than was known beforehand
-  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< by what was known beforehand
+  std::vector<Eigen::Matrix3d> noise;                      ///< of each touch from its own and its encoders' noise [m^2]
+  Eigen::Matrix3Xd error_W;                                ///< tip minus hole of each touch [m]
+  double model_error = 0;                                  ///< per coordinate, as used [m]
+  bool is_model_error_found = false;                       ///< true: increased because of these touches
+  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< with the prior knowledge
   int degrees_of_freedom = 0;
   double p_value = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Fits touches of known places, three or more and not on a line, from a base nearby or, aligned, from anywhere.
+/// Fits touches of known places, three or more and not on a line, from a base nearby or, after an alignment, from
+/// anywhere.
 [[nodiscard]] TouchFit fitTouches(const deflection::Arm& arm, const UncertainNumbers& numbers,
                                   const std::vector<Measurement>& touches, const Eigen::Isometry3d& X_WB_start,
                                   const TouchFitOptions& options = {});
 
-/// Returns what these touches leave uncertain of a base and an arm that were calibrated by them; nothing where a shape
+/// Returns the remaining uncertainty of a base and an arm that were calibrated by these touches; nothing if a shape
 /// does not converge. `model_error` [m] as in TouchFit.
 [[nodiscard]] std::optional<JointUncertainty> uncertaintyByTouches(const deflection::Arm& arm,
                                                                    const Eigen::Isometry3d& X_WB,

@@ -1,4 +1,4 @@
-// Touches that cannot place a base, found before anything is solved.
+// Checks for touches that cannot place a base, made before anything is solved.
 #include <algorithm>
 #include <set>
 
@@ -8,9 +8,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kSameHole = 2.5e-3;  ///< m; no two holes of a sheet are so near (0.1 in)
+constexpr double kSameHole = 2.5e-3;  ///< less than the distance of any two holes of a sheet [m] (0.1 in)
 
-/// Least spread of the points across any line, against their longest spread: zero on a line.
+/// Returns the least spread of the points across any line relative to their longest spread: zero on a line.
 double flatness(const std::vector<Measurement>& touches) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const auto& touch : touches) centre += (*touch.p_W) / static_cast<double>(touches.size());

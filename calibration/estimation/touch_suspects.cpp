@@ -11,11 +11,11 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kFarBetter = 0.25;        // of chi-square, which a supposed hole must leave at most
+constexpr double kFarBetter = 0.25;        // largest share of chi-square that a supposed hole may leave
 constexpr std::size_t kLeastOthers = 4;    // touches: any three fit nearly anything
-constexpr double kFirstStep = 2e-3;        // rad or m, of a misread joint that is looked for
-constexpr double kMostMisread = 0.2;       // rad or m
-constexpr std::size_t kMostSuspected = 3;  // readings that are named
+constexpr double kFirstStep = 2e-3;        // first correction of a misread joint in the search [rad or m]
+constexpr double kMostMisread = 0.2;       // [rad or m]
+constexpr std::size_t kMostSuspected = 3;  // number of readings that are named
 
 TouchFit fitOf(const TouchesToExplain& asked, const std::vector<Measurement>& touches, double model_error) {
   return fitTouches(asked.arm, asked.numbers, touches, asked.X_WB, {model_error, false, asked.options.method});
@@ -31,14 +31,14 @@ class CorrectedReading {
   CorrectedReading(const TouchesToExplain& asked, std::size_t touch, Eigen::Index joint)
       : asked_(asked), touches_(asked.touches), touch_(touch), joint_(joint) {}
 
-  /// Chi-square with so much added to the reading; infinite where no base is found.
+  /// Returns the chi-square with `added` to the reading; infinite if no base is found.
   double chi2At(double added) {
     touches_[touch_].q[joint_] = asked_.touches[touch_].q[joint_] + added;
     const TouchFit fit = fitOf(asked_, touches_, asked_.options.model_error);
     return fit.status == LeastSquaresStatus::kConverged ? fit.chi2 : std::numeric_limits<double>::infinity();
   }
 
-  /// The correction by which chi-square is least, by parabolas through three corrections that draw together.
+  /// Returns the correction with the least chi-square, by parabolas through three converging corrections.
   double best() {
     constexpr int kRounds = 4;
     double at = 0, step = kFirstStep;

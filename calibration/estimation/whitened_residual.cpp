@@ -15,7 +15,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// The unknown places, by the readings that share each.
+/// Sets the unknown places, with the readings that share each.
 void groupByPlace(const std::vector<Measurement>& readings, ReadingWeights& weights) {
   std::map<std::string, std::size_t> index;
   for (std::size_t k = 0; k < readings.size(); ++k) {
@@ -50,7 +50,7 @@ void eliminatePoints(const std::vector<Measurement>& readings, ReadingWeights& w
   }
 }
 
-/// How each reading changes with the numbers of its unknown place, at this state of the arm.
+/// Computes the slopes of each reading by the numbers of its unknown place, at this state of the arm.
 bool placeColumns(const PlacedArm& placed, const std::vector<Measurement>& readings, std::vector<MatrixXd>& columns) {
   columns.resize(readings.size());
   for (std::size_t k = 0; k < readings.size(); ++k) {
@@ -67,14 +67,14 @@ bool placeColumns(const PlacedArm& placed, const std::vector<Measurement>& readi
   return true;
 }
 
-/// Weight of a reading by its covariance: L^-1 of L L^T.
+/// Returns the weight of a reading from its covariance: L^-1 of L L^T.
 template <int Rows>
 MatrixXd whitenerOf(const MatrixXd& covariance) {
   using Square = Eigen::Matrix<double, Rows, Rows>;
   return Eigen::LLT<Square>(Square(covariance)).matrixL().solve(Square::Identity(covariance.rows(), covariance.rows()));
 }
 
-/// How each reading changes with the joints that it was read at.
+/// Computes the slopes of each reading by its joint readings.
 bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readings, std::vector<MatrixXd>& by_joints,
                  const StopQuestion& stop) {
   by_joints.resize(readings.size());
