@@ -64,7 +64,8 @@ ModelLackOfFit lackOfFitOf(const Evaluation& model, int fitted_numbers, double l
   return lack_of_fit;
 }
 
-/// Measured less predicted, in the world: one that is measured along a line lies along it, a mere turn has none.
+/// Returns measured minus predicted in the world [m]: along the line for a reading measured along one, zero for a
+/// rotation alone.
 Vector3d errorInWorld(const Evaluation& model, std::size_t k) {
   const auto& reading = model.scene.readings[k];
   const Index row = model.weights.first_row[k];
@@ -98,7 +99,7 @@ void describeReadings(const Evaluation& before, const Evaluation& after, const s
   }
 }
 
-/// Readings kept from the fit, judged by themselves.
+/// Judges the held-out readings by themselves.
 void describeHeldOut(const PlacedArm& start, const std::vector<Measurement>& readings, Comparison& result) {
   std::vector<int> which;
   std::vector<Measurement> held_out;
@@ -117,7 +118,7 @@ void listWorst(Comparison& result) {
   });
 }
 
-/// Fits what is free. False where there is no model to go on with; `result` says why.
+/// Fits the free numbers. Returns false if there is no model to continue with; `result` states why.
 bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, const ComparisonOptions& options,
            Comparison& result) {
   result.fitted = start;
@@ -137,7 +138,7 @@ bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, con
   return true;
 }
 
-/// The fitted model with its Jacobian by what was fitted; the model alone where nothing was.
+/// Returns the fitted model with its Jacobian by the fitted unknowns; the model alone if there are none.
 Evaluation evaluateFitted(const PlacedArm& placed, const Identification& fit, const std::vector<Measurement>& fitted) {
   Evaluation after = evaluate(placed, fitted);
   if (!after.ok || fit.status == IdentificationStatus::kNotRun) return after;

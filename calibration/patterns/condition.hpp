@@ -1,7 +1,7 @@
-// An error that goes with a condition that the readings state: one pattern for each row of deflection/conditions.hpp.
+// An error that follows a condition stated by the readings: one pattern for each row of deflection/conditions.hpp.
 //
-// Basis: the condition; of what acts as anything that changes slowly (a drift, a slip of the base), slow waves over its
-// range; apart from them, where there are readings enough, up to twelve cycles.
+// Basis: the condition; for conditions with slow effects (a drift, a slip of the base), slow waves over its range. If
+// there are enough readings, up to twelve cycles form a second variable.
 #pragma once
 
 #include "calibration/patterns/pattern.hpp"

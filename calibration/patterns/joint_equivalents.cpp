@@ -12,7 +12,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kLeastLever = 1e-4;  // squared, of the longest, that a direction must have to be turned into angles
+// Least square of a direction's lever, relative to the longest, for conversion into angles.
+constexpr double kLeastLever = 1e-4;
 
 struct Turned {
   VectorXd correction;

@@ -1,7 +1,7 @@
-// An error that goes with a joint's reading.
+// An error that follows a joint's reading.
 //
-// Basis: sine and cosine once per turn of a revolute joint, which over part of a turn make a straight line and a bow;
-// the length and its square for a slide. Apart from them, two to four cycles per turn.
+// Basis: sine and cosine once per turn of a revolute joint, which over part of a turn form a straight line and a bow;
+// the length and its square for a slide. A second variable has two to four cycles per turn.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
-// An error that goes with the way a joint came to where it is.
+// An error that follows the direction of a joint's last motion.
 //
-// Basis: the sense of its last motion, -1 or +1; 0 where not known.
+// Basis: the sense of its last motion, -1 or +1; 0 if unknown.
 #pragma once
 
 #include "calibration/patterns/pattern.hpp"

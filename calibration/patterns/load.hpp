@@ -1,6 +1,6 @@
-// An error that goes with the hung load.
+// An error that follows the hung load.
 //
-// Basis: the load; its square too where there are three loads or more.
+// Basis: the load; its square too if there are three loads or more.
 #pragma once
 
 #include <set>

@@ -1,6 +1,6 @@
-// An error that goes with the moment about a row's axis, where the arm gives or has play.
+// An error that follows the moment about a row's axis, where the arm has compliance or clearance.
 //
-// Basis: the moment; its sign too where both occur. A moment that is another's multiple is asked once.
+// Basis: the moment; its sign too if both occur. A moment that is a multiple of another is tested once.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace tubeplan::calibration::patterns::moment {
 
-inline constexpr double kSameCourse = 1e-6;    // of 1 - |correlation| within which two moments say the same
-inline constexpr double kLeastShare = 1e-3;    // of the arm's largest moment from which one counts
-inline constexpr double kFewestOfSign = 0.05;  // share of readings that a sign must have
+inline constexpr double kSameCourse = 1e-6;    // largest 1 - |correlation| of two moments that count as the same
+inline constexpr double kLeastShare = 1e-3;    // share of the arm's largest moment from which a moment counts
+inline constexpr double kFewestOfSign = 0.05;  // least share of readings with each sign
 
 inline Eigen::VectorXd momentsAbout(const ReadingScene& scene, Eigen::Index row, int axis) {
   Eigen::VectorXd moments(static_cast<Eigen::Index>(scene.readings.size()));

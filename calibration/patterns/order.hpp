@@ -1,4 +1,4 @@
-// An error that runs through neighbours in the file: what the readings have in common with those before and after them.
+// An error that neighbouring readings in the file have in common.
 //
 // Basis: slow waves over the readings' order.
 #pragma once

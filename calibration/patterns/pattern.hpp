@@ -1,4 +1,4 @@
-// What a residual may follow: the open table of variables that readings differ in. Each kind is a file here and a row
+// Variables that a residual may follow: the open table of what readings differ in. Each kind is a file here and a row
 // of the table in patterns.cpp; nothing else names it.
 #pragma once
 
@@ -13,61 +13,62 @@
 
 namespace tubeplan::calibration {
 
-/// The readings, and what the model says of each beyond the error.
+/// The readings, and the model's predictions beyond the error.
 struct ReadingScene {
-  bool ok = false;  ///< whether every deflected shape settled; the rest is not to be used otherwise
+  bool ok = false;  ///< false: a deflected shape did not converge, and the rest is not to be used
   PlacedArm placed;
   std::vector<Measurement> readings;
-  Eigen::Matrix3Xd tips;                    ///< predicted places, m, in the world
-  Eigen::Matrix3Xd seen;                    ///< the same, or the ways to them from where the readings take them
+  Eigen::Matrix3Xd tips;                    ///< predicted places in the world [m]
+  Eigen::Matrix3Xd seen;                    ///< predicted places, or displacements from their reference [m]
   std::vector<Eigen::Matrix3d> tools;       ///< axes of the deflected tool frame, in the world
-  std::vector<Eigen::Matrix3d> radials;     ///< away from the base's axis of gravity, around it, up; in the world
-  std::vector<Eigen::Matrix3Xd> moments_L;  ///< of each reading: one column for each row, N m, in the row's own axes
+  std::vector<Eigen::Matrix3d> radials;     ///< axes away from the base's axis of gravity, around it, up; in the world
+  std::vector<Eigen::Matrix3Xd> moments_L;  ///< of each reading: one column for each row, in the row's own axes [N m]
 };
 
-/// How a reading's rows change with the tip's place in the world: by all three coordinates, or along the measured line.
+/// Returns the slopes of a reading's rows by the tip's place in the world: by all three coordinates, or along the
+/// measured line.
 [[nodiscard]] inline MeasuredRows placeSlope(const ReadingScene& scene, std::size_t k) {
   return predictedSlope(scene.readings[k], {scene.seen.col(static_cast<Eigen::Index>(k)), scene.tools[k]}).by_place;
 }
 
 [[nodiscard]] ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& readings);
 
-/// One variable at all readings, and the small basis of functions of it that is tried.
+/// A variable at all readings, and the small basis of its functions to test.
 struct Variable {
   std::string name;  ///< "theta3", "moment forearm.z"
   deflection::ValueUnit unit;
-  Eigen::VectorXd value;  ///< of each reading, internal units; NaN where not stated; of groups: the group's number
-  Eigen::MatrixXd basis;  ///< readings x functions; zero where not stated; empty of groups
-  std::vector<std::string> groups;  ///< names of the groups, where the variable is the group a reading belongs to
+  Eigen::VectorXd value;  ///< of each reading, internal units; NaN if not stated; for groups, the group's number
+  Eigen::MatrixXd basis;  ///< readings x functions; zero if not stated; empty for groups
+  std::vector<std::string> groups;  ///< names of the groups, if the variable is a group
 };
 
 /// One row of the table.
 struct PatternKind {
   const char* name;
-  std::string needs;                                                    ///< what the readings must have to be asked
-  std::function<std::vector<Variable>(const ReadingScene&)> variables;  ///< empty where the readings do not have it
+  std::string needs;                                                    ///< what the readings must have for the test
+  std::function<std::vector<Variable>(const ReadingScene&)> variables;  ///< empty if the readings do not have it
 };
 
 const std::vector<PatternKind>& patternKinds();
 
-/// One column of a function of the stated values, less its mean; zero where not stated.
+/// Returns a column of a function of the stated values, less its mean; zero if not stated.
 [[nodiscard]] Eigen::VectorXd centred(const Eigen::VectorXd& value, double (*function)(double));
 
-/// Whether the stated values differ by more than rounding.
+/// Returns true if the stated values differ by more than rounding.
 [[nodiscard]] bool varies(const Eigen::VectorXd& value);
 
-/// The first waves of a course from its first value to its last: cos(k pi share), k = 1 to 3. They follow a drift, a
-/// step and a slow swing alike.
+/// Returns the first waves from the variable's first value to its last: cos(k pi share), k = 1 to 3. They follow a
+/// drift, a step and a slow swing alike.
 [[nodiscard]] Eigen::MatrixXd slowWaves(const Eigen::VectorXd& value);
 
-/// The next waves of the course, up to one cycle for eight readings and twelve at most; none where those would be no
-/// more than the first.
+/// Returns the next waves, up to one cycle for eight readings and twelve at most; none if these would not exceed the
+/// first.
 [[nodiscard]] Eigen::MatrixXd fasterWaves(const Eigen::VectorXd& value);
 
-/// What a variable is called where the error goes through several cycles of it.
+/// Returns the name of a variable for errors that go through several of its cycles.
 [[nodiscard]] inline std::string cyclesOf(const std::string& variable) { return "cycles of " + variable; }
 
-/// A variable that says which group each reading belongs to; the names in their first order.
+/// Returns a variable of the group of each reading, with the names in order of first occurrence.
 [[nodiscard]] Variable groupVariable(const std::string& name, const std::vector<std::string>& group_of_reading);
 
 }  // namespace tubeplan::calibration

@@ -16,7 +16,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kAbsorbed = 1e-6;  // squared share of a column's length below which nothing of it is left
+constexpr double kAbsorbed = 1e-6;  // squared share of a column's length below which it counts as absorbed
 constexpr int kTrendSteps = 5;
 constexpr Index kFewGroups = 40;
 constexpr PatternFrame kFrames[] = {PatternFrame::kWorld, PatternFrame::kRadial, PatternFrame::kTool};
@@ -27,7 +27,7 @@ const Eigen::Matrix3d& axesOf(const ReadingScene& scene, PatternFrame frame, std
   return frame == PatternFrame::kTool ? scene.tools[k] : kWorldAxes;
 }
 
-/// Orthonormal columns that span what is left of `columns`, each having been of the given length.
+/// Returns orthonormal columns that span the remainder `columns`, whose original lengths are given.
 MatrixXd orthonormal(const MatrixXd& columns, const VectorXd& lengths) {
   if (columns.cols() == 0) return columns;
   const MatrixXd scaled = columns * lengths.cwiseMax(1e-300).cwiseInverse().asDiagonal();
@@ -37,7 +37,7 @@ MatrixXd orthonormal(const MatrixXd& columns, const VectorXd& lengths) {
   return scaled * kept * gram.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
-/// The space that is left to a pattern beside what is fitted.
+/// The scene, with the space that the fitted unknowns leave to a pattern.
 struct SearchedScene {
   const ReadingScene& scene;
   const ReadingWeights& weights;
@@ -48,7 +48,8 @@ struct SearchedScene {
 
   [[nodiscard]] Index rowOf(int reading) const { return weights.first_row[static_cast<std::size_t>(reading)]; }
 
-  /// Orthonormal columns of a basis in a frame, less what `others` (orthonormal) and the points absorb.
+  /// Returns orthonormal columns of a basis in a frame, less the components that `others` (orthonormal) and the points
+  /// absorb.
   [[nodiscard]] MatrixXd columnsOf(const MatrixXd& basis, PatternFrame frame, const MatrixXd& others) const {
     goOn(stop);
     MatrixXd columns(weights.rows, 3 * basis.cols());
@@ -71,7 +72,8 @@ MatrixXd joined(const MatrixXd& a, const MatrixXd& b) {
   return both;
 }
 
-/// Neighbouring readings together: equal values always, at most kTrendSteps lots where the values are many.
+/// Returns lots of neighbouring readings: equal values are always together, and many values form at most kTrendSteps
+/// lots.
 std::vector<std::vector<int>> lotsOf(const Variable& variable) {
   std::vector<int> order;
   for (int k = 0; k < static_cast<int>(variable.value.size()); ++k)
@@ -90,7 +92,7 @@ std::vector<std::vector<int>> lotsOf(const Variable& variable) {
   return lots;
 }
 
-/// The error that follows the pattern beside what is fitted, of each reading along the frame's axes [m].
+/// Returns the error of each reading that follows the pattern beside the fit, along the frame's axes [m].
 Eigen::Matrix3Xd followedErrors(const SearchedScene& search, PatternFrame frame, const VectorXd& followed) {
   const auto& scene = search.scene;
   Eigen::Matrix3Xd errors(3, static_cast<Index>(scene.readings.size()));
@@ -132,7 +134,7 @@ double tailOfF(double F, int numbers, int rest) {
   return fisherTail(F, numbers, rest);
 }
 
-/// A variable in one frame, and what it is asked beside.
+/// A variable in one frame, to be tested beside others.
 struct Question {
   const PatternKind* kind;
   const Variable* variable;
@@ -141,13 +143,14 @@ struct Question {
 
 bool isConstant(const Variable& variable) { return variable.groups.empty() && !varies(variable.value); }
 
-/// What of the residual a variable follows, and how many numbers that takes.
+/// The part of the residual that a variable explains, and its degrees of freedom.
 struct Followed {
   VectorXd part;
   int numbers = 0;
 };
 
-/// Each group's mean as a function of its own: of few groups, whatever the readings share with those of other groups.
+/// Returns a column of ones and zeros for each group. It is for few groups, and allows readings that share components
+/// with those of other groups.
 MatrixXd membershipOf(const Variable& variable) {
   MatrixXd basis = MatrixXd::Zero(variable.value.size(), static_cast<Index>(variable.groups.size()));
   for (Index k = 0; k < variable.value.size(); ++k) basis(k, static_cast<Index>(variable.value[k])) = 1;
@@ -162,7 +165,7 @@ Followed followFunctions(const SearchedScene& search, const Question& question, 
   return {columns * (columns.transpose() * r), static_cast<int>(columns.cols())};
 }
 
-/// The readings of each group.
+/// Returns the readings of each group.
 std::vector<std::vector<int>> membersOf(const Variable& variable) {
   std::vector<std::vector<int>> members(variable.groups.size());
   for (Index k = 0; k < variable.value.size(); ++k)
@@ -170,9 +173,10 @@ std::vector<std::vector<int>> membersOf(const Variable& variable) {
   return members;
 }
 
-/// Analysis of variance by groups: each group's mean is a number of its own. With B the projection on the groups' means
-/// and Q what is fitted, r^T B r has tr B - tr Q^T B Q degrees of freedom. Group by group, so that a group for every
-/// point costs no more than one for all. What the readings of a group share with others than each other stays.
+/// Analyses the variance by groups, where each group's mean is a number of its own. With B the projection on the
+/// groups' means and Q the fitted unknowns, r^T B r has tr B - tr Q^T B Q degrees of freedom. It is computed group by
+/// group, so that a group for every point costs no more than one for all. Components that the readings of a group share
+/// with other groups are not removed.
 Followed followGroups(const SearchedScene& search, const Variable& variable, const MatrixXd& beside,
                       const VectorXd& r) {
   Followed followed{VectorXd::Zero(r.size()), 0};
@@ -207,7 +211,7 @@ Followed followGroups(const SearchedScene& search, const Variable& variable, con
   return followed;
 }
 
-/// `test.numbers` stays 0 where nothing is left to ask or nothing to ask it against.
+/// Tests a question. `test.numbers` stays 0 if no column or no degree of freedom is left.
 PatternTest ask(const SearchedScene& search, const Question& question, const MatrixXd& others) {
   PatternTest test;
   const Variable& variable = *question.variable;
@@ -243,7 +247,7 @@ void correctByHolm(std::vector<PatternTest>& tests, double level) {
   }
 }
 
-/// Findings by variable, each asked again beside all stronger ones that stand alone.
+/// Returns the findings by variable, each tested again beside all stronger independent ones.
 std::vector<PatternTest> distinctFindings(const SearchedScene& search, const std::vector<Question>& questions,
                                           const std::vector<PatternTest>& tests, double level) {
   std::vector<PatternTest> findings;

@@ -26,7 +26,7 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 
 namespace {
 
-constexpr double kOnAxis = 1e-6;  // m from the axis of gravity within which "away from it" has no direction
+constexpr double kOnAxis = 1e-6;  // distance from the axis of gravity within which "away from it" has no direction [m]
 constexpr double kSameValue = 1e-9;
 
 Matrix3d radialAxes(const Vector3d& from_base, const Vector3d& gravity) {
@@ -39,7 +39,7 @@ Matrix3d radialAxes(const Vector3d& from_base, const Vector3d& gravity) {
   return axes;
 }
 
-/// Least and largest stated value.
+/// Returns the least and largest stated value.
 std::pair<double, double> rangeOf(const VectorXd& value) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const double v : value)

@@ -1,7 +1,8 @@
-// An error that goes with where in the world the tip is.
+// An error that follows the place of the tip in the world.
 //
-// Basis: a coordinate and its square, from the middle of the readings. Of a touch, the touched place: the predicted tip
-// is that place plus the error. A coordinate that hardly differs is not asked, for then it shows noise alone.
+// Basis: a coordinate and its square, from the middle of the readings. For a touch it is the touched place, because the
+// predicted tip is that place plus the error. A coordinate that hardly varies is not tested, because it would show
+// noise alone.
 #pragma once
 
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -9,7 +10,7 @@
 
 namespace tubeplan::calibration::patterns::place {
 
-inline constexpr double kLeastShare = 0.002;  // of the arm's reach that a coordinate must differ by
+inline constexpr double kLeastShare = 0.002;  // least range of a coordinate, as a share of the arm's reach
 
 inline Eigen::Matrix3Xd places(const ReadingScene& scene) {
   Eigen::Matrix3Xd places = scene.tips;

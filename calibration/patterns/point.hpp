@@ -1,4 +1,4 @@
-// An error that each point (or posture, where readings name no point) has to itself: more variance between than within.
+// An error of its own for each point (or posture, if readings name no point): more variance between than within.
 //
 // Basis: one number for each point.
 #pragma once

@@ -1,4 +1,4 @@
-// An error that each set-up has to itself.
+// An error of its own for each set-up.
 //
 // Basis: one number for each set-up.
 #pragma once

@@ -1,4 +1,4 @@
-// What a pattern follows, as a sentence says it.
+// Words for the variable of a pattern, for sentences.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace tubeplan::calibration {
 
-/// "the direction of approach of theta4" of the variable "sense of theta4", "the load" of "load"; joints and moments
-/// are said as they are named.
+/// Returns "the direction of approach of theta4" for the variable "sense of theta4", "the load" for "load"; joints and
+/// moments keep their names.
 [[nodiscard]] inline std::string variableWords(const std::string& variable) {
   constexpr std::string_view kSense = "sense of ";
   if (variable.starts_with(kSense)) return "the direction of approach of " + variable.substr(kSense.size());
