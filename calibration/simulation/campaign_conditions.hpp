@@ -1,5 +1,5 @@
-// What a simulated reading is taken under: when, under which conditions, in which sense each joint
-// arrived, and with what noise.
+// Conditions of a simulated reading: its time, its stated conditions, the direction from which each joint arrived, and
+// its noise.
 #pragma once
 
 #include "calibration/measurement.hpp"
@@ -10,23 +10,23 @@
 namespace tubeplan::calibration {
 
 struct CampaignPace {
-  double shortest = 60, longest = 180;  ///< s between two readings
-  double longest_period = 28800;        ///< s, of the conditions' swings; a campaign sees half a period at least
-  double overshoot = 0.5;               ///< how often a joint passes its goal and comes back
+  double shortest = 60, longest = 180;  ///< between two readings [s]
+  double longest_period = 28800;        ///< of the conditions' swings; a campaign covers half a period at least [s]
+  double overshoot = 0.5;               ///< probability that a joint passes its goal and comes back
 };
 
-/// Those of one reading, drawn before its posture is known.
+/// Conditions of one reading, drawn before its posture is known.
 struct ReadingConditions {
-  deflection::ConditionValues stated;  ///< time: since the campaign began
-  std::vector<int> turns;              ///< of each joint: +1 it stops where it arrives, -1 it passes and comes back
-  std::vector<int> rests;  ///< of each joint, the sense in which one that need not move comes back to its place
-  Eigen::Vector3d coordinate_noise = Eigen::Vector3d::Zero();  ///< m
-  Eigen::Vector3d turn_noise = Eigen::Vector3d::Zero();        ///< rad
-  Eigen::VectorXd encoder_noise;                               ///< rad or m
-  Eigen::VectorXd side_q;                                      ///< where the side chains' joints stand, rad or m
-  Eigen::Vector3d push = Eigen::Vector3d::Zero();              ///< N, on the tip, in the world's axes
+  deflection::ConditionValues stated;  ///< time is counted from the start of the campaign
+  std::vector<int> turns;              ///< for each joint: +1 if it stops on arrival, -1 if it passes and comes back
+  std::vector<int> rests;              ///< for each joint, the direction from which it returns if it need not move
+  Eigen::Vector3d coordinate_noise = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Vector3d turn_noise = Eigen::Vector3d::Zero();        ///< [rad]
+  Eigen::VectorXd encoder_noise;                               ///< [rad or m]
+  Eigen::VectorXd side_q;                                      ///< positions of the side chains' joints [rad or m]
+  Eigen::Vector3d push = Eigen::Vector3d::Zero();              ///< force on the tip, in the world's axes [N]
 
-  /// The sense of each joint's last motion on the way from one posture to another.
+  /// Returns the direction of each joint's last motion between two postures.
   [[nodiscard]] std::vector<int> approach_directions(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
 };
 

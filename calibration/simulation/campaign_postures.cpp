@@ -10,9 +10,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kNoiseMargin = 4;  // encoder sigmas that stay between a posture and its limits
+constexpr double kNoiseMargin = 4;  // encoder sigmas between a posture and its limits
 
-/// Good enough to begin from: the reading itself is placed exactly.
+/// Accuracy of a start posture: the reading itself is placed exactly.
 constexpr deflection::InverseKinematicsOptions kNear{.position_tolerance = 1e-5, .pitch_tolerance = 1e-4};
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Postures to begin a campaign's readings from, and the places where the tip then has to be.
+// Start postures of a campaign's readings, and the places required of the tip.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace tubeplan::calibration {
 
-/// A place in the world, by name.
+/// A named place in the world [m].
 struct CampaignPoint {
   std::string name;
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
 };
 
-/// The base as it stands in one set-up.
+/// The base in one set-up.
 struct CampaignSite {
   int setup = 0;
   std::string name;
@@ -24,14 +24,14 @@ struct CampaignSite {
   Eigen::Vector3d gravity_B = -Eigen::Vector3d::UnitZ();
 };
 
-/// Why a posture drawn at random is of no use.
+/// Reason why a random posture is unusable.
 enum class PostureRefusal { kNone, kNotConverged, kOutOfReach, kStretched, kPastLimit, kOutsideRegion, kNotClear };
 inline constexpr int kPostureRefusals = 7;
 
-/// "past a joint limit"; continues "so many of the postures were ...".
+/// Returns "past a joint limit", to follow "so many of the postures were ...".
 [[nodiscard]] const char* describe(PostureRefusal refusal);
 
-/// A posture at a hole, to begin a reading from.
+/// A start posture at a hole.
 struct HoleStart {
   PostureRefusal refusal = PostureRefusal::kNone;
   CampaignPoint hole;
@@ -43,15 +43,15 @@ class PostureSource {
  public:
   PostureSource(const deflection::Arm& arm, std::uint64_t seed);
 
-  /// Anywhere within the limits, so far from them that a noisy reading stays within; half a turn each way where there
-  /// are none, the arm's reach for a slide.
+  /// Returns a posture anywhere within the limits, so far from them that a noisy reading stays within; half a turn each
+  /// way without limits, the arm's reach for a slide.
   [[nodiscard]] Eigen::VectorXd anywhere();
 
-  /// A unit vector, all directions alike.
+  /// Returns a unit vector, with all directions equally likely.
   [[nodiscard]] Eigen::Vector3d direction();
 
-  /// One of the arm's postures at one of the holes, the tool along the axis and the tip short of the hole by `below`
-  /// [m].
+  /// Returns one of the arm's postures at one of the holes, with the tool along the axis and the tip `below` [m] under
+  /// the hole.
   [[nodiscard]] HoleStart atHole(const CampaignSite& site, const std::vector<CampaignPoint>& holes,
                                  const Eigen::Vector3d& axis_W, double below, double load);
 

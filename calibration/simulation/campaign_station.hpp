@@ -12,49 +12,49 @@
 
 namespace tubeplan::calibration {
 
-/// Usable only where nothing refused them.
+/// Readings of a point or posture; usable only if `refusal` is kNone.
 struct StationReadings {
   PostureRefusal refusal = PostureRefusal::kNone;
-  std::string name;                    ///< of the point or posture: P1, H1, R10C20
-  std::optional<Eigen::Vector3d> p_W;  ///< m, the point that is touched or looked at
-  std::optional<Surface> surface;      ///< that is touched, of kinds that do
+  std::string name;                    ///< name of the point or posture: P1, H1, R10C20
+  std::optional<Eigen::Vector3d> p_W;  ///< the point that is touched or measured [m]
+  std::optional<Surface> surface;      ///< the touched surface, for kinds that touch one
   std::vector<Measurement> readings;
-  std::vector<Eigen::Vector3d> tips_W;  ///< m, of each reading, without noise
+  std::vector<Eigen::Vector3d> tips_W;  ///< of each reading, without noise [m]
 };
 
-/// Where the tool is in a posture, if that is of use.
+/// Pose of the tool in a posture, if that is usable.
 struct TipTrial {
   PostureRefusal refusal = PostureRefusal::kNone;
   ToolPose tool;
 };
 
-/// The true arm at work. It remembers where it is, for the sense in which its joints arrive at the next posture. What
-/// it is given must outlive it.
+/// The true arm at work. It remembers its posture, for the direction from which its joints arrive at the next. The
+/// arguments must outlive it.
 class CampaignStation {
  public:
   CampaignStation(const deflection::Arm& arm, const CampaignDesign& design, const CampaignOptions& options);
 
-  /// One draw for the point or posture of that number (from 1): as many readings as there are conditions. A hole that
+  /// Draws the point or posture of that number (from 1) once, with one reading for each of the conditions. A hole that
   /// was read is not drawn again.
   [[nodiscard]] StationReadings read(const CampaignSite& site, int number,
                                      const std::vector<ReadingConditions>& conditions);
 
-  /// From now on all holes may be drawn once more.
+  /// Allows all holes to be drawn again.
   void renewHoles() { fresh_holes_ = options_.holes; }
 
-  /// A posture drawn at random under the first load.
+  /// Draws a random posture under the first load.
   [[nodiscard]] TipTrial tryAnywhere(const CampaignSite& site);
 
-  /// m against gravity, in the world, of designs in a plane.
+  /// Sets the height against gravity, in the world, for designs in a plane [m].
   void setPlaneHeight(double height) { plane_height_ = height; }
 
  private:
-  /// Draws the posture to begin from, and for the first posture of a point the point.
+  /// Draws the start posture, and for the first posture of a point the point.
   [[nodiscard]] PostureRefusal begin(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
   [[nodiscard]] PostureRefusal beginAtSurface(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
   [[nodiscard]] PostureRefusal beginAtHole(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
 
-  /// Brings the arm from `here` to the reading's place and reads it there, without the encoders' noise.
+  /// Moves the arm from `here` to the reading's place and reads it there, without the encoders' noise.
   [[nodiscard]] PostureRefusal take(const CampaignSite& site, const ReadingConditions& conditions,
                                     const StationReadings& taken, const Eigen::VectorXd& here, Measurement& reading,
                                     Eigen::Vector3d& tip_W) const;

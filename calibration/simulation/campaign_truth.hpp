@@ -1,4 +1,4 @@
-// The arm as it truly is and where it truly stands, about an arm and a base as stated.
+// The true arm and base of a simulation, varied about a stated arm and base.
 #pragma once
 
 #include <cstdint>
@@ -9,28 +9,28 @@
 
 namespace tubeplan::calibration {
 
-/// A base pose; its name is empty where there is only one.
+/// A base pose; its name is empty if there is only one.
 struct TrueBase {
   std::string setup;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
 };
 
-/// What readings are made with. Whatever else the arm does is part of `arm`.
+/// The truth that readings are made with. All other behaviour of the arm is part of `arm`.
 struct CampaignTruth {
   deflection::Arm arm;
   std::vector<TrueBase> bases;  ///< one for each set-up
 };
 
 struct TruthOptions {
-  std::vector<deflection::Parameter> parameters;  ///< of which the stiffnesses are spread
+  std::vector<deflection::Parameter> parameters;  ///< parameters, of which the stiffnesses are varied
   double spread = 0;                              ///< standard deviation of a stiffness's logarithm: 0.1 is 10 %
-  double base_shift_sigma = 0;                    ///< m per coordinate, about the base as stated
-  double base_turn_sigma = 0;                     ///< rad per axis
+  double base_shift_sigma = 0;                    ///< per coordinate, about the stated base [m]
+  double base_turn_sigma = 0;                     ///< per axis [rad]
   int setups = 1;
   std::uint64_t seed = 1;
 };
 
-/// Draws it. Without spread and base error it is the arm and the base as stated, for every set-up.
+/// Draws a truth. Without spread and base error it is the stated arm and base, for every set-up.
 [[nodiscard]] CampaignTruth drawTruth(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                       const TruthOptions& options = {});
 

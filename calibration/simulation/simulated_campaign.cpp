@@ -18,7 +18,7 @@ namespace {
 using RefusalCounts = std::array<int, kPostureRefusals>;
 
 constexpr int kHeightDraws = 101;
-constexpr int kFreshDraws = 200;  // after so many draws in vain, hardly any hole in reach has not been read
+constexpr int kFreshDraws = 200;  // after so many failed draws, hardly any hole in reach is unread
 
 std::vector<CampaignSite> sitesOf(const CampaignTruth& truth) {
   std::vector<CampaignSite> sites;
@@ -28,7 +28,7 @@ std::vector<CampaignSite> sitesOf(const CampaignTruth& truth) {
   return sites;
 }
 
-/// "2000 postures were drawn: 1400 not clear of the scene, 600 past a joint limit".
+/// Returns "2000 postures were drawn: 1400 not clear of the scene, 600 past a joint limit".
 std::string explain(const RefusalCounts& counts) {
   int drawn = 0;
   std::string text;
@@ -88,7 +88,7 @@ class CampaignMaker {
     return false;
   }
 
-  /// The height that half of the arm's postures exceed.
+  /// Sets the height that half of the arm's postures exceed.
   bool findPlane() {
     RefusalCounts counts{};
     std::vector<double> heights;
@@ -103,7 +103,7 @@ class CampaignMaker {
     return true;
   }
 
-  /// All readings of one point, or of one posture.
+  /// Adds all readings of one point, or of one posture.
   bool addPoint(const CampaignSite& site, int number, bool is_last) {
     const auto each = static_cast<std::size_t>(readingsPerPosture(design_) * design_.postures_per_point);
     const std::size_t left = static_cast<std::size_t>(options_.readings) - result_.readings.size();
@@ -133,7 +133,7 @@ class CampaignMaker {
     if (hooks_.progress) hooks_.progress(result_.readings.size(), static_cast<std::size_t>(options_.readings));
   }
 
-  /// Ways from the reading before, in each set-up; to its first reading from its last.
+  /// Makes displacements from the reading before, in each set-up; its first reading refers to its last.
   void relate() {
     auto& readings = result_.readings;
     if (!kindOf(design_.kind).is_from_reading) return;
@@ -149,7 +149,7 @@ class CampaignMaker {
     linkReferences(readings);
   }
 
-  /// Whole points or postures: readings of the same one would not judge each other.
+  /// Holds out whole points or postures: readings of the same one would not judge each other.
   void holdOut() {
     if (design_.held_out == 0 || names_.size() < 2) return;
     std::vector<std::string> names(names_.begin(), names_.end());

@@ -1,4 +1,4 @@
-// Measurement campaigns as a true arm would make them: to practise on, with the truth known.
+// Simulated measurement campaigns of a true arm, for practice with a known truth.
 #pragma once
 
 #include <functional>
@@ -22,13 +22,14 @@ struct SimulatedCampaign {
   CampaignStatus status = CampaignStatus::kNotRun;
   std::string reason;
   std::vector<Measurement> readings;
-  std::vector<CampaignPoint> points;  ///< what was touched or looked at, in order, each once; empty for other readings
+  /// Points that were touched or measured, in order, each once; empty for other readings.
+  std::vector<CampaignPoint> points;
 };
 
-/// What the true arm reads, design and options saying where. Each point or posture is drawn until the arm reaches it
-/// under every load, within its limits, the tip within the region and clear of the scene; then the noise of coordinates
-/// and encoders is added. The arm itself, and the base of each set-up, are the truth's. Refused: a design with problems
-/// (findDesignProblem), one at holes without holes, other set-ups than the truth has.
+/// Simulates the readings of the true arm by design and options. Each point or posture is drawn until the arm reaches
+/// it under every load, within its limits, with the tip within the region and clear of the scene; then the noise of
+/// coordinates and encoders is added. The arm, and the base of each set-up, are the truth's. Refused: a design with
+/// problems (findDesignProblem()), one at holes without holes, other set-ups than the truth has.
 [[nodiscard]] SimulatedCampaign simulateCampaign(const CampaignTruth& truth, const CampaignDesign& design,
                                                  const CampaignOptions& options, const CampaignHooks& hooks = {});
 

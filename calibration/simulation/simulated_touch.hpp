@@ -1,4 +1,4 @@
-// Touches as a true arm would make them: the tip found in a hole within the centring noise, the joints read with
+// Simulated touches of a true arm: the tip centred in a hole within the centring noise, and the joints read with
 // encoder noise.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace tubeplan::calibration {
 
-/// A hole to touch and the posture to start from, which converges the branch.
+/// A hole to touch and a start posture, which decides the branch.
 struct TouchPlan {
   std::string id, hole;
   Eigen::Vector3d p_WH = Eigen::Vector3d::Zero();
@@ -19,9 +19,9 @@ struct TouchPlan {
 };
 
 struct TouchSimulationOptions {
-  double sigma = 1.27e-4;                             ///< m, of each coordinate of the centring (0.005 in)
-  double model_error_sigma = 0;                       ///< m per coordinate: what the true arm does beyond its own model
-  double load = 0;                                    ///< N
+  double sigma = 1.27e-4;        ///< of each coordinate of the centring [m] (0.005 in)
+  double model_error_sigma = 0;  ///< error of the true arm beyond its own model, per coordinate [m]
+  double load = 0;               ///< [N]
   Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();  ///< the holes' axis
   std::uint64_t seed = 1;
 };
@@ -34,16 +34,16 @@ struct TouchSimulation {
   std::vector<Measurement> touches;  ///< of known places
 };
 
-/// How the arm, standing at X_WB, brings its deflected tip to each of these places, each from a start near it.
+/// Returns how the arm, standing at X_WB, brings its deflected tip to each of these places, each from a start near it.
 [[nodiscard]] std::vector<deflection::Branch> reachPlaces(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                                           const std::vector<Eigen::Vector3d>& places_W,
                                                           const std::vector<Eigen::VectorXd>& starts, double load,
                                                           const Eigen::Vector3d& axis_W);
 
-/// The reading of a planned touch: joints [rad, m], load [N], centring noise of each coordinate [m].
+/// Returns the reading of a planned touch: joints [rad, m], load [N], centring noise of each coordinate [m].
 [[nodiscard]] Measurement plannedTouch(const TouchPlan& plan, const Eigen::VectorXd& q, double load, double sigma);
 
-/// What the arm `truth`, standing at X_WB, would read at each planned touch.
+/// Returns what the arm `truth`, standing at X_WB, would read at each planned touch.
 [[nodiscard]] TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isometry3d& X_WB,
                                               const std::vector<TouchPlan>& plans,
                                               const TouchSimulationOptions& options = {});
