@@ -14,10 +14,10 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kIdentifiable = 0.5;  // of its typical size: a number whose sigma is less is identifiable
+constexpr double kIdentifiable = 0.5;  // share of its typical size below which a number's sigma counts as identifiable
 
-/// What each candidate would be read as; nothing of one whose shape does not settle. Touches of unknown places are kept
-/// apart by the names of their places.
+/// Returns the expected readings of each candidate; none for one whose shape does not converge. Touches of unknown
+/// places are distinguished by the names of their places.
 std::vector<std::vector<Measurement>> expectedReadings(const PlacedArm& placed,
                                                        const std::vector<ReadingCandidate>& candidates) {
   std::vector<std::vector<Measurement>> expected(candidates.size());

@@ -1,5 +1,5 @@
-// What to measure next: postures and loads, or touches, that sharpen the free numbers and the tip at work the most, on
-// top of what is known.
+// Proposals of the next measurements: postures and loads, or touches, that improve the free numbers and the tip at work
+// most, given present knowledge.
 #pragma once
 
 #include <string>
@@ -11,21 +11,21 @@
 
 namespace tubeplan::calibration {
 
-/// What can be proposed: one reading, or the touches of one unknown place under several loads, which determine nothing
-/// singly. Sigma is what the reading would have; the set-up is filled in.
+/// A possible proposal: one reading, or the touches of one unknown place under several loads, which determine nothing
+/// singly. Sigma is that expected of the reading; the set-up is filled in.
 struct ReadingCandidate {
   std::vector<ProposedMeasurement> readings;
 };
 
-/// Where the tip must be known.
+/// Postures where the tip must be known.
 struct Work {
   std::vector<Eigen::VectorXd> postures;
-  double load = 0;  ///< N
+  double load = 0;  ///< [N]
 };
 
 struct NextReadingsOptions {
   DesignOptions design;
-  int random_draws = 20;  ///< of as many readings, for comparison
+  int random_draws = 20;  ///< random choices of as many readings, for comparison
   std::uint64_t seed = 1;
 };
 
@@ -38,7 +38,7 @@ struct NumberForecast {
   double after = std::numeric_limits<double>::quiet_NaN();
   double random = std::numeric_limits<double>::quiet_NaN();
   bool is_identifiable_now = false, is_identifiable_after = false,
-       is_identifiable_random = false;  ///< beyond what its typical size says
+       is_identifiable_random = false;  ///< true: better known than by its typical size
 };
 
 enum class NextReadingsStatus { kNotRun, kDone, kTooFewCandidates };
@@ -46,27 +46,27 @@ enum class NextReadingsStatus { kNotRun, kDone, kTooFewCandidates };
 struct NextReadings {
   NextReadingsStatus status = NextReadingsStatus::kNotRun;
   std::string reason;
-  std::vector<int> candidates;  ///< those whose shape converges: what the design's indices mean
+  std::vector<int> candidates;  ///< indices of those whose shape converges, to which the design's indices refer
   Design design;
   std::vector<NumberForecast> numbers;
   TipSigma tip_now, tip_after, tip_random;                 ///< of the model alone, without the encoders' noise
-  double bits = std::numeric_limits<double>::quiet_NaN();  ///< of information in all
+  double bits = std::numeric_limits<double>::quiet_NaN();  ///< information gained in all
   double bits_random = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The problem that the candidates pose; candidates whose shape does not converge are left out.
+/// The design problem of the candidates; those whose shape does not converge are left out.
 struct PosedDesign {
   DesignProblem problem;
-  std::vector<int> candidates;  ///< index of each of the problem's
+  std::vector<int> candidates;  ///< index of each of the problem's candidates
 };
 [[nodiscard]] PosedDesign poseDesign(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates,
                                      const Work& work);
 
-/// What a choice of the posed design's readings does, beside as many random ones.
+/// Returns the effect of a choice of the posed design's readings, beside as many random ones.
 [[nodiscard]] NextReadings forecastReadings(const Estimate& estimate, const PosedDesign& posed, Design design,
                                             const NextReadingsOptions& options = {});
 
-/// The best readings by the options' optimality, and what they do.
+/// Returns the best readings by the options' optimality, and their effect.
 [[nodiscard]] NextReadings proposeReadings(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates,
                                            const Work& work, const NextReadingsOptions& options = {});
 

@@ -17,14 +17,14 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kWorthSwapping = 1e-9;  // of what is gained, relative to the score: less is rounding
+constexpr double kWorthSwapping = 1e-9;  // least gain relative to the score: less is rounding
 
 MatrixXd inverseOf(const MatrixXd& information) {
   return information.selfadjointView<Eigen::Lower>().ldlt().solve(
       MatrixXd::Identity(information.rows(), information.cols()));
 }
 
-/// Variance of the tip, summed over its coordinates, at each work posture.
+/// Returns the variance of the tip, summed over its coordinates, at each work posture [m^2].
 VectorXd tipVariances(const std::vector<MatrixXd>& work, const MatrixXd& covariance) {
   VectorXd variances(static_cast<Index>(work.size()));
   for (std::size_t w = 0; w < work.size(); ++w)
@@ -37,23 +37,24 @@ TipSigma sigmaOf(const VectorXd& variances) {
   return {std::sqrt(variances.mean() / 3), std::sqrt(variances.maxCoeff() / 3)};
 }
 
-/// ln det of I + H C H^T, the covariance of a whitened reading H by its noise and by that of the variables.
+/// Returns ln det of I + H C H^T, the covariance of a whitened reading H by its noise and by that of the variables.
 double logDetOf(const MatrixXd& H, const MatrixXd& covariance) {
   const Eigen::LLT<MatrixXd> S(MatrixXd::Identity(H.rows(), H.rows()) + H * covariance * H.transpose());
   const MatrixXd L = S.matrixL();
   return 2 * L.diagonal().array().log().sum();
 }
 
-/// Mean of J^T J over the work postures: the tip's mean variance is the trace of this against the covariance.
+/// Returns the mean of J^T J over the work postures: the tip's mean variance is the trace of this times the covariance.
 MatrixXd meanOfSquares(const std::vector<MatrixXd>& work, Index variables) {
   MatrixXd mean = MatrixXd::Zero(variables, variables);
   for (const auto& J : work) mean += J.transpose() * J / static_cast<double>(work.size());
   return mean;
 }
 
-/// A choice under way, and what one more reading H would make of it, by the rank of its rows alone:
-/// (M + H^T H)^-1 = C - C H^T S^-1 H C, with C = M^-1 and S = I + H C H^T. The determinant of C falls by det S; that of
-/// its part which is not beside by det S / det S_b, S_b = I + H_b M_bb^-1 H_b^T what is left of S were that part known.
+/// A choice in progress, with the effect of one more reading H computed by the rank of its rows alone: (M + H^T H)^-1 =
+/// C - C H^T S^-1 H C, with C = M^-1 and S = I + H C H^T. The determinant of C falls by det S. That of its part without
+/// the variables beside falls by det S / det S_b, where S_b = I + H_b M_bb^-1 H_b^T is the S that remains if that part
+/// is known.
 class Choice {
  public:
   static constexpr int kVacant = -1;
@@ -72,7 +73,7 @@ class Choice {
     put(chosen_.size() - 1, candidate);
   }
 
-  /// Takes the reading at a place out and puts another there, or none.
+  /// Removes the reading at a place and puts another there, or none.
   void put(std::size_t place, int candidate) {
     if (chosen_[place] != kVacant) is_chosen_[static_cast<std::size_t>(chosen_[place])] = false;
     chosen_[place] = candidate;
@@ -80,14 +81,15 @@ class Choice {
     update();
   }
 
-  /// By how much the candidate adds to the logarithm of the information's determinant, but of the variables beside.
+  /// Returns how much the candidate adds to the logarithm of the information's determinant, without the variables
+  /// beside.
   [[nodiscard]] double gainOf(int candidate) const {
     const MatrixXd& H = problem_.candidates[static_cast<std::size_t>(candidate)];
     const double all = logDetOf(H, covariance_);
     return problem_.beside == 0 ? all : all - logDetOf(H.rightCols(problem_.beside), beside_);
   }
 
-  /// The score with the candidate added: less is better; log det is negated.
+  /// Returns the score with the candidate added: less is better; log det is negated.
   [[nodiscard]] double scoreWith(int candidate) const {
     if (optimality_ == Optimality::kDeterminant) return -gainOf(candidate);
     const MatrixXd& H = problem_.candidates[static_cast<std::size_t>(candidate)];
@@ -102,12 +104,12 @@ class Choice {
     return variances.maxCoeff();
   }
 
-  /// The score as it is, of the tip's variance.
+  /// Returns the present score, of the tip's variance.
   [[nodiscard]] double score() const {
     return optimality_ == Optimality::kWorstTip ? variances_.maxCoeff() : variances_.mean();
   }
 
-  /// The best of the candidates that are not chosen and that `among`, where given, names; none: vacant.
+  /// The best of the candidates that are not chosen and that `among`, if given, includes; none: vacant.
   struct Best {
     int candidate = kVacant;
     double score = std::numeric_limits<double>::infinity();
@@ -145,7 +147,7 @@ class Choice {
   std::vector<int> chosen_;
   std::vector<bool> is_chosen_;
   MatrixXd covariance_, stacked_work_, mean_work_;
-  MatrixXd beside_;  ///< covariance of the variables beside, were the others known
+  MatrixXd beside_;  ///< covariance of the variables beside, with the others known
   VectorXd variances_;
 };
 
@@ -168,8 +170,8 @@ int exchange(Choice& choice, int most_passes) {
   return swaps;
 }
 
-/// Greedy choice and exchange. For the tip's variance both also start from the choice that is best in all: the worst
-/// place alone leads a greedy choice astray.
+/// Returns the best choice by greedy choice and exchange. For the tip's variance both also start from the best choice
+/// by determinant, because the worst place alone misleads a greedy choice.
 std::vector<int> bestChoice(const DesignProblem& problem, const DesignOptions& options, int& swaps) {
   Choice greedy(problem, options.optimality);
   for (int k = 0; k < options.count; ++k) greedy.add(greedy.best().candidate);
@@ -186,7 +188,7 @@ std::vector<int> bestChoice(const DesignProblem& problem, const DesignOptions& o
   return other.chosen();
 }
 
-/// Adds a reading, and what it did to the covariance.
+/// Adds a reading, and its effect on the covariance.
 void take(Choice& choice, int candidate, const DesignProblem& problem, Design& design) {
   DesignStep& step = design.steps.emplace_back();
   step.candidate = candidate;

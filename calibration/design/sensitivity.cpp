@@ -17,7 +17,7 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr double kNumberStep = 1e-3;  // of a number's value, for the one difference quotient
+constexpr double kNumberStep = 1e-3;  // step of the one difference quotient, as a share of a number's value
 
 NumberKind numberKindOf(Quantity quantity) {
   switch (quantity) {
@@ -42,7 +42,7 @@ Measurement tipAt(const VectorXd& q, double load) {
   return tip;
 }
 
-/// What of an error counts.
+/// Returns the projection on the part of an error that counts.
 Matrix3d countedPart(const SensitivityTask& task) {
   if (!task.hole_axis_W) return Matrix3d::Identity();
   return Matrix3d::Identity() - *task.hole_axis_W * task.hole_axis_W->transpose();
@@ -51,7 +51,8 @@ Matrix3d countedPart(const SensitivityTask& task) {
 /// Rigid tips, and the deflections from them, in the world.
 struct Deflections {
   bool ok = true;
-  std::vector<Vector3d> lever_W, deflection_W;  ///< from the base to the rigid tip; from there to the deflected one
+  /// Vectors from the base to the rigid tip; from there to the deflected one [m].
+  std::vector<Vector3d> lever_W, deflection_W;
 };
 
 Deflections deflectionsAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
@@ -67,7 +68,7 @@ Deflections deflectionsAt(const deflection::Arm& arm, const Eigen::Isometry3d& X
   return result;
 }
 
-/// Motion of a point by a small move of the base: shift, then turn.
+/// Returns the slopes of a point by a small motion of the base: shift, then rotation.
 Eigen::Matrix<double, 3, 6> motionBy(const Vector3d& lever) {
   Eigen::Matrix<double, 3, 6> motion;
   motion.leftCols<3>().setIdentity();
@@ -98,8 +99,8 @@ Tips tipsAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const std
   return result;
 }
 
-/// What a calibration by the touches makes of an error of each number: the variables of the estimate, one column a
-/// number. Nothing where the touches do not place the base; none of it where there are no touches.
+/// Returns the response of a calibration by the touches to an error of each number: the variables of the estimate, one
+/// column per number. Nothing if the touches do not place the base; zero if there are no touches.
 std::optional<MatrixXd> calibratedResponse(const Estimate& untouched, const SensitivityTask& task, const Tips& touches,
                                            Index numbers) {
   const Index all = untouched.information.rows();
@@ -121,8 +122,8 @@ std::optional<MatrixXd> calibratedResponse(const Estimate& untouched, const Sens
   return -(untouched.information + information).ldlt().solve(right);
 }
 
-/// Derivative of the deflection's mean length: what a number does to the deflected tip less what it does to the rigid
-/// one, along the deflection.
+/// Adds the derivative of the deflection's mean length: the difference of the deflected and the rigid tip's slopes by a
+/// number, along the deflection.
 void addDeflection(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const SensitivityTask& task,
                    const Tips& work, std::vector<NumberSensitivity>& numbers) {
   const deflection::Arm rigid = deflection::rigidCopy(arm);

@@ -1,9 +1,9 @@
-// Which holes to touch so that the base is known best where the work is, beside an arm whose numbers are uncertain.
+// Choice of the holes to touch so that the base is known best at the work, for an arm with uncertain numbers.
 //
-// With B and Z the whitened slopes of all rows of some touches by base and numbers (independent standard normals), what
-// the touches tell of the base is F = B^T V^-1 B with V = I + Z Z^T. The errors of a tip with slopes T and U are
+// With B and Z the whitened slopes of all rows of some touches by base and numbers (independent standard normals), the
+// touches' information on the base is F = B^T V^-1 B with V = I + Z Z^T. The errors of a tip with slopes T and U are
 //     (T - U Z^T V^-1 B) F^-1 (T - U Z^T V^-1 B)^T + U (I - Z^T V^-1 Z) U^T:
-// matrices of three rows a touch, put together of blocks that are made once for every pair of holes.
+// matrices of three rows a touch, assembled from blocks that are computed once for every pair of holes.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@ namespace tubeplan::calibration {
 
 struct TouchChoiceOptions {
   int count = 3;
-  double sigma = 1.27e-4;  ///< m, centring noise of each coordinate
-  DoubtBeside doubt = {};  ///< of the arm, beside which the touches will be fitted
+  double sigma = 1.27e-4;  ///< centring noise of each coordinate [m]
+  DoubtBeside doubt = {};  ///< doubt of the arm, with which the touches will be fitted
 };
 
 enum class TouchChoiceStatus { kNotRun, kDone, kTooFewCandidates };
@@ -26,18 +26,18 @@ enum class TouchChoiceStatus { kNotRun, kDone, kTooFewCandidates };
 struct TouchChoice {
   TouchChoiceStatus status = TouchChoiceStatus::kNotRun;
   std::string reason;
-  std::vector<int> chosen;                                       ///< indices of the candidates
-  double mean_sigma = std::numeric_limits<double>::quiet_NaN();  ///< predicted sigma of a tip coordinate, root mean
-                                                                 ///< square over the work [m]
+  std::vector<int> chosen;  ///< indices of the candidates
+  /// Predicted sigma of a tip coordinate, root mean square over the work [m].
+  double mean_sigma = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The best triple of all (least mean variance of the tip over the work postures), then the best further hole one by
-/// one. The problem's variables are the base's six, then those beside it as independent standard normals of which no
-/// reading tells anything yet; every candidate has three rows.
+/// Chooses the best triple of all (least mean variance of the tip over the work postures), then the best further holes
+/// one by one. The problem's variables are the base's six, then nuisance variables as independent standard normals
+/// without earlier readings; every candidate has three rows.
 [[nodiscard]] TouchChoice chooseTouches(const DesignProblem& problem, int count);
 
-/// Chooses touches for an arm that stands near X_WB, nothing being touched yet. Its tip shall be known in the postures
-/// of the work, under no load.
+/// Chooses touches for an arm that stands near X_WB, before any touch. Its tip is to be known in the postures of the
+/// work, under no load.
 [[nodiscard]] TouchChoice chooseTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                         const std::vector<TouchPlan>& candidates,
                                         const std::vector<Eigen::VectorXd>& work,

@@ -1,4 +1,4 @@
-// Which holes are still in reach when the base stands elsewhere than it is taken to: touches are there to find it.
+// Holes that are in reach from every likely position of the base, whose touches are to find it.
 #pragma once
 
 #include <vector>
@@ -7,20 +7,20 @@
 
 namespace tubeplan::calibration {
 
-/// How far off the base may stand: along any direction, and turned about any axis through its origin. As taken: three
-/// sigma of what `campaign` and `score` draw.
+/// Largest error of the base: along any direction, and in rotation about any axis through its origin. The defaults are
+/// three sigma of the errors that `campaign` and `score` draw.
 struct BaseDoubt {
-  double shift = 0.0381;  ///< m (1.5 in)
-  double turn = 0.0262;   ///< rad (1.5 deg)
+  double shift = 0.0381;  ///< [m] (1.5 in)
+  double turn = 0.0262;   ///< [rad] (1.5 deg)
 };
 
-/// Those of the candidates that the arm can touch (limits and deflection; not what stands in the way) from everywhere
-/// around X_WB: off by the whole doubt along and about each axis, and by as much in sum along and about all at once.
+/// Returns the candidates that the arm can touch (limits and deflection, without collisions) from everywhere around
+/// X_WB: with the whole error along and about each axis, and with the same sum along and about all axes together.
 [[nodiscard]] std::vector<TouchPlan> keepTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                                    const std::vector<TouchPlan>& candidates,
                                                    const BaseDoubt& doubt = {});
 
-/// Returns what keepTouchable() keeps, or all candidates where it keeps fewer than `count`.
+/// Returns the candidates that keepTouchable() keeps, or all candidates if it keeps fewer than `count`.
 [[nodiscard]] std::vector<TouchPlan> surelyTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                                      const std::vector<TouchPlan>& candidates, int count);
 
