@@ -18,7 +18,7 @@ struct ModelVariance {
 };
 
 std::vector<ModelVariance> modelVariances(const std::optional<StatedModelError>& error) {
-  constexpr int kParts = 8;  // of equal probability, each by its middle
+  constexpr int kParts = 8;  // of equal probability, each represented by its median
   if (!error) return {{1, 0}};
   const double variance = error->sigma * error->sigma;
   const int freedom = error->degrees_of_freedom;
@@ -36,7 +36,7 @@ PredictionRequest byEverything(const std::vector<Unknown>& numbers) {
   return request;
 }
 
-/// Slopes of the tip by base and numbers: 3 x (6 + n).
+/// Returns the slopes of the tip by base and numbers: 3 x (6 + n).
 MatrixXd slopesOf(const Prediction& tip, const std::vector<Unknown>& numbers) {
   const auto n = static_cast<Index>(numbers.size());
   MatrixXd slopes(3, 6 + n);
