@@ -1,4 +1,4 @@
-// How long work outside the planner reports its progress, and how it ends where it is asked to stop.
+// Progress reports of long work outside the planner, and its end on a request to stop.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace tubeplan::app {
 
 using calibration::WorkHooks;
 
-/// Thrown where work ends because it was asked to; caught once, where its outcome would have been used.
+/// Exception of work that ends because it was asked to stop; caught once, where its outcome would have been used.
 struct JobStopped {
   std::string kept;  ///< what was written before, in words; empty: nothing
 };
@@ -19,13 +19,13 @@ inline void requireGoingOn(const WorkHooks& hooks) {
   if (calibration::shouldStop(hooks.stop)) throw JobStopped{};
 }
 
-/// A step begins ("fit", "diagnosis"): so much of it is done. Throws JobStopped.
+/// Reports the progress of a step ("fit", "diagnosis"). Throws JobStopped.
 inline void beginStep(const WorkHooks& hooks, std::string_view step, std::size_t done = 0, std::size_t total = 0) {
   requireGoingOn(hooks);
   if (hooks.progress) hooks.progress(step, done, total);
 }
 
-/// For the parts of a step: their progress comes after its name, "diagnosis 2: catalogue".
+/// Returns hooks for the parts of a step, which report their progress after its name: "diagnosis 2: catalogue".
 inline WorkHooks within(const WorkHooks& hooks, const std::string& step) {
   if (!hooks.progress) return hooks;
   return {[progress = hooks.progress, step](std::string_view stage, std::size_t done, std::size_t total) {

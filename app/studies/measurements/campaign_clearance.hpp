@@ -1,4 +1,4 @@
-// Whether a simulated campaign's true arm is clear of the cell's scene.
+// Check that a simulated campaign's true arm is clear of the cell's scene.
 #pragma once
 
 #include "app/studies/cell_model.hpp"
@@ -7,8 +7,9 @@
 
 namespace tubeplan::app {
 
-/// Asks the planner, for the deflected true arm at its true base in each set-up; with `touches_holes` the tool may be
-/// in the sheet. Empty where the cell has no bodies that could touch anything. Not for several threads at once.
+/// Returns a check by the planner, for the deflected true arm at its true base in each set-up; with `touches_holes` the
+/// tool may be in the sheet. Empty if the cell has no bodies that could touch anything. Not safe from several threads
+/// at once.
 [[nodiscard]] calibration::CampaignClearance clearanceOf(const CellModel& cell, const calibration::CampaignTruth& truth,
                                                          bool touches_holes);
 

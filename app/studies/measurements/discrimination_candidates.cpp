@@ -25,17 +25,17 @@ using calibration::Measurement, calibration::MeasurementKind, calibration::Propo
     calibration::ReadingCandidate;
 using Eigen::VectorXd;
 
-constexpr double kReached = 1e-7;  // m, of a point that is touched
-constexpr int kMostTouches = 4;    // of a point, where an arm has more ways to it
+constexpr double kReached = 1e-7;  // accuracy of a touched point [m]
+constexpr int kMostTouches = 4;    // of a point, if an arm has more postures for it
 
-/// What the readings so far have in common: how the next ones are made.
+/// Common properties of the readings so far, which the next ones share.
 struct Custom {
   MeasurementKind kind = MeasurementKind::kPosition;
-  bool has_known_points = false;  ///< is taken at holes or marks
+  bool has_known_points = false;  ///< true: is taken at holes or marks
   std::vector<double> loads;
   double sigma = 0, turn_sigma = 0;
   deflection::ConditionValues conditions;
-  std::set<std::optional<int>> rows;  ///< of the arm, whose frames were read; none of them: the tool
+  std::set<std::optional<int>> rows;  ///< rows of the arm whose frames were read; empty: the tool
   bool has_approach_directions = false;
   std::optional<Eigen::Vector3d> anchor, direction;
   VectorXd side_q;
@@ -50,7 +50,7 @@ MeasurementKind usualKind(const std::vector<Measurement>& readings) {
       ->first;
 }
 
-/// At most so many, the least and the largest among them.
+/// Returns at most so many values, the least and the largest among them.
 std::vector<double> thinnedOut(const std::set<double>& all, int most) {
   const std::vector<double> sorted(all.begin(), all.end());
   if (static_cast<int>(sorted.size()) <= most) return sorted;
@@ -60,7 +60,7 @@ std::vector<double> thinnedOut(const std::set<double>& all, int most) {
   return some;
 }
 
-/// The median of each condition, and the last time, for nothing earlier can be read.
+/// Returns the median of each condition, and the last time, because nothing can be read earlier.
 deflection::ConditionValues usualConditionsOf(const std::vector<Measurement>& readings, MeasurementKind of) {
   deflection::ConditionValues usual;
   for (const auto& kind : deflection::kConditionKinds) {
@@ -101,7 +101,7 @@ Custom customOf(const std::vector<Measurement>& readings, int most_loads) {
   return custom;
 }
 
-/// The points read at so far and, of a cell with a sheet, holes spread over it.
+/// Returns the points read so far and, for a cell with a sheet, holes spread over it.
 std::vector<Measurement> pointsToReadAt(const CellModel& cell, const std::vector<Measurement>& readings,
                                         MeasurementKind kind, std::size_t most) {
   std::vector<Measurement> points;
@@ -121,7 +121,7 @@ std::vector<Measurement> pointsToReadAt(const CellModel& cell, const std::vector
   return points;
 }
 
-/// How far the tip was from the point of a reading, in the base frame [m]: nothing where it is to be centred in it.
+/// Returns the vector from the point of a reading to the tip, in the base frame [m]; zero for kinds with a centred tip.
 Eigen::Vector3d standoffOf(const planner::Workcell& work, const Measurement& reading) {
   if (kindOf(reading).is_centring) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(work.arm, work.X_WB);
@@ -129,7 +129,7 @@ Eigen::Vector3d standoffOf(const planner::Workcell& work, const Measurement& rea
   return shape.X_BD.p - work.X_WB.inverse() * *reading.p_W;
 }
 
-/// The tool at a point under a load, so far from it, each way there is.
+/// Adds postures with the tool at a point under a load, at that standoff, one for each branch.
 void addAtPoint(const planner::Workcell& work, const planner::ArmClearance& clear, deflection::InverseSolver& solver,
                 const Measurement& point, const Eigen::Vector3d& standoff_B,
                 std::vector<ReadingCandidate>& candidates) {
@@ -149,7 +149,7 @@ void addAtPoint(const planner::Workcell& work, const planner::ArmClearance& clea
   }
 }
 
-/// The surfaces touched so far, by the readings that touched each first, as the fitted arm finds them.
+/// Returns the surfaces touched so far, by the first reading of each, as fitted with the arm.
 std::vector<Measurement> surfacesTouched(const calibration::PlacedArm& fitted, std::vector<Measurement> readings,
                                          MeasurementKind kind) {
   std::vector<Measurement> touched;
@@ -166,7 +166,7 @@ bool isWithinLimits(const deflection::Arm& arm, const VectorXd& q) {
   return true;
 }
 
-/// The posture with the tip on the surface, from one nearby; nothing where the arm does not come there.
+/// Returns the posture with the tip on the surface, from one nearby; nothing if the arm does not reach it.
 std::optional<VectorXd> broughtTo(const planner::Workcell& work, const Measurement& of, const VectorXd& q) {
   const deflection::Posture start{q, work.load, deflection::gravityInBase(work.arm, work.X_WB)};
   const auto shape = deflection::solveFlexibleKinematics(work.arm, start);
@@ -177,7 +177,7 @@ std::optional<VectorXd> broughtTo(const planner::Workcell& work, const Measureme
   return is_there && isWithinLimits(work.arm, placed.q) ? std::optional(placed.q) : std::nullopt;
 }
 
-/// The tip brought from each posture to each of the surfaces, under each load.
+/// Returns touches from each posture on each of the surfaces, under each load.
 std::vector<ReadingCandidate> surfaceTouches(planner::Workcell work, const std::vector<VectorXd>& postures,
                                              const std::vector<double>& loads,
                                              const std::vector<Measurement>& surfaces) {
@@ -240,7 +240,7 @@ std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibr
   return positionReadings(postures, custom.loads, custom.sigma);
 }
 
-/// Conditions that the next readings have in common; angles are of each row that was read so far in its turn.
+/// Sets the conditions that the next readings have in common; for angles, the rows read so far take turns.
 void makeAsUsual(const Custom& custom, const std::string& setup, std::size_t number, ProposedMeasurement& reading) {
   const auto& kind = kindOf(custom.kind);
   reading.kind = custom.kind;

@@ -13,14 +13,14 @@ namespace {
 using calibration::Measurement;
 using Eigen::Vector3d;
 
-constexpr double kShortLink = 1e-3;  // m, below which two frames have no link between them
-constexpr double kSlack = 1e-3;      // m, that a posture may go beyond the measured ones
+constexpr double kShortLink = 1e-3;  // length below which two frames have no link between them [m]
+constexpr double kSlack = 1e-3;      // distance that a posture may go beyond the measured ones [m]
 
 struct Link {
   Vector3d from, to;
 };
 
-/// The links in the world, in order; none where the shape does not converge.
+/// Returns the links in the world, in order; none if the shape does not converge.
 std::vector<Link> linksAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                           const deflection::Posture& posture) {
   const auto shape = deflection::solveFlexibleKinematics(arm, posture);
@@ -43,7 +43,7 @@ double lowestOf(const std::vector<Link>& links) {
   return lowest;
 }
 
-/// Ericson 2005, "Real-Time Collision Detection", 5.1.9.
+/// Returns the distance of two links [m] (Ericson 2005, "Real-Time Collision Detection", 5.1.9).
 double distance(const Link& a, const Link& b) {
   const Vector3d u = a.to - a.from, v = b.to - b.from, apart = a.from - b.from;
   const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), u_apart = u.dot(apart),
@@ -55,7 +55,8 @@ double distance(const Link& a, const Link& b) {
   return (apart + s * u - t * v).norm();
 }
 
-/// Of each pair of links that are no neighbours, in a fixed order; infinite where one of them is too short to be one.
+/// Returns the distance of each pair of links that are no neighbours, in a fixed order; infinite if one of them is too
+/// short.
 std::vector<double> distancesOf(const std::vector<Link>& links) {
   const auto isLink = [&](std::size_t k) { return (links[k].to - links[k].from).norm() > kShortLink; };
   std::vector<int> group(links.size());  // links with only short ones between them are neighbours

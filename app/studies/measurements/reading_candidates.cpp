@@ -20,9 +20,9 @@ namespace {
 using calibration::MeasurementKind, calibration::ProposedMeasurement, calibration::ReadingCandidate;
 using Eigen::VectorXd;
 
-constexpr int kTriesPerPosture = 40;  // before a scene is taken to leave no more room
-constexpr double kNearLimits = 0.02;  // of a joint's range, kept off its limits
-constexpr double kSamePlace = 1e-7;   // m, of a place touched again
+constexpr int kTriesPerPosture = 40;  // tries before the search ends for lack of room
+constexpr double kNearLimits = 0.02;  // distance from a joint's limits, as a share of its range
+constexpr double kSamePlace = 1e-7;   // accuracy of a place touched again [m]
 
 VectorXd drawPosture(const deflection::Arm& arm, PostureChoice choice, boost::random::mt19937_64& random) {
   VectorXd q(arm.jointCount());
@@ -62,7 +62,7 @@ class ClearUnderLoads {
   [[nodiscard]] const planner::Workcell& cell(std::size_t load) const { return cells_[load]; }
 
  private:
-  std::vector<planner::Workcell> cells_;  // what the clearances look at
+  std::vector<planner::Workcell> cells_;  // must outlive the clearances
   std::deque<planner::ArmClearance> clearances_;
 };
 
@@ -75,7 +75,7 @@ ProposedMeasurement readingOf(MeasurementKind kind, const VectorXd& q, double lo
   return reading;
 }
 
-/// The joints that bring the tip back under another load, or nothing.
+/// Returns the joints that bring the tip back under another load, or nothing.
 std::optional<VectorXd> touchAgain(const planner::Workcell& cell, const deflection::ToolGoal& goal,
                                    const VectorXd& near) {
   const auto branch =
@@ -106,7 +106,8 @@ planner::Workcell armAndScene(const CellModel& cell) {
   work.arm = cell.arm;
   work.X_WB = cell.X_WB;
   work.scene = cell.scene;
-  // The default axis may be that of the last joint, about which no pitch can be held: the way to the tip stands in.
+  // The default axis may be that of the last joint, about which no pitch can be held: the direction to the tip replaces
+  // it.
   if (!cell.tool_axis_stated && cell.arm.p_LT.norm() > 0) work.arm.tool_axis_L = cell.arm.p_LT.normalized();
   return work;
 }

@@ -18,9 +18,9 @@ using calibration::Estimate, calibration::ReadingCandidate;
 constexpr int kTouchHoles = 60, kReadingPostures = 600, kWorkPostures = 60;
 constexpr int kBaseTouches = 3, kReadings = 10;
 constexpr int kExhaustive = 150;    // holes of which all triples are compared; exchange finds the best of more
-constexpr int kNearestTried = 400;  // holes round the base, before the nearest three are given up
+constexpr int kNearestTried = 400;  // holes round the base that are tried for the nearest three
 
-/// The three holes nearest the base that can be touched and are not on a line.
+/// Returns the three holes nearest the base that can be touched and are not on a line.
 std::vector<ReachedHole> nearestHoles(const planner::Workcell& cell) {
   std::vector<int> order(cell.sheet.tubes.size());
   std::iota(order.begin(), order.end(), 0);
@@ -40,7 +40,7 @@ std::vector<ReachedHole> nearestHoles(const planner::Workcell& cell) {
   return nearest;
 }
 
-/// One task under way.
+/// A task in progress.
 class TouchSearch {
  public:
   explicit TouchSearch(const TouchTask& task) : task_(task) {}
@@ -54,7 +54,7 @@ class TouchSearch {
   }
 
  private:
-  /// Where the tip must be known: at the holes of the work list, or in random postures.
+  /// Finds the postures where the tip must be known: at the holes of the work list, or at random.
   void findWork() {
     if (task_.under_sheet) {
       for (const auto& hole : reachHoles(*task_.under_sheet, task_.tubes, false)) work_.postures.push_back(hole.q);
@@ -79,8 +79,7 @@ class TouchSearch {
         .tube_indices;
   }
 
-  /// Holes still in reach where a base of which nothing is known yet stands otherwise than named; all, where too few
-  /// are.
+  /// Returns the holes still in reach from other likely places of an uncalibrated base; all, if these are too few.
   std::vector<ReachedHole> surelyReached(const std::vector<ReachedHole>& holes, int count) {
     const auto& cell = *task_.under_sheet;
     std::vector<calibration::TouchPlan> plans;
@@ -95,7 +94,7 @@ class TouchSearch {
     return kept;
   }
 
-  /// The best three (and more) of all, where no reading determines anything yet.
+  /// Returns the best three (and more) of all holes, before any reading determines anything.
   [[nodiscard]] static calibration::Design exhaustiveChoice(const calibration::DesignProblem& problem, int count) {
     const auto choice = calibration::chooseTouches(problem, count);
     if (choice.status == calibration::TouchChoiceStatus::kDone)
@@ -134,7 +133,7 @@ class TouchSearch {
     proposal.next = calibration::forecastReadings(*task_.of_base, posed, std::move(design), options);
     proposal.reason = proposal.next.reason;
     if (!task_.is_first) return;
-    // No better than those that are refused once they are touched.
+    // The choice must not be one that is refused once it is touched.
     std::vector<calibration::Measurement> touches;
     for (const auto& step : proposal.next.design.steps)
       touches.push_back(calibration::conditionsOf(proposal.chosen(step).readings.front()));
@@ -153,7 +152,7 @@ class TouchSearch {
     return candidates;
   }
 
-  /// What could be read: holes or postures, each under each load.
+  /// Returns possible readings: holes or postures, each under each load.
   [[nodiscard]] std::vector<ReadingCandidate> findCandidates() const {
     if (task_.by_touch && task_.under_sheet) return touchesUnderLoads();
     const int count = task_.candidates > 0 ? task_.candidates : kReadingPostures;

@@ -1,4 +1,4 @@
-// What to measure next in a cell: holes that place the base, and readings that sharpen the free numbers.
+// Proposals of the next measurements in a cell: holes that place the base, and readings that improve the free numbers.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,19 @@
 
 namespace tubeplan::app {
 
-/// What shall be sharpened, by which readings, for which work.
+/// Task of a proposal: the numbers to improve, the readings to use and the work.
 struct TouchTask {
-  CellModel cell;                                            ///< as estimated
-  std::optional<planner::Workcell> under_sheet;              ///< of cells with a sheet
-  std::vector<int> tubes;                                    ///< of the work list: where the tip must be known
-  std::optional<calibration::Estimate> of_base, of_numbers;  ///< what the readings made determine; none: not asked for
-  bool is_first = true;                                      ///< no reading was made yet
-  bool by_touch = true;                                      ///< readings for the numbers touch; else the tip's place
-  double base_sigma = 0, sigma = 0;  ///< m, of touches for the base, of readings for the numbers
-  std::vector<double> loads;         ///< N
+  CellModel cell;                                ///< as estimated
+  std::optional<planner::Workcell> under_sheet;  ///< for cells with a sheet
+  std::vector<int> tubes;                        ///< tubes of the work list, where the tip must be known
+  /// Information from the readings so far; nothing: not asked for.
+  std::optional<calibration::Estimate> of_base, of_numbers;
+  bool is_first = true;              ///< true: there are no readings yet
+  bool by_touch = true;              ///< true: readings for the numbers are touches; false: the tip's place
+  double base_sigma = 0, sigma = 0;  ///< of touches for the base, of readings for the numbers [m]
+  std::vector<double> loads;         ///< [N]
   int count = 0;                     ///< of each; 0: 3 touches, 10 readings
-  int candidates = 0;                ///< holes or postures to choose from; 0: 60 holes, 600 postures
+  int candidates = 0;                ///< number of holes or postures to choose from; 0: 60 holes, 600 postures
   calibration::Optimality optimality = calibration::Optimality::kDeterminant;  ///< of readings for the numbers
   std::uint64_t seed = 1;
 };
@@ -31,17 +32,17 @@ struct TouchTask {
 struct TouchProposal {
   std::vector<calibration::ReadingCandidate> candidates;
   calibration::NextReadings next;
-  std::string reason;  ///< why there is none; empty where there is one
+  std::string reason;  ///< reason if there is none; else empty
   [[nodiscard]] const calibration::ReadingCandidate& chosen(const calibration::DesignStep& step) const {
     return candidates[static_cast<std::size_t>(next.candidates[static_cast<std::size_t>(step.candidate)])];
   }
 };
 
 struct TouchProposals {
-  int work = 0, work_lost = 0;  ///< postures that the tip shall be known in; tubes of the list that are out of reach
-  int holes = 0, holes_unsure = 0;  ///< for the base; of them left out, since another base may not reach them
+  int work = 0, work_lost = 0;      ///< postures that the tip must be known in; tubes of the list that are out of reach
+  int holes = 0, holes_unsure = 0;  ///< candidates for the base; those left out because another base may not reach them
   std::optional<TouchProposal> base, parameters;
-  std::vector<std::string> nearest_holes;  ///< the three nearest the base that can be touched, for comparison
+  std::vector<std::string> nearest_holes;  ///< the three touchable holes nearest to the base, for comparison
   calibration::TipSigma tip_nearest;
 };
 

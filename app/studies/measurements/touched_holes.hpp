@@ -1,4 +1,4 @@
-// What touching a hole means: how far off its centring may be, and which holes it may have been mistaken for.
+// Interpretation of touched holes: the centring noise, and the holes that one may have been mistaken for.
 #pragma once
 
 #include "app/studies/cell_model.hpp"
@@ -9,18 +9,19 @@
 
 namespace tubeplan::app {
 
-/// The neighbours of the hole that a touch names, none where it names none; for as long as the sheet is there.
+/// Returns a function for the neighbours of the hole that a touch names, none if it names none. `sheet` must outlive
+/// it.
 [[nodiscard]] calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet);
 
-/// Returns the doubt beside which touches place a cell's base: of its arm's numbers, and what is known of its model's
-/// own error. Touches are chosen and fitted beside the same.
+/// Returns the doubt with which touches place a cell's base: of its arm's numbers, and its model's own error as far as
+/// known. Touches are chosen and fitted with the same doubt.
 [[nodiscard]] calibration::DoubtBeside doubtBeside(const CellModel& cell);
 
-/// Returns how touches of a cell calibrate its base: beside that doubt, holes told from their neighbours; for as long
-/// as the cell is there.
+/// Returns the options for calibrating a cell's base by touches: with that doubt, and with the neighbours of holes.
+/// `cell` must outlive them.
 [[nodiscard]] calibration::BaseCalibrationOptions calibrationOptionsOf(const CellModel& cell);
 
-/// Centring noise of the tool's last step, as one sigma of a coordinate: half of what that step lets through.
+/// Returns the centring noise of the tool's last step, as one sigma of a coordinate [m]: half of that step's tolerance.
 [[nodiscard]] double touchSigmaOf(const tubesheets::SteppedTool& tool);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// What every fit of a cell's model to readings starts from.
+// The common start of every fit of a cell's model to readings.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace tubeplan::app {
 
-/// What the cell sets free: its `identify`, and the base where that is not known.
+/// Returns the free numbers of the cell: its `identify`, and the base if that is unknown.
 [[nodiscard]] calibration::FreeChoice freeNumbersOf(const CellModel& cell);
 
-/// The cell's arm with a base pose for every set-up of the readings.
+/// Returns the cell's arm with a base pose for every set-up of the readings.
 [[nodiscard]] calibration::PlacedArm startOf(const CellModel& cell,
                                              const std::vector<calibration::Measurement>& readings);
 
-/// The same, a base that the cell does not place standing where the readings have it.
+/// Returns the placed arm, with bases that the cell does not place aligned with the readings.
 [[nodiscard]] calibration::PlacedArm placedWhereRead(const CellModel& cell,
                                                      const std::vector<calibration::Measurement>& readings);
 

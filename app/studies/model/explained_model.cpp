@@ -7,7 +7,8 @@ namespace tubeplan::app {
 
 namespace {
 
-/// What a fit shall find of an effect: what the diagnosis could measure, and shapes other than instants.
+/// Returns the numbers of an effect that a fit must find: those that the diagnosis could measure, and shapes other than
+/// instants.
 std::vector<std::string> freedOf(const deflection::Arm& arm, const calibration::FoundEffect& effect) {
   std::vector<std::string> freed;
   const auto& numbers = deflection::numbersOf(effect.fitted);

@@ -1,4 +1,4 @@
-// A model with what a diagnosis found: effects of the catalogue, and numbers of the arm's file that were held.
+// A model with the findings of a diagnosis: effects of the catalogue, and numbers of the arm's file that were held.
 #pragma once
 
 #include <string>
@@ -10,20 +10,21 @@
 namespace tubeplan::app {
 
 struct AddedCauses {
-  std::vector<std::string> names;  ///< backlash@tool.z, free@latch-link.beam.Iz
-  std::vector<std::string> freed;  ///< the numbers that the cell's `identify` has now too
+  std::vector<std::string> names;  ///< names of the causes: backlash@tool.z, free@latch-link.beam.Iz
+  std::vector<std::string> freed;  ///< numbers added to the cell's `identify`
   std::vector<deflection::Effect> formulas;
 };
 
-/// Adds an effect and the numbers of it that a fit shall find. False where the model has it already: nothing is
-/// changed.
+/// Adds an effect, and frees those of its numbers that a fit must find. Returns false, without any change, if the model
+/// has it already.
 [[nodiscard]] bool addEffect(const deflection::Effect& effect, const std::vector<std::string>& freed, CellModel& cell,
                              AddedCauses& added);
 
-/// Puts what is freed into `identify`; leaves in `freed` what was not there, each once.
+/// Adds freed numbers to `identify`; keeps in `freed` those that were not there, each once.
 void freeAdded(CellModel& cell, AddedCauses& added);
 
-/// Adds a diagnosis's explanation, its numbers where it found them; an effect that the model has already is left.
+/// Adds a diagnosis's explanation with the numbers that it found; an effect that the model already has is left
+/// unchanged.
 AddedCauses addExplanation(const calibration::Explanation& found, CellModel& cell);
 
 }  // namespace tubeplan::app

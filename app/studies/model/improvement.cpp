@@ -17,10 +17,10 @@ namespace {
 using calibration::Diagnosis, calibration::Explanation, calibration::Verdict;
 using calibration::IdentificationStatus, calibration::Measurement;
 
-constexpr double kWorthIt = 0.95;  // of an error: what an unsure cause must at least bring it down to
-constexpr double kNoWorse = 1.05;  // of an error: what a sure cause may do to the farthest poses
+constexpr double kWorthIt = 0.95;  // largest ratio of errors after and before with an uncertain cause
+constexpr double kNoWorse = 1.05;  // largest ratio of the farthest poses' errors after and before with a certain cause
 
-/// What a diagnosis leads to: a cause to add, or the end.
+/// Consequence of a diagnosis: a cause to add, or the end.
 struct Decision {
   const Explanation* cause = nullptr;
   ImprovementEnd end = ImprovementEnd::kNotRun;
@@ -28,8 +28,8 @@ struct Decision {
   double first = std::numeric_limits<double>::quiet_NaN(), second = first;
 };
 
-/// Of those that were judged and are worth it, most probable first, the first that no other betters by 5 % on the
-/// farthest poses: less than that is their noise.
+/// Returns, of the explanations that were judged and are worth it, most probable first, the first that no other
+/// improves on by 5 % at the farthest poses: less than that is noise.
 template <class IsWorthIt>
 const Explanation* bestCarried(const std::vector<Explanation>& explanations, const IsWorthIt& isWorthIt) {
   const Explanation* best = nullptr;
@@ -40,7 +40,7 @@ const Explanation* bestCarried(const std::vector<Explanation>& explanations, con
   return best;
 }
 
-/// Equals: to be added only where it hardly matters which of them is right.
+/// Decides between equal explanations: one is added only if the choice between them hardly matters.
 Decision amongEquals(const Diagnosis& diagnosis) {
   double widest = 0;
   for (const auto& alternative : diagnosis.alternatives)
@@ -55,7 +55,8 @@ Decision amongEquals(const Diagnosis& diagnosis) {
   return {nullptr, ImprovementEnd::kAmbiguous, ImprovementReason::kAlternativesApart, widest, std::max(0., gain)};
 }
 
-/// No cause is sure: one is added only for what it does to readings that it was not fitted to, near and far.
+/// Decides without a certain cause: one is added only for its effect on readings that it was not fitted to, near and
+/// far.
 Decision amongUnsure(const Diagnosis& diagnosis) {
   const Explanation* best = bestCarried(diagnosis.closest, [&](const Explanation& one) {
     return one.heldout.rms < kWorthIt * diagnosis.heldout_before.rms &&
@@ -107,7 +108,7 @@ ImprovementStep stepOf(const Diagnosis& diagnosis, const Decision& decision) {
 
 bool isUsable(const calibration::Identification& fit) { return fit.status == IdentificationStatus::kDone; }
 
-/// Whether a fit leaves every size of an effect of its model within two standard deviations of none.
+/// Returns true if a fit leaves every size of an effect of its model within two standard deviations of zero.
 bool isFoundToBeNone(const calibration::Identification& fit, int effect) {
   constexpr double kNearNone = 2;
   const auto& carried = fit.fitted.arm.effects.at(static_cast<std::size_t>(effect));
@@ -121,8 +122,8 @@ bool isFoundToBeNone(const calibration::Identification& fit, int effect) {
   return is_fitted;
 }
 
-/// Takes out of a cell those of the added effects that its fit found to be none, with their free numbers; returns their
-/// names. Of a cause at several places, some may have nothing of it.
+/// Removes from a cell those of the added effects that its fit found to be zero, with their free numbers; returns their
+/// names. A cause at several places may be zero at some.
 std::vector<std::string> takeOutNone(const std::vector<std::string>& added, const calibration::Identification& fit,
                                      CellModel& cell) {
   std::vector<std::string> none;
@@ -191,7 +192,8 @@ class Improver {
     result_.models.push_back(std::move(model));
   }
 
-  /// Every model is fitted to the readings that the diagnosis took: its word is of those, and errors are compared.
+  /// Fits every model to the readings that the diagnosis used, because its verdict applies to those, and errors are
+  /// compared.
   void setAside(const Diagnosis& diagnosis, const WorkHooks& hooks) {
     if (diagnosis.verdict == Verdict::kNotRun || diagnosis.set_aside == set_aside_) return;
     const auto before = std::exchange(set_aside_, diagnosis.set_aside);
@@ -206,7 +208,7 @@ class Improver {
     if (request_.on_model) request_.on_model(result_.models.back());
   }
 
-  /// One round; false where the loop ends.
+  /// Runs one round; false at the end of the loop.
   bool improveOnce(const WorkHooks& hooks) {
     const Diagnosis diagnosis = diagnosisOf(result_.models.back().cell, hooks);
     setAside(diagnosis, hooks);
@@ -235,10 +237,11 @@ class Improver {
     return true;
   }
 
-  /// The model without those members of a cause at several places that its fit found to be none, if it is no worse.
+  /// Returns the model without those members of a cause at several places that its fit found to be zero, if it is no
+  /// worse.
   ImprovedModel withoutNone(ImprovedModel model, CellModel cell, const WorkHooks& hooks) {
     constexpr std::size_t kSeveral = 3;
-    constexpr double kAsLow = 1.01;  // of the held-out error
+    constexpr double kAsLow = 1.01;  // ratio of held-out errors
     ImprovementStep& step = result_.steps.back();
     if (step.added.size() < kSeveral) return model;
     auto none = takeOutNone(step.added, model.fit, cell);

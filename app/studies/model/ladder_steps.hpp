@@ -1,4 +1,4 @@
-// The step table of a whole ladder: in how many holes how many steps of the tool would go in by each of its models.
+// The step tables of a ladder: for each of its models, how many steps of the tool would enter in how many holes.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 namespace tubeplan::app {
 
 struct LadderSteps {
-  std::string reason;  ///< why there are none; empty where there are
+  std::string reason;  ///< reason if there are none; else empty
   RealArm real;
   int holes = 0, out_of_reach = 0;
 };
 
-/// The model whose held-out error is least; null where none could be fitted.
+/// Returns the model with the least held-out error, or null if none could be fitted.
 [[nodiscard]] const ModelComparisonRow* bestRow(const std::vector<ModelComparisonRow>& comparison);
 
-/// The best model for want of the real arm: what it leaves open is taken as large as the noise floor.
+/// Uses the best model instead of the real arm, with an error equal to the noise floor.
 void standIn(const ModelComparisonRow& best, RealArm& real);
 
-/// Adds its step table to every row of the comparison, at `holes` random holes. Throws JobStopped.
+/// Adds a step table, at `holes` random holes, to every row of the comparison. Throws JobStopped.
 [[nodiscard]] LadderSteps addStepTables(RealArm real, int holes, std::uint64_t seed,
                                         std::vector<ModelComparisonRow>& comparison, const WorkHooks& hooks = {});
 

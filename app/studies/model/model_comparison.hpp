@@ -1,4 +1,4 @@
-// The error of one model after another on the same readings: what each step of a model is worth.
+// The error of one model after another on the same readings: the worth of each step of a model.
 #pragma once
 
 #include <optional>
@@ -16,26 +16,26 @@ namespace tubeplan::app {
 struct ModelComparisonRow {
   std::string name;
   int fitted_numbers = 0;
-  calibration::ErrorSize as_it_stands;  ///< with the file's own base
-  calibration::ErrorSize fitted;        ///< with `identify`, and the base where it is not known, fitted
+  calibration::ErrorSize as_it_stands;  ///< with the base of the file
+  calibration::ErrorSize fitted;        ///< with `identify` fitted, and the base if it is unknown
   calibration::ErrorSize heldout;
-  double noise_floor = 0;  ///< m
+  double noise_floor = 0;  ///< [m]
   double chi2_per_dof = 0;
-  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< of chi-square, against the stated noise
-  calibration::PlacedArm model;                               ///< as fitted; no rows where it could not be
-  std::optional<StepTable> steps;                             ///< where they were asked for
+  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< of chi-square, by the stated noise
+  calibration::PlacedArm model;                               ///< as fitted; without rows if it could not be
+  std::optional<StepTable> steps;                             ///< if asked for
 };
 
-/// A cell's model on readings; where it frees nothing it is judged as it stands. Throws JobStopped.
+/// Judges a cell's model on readings; if it frees nothing, it is judged as it stands. Throws JobStopped.
 [[nodiscard]] ModelComparisonRow comparisonRowOf(const std::string& name, const CellModel& cell,
                                                  const std::vector<calibration::Measurement>& readings,
                                                  std::uint64_t seed, const WorkHooks& hooks = {});
 
-/// The same of a model that a fit has left.
+/// Returns the row of an already fitted model.
 [[nodiscard]] ModelComparisonRow comparisonRowOf(const std::string& name, const calibration::Identification& fit);
 
-/// The fit that a row of the comparison is of: as `compare` refits. Not run where the cell frees nothing. Throws
-/// JobStopped.
+/// Returns the fit for a row of the comparison, equal to the refit of `compare`. Not run if the cell frees nothing.
+/// Throws JobStopped.
 [[nodiscard]] calibration::Identification fitForLadder(const CellModel& cell,
                                                        const std::vector<calibration::Measurement>& readings,
                                                        std::uint64_t seed, const WorkHooks& hooks = {});

@@ -1,5 +1,5 @@
-// What many runs come to, hole by hole and all together. Whole numbers only: tallies merged in any order are the same
-// to the last bit.
+// Results of many runs, hole by hole and in total. They are whole numbers only: tallies merged in any order are the
+// same to the last bit.
 #pragma once
 
 #include <vector>
@@ -10,14 +10,14 @@
 
 namespace tubeplan::app {
 
-/// Of one hole, visited one way.
+/// Results of one hole and one way of compensation.
 struct HoleTally {
   ErrorSketch errors;
-  std::vector<std::uint64_t> at_least;  ///< visits that took 1, 2, ... steps or more; empty where there was none
-  std::uint64_t missed = 0;             ///< visits for which there was no posture
+  std::vector<std::uint64_t> at_least;  ///< visits that took 1, 2, ... steps or more; empty if there was none
+  std::uint64_t missed = 0;             ///< visits without a posture
 };
 
-/// Of all holes, visited one way.
+/// Results of all holes and one way of compensation.
 struct WayTally {
   std::vector<HoleTally> holes;
   RunSums errors;                        ///< in units of ErrorSketch
@@ -40,15 +40,15 @@ struct SettingTally {
 
 class CentringTally {
  public:
-  /// `holes` that may be visited, `steps` of the tool.
+  /// `holes`: number that may be visited; `steps`: number of the tool's.
   CentringTally(std::size_t settings, std::size_t holes, std::size_t steps);
 
-  /// The trials of one run, one for each setting.
+  /// Adds the trials of one run, one for each setting.
   void add(const std::vector<Trial>& trials, std::uint64_t run);
 
   void put(TallyWords& words) const;
 
-  /// Merges what a tally of the same shape put; false, and nothing to rely on, where it is no such thing.
+  /// Merges the words of a tally of the same shape. Returns false, with an invalid tally, if they are not.
   [[nodiscard]] bool merge(const TallyWords& words);
 
   [[nodiscard]] const std::vector<SettingTally>& settings() const { return settings_; }

@@ -12,9 +12,9 @@ namespace {
 using calibration::CalibrationStatus, calibration::TouchPlan;
 using Draw = calibration::RandomStreamFrom<SplitMix>;
 
-constexpr double kLeastWeighingSigma = 1e-6;  // m: without any noise all weights would be infinite
+constexpr double kLeastWeighingSigma = 1e-6;  // [m]; without any noise all weights would be infinite
 
-/// What a key draws; each has numbers of its own, so that more of one does not change another.
+/// Purpose of a key's random numbers; each has its own, so that more of one do not change another.
 enum Purpose : std::uint64_t { kTruthKey = 1, kVisitedKey, kTouchedKey, kTipErrorKey, kNoiseKey };
 
 constexpr std::array kRules{
@@ -24,14 +24,14 @@ constexpr std::array kRules{
     TouchRuleRow{TouchRule::kRandom, "random", "drawn at random in every run"},
     TouchRuleRow{TouchRule::kTested, "tested", "drawn from the holes that are visited, as `score --runs`"}};
 
-/// No run needs more of a cell: the sheet and the scene are large.
+/// Returns a cell without its sheet and scene, which are large and which no run needs.
 planner::Workcell armOnly(planner::Workcell cell) {
   cell.sheet = {};
   cell.scene = {};
   return cell;
 }
 
-/// The hole furthest from the middle, then always the one furthest from those chosen.
+/// Returns the hole furthest from the middle, then always the one furthest from those chosen.
 std::vector<TouchPlan> furthestApart(const std::vector<TouchPlan>& plans, int count) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const auto& plan : plans) middle += plan.p_WH / static_cast<double>(plans.size());
@@ -135,7 +135,7 @@ TrialHole CentringTrials::trialHole(const Hole& hole, std::uint64_t run) const {
   return {hole.plan, hole.tube, draw.vector(options_.spread.unmodelled_sigma)};
 }
 
-/// Empty where no choice had its first `well_spread` holes well off a line.
+/// Returns drawn holes; empty if no choice had its first `well_spread` holes well off a line.
 std::vector<const CentringTrials::Hole*> CentringTrials::drawnHoles(std::uint64_t key, int count,
                                                                     int well_spread) const {
   Draw draw(key);

@@ -1,5 +1,5 @@
 // One run of a campaign: a true arm is drawn, touches holes, is calibrated by its touches, and is then sent to other
-// holes; the same true arm under every setting, so that settings differ by themselves alone.
+// holes. The same true arm is used under every setting, so that results differ by the settings alone.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,12 @@
 
 namespace tubeplan::app {
 
-/// Which holes are touched.
+/// Choice of the touched holes.
 enum class TouchRule {
   kBest,    ///< those that place the base best, the same in every run
   kSpread,  ///< those furthest from each other, the same in every run
   kRandom,  ///< others in every run, well off a line
-  kTested,  ///< the same, out of the holes that are then visited, as in the thesis's experiment
+  kTested,  ///< as kRandom, but out of the holes that are then visited, as in the thesis's experiment
 };
 
 struct TouchRuleRow {
@@ -29,22 +29,22 @@ struct TouchRuleRow {
 };
 [[nodiscard]] std::span<const TouchRuleRow> touchRules();
 
-/// How the base is calibrated.
+/// Setting of the base's calibration.
 struct CentringSetting {
   int touches = 3;
   TouchRule rule = TouchRule::kBest;
-  double touch_sigma = 1.27e-4;  ///< m, centring noise of each coordinate; touches are weighed with 1e-6 m at least
+  double touch_sigma = 1.27e-4;  ///< centring noise of each coordinate [m]; touches are weighed with 1e-6 m at least
 };
 
-/// Where the arm may be sent, and where it may touch where the best holes are asked for.
+/// Holes that may be visited, and holes that may be touched if the best are asked for.
 struct CentringHoles {
   std::vector<calibration::TouchPlan> visited, touchable;
 };
 
 struct CentringOptions {
   TruthSpread spread;
-  calibration::DoubtBeside doubt;  ///< beside which touches are chosen and bases calibrated
-  int holes = 10;                  ///< visited in a run, each time others
+  calibration::DoubtBeside doubt;  ///< doubt with which touches are chosen and bases calibrated
+  int holes = 10;                  ///< number visited in a run, each time others
   std::uint64_t seed = 1;
   std::vector<CentringSetting> settings;
 };
@@ -52,42 +52,42 @@ struct CentringOptions {
 enum class TrialFailure { kNone, kTooNarrow, kUntouchable, kMistakenHole, kNotConverged, kRigidRefused };
 inline constexpr std::size_t kTrialFailures = 6;
 
-/// In a few words, "the true arm cannot touch one of the holes".
+/// Returns a phrase, "the true arm cannot touch one of the holes".
 [[nodiscard]] std::string_view nameOf(TrialFailure failure);
 
-/// Sent there with and without compensation; empty where that way finds no posture.
+/// Ways of compensation; a visit's centring is empty if that way finds no posture.
 inline constexpr std::array<std::string_view, 2> kWays{"none", "compensated"};
 inline constexpr std::array<std::string_view, kWays.size()> kWayWords{"without compensation", "with compensation"};
 struct TrialVisit {
-  int hole = -1;  ///< among those that may be visited
+  int hole = -1;  ///< index among those that may be visited
   std::array<std::optional<planner::Centring>, kWays.size()> centring;
 };
 
-/// Of one setting.
+/// Result of a run under one setting.
 struct Trial {
   TrialFailure failure = TrialFailure::kNone;
-  double touch_error = std::numeric_limits<double>::quiet_NaN();  ///< m, mean residual of the touches
-  bool is_misfit = false;  ///< chi-square refuses the touches of the flexible arm
+  double touch_error = std::numeric_limits<double>::quiet_NaN();  ///< mean residual of the touches [m]
+  bool is_misfit = false;  ///< true: chi-square rejects the touches of the flexible arm
   std::vector<TrialVisit> visits;
 };
 
-/// Everything that no run changes.
+/// Runs of a campaign, with everything prepared that does not depend on the run.
 class CentringTrials {
  public:
-  /// There must be at least `options.holes` holes to visit and as many to touch as any setting asks for.
+  /// There must be at least `options.holes` holes to visit, and as many to touch as any setting asks for.
   CentringTrials(const planner::Workcell& model, const planner::Workcell& truth, const CentringHoles& holes,
                  const CentringOptions& options);
 
-  /// Why no holes could be chosen for some setting, of whose runs there are none then; empty otherwise.
+  /// Returns why no holes could be chosen for some setting, which then has no runs; otherwise empty.
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
-  /// The run of that index under each setting. For any number of threads at once.
+  /// Returns the run of that index under each setting. Safe from any number of threads at once.
   [[nodiscard]] std::vector<Trial> run(std::uint64_t index) const;
 
-  /// Its place in the sheet.
+  /// Returns the hole's index in the sheet.
   [[nodiscard]] int tubeOfHole(std::size_t hole) const { return holes_[hole].tube; }
 
-  /// Names of the holes that a setting touches in every run; empty where they differ.
+  /// Returns the names of the holes that a setting touches in every run; empty if they differ.
   [[nodiscard]] std::vector<std::string> touchedHoles(std::size_t setting) const;
 
  private:
@@ -95,7 +95,7 @@ class CentringTrials {
     calibration::TouchPlan plan;
     int tube;
   };
-  struct Run;  ///< what settings share
+  struct Run;  ///< part that settings share
 
   [[nodiscard]] std::vector<Hole> prepared(const std::vector<calibration::TouchPlan>& plans) const;
   [[nodiscard]] std::vector<Hole> fixedHoles(const planner::Workcell& model, const CentringHoles& holes,
@@ -115,7 +115,7 @@ class CentringTrials {
   tubesheets::Sheet sheet_;
   std::vector<Hole> holes_;
   std::string problem_;
-  std::vector<std::vector<Hole>> fixed_;  ///< touched, by setting; empty where drawn
+  std::vector<std::vector<Hole>> fixed_;  ///< touched holes by setting; empty if drawn
 };
 
 }  // namespace tubeplan::app

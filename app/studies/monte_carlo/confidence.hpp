@@ -1,4 +1,4 @@
-// How sure figures from random runs are.
+// Confidence intervals of figures from random runs.
 #pragma once
 
 #include <cstdint>
@@ -9,31 +9,31 @@ namespace tubeplan::app {
 
 inline constexpr double kTwoSided95 = 1.959963984540054;  ///< sigmas of a 95 % interval
 
-/// A share with its 95 % band.
+/// A share with its 95 % interval.
 struct Probability {
   double value, low, high;
 };
 
-/// Wilson's score interval (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927): of `count` in `of` independent cases. NaN, 0
-/// and 1 where there is none. Neither need be whole: an effective number of cases will do.
+/// Returns Wilson's score interval (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927) for `count` in `of` independent cases;
+/// NaN, 0 and 1 without cases. Neither need be whole: an effective number of cases is allowed.
 [[nodiscard]] Probability wilsonInterval(double count, double of);
 
-/// Sums over runs of a quantity that each run has several of, runs being independent and what is in one not: the mean
-/// of them all and its standard error by the ratio estimator (Cochran, Sampling Techniques, 1977, section 6.4). Whole
-/// numbers, so that sums merged in any order are the same to the last bit.
+/// Sums over independent runs of a quantity that each run has several dependent cases of. They give the mean of all
+/// cases and its standard error by the ratio estimator (Cochran, Sampling Techniques, 1977, section 6.4). The sums are
+/// whole numbers: merged in any order they are the same to the last bit.
 class RunSums {
  public:
-  /// One run: `sum` of the quantity over its `count` cases.
+  /// Adds one run: `sum` of the quantity over its `count` cases.
   void add(std::uint64_t sum, std::uint64_t count);
   void merge(const RunSums& other);
 
   [[nodiscard]] std::uint64_t runs() const { return runs_; }
   [[nodiscard]] std::uint64_t count() const { return count_; }
-  [[nodiscard]] double mean() const;           ///< NaN where there is no case
+  [[nodiscard]] double mean() const;           ///< NaN without cases
   [[nodiscard]] double standardError() const;  ///< of the mean; NaN below two runs
 
-  /// Of a quantity that is 0 or 1: Wilson's interval with as many independent cases as give this standard error. Where
-  /// all are alike nothing determines it: a run then counts as one case.
+  /// Returns, for a quantity that is 0 or 1, Wilson's interval with the number of independent cases that gives this
+  /// standard error. If all cases are alike, nothing determines that number: a run then counts as one case.
   [[nodiscard]] Probability probability() const;
 
   void put(TallyWords& words) const;

@@ -1,8 +1,8 @@
-// How errors are spread, in little memory: exact sums and counts by size.
+// The distribution of errors in little memory: exact sums and counts by size.
 //
-// Errors are lengths, taken to whole units of 2^-30 m (0.93 nm). All that is kept are whole numbers that are added up,
-// so that sketches merged in any order, in any grouping, are the same to the last bit. Sizes are counted in 64 equal
-// parts of each octave (as Tene's HdrHistogram does): a quantile is within 1/64 of the exact one, or one unit.
+// Errors are lengths, taken to whole units of 2^-30 m (0.93 nm). All stored numbers are sums of whole numbers, so that
+// sketches merged in any order, in any grouping, are the same to the last bit. Sizes are counted in 64 equal parts of
+// each octave (as Tene's HdrHistogram does): a quantile is within 1/64 of the exact one, or one unit.
 #pragma once
 
 #include <cstdint>
@@ -14,33 +14,33 @@ namespace tubeplan::app {
 
 class ErrorSketch {
  public:
-  /// m, the unit of the whole numbers.
+  /// Unit of the whole numbers [m].
   static constexpr double kUnit = 1. / (1 << 30);
-  /// m; what is larger counts as this.
+  /// Largest error [m]; larger ones count as this.
   static constexpr double kLargest = 1 << 13;
   static constexpr int kPartsOfOctave = 64;
 
-  /// An error [m], not negative, in units.
+  /// Returns an error [m], not negative, in units.
   [[nodiscard]] static std::uint64_t unitsOf(double error);
 
   void add(std::uint64_t units);
   void merge(const ErrorSketch& other);
 
   [[nodiscard]] std::uint64_t count() const { return count_; }
-  [[nodiscard]] double mean() const;   ///< m; NaN where nothing was added, as all below
-  [[nodiscard]] double rms() const;    ///< m
-  [[nodiscard]] double sigma() const;  ///< m, of one error (n - 1); NaN below two
-  [[nodiscard]] double max() const;    ///< m
+  [[nodiscard]] double mean() const;   ///< [m]; NaN without errors, as for all below
+  [[nodiscard]] double rms() const;    ///< [m]
+  [[nodiscard]] double sigma() const;  ///< of one error (n - 1) [m]; NaN below two
+  [[nodiscard]] double max() const;    ///< [m]
 
-  /// The least error that this share of all does not exceed [m].
+  /// Returns the least error that this share of all does not exceed [m].
   [[nodiscard]] double quantile(double share) const;
 
-  /// One point of the distribution: so many errors are at most `error` [m].
+  /// A point of the distribution: `count` errors are at most `error` [m].
   struct Point {
     double error;
     std::uint64_t count;
   };
-  /// At the end of each part that has any, in order.
+  /// Returns a point at the end of each part with any errors, in order.
   [[nodiscard]] std::vector<Point> distribution() const;
 
   void put(TallyWords& words) const;

@@ -1,4 +1,4 @@
-// What a campaign repeats, as its workers and checkpoints see it.
+// The repeated experiment of a campaign, as workers and checkpoints see it.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace tubeplan::app {
 
-/// Runs by index, from `first` to before `end`. A run depends on its index and on nothing that was run before.
+/// Runs by index, from `first` to before `end`. A run depends on its index and not on earlier runs.
 struct RunRange {
   std::uint64_t first = 0, end = 0;
   bool operator==(const RunRange&) const = default;
@@ -18,13 +18,13 @@ class Experiment {
  public:
   virtual ~Experiment() = default;
 
-  /// The tally of these runs alone; nothing when stopped before the end. From several threads at once.
+  /// Returns the tally of these runs alone; nothing if stopped before the end. Safe from several threads at once.
   [[nodiscard]] virtual std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const = 0;
 
-  /// Adds a tally to the total, in any order; false where it is none of this experiment's.
+  /// Adds a tally to the total, in any order. Returns false if it is not one of this experiment.
   [[nodiscard]] virtual bool add(const TallyWords& tally) = 0;
 
-  /// The total.
+  /// Returns the total.
   [[nodiscard]] virtual TallyWords total() const = 0;
 };
 

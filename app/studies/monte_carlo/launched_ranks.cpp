@@ -1,4 +1,4 @@
-// Who started this process, by its environment.
+// Detection of the launcher of this process, from its environment.
 #include <cstdlib>
 
 #include "app/studies/monte_carlo/ranks.hpp"
@@ -18,7 +18,7 @@ bool areRanksLaunched() {
   // Open MPI's mpirun; MPICH's and Intel's mpiexec.
   for (const char* size : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (numberOf(size) > 1) return true;
-  // srun gives every process of a step its rank; a batch script of many tasks that is one process itself is no step.
+  // srun gives every process of a step its rank; a batch script with many tasks that is one process itself is no step.
   return std::getenv("SLURM_PROCID") && std::getenv("SLURM_STEP_ID") && numberOf("SLURM_STEP_NUM_TASKS") > 1;
 }
 

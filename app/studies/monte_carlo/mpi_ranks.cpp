@@ -1,4 +1,4 @@
-// The one place that knows MPI.
+// The only user of MPI.
 #define OMPI_SKIP_MPICXX 1
 #define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
@@ -11,7 +11,7 @@ bool isBuiltForRanks() { return true; }
 
 Ranks::Ranks() {
   int provided = MPI_THREAD_SINGLE;
-  // Threads compute; only the one that started talks.
+  // Threads compute; only the first one communicates.
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);

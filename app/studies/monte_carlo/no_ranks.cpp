@@ -1,4 +1,4 @@
-// In the place of mpi_ranks.cpp where the program is built without MPI.
+// Replacement of mpi_ranks.cpp in a program built without MPI.
 #include "app/studies/monte_carlo/ranks.hpp"
 
 namespace tubeplan::app {

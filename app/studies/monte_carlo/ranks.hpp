@@ -1,5 +1,5 @@
-// The other processes of a campaign that runs on several machines. The one place that knows MPI is mpi_ranks.cpp; built
-// without it, no_ranks.cpp stands in.
+// The processes of a campaign that runs on several machines. Only mpi_ranks.cpp uses MPI; a build without MPI has
+// no_ranks.cpp instead.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,17 @@
 
 namespace tubeplan::app {
 
-/// Whether this program was built to run on several machines.
+/// Returns true if this program was built to run on several machines.
 [[nodiscard]] bool isBuiltForRanks();
 
-/// Whether a starter of parallel programs (mpirun, srun) started several of this process, by what it leaves in the
-/// environment. Nothing of MPI is touched unless this says so.
+/// Returns true if a launcher of parallel programs (mpirun, srun) started several copies of this process, according to
+/// the environment. MPI is used only then.
 [[nodiscard]] bool areRanksLaunched();
 
-/// How many of them are on this machine, 1 where that is not known.
+/// Returns how many of them are on this machine, 1 if that is unknown.
 [[nodiscard]] int ranksOnThisMachine();
 
-/// One for the life of the process, in a program built for it.
+/// The ranks of this program; one object for the life of the process, in a program built for it.
 class Ranks {
  public:
   Ranks();
@@ -30,10 +30,10 @@ class Ranks {
   [[nodiscard]] int rank() const { return rank_; }
   [[nodiscard]] int size() const { return size_; }
 
-  /// What the first rank says, on every rank; all must ask.
+  /// Returns the text of the first rank on every rank; all must call it.
   [[nodiscard]] std::string fromFirst(const std::string& text);
 
-  /// Whether this holds on every rank; all must ask.
+  /// Returns true if this holds on every rank; all must call it.
   [[nodiscard]] bool holdsEverywhere(bool here);
 
   struct Message {
@@ -43,7 +43,7 @@ class Ranks {
   };
   void send(int to, int subject, const TallyWords& words);
 
-  /// A message that has come; nothing where there is none. Never waits for one.
+  /// Returns a message that has arrived, or nothing. It never waits.
   [[nodiscard]] std::optional<Message> receive();
 
  private:

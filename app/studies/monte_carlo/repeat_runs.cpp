@@ -8,16 +8,16 @@ namespace tubeplan::app {
 
 namespace {
 
-/// What ranks say to each other.
+/// Subjects of the messages between ranks.
 enum Subject {
-  kWant = 1,  ///< to the first: how many more chunks
+  kWant = 1,  ///< to the first: how many more chunks are wanted
   kRuns,      ///< to another: first and end of a chunk
   kTally,     ///< to the first: first and end, then the tally
-  kEnd,       ///< to another: break off and leave
-  kLeft,      ///< to the first: the last word
+  kEnd,       ///< to another: stop and leave
+  kLeft,      ///< to the first: last message
 };
 
-// Long against a look for messages, short against a chunk.
+// Long compared with a check for messages, short compared with a chunk.
 constexpr std::chrono::microseconds kPause{10000};
 constexpr std::chrono::milliseconds kPauseAlone{20};
 
@@ -46,7 +46,7 @@ class Master {
     return RepeatStatus::kDone;
   }
 
-  /// Tells all to leave and waits until they have; what they still send is not taken up.
+  /// Tells all ranks to leave and waits until they have; messages still to come are dropped.
   void dismiss() {
     if (!ranks_) return;
     for (int rank = 1; rank < ranks_->size(); ++rank) ranks_->send(rank, kEnd, {});

@@ -1,4 +1,4 @@
-// Which runs of a campaign are done, which are with a worker, and which come next.
+// The runs of a campaign that are done, those at work, and those that come next.
 #pragma once
 
 #include <deque>
@@ -9,10 +9,10 @@
 
 namespace tubeplan::app {
 
-/// Runs as ranges that neither touch nor overlap, in order.
+/// Runs as ordered ranges that neither touch nor overlap.
 class RunSet {
  public:
-  /// None of them may be in it.
+  /// Adds runs, none of which may be in the set.
   void insert(RunRange runs);
 
   [[nodiscard]] std::uint64_t size() const;
@@ -24,13 +24,13 @@ class RunSet {
 
 class RunSchedule {
  public:
-  /// `total` runs in chunks of at most `chunk`; those `done` are not asked again.
+  /// `total` runs in chunks of at most `chunk`; those in `done` are not run again.
   RunSchedule(std::uint64_t total, std::uint64_t chunk, RunSet done = {});
 
-  /// The next chunk to give to a worker; nothing where all are given.
+  /// Returns the next chunk for a worker; nothing if all are given.
   [[nodiscard]] std::optional<RunRange> next();
 
-  /// A chunk that was given came back with its tally.
+  /// Notes that a given chunk is done.
   void finish(RunRange runs) { done_.insert(runs); }
 
   [[nodiscard]] std::uint64_t total() const { return total_; }
@@ -43,7 +43,7 @@ class RunSchedule {
   std::deque<RunRange> open_;  ///< not given yet
 };
 
-/// Chunks small enough that the last of them keep no worker waiting long, and large enough that they are few.
+/// Returns a chunk size so small that no worker waits long for the last ones, and so large that there are few.
 [[nodiscard]] std::uint64_t chunkFor(std::uint64_t runs, std::uint64_t largest);
 
 }  // namespace tubeplan::app

@@ -13,7 +13,7 @@ int usualWorkers(int others) {
   return std::max(1, std::min(allowed, cores / std::max(1, others)));
 }
 
-// The thread that hands out chunks takes no part in the arena, so that it is there to hand them out.
+// The thread that distributes chunks does not take part in the arena, so that it is always available.
 RunWorkers::RunWorkers(const Experiment& experiment, int workers)
     : experiment_(experiment),
       workers_(workers),
@@ -62,7 +62,7 @@ std::optional<RunWorkers::Result> RunWorkers::take(std::chrono::microseconds wai
   return result;
 }
 
-// Nobody else would hear of it: the group is waited for at the end alone, and the end would not come.
+// Runs work and keeps an exception, which the group would report only at its end, while the program waits for results.
 void RunWorkers::workOrFail() noexcept {
   try {
     work();

@@ -17,19 +17,20 @@
 
 namespace tubeplan::app {
 
-/// How many workers suit this process: the cores it may use, shared with `others` of its kind on this machine.
+/// Returns the usual number of workers of this process: the cores that it may use, shared with `others` of its kind on
+/// this machine.
 [[nodiscard]] int usualWorkers(int others = 1);
 
 class RunWorkers {
  public:
-  /// `experiment` must outlive this.
+  /// `experiment` must outlive this object.
   RunWorkers(const Experiment& experiment, int workers);
-  /// Chunks that were not begun are forgotten, those under way are broken off.
+  /// Drops chunks that were not begun, and stops those under way.
   ~RunWorkers();
   RunWorkers(const RunWorkers&) = delete;
   RunWorkers& operator=(const RunWorkers&) = delete;
 
-  /// How many more chunks it takes for no worker to wait.
+  /// Returns how many more chunks are needed so that no worker waits.
   [[nodiscard]] int wanted() const;
   void give(RunRange runs);
 
@@ -37,7 +38,7 @@ class RunWorkers {
     RunRange runs;
     TallyWords tally;
   };
-  /// A chunk that is done; waits so long for one. Throws what a run has thrown.
+  /// Returns a finished chunk, waiting no longer than `wait` for one. Throws what a run has thrown.
   [[nodiscard]] std::optional<Result> take(std::chrono::microseconds wait);
 
  private:
@@ -51,7 +52,7 @@ class RunWorkers {
   std::condition_variable given_, done_;
   std::deque<RunRange> waiting_;
   std::deque<Result> results_;
-  std::exception_ptr failure_;  ///< the first of a run
+  std::exception_ptr failure_;  ///< the first failure of a run
   int under_way_ = 0;
   bool is_closed_ = false;
   std::atomic<bool> is_broken_off_ = false;

@@ -19,7 +19,7 @@ CentringTrials trialsOf(const planner::Workcell& model, const planner::Workcell&
           {options.spread, doubt, options.test_holes, options.seed, {{touches, rule, touchSigmaOf(model.tool)}}}};
 }
 
-/// At the hole goal-point and via-point compensation are one.
+/// Returns the scores by mode; at the hole goal-point and via-point compensation are the same.
 std::vector<ModeScores> modeScoresOf(const std::vector<TrialVisit>& visits) {
   std::vector<ModeScores> scores;
   for (const auto& [hole, centring] : visits) scores.push_back({centring[0], centring[1], centring[1]});
@@ -41,7 +41,7 @@ void addRun(const std::vector<ModeScores>& scores, int steps, StepExperiment& ex
   ++experiment.runs;
 }
 
-/// Mean error that a base alone, fitted to many touches, leaves at them.
+/// Returns the mean residual of a base alone, fitted to many touches.
 double meanTouchError(const CentringTrials& trials) {
   double sum = 0;
   int count = 0;

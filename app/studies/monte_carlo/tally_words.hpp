@@ -1,4 +1,4 @@
-// Tallies as rows of 64-bit words: what workers send and checkpoints keep.
+// Tallies as rows of 64-bit words, the form of workers' messages and checkpoints.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace tubeplan::app {
 
 using TallyWords = std::vector<std::uint64_t>;
 
-// ISO C++ has no such integer, every compiler of ours has; a sum of squares needs it.
+// Integer for sums of squares. ISO C++ has no such type, but every supported compiler has.
 __extension__ using WideCount = unsigned __int128;
 
 inline void putWide(TallyWords& words, WideCount value) {
@@ -17,7 +17,7 @@ inline void putWide(TallyWords& words, WideCount value) {
   words.push_back(static_cast<std::uint64_t>(value));
 }
 
-/// Reads words one after the other; what is not there reads as zero and is noted.
+/// Reader of words one after the other; missing words read as zero and are noted.
 class WordReader {
  public:
   explicit WordReader(const TallyWords& words) : words_(words) {}
@@ -31,7 +31,8 @@ class WordReader {
     const WideCount high = next();
     return high << 64 | next();
   }
-  /// A count of things that follow, each of one word at least: more than are there is noted and read as none.
+  /// Returns a count of items that follow, of at least one word each. A count beyond the remaining words is noted and
+  /// read as zero.
   std::size_t nextSize() {
     const std::uint64_t size = next();
     if (size <= words_.size() - at_) return static_cast<std::size_t>(size);
@@ -39,7 +40,7 @@ class WordReader {
     return 0;
   }
 
-  /// Whether all words were read and none was missing.
+  /// Returns true if all words were read and none was missing.
   [[nodiscard]] bool isWhole() const { return !is_short_ && at_ == words_.size(); }
   [[nodiscard]] bool isShort() const { return is_short_; }
 

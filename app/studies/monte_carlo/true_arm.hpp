@@ -1,4 +1,4 @@
-// True arms drawn about a given one: what an experiment does not know.
+// True arms drawn about a given one: the unknown of an experiment.
 #pragma once
 
 #include <cmath>
@@ -12,17 +12,17 @@
 namespace tubeplan::app {
 
 struct TruthSpread {
-  double base_shift_sigma = 0.0127;  ///< m per coordinate (0.5 in) about the truth's base
-  double base_turn_sigma = 0.0087;   ///< rad per axis (0.5 deg)
+  double base_shift_sigma = 0.0127;  ///< per coordinate about the truth's base [m] (0.5 in)
+  double base_turn_sigma = 0.0087;   ///< per axis [rad] (0.5 deg)
   double stiffness_sigma = 0.02;     ///< relative, of every stiffness of the true arm
-  /// m per coordinate: what the true arm does beyond any model, another in each posture. About a truth that is the
-  /// model itself, 0.0197 in leaves a mean error of 0.030 in at 14 touch points after the base is fitted, as table 5.6
-  /// does after its fit; a truth with other stiffnesses leaves more. The figure reached is measured in every run of
+  /// Error of the true arm beyond any model, per coordinate [m], independent in each posture. About a truth equal to
+  /// the model, 0.0197 in leaves a mean error of 0.030 in at 14 touch points after the base is fitted, as table 5.6
+  /// does after its fit; a truth with other stiffnesses leaves more. The resulting figure is measured in every run of
   /// `score` and printed.
   double unmodelled_sigma = 5.0e-4;
 };
 
-/// Draws true arms: another base, other stiffnesses.
+/// Draws true arms, with another base and other stiffnesses.
 class TruthMaker {
  public:
   TruthMaker(planner::Workcell about, const TruthSpread& spread) : about_(std::move(about)), spread_(spread) {

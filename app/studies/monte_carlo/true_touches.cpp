@@ -11,7 +11,7 @@ std::vector<Measurement> touchHoles(const planner::Workcell& truth, const std::v
     const auto& hole = holes[static_cast<std::size_t>(k)];
     plans.push_back(hole.plan);
     plans.back().id = "T" + std::to_string(k + 1);
-    // The true arm's own error is met by steering against it: its model's tip then stands that much aside.
+    // Steering compensates the true arm's own error: the tip of its model is then displaced by that much.
     plans.back().p_WH -= hole.tip_error;
   }
   calibration::TouchSimulationOptions options;

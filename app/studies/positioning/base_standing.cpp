@@ -11,7 +11,7 @@ namespace {
 
 struct PlacingRow {
   BasePlacing placing;
-  const char *name, *words;  ///< {}: the touches
+  const char *name, *words;  ///< {}: the number of touches
   const char* warning;       ///< empty: none
   bool is_placed;
 };

@@ -1,4 +1,4 @@
-// What a plan, a proof or a count of steps is of: how its base came to stand where it stands.
+// The origin of a base's place, which qualifies plans, proofs and counts of steps.
 #pragma once
 
 #include <cstddef>
@@ -9,34 +9,35 @@
 
 namespace tubeplan::app {
 
-/// How a base was placed, as the rows of the table have it.
+/// Kind of a base's placement, in the order of the table.
 enum class BasePlacing { kNominal, kStated, kIdentified, kCalibrated, kMisfit, kEachRun };
 
 struct BaseStanding {
   BasePlacing placing = BasePlacing::kNominal;
-  std::size_t touches = 0;  ///< that placed it; of bases that each run calibrates none where their numbers differ
+  std::size_t touches = 0;  ///< number that placed it; 0 for bases that each run calibrates with different numbers
 };
 
-/// Returns how the base of a cell was placed: by `placed_by` where a calibration has just found it, else by what the
-/// cell says of it.
+/// Returns how the base of a cell was placed: by `placed_by` if a calibration has just found it, else as the cell
+/// states.
 [[nodiscard]] BaseStanding standingOf(const CellModel& cell, const calibration::BaseCalibration* placed_by = nullptr);
 
-/// Returns the standing of the bases that runs calibrate, each run its own, by so many touches.
+/// Returns the standing of bases that each run calibrates by its own touches.
 [[nodiscard]] inline BaseStanding standingOfEachRun(int touches) {
   return {BasePlacing::kEachRun, static_cast<std::size_t>(touches)};
 }
 
-/// Returns the name that documents have for it: "nominal", "calibrated", ...
+/// Returns the name in documents: "nominal", "calibrated", ...
 [[nodiscard]] std::string nameOf(BasePlacing placing);
 
-/// Returns whether somebody or something placed the base: all that is said of a nominal one is of where it should
-/// stand.
+/// Returns true if the base was placed by a measurement or a statement; results for a nominal base only hold for its
+/// nominal place.
 [[nodiscard]] bool isPlaced(const BaseStanding& standing);
 
-/// "for the nominal base; not calibrated", "for the base calibrated from 3 touches": continues "proved" and "steps".
+/// Returns "for the nominal base; not calibrated", "for the base calibrated from 3 touches", to follow "proved" and
+/// "steps".
 [[nodiscard]] std::string wordsOf(const BaseStanding& standing);
 
-/// Returns what to beware of, a sentence; empty for a base that may be relied on.
+/// Returns a sentence of warning; empty for a reliable base.
 [[nodiscard]] std::string warningOf(const BaseStanding& standing);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Where the tip goes at each visit of a plan: by the model itself, and by a true arm.
+// Places of the tip at each visit of a plan: by the model itself, and by a true arm.
 #pragma once
 
 #include <vector>
@@ -8,20 +8,20 @@
 
 namespace tubeplan::app {
 
-/// Per visit, in their order.
+/// Returns the posture of each visit, in their order.
 [[nodiscard]] std::vector<Eigen::VectorXd> visitPostures(const planner::VisitPlan& plan);
 
-/// The model's own view of each visit: where the tip goes, and how sure that is.
+/// Returns the model's own prediction of each visit.
 [[nodiscard]] std::vector<planner::Centring> predictVisits(const planner::Workcell& model,
                                                            const planner::VisitPlan& plan);
 
-/// Each visit by every way of steering, on all cores.
+/// Returns the scores of each visit in every mode of compensation, computed on all cores.
 [[nodiscard]] std::vector<ModeScores> scoreVisitModes(const ScoringModels& models, const planner::VisitPlan& plan);
 
-/// The least play of the tool in the tube of each visit [m].
+/// Returns the least clearance of the tool in the tube of each visit [m].
 [[nodiscard]] std::vector<double> playInTubes(const planner::Workcell& model, const planner::VisitPlan& plan);
 
-/// The most that a tip at a visited hole is padded by [m], for `sigmas` of the base.
+/// Returns the largest padding of a tip at a visited hole [m], for `sigmas` of the base.
 [[nodiscard]] double paddingAtHoles(const planner::Workcell& model, const planner::VisitPlan& plan, double sigmas);
 
 }  // namespace tubeplan::app

@@ -1,5 +1,5 @@
-// With what probability how many steps of the calibration tool go in, under all that is uncertain: the joints'
-// readings, where the base stands, and what the arm does beyond its model.
+// Probabilities of the number of the calibration tool's steps that enter, under all uncertainty: of the joints'
+// readings, of the base, and of the arm beyond its model.
 #pragma once
 
 #include <string>
@@ -13,32 +13,33 @@
 namespace tubeplan::app {
 
 struct StepChances {
-  std::string reason;                           ///< why there are none; empty where there are some
-  std::optional<ModelError> model_error;        ///< as counted; none: left out
-  bool base_is_exact = false;                   ///< somebody says that the base is known, and not how well
-  bool numbers_are_exact = false;               ///< nothing is known of how well the arm's numbers are
+  std::string reason;                           ///< reason if there are none; else empty
+  std::optional<ModelError> model_error;        ///< as used; nothing: left out
+  bool base_is_exact = false;                   ///< true: the base is stated as known, without an uncertainty
+  bool numbers_are_exact = false;               ///< true: the uncertainty of the arm's numbers is unknown
   std::vector<std::vector<double>> by_posture;  ///< of 0, 1, ... steps; each adds up to 1
 };
 
-/// Where the arm goes by its model, and how the tool stands there by it.
+/// Input of stepChances(): the goals of the arm by its model, and the tool's predicted poses.
 struct StepQuestion {
-  const CellModel& cell;                          ///< as read: what it says of base, numbers and model error
+  const CellModel& cell;                          ///< as read: its statements on base, numbers and model error
   const planner::Workcell& model;                 ///< placed
-  const calibration::BaseCalibration* placed_by;  ///< that placed it; null: it stands as the cell has it
+  const calibration::BaseCalibration* placed_by;  ///< calibration that placed it; null: the base is that of the cell
   const std::vector<Eigen::VectorXd>& postures;
   const std::vector<planner::Centring>& predicted;  ///< by the model itself, one for each posture
 };
 
-/// None for a base that nobody placed.
+/// Returns the probabilities; none for a base that was never placed.
 [[nodiscard]] StepChances stepChances(const StepQuestion& question);
 
-/// The likeliest number of steps; of two as likely, the lower.
+/// Returns the likeliest number of steps; the lower of two equally likely ones.
 [[nodiscard]] int likeliestSteps(const std::vector<double>& chances);
 
-/// How many holes take 0, 1, ... steps on the average.
+/// Returns the expected numbers of holes that take 0, 1, ... steps.
 [[nodiscard]] std::vector<double> expectedCounts(const StepChances& chances);
 
-/// Returns the model's own error beside a calibrated base: that of touches which do not fit, else the known one.
+/// Returns the model's own error for a calibrated base: that estimated from touches which do not fit, else the known
+/// one.
 [[nodiscard]] std::optional<ModelError> modelErrorBeside(const CellModel& cell,
                                                          const calibration::BaseCalibration& base);
 

@@ -35,7 +35,7 @@ std::vector<int> openTubes(const tubesheets::Sheet& sheet) {
   return open;
 }
 
-/// A posture of the arm under each tube; empty ones where it does not reach.
+/// Returns a posture of the arm under each tube; empty ones where it does not reach.
 std::vector<VectorXd> posturesUnder(const planner::Workcell& cell, const std::vector<int>& tubes,
                                     const calibration::StopQuestion& stop) {
   std::vector<VectorXd> postures(tubes.size());

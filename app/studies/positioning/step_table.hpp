@@ -1,4 +1,5 @@
-// In how many tubes how many steps of the calibration tool would go in, were a model to steer the real arm.
+// The numbers of tubes in which each number of the calibration tool's steps would enter, if a model steered the real
+// arm.
 #pragma once
 
 #include <cstdint>
@@ -11,41 +12,42 @@
 
 namespace tubeplan::app {
 
-/// The arm that stands for the real one.
+/// The arm that represents the real one.
 struct RealArm {
   planner::Workcell cell;
-  std::string name;       ///< what it is, for people
-  double unmodelled = 0;  ///< m, sigma of a coordinate of what it does beyond its own model, another in each posture
+  std::string name;       ///< description for people
+  double unmodelled = 0;  ///< sigma of a coordinate of its error beyond its own model, independent in each posture [m]
 };
 
 /// A hole that the real arm reaches.
 struct StepHole {
   int tube = -1;
-  Eigen::VectorXd q;            ///< a posture of the branch that every model is to use
-  Eigen::Vector3d tip_error_W;  ///< m, of the real arm beyond its model there
+  Eigen::VectorXd q;            ///< a posture of the branch that every model must use
+  Eigen::Vector3d tip_error_W;  ///< of the real arm beyond its model there [m]
 };
 
 struct StepHoles {
   std::vector<StepHole> holes;
-  int out_of_reach = 0;  ///< drawn beside them, but past the real arm's reach
+  int out_of_reach = 0;  ///< drawn in addition, but beyond the real arm's reach
 };
 
-/// Open holes of the sheet in random order until `count` are within the real arm's reach; fewer on a small sheet. Links
-/// are not checked for collisions. Of no use once `stop` has said yes.
+/// Draws open holes of the sheet at random until `count` are within the real arm's reach; fewer on a small sheet. Links
+/// are not checked for collisions. The result is unusable once `stop` has returned true.
 [[nodiscard]] StepHoles drawStepHoles(const RealArm& real, int count, std::uint64_t seed,
                                       const calibration::StopQuestion& stop = {});
 
 struct StepTable {
-  std::string reason;  ///< why there is none; empty where there is one
+  std::string reason;  ///< reason if there is none; else empty
   int holes = 0;
-  std::vector<int> counts;  ///< holes in which 0, 1, ... steps go in
-  int no_posture = 0;       ///< of the holes, those that the model does not reach: no step goes in
-  double median_error = std::numeric_limits<double>::quiet_NaN();  ///< m, centring, over the holes it reaches
-  double p95_error = std::numeric_limits<double>::quiet_NaN();     ///< m
+  std::vector<int> counts;  ///< holes in which 0, 1, ... steps enter
+  int no_posture = 0;       ///< holes that the model does not reach: no step enters
+  /// Centring error over the holes that it reaches [m].
+  double median_error = std::numeric_limits<double>::quiet_NaN();
+  double p95_error = std::numeric_limits<double>::quiet_NaN();  ///< [m]
 };
 
-/// The model steers with its deflection compensated, its tool entering as the real arm's; the tip's place is the real
-/// arm's. Of no use once `stop` has said yes.
+/// Computes the table for a model that steers with its deflection compensated, with the tool axis of the real arm; the
+/// tip's place is the real arm's. The result is unusable once `stop` has returned true.
 [[nodiscard]] StepTable stepTableOf(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const RealArm& real,
                                     const StepHoles& holes, const calibration::StopQuestion& stop = {});
 
