@@ -1,4 +1,4 @@
-// Where the base stands, from touched holes: from a cell and its touches to the base and the figures.
+// Calibration of the base from touched holes: from a cell and its touches to the base and the figures.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,17 +13,17 @@ namespace tubeplan::app {
 
 struct CalibrationOutcome {
   calibration::BaseCalibration calibration;
-  std::optional<ModelError> model_error;  ///< beside the base that was found
+  std::optional<ModelError> model_error;  ///< estimated with the base
   std::vector<calibration::Measurement> touches;
   nlohmann::json figures;  ///< as `tubeplan calibrate --json` writes them
 };
 
-/// `file` is where the touches come from, for messages. Throws InputError for too few touches, or holes that do not
-/// place a base.
+/// Calibrates the base. `file` is the source of the touches, for messages. Throws InputError for too few touches, or
+/// holes that do not place a base.
 [[nodiscard]] CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration::Measurement>& touches,
                                                const std::string& file);
 
-/// The cell's text with the base and the model's error that were found, to be written at `out`.
+/// Returns the cell's text with the base and the model's error that were found, to be written at `out`.
 [[nodiscard]] std::string calibratedCellText(const Cell& cell, const CalibrationOutcome& outcome,
                                              const std::string& out);
 

@@ -1,4 +1,5 @@
-// Where a model fails, by how much, and what its error follows: from a cell and its readings to the figures.
+// Comparison of a model with readings: from a cell and its readings to the figures on where it fails, by how much, and
+// what its error follows.
 #pragma once
 
 #include <cstdint>
@@ -19,22 +20,22 @@ struct ComparisonRequest {
 
 struct ComparisonOutcome {
   calibration::Comparison comparison;
-  std::vector<calibration::Measurement> readings;  ///< that were compared: all but those set aside
+  std::vector<calibration::Measurement> readings;  ///< all but those set aside
   std::vector<std::string> set_aside;              ///< ids of outliers
   std::vector<std::string> warnings;               ///< of the fit
   nlohmann::json figures;                          ///< as `tubeplan compare --json` writes them
 };
 
-/// Throws JobStopped.
+/// Refits the readings. Throws JobStopped.
 [[nodiscard]] RefitOfReadings refitReadings(const CellReadings& input, const ComparisonRequest& request,
                                             const WorkHooks& hooks = {});
 
-/// `made`: the refit, where it is made already. Throws InputError for a list `identify` that names no parameters and
-/// for readings that determine nothing, JobStopped.
+/// Compares the model. `made`: the refit, if it exists already. Throws InputError for a list `identify` that names no
+/// parameters and for readings that determine nothing, JobStopped.
 [[nodiscard]] ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request,
                                              const WorkHooks& hooks = {}, const RefitOfReadings* made = nullptr);
 
-/// What the pattern search makes of the refit's errors, as `tested` of the figures; empty where it cannot be made.
+/// Returns the pattern search of the refit's errors, as `tested` of the figures; empty if it cannot be made.
 [[nodiscard]] nlohmann::json testedPatterns(const CellReadings& input, std::uint64_t seed, const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::app

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Where the verdict leaves something open: what to read next.
+/// Proposes the next readings if the verdict leaves something undecided.
 void proposeNext(const CellReadings& input, const DiagnosisRequest& request, const WorkHooks& hooks,
                  DiagnosisOutcome& outcome) {
   using calibration::Verdict;
@@ -30,7 +30,7 @@ void proposeNext(const CellReadings& input, const DiagnosisRequest& request, con
   requireGoingOn(hooks);
 }
 
-/// No verdict on the model while a mistake with the readings explains its error.
+/// Returns an outcome without a verdict, because a mistake in the readings explains the model's error.
 DiagnosisOutcome undiagnosed(const CellReadings& input, const std::string& mistake) {
   DiagnosisOutcome outcome;
   outcome.diagnosis.verdict = calibration::Verdict::kInconclusive;

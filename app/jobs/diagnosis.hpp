@@ -1,5 +1,5 @@
-// Which physical effect a model lacks, and what to read next where that is left open: from a cell and its readings to
-// the figures.
+// Diagnosis of the physical effect that a model lacks, with the next readings if that is undecided: from a cell and its
+// readings to the figures.
 #pragma once
 
 #include <cstdint>
@@ -16,26 +16,26 @@
 namespace tubeplan::app {
 
 struct DiagnosisRequest {
-  int effects = 3;  ///< the most in one explanation
-  int next = 6;     ///< readings to propose
+  int effects = 3;  ///< largest number in one explanation
+  int next = 6;     ///< number of readings to propose
   std::uint64_t seed = 1;
 };
 
 struct DiagnosisOutcome {
   calibration::Diagnosis diagnosis;
-  std::vector<calibration::ReadingCandidate> candidates;  ///< of the readings to propose
+  std::vector<calibration::ReadingCandidate> candidates;  ///< for the readings to propose
   calibration::DiscriminatingMeasurements next;
-  std::vector<calibration::EffectWarning> warnings;         ///< of the effects that the cell has
+  std::vector<calibration::EffectWarning> warnings;         ///< about effects that the cell has
   std::vector<calibration::ProposedMeasurement> run_sheet;  ///< the proposed readings; empty: none is proposed
   nlohmann::json figures;                                   ///< as `tubeplan diagnose --json` writes them
 };
 
-/// The diagnosis alone, without further readings and warnings; not run where the readings determine nothing.
+/// Returns the diagnosis alone, without further readings and warnings; not run if the readings determine nothing.
 [[nodiscard]] calibration::Diagnosis diagnoseReadings(const Cell& cell,
                                                       const std::vector<calibration::Measurement>& readings,
                                                       const DiagnosisRequest& request, const WorkHooks& hooks = {});
 
-/// Throws InputError for readings that determine nothing, JobStopped.
+/// Diagnoses the model. Throws InputError for readings that determine nothing, JobStopped.
 [[nodiscard]] DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request,
                                              const WorkHooks& hooks = {});
 

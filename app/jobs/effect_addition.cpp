@@ -29,7 +29,7 @@ void addOrRefuse(Addition& addition, const Effect& effect) {
                      "another effect or place", "");
 }
 
-/// "free@latch-link.beam.Iz", "free@geometry".
+/// Frees numbers, for "free@latch-link.beam.Iz" or "free@geometry".
 void freeNumbers(Addition& addition, const std::string& name) {
   const auto& arm = addition.cell.arm;
   const auto known = calibration::freeableNames(arm);
@@ -40,7 +40,7 @@ void freeNumbers(Addition& addition, const std::string& name) {
   addition.freed.push_back(name);
 }
 
-/// The effect at every joint alike.
+/// Adds the effect at every joint.
 void addAtAllJoints(Addition& addition, const std::string& effect) {
   const auto effects = calibration::effectsAtAllJoints(addition.cell.arm, effect);
   if (effects.empty())
@@ -57,7 +57,7 @@ void addCause(Addition& addition, const std::string& text) {
   addOrRefuse(addition, parseEffect(text, addition.cell.arm, addition.cell.units, kWhere).effect);
 }
 
-/// Holds a name of `identify`, or takes an effect out with all numbers of it that were free.
+/// Holds a name of `identify`, or removes an effect with all its free numbers.
 void removeOrRefuse(Cell& cell, const std::string& cause) {
   const std::string freed = fmt::format("{}@", calibration::kFreedNumbers);
   const bool is_name = cause.starts_with(freed);
@@ -65,8 +65,8 @@ void removeOrRefuse(Cell& cell, const std::string& cause) {
   const auto is_gone = [&](const std::string& own) { return is_name ? own == name : own.starts_with(name); };
   std::size_t effects = 0;
   if (!is_name)
-    effects = std::erase_if(cell.arm.effects,
-                            [&](const Effect& own) { return deflection::textOf(cell.arm, own) == cause; });
+    effects =
+        std::erase_if(cell.arm.effects, [&](const Effect& own) { return deflection::textOf(cell.arm, own) == cause; });
   const std::size_t names = std::erase_if(cell.identify, is_gone);
   if (effects + (is_name ? names : 0) == 0)
     throw InputError(kWhere, inQuotes(cause) + ", which the model does not have", "an effect or a free number of it");

@@ -1,5 +1,5 @@
-// A cell with more in its model, to be fitted with the rest: effects of the catalogue, the user's own formulas, and
-// numbers of the arm's file that were held.
+// A cell with additions to its model, to be fitted with the rest: effects of the catalogue, the user's own formulas,
+// and numbers of the arm's file that were held.
 #pragma once
 
 #include <filesystem>
@@ -11,29 +11,31 @@
 
 namespace tubeplan::app {
 
-/// What is asked for, as a command says it: each of EFFECT@AT, EFFECT@AT:NUMBER=VALUE,... (with sizes, as a diagnosis
-/// gives them), EFFECT@all joints, free@NAME, free@geometry; and a formula, TARGET += EXPRESSION, beside which
-/// formula@TARGET may stand among the causes.
+/// Request in the words of a command. A cause is EFFECT@AT, EFFECT@AT:NUMBER=VALUE,... (with sizes, as a diagnosis
+/// gives them), EFFECT@all joints, free@NAME, or free@geometry. A formula is TARGET += EXPRESSION; the causes may then
+/// include formula@TARGET.
 struct AdditionRequest {
   std::vector<std::string> causes;
   std::string formula;
 };
 
 struct Addition : AddedCauses {
-  Cell cell;  ///< with all of it, as it will be read again
+  Cell cell;  ///< with all additions, in the form in which it will be read again
 };
 
-/// Throws InputError for nothing, an effect that the cell has already, or what the readers of effects refuse.
+/// Adds the causes. Throws InputError for an empty request, an effect that the cell has already, or what the readers of
+/// effects refuse.
 [[nodiscard]] Addition addToCell(const Cell& cell, const AdditionRequest& request);
 
-/// The cell without these: each an effect, EFFECT@AT, with its numbers in `identify`, or free@NAME, a name of `identify`
-/// that is held again at the value it has. Throws InputError for what the cell does not have.
+/// Returns the cell without these causes: each an effect, EFFECT@AT, with its numbers in `identify`, or free@NAME, a
+/// name of `identify` that is held again at its present value. Throws InputError for causes that the cell does not
+/// have.
 [[nodiscard]] Cell withoutCauses(const Cell& cell, const std::vector<std::string>& causes);
 
-/// The cell's text with what was added, to be written at `out`.
+/// Returns the cell's text with the additions, to be written at `out`.
 [[nodiscard]] std::string cellTextWith(const Cell& cell, const Addition& addition, const std::filesystem::path& out);
 
-/// In words: the overlap of the cell's formulas with the catalogue at these readings.
+/// Returns words on the overlap of the cell's formulas with the catalogue at these readings.
 [[nodiscard]] std::string overlapAt(const CellReadings& input);
 
 }  // namespace tubeplan::app

@@ -52,7 +52,7 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   return result;
 }
 
-/// A refusal is bad input: names that are no parameters, readings that determine nothing.
+/// Throws InputError for a refusal: names that are no parameters, readings that determine nothing.
 void requireAccepted(const Identification& result, const IdentificationRequest& request, const CellReadings& input) {
   if (result.status != IdentificationStatus::kRefused) return;
   const Cell& cell = input.cell;
@@ -66,7 +66,7 @@ void requireAccepted(const Identification& result, const IdentificationRequest& 
                    suggestion(problem.name, known));
 }
 
-/// "a,b" or "a,b:SETUP".
+/// Reads "a,b" or "a,b:SETUP".
 calibration::IdentificationStage stageOf(const std::string& text) {
   calibration::IdentificationStage stage;
   const std::size_t colon = text.find(':');
@@ -98,7 +98,7 @@ Identification identifyAsAsked(const IdentificationRequest& request, const Cell&
   return std::move(results.back());
 }
 
-/// Of the cell's effects as they were fitted; stages hold some of them, so theirs are not judged.
+/// Returns warnings about the cell's fitted effects; none after stages, which hold some of them.
 std::vector<calibration::EffectWarning> effectWarnings(const IdentificationRequest& request, const Cell& cell,
                                                        const std::vector<calibration::Measurement>& readings,
                                                        const Identification& result, const WorkHooks& hooks) {
@@ -107,7 +107,7 @@ std::vector<calibration::EffectWarning> effectWarnings(const IdentificationReque
                                     result);
 }
 
-/// Nothing is found by readings with a mistake in them: the numbers would make up for it.
+/// Returns an outcome without a fit, because the numbers would compensate for a mistake in the readings.
 IdentificationOutcome unidentified(const CellReadings& input, const std::string& mistake) {
   const Units& units = input.cell.units;
   IdentificationOutcome outcome;
@@ -149,8 +149,8 @@ void fitReadings(const CellReadings& input, const IdentificationRequest& request
   outcome.set_aside = std::move(refit.set_aside);
 }
 
-/// What the readings have against a fit, a clause; empty where they have nothing against it. Repeated readings may
-/// scatter less than stated, or so much more that a misfit by the stated noise is none.
+/// Returns a clause with the reason why the readings reject a fit; empty if they do not. Repeated readings may scatter
+/// less than stated, or so much more that a misfit by the stated noise counts as none.
 std::string refutation(const calibration::ModelLackOfFit& lack) {
   const bool is_off = lack.p_value < calibration::kPatternLevel;
   if (lack.adequacy == calibration::Adequacy::kInadequate)
@@ -166,8 +166,8 @@ std::string refutation(const calibration::ModelLackOfFit& lack) {
                 : "";
 }
 
-/// Says where the fit leaves more than noise explains, by the rule of `compare`: of every fit, however it was asked for
-/// and however it ended. Robust losses leave outliers in, so they are no ground to refuse a base.
+/// Records whether a fit leaves more than noise explains, by the rule of `compare`, for every kind of fit and every end
+/// of it. Robust losses leave outliers in, so that they are no reason to refuse a base.
 void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& outcome) {
   const auto& fit = outcome.fit;
   const auto lack = calibration::lackOfFitOf(fit, outcome.readings);
@@ -192,7 +192,7 @@ void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& o
 IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
                                     const WorkHooks& hooks) {
   const auto& cell = input.cell;
-  (void)identificationOptions(request, cell, hooks);  // refused at once, if at all
+  (void)identificationOptions(request, cell, hooks);  // refuses bad options before any work
   if (const auto mistake = mistakeText(input.checks, cell.units); !mistake.empty()) return unidentified(input, mistake);
   beginStep(hooks, "fit");
   IdentificationOutcome outcome;

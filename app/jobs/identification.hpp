@@ -1,4 +1,4 @@
-// The numbers of a model and the base, from measurements: from a cell and its readings to the fit and its figures.
+// Identification of the numbers of a model and the base: from a cell and its readings to the fit and its figures.
 #pragma once
 
 #include <cstdint>
@@ -21,32 +21,33 @@ inline constexpr int kMostFolds = 100;
 
 struct IdentificationRequest {
   std::string method = "in-turn", robust = "none";
-  std::vector<std::string> free;    ///< instead of the cell's `identify`
+  std::vector<std::string> free;    ///< replaces the cell's `identify`
   std::vector<std::string> stages;  ///< "NAMES[:SETUP]" each; empty: all at once
   double drop = 0;
   int starts = 1, folds = 5;
   std::uint64_t seed = 1;
-  /// Shown the fit of every stage but the last, as it is done; may be empty.
+  /// Called with the fit of every stage but the last, as it is done; may be empty.
   std::function<void(int stage, const calibration::Identification&)> stage_done = {};
-  calibration::IterationObserver observe = {};  ///< of the fit's iterations, as they come
+  calibration::IterationObserver observe = {};  ///< called at the fit's iterations
 };
 
 struct IdentificationOutcome {
-  calibration::Identification fit;                 ///< not run where the readings hold a mistake, which is its reason
-  std::vector<calibration::Measurement> readings;  ///< that the fit was given: all but those set aside
+  calibration::Identification fit;                 ///< not run if the readings hold a mistake, which is its reason
+  std::vector<calibration::Measurement> readings;  ///< readings given to the fit: all but those set aside
   std::vector<std::string> set_aside;              ///< ids of outliers
-  std::vector<std::string> warnings;               ///< of the readings
-  /// Verdict on what the fit leaves beside the noise, by the rule of `compare`; inconclusive over a mistake.
+  std::vector<std::string> warnings;               ///< about the readings
+  /// Verdict on the remaining error of the fit beside the noise, by the rule of `compare`; inconclusive if there is a
+  /// mistake.
   calibration::Adequacy adequacy = calibration::Adequacy::kNotRun;
-  bool is_base_refused = false;  ///< nothing but the base was found, and the readings do not fit by it
+  bool is_base_refused = false;  ///< true: only the base was found, and the readings do not fit it
   std::vector<calibration::FormulaOverlap> overlaps;
   PredictedCentring centring;
   std::vector<calibration::EffectWarning> of_effects;
   nlohmann::json figures;  ///< as `tubeplan identify --json` writes them
 };
 
-/// Throws InputError for names that are no parameters, nothing to free and readings that determine nothing,
-/// JobStopped.
+/// Identifies the model. Throws InputError for names that are no parameters, nothing to free and readings that
+/// determine nothing, JobStopped.
 [[nodiscard]] IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
                                                   const WorkHooks& hooks = {});
 

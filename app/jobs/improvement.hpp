@@ -1,4 +1,4 @@
-// Diagnose, add, identify, until nothing more is sure: of a cell and its readings.
+// Repeated diagnosis, addition and identification, until no further cause is certain: for a cell and its readings.
 #pragma once
 
 #include "app/files/reading_input.hpp"
@@ -6,8 +6,8 @@
 
 namespace tubeplan::app {
 
-/// Nothing is added while a mistake with the readings explains the error. Throws InputError for readings from which
-/// nothing can be fitted, JobStopped.
+/// Improves the model. Nothing is added while a mistake in the readings explains the error. Throws InputError for
+/// readings from which nothing can be fitted, JobStopped.
 [[nodiscard]] Improvement improveModel(const CellReadings& input, const ImprovementRequest& request,
                                        const WorkHooks& hooks = {});
 

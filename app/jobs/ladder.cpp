@@ -19,7 +19,7 @@ std::vector<calibration::Measurement> without(const CellReadings& input, const s
   return readings;
 }
 
-/// A cell for its sheet and tool: the one that was named, else the first that has both.
+/// Returns a cell for its sheet and tool: the one that was named, else the first that has both.
 std::optional<Cell> sheetCell(const LadderRequest& request, const std::vector<LadderModel>& models) {
   for (const auto& path : {request.sheet, request.truth})
     if (!path.empty()) return readCell(path);
@@ -33,7 +33,7 @@ void requireOneSheet(const Cell& cell, const tubesheets::Sheet& sheet) {
     throw InputError(cell.path, "another tube sheet", "the same for every model, fingerprint " + sheet.fingerprint());
 }
 
-/// The arm of the truth, or the best model for want of it, under the sheet.
+/// Returns the arm of the truth, or else of the best model, under the sheet.
 RealArm realArmOf(const LadderRequest& request, const Cell& with_sheet, const ModelComparisonRow* best) {
   RealArm real;
   real.cell = workcellOf(with_sheet, "count the steps that go in");
@@ -69,7 +69,7 @@ bool isMade(const calibration::Identification* fit) {
   return fit && fit->status != calibration::IdentificationStatus::kNotRun;
 }
 
-/// Ids of the outliers of a model that is still to be fitted, beside those that were set aside before.
+/// Returns the ids of the outliers of a model that is still to be fitted, and of readings that were set aside before.
 std::vector<std::string> setAsideBy(const LadderModel& model, const LadderRequest& request, const WorkHooks& hooks) {
   beginStep(hooks, "fit");
   CellReadings input = model.input;

@@ -10,35 +10,34 @@
 
 namespace tubeplan::app {
 
-/// A model on its way to the ladder, with the readings as it takes them.
+/// A model for the ladder, with the readings in its form.
 struct LadderModel {
   std::string name;
   CellReadings input;
-  const calibration::Identification* fit = nullptr;  ///< as fitForLadder gives it, where it is made already
+  const calibration::Identification* fit = nullptr;  ///< as returned by fitForLadder(), if it exists already
 };
 
 struct LadderRequest {
   std::string truth;  ///< a cell's file; empty: the best model of the ladder, with an unmodelled error
   std::string sheet;  ///< a cell's file, for its sheet and tool; empty: the truth's, else the first cell's that has one
-  int holes = 1000;   ///< of the step table
-  std::vector<std::string> set_aside = {};  ///< ids of readings that are outliers already; where the last model's fit
-                                            ///< is made, all that it was made without
+  int holes = 1000;   ///< number in the step table
+  /// Ids of readings that are outliers already; if the last model's fit exists, all that it was made without.
+  std::vector<std::string> set_aside = {};
   std::uint64_t seed = 1;
 };
 
 struct LadderOutcome {
   std::vector<ModelComparisonRow> comparison;
   LadderSteps steps;
-  std::vector<std::string>
-      set_aside;           ///< ids of the readings that are outliers of the last model: no model is judged on them
-  nlohmann::json figures;  ///< as `tubeplan ladder --json` writes them
+  std::vector<std::string> set_aside;  ///< ids of outliers of the last model: no model is judged on them
+  nlohmann::json figures;              ///< as `tubeplan ladder --json` writes them
 };
 
-/// The cell's arm taken as rigid: only its base is fitted.
+/// Returns the cell with its arm taken as rigid, so that only its base is fitted.
 [[nodiscard]] Cell rigidOf(Cell cell);
 
-/// There must be a model. Outliers of the last are set aside, so that all are judged on the same readings. Throws
-/// InputError for sheets that differ, JobStopped.
+/// Compares the models, of which there must be one or more. Outliers of the last are set aside, so that all are judged
+/// on the same readings. Throws InputError for sheets that differ, JobStopped.
 [[nodiscard]] LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderRequest& request,
                                         const WorkHooks& hooks = {});
 

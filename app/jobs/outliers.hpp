@@ -1,4 +1,4 @@
-// Readings that a job sets aside before it judges a model: one rule for what compares, and for a ladder of models.
+// Readings that a job sets aside before it judges a model: one rule for comparisons, and for a ladder of models.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,12 @@
 
 namespace tubeplan::app {
 
-/// Returns the places of the readings that are off by more than noise explains; none of readings with a mistake in
-/// them, which is to be mended first. `fit` is of all readings by `options`, or not run where nothing is free.
+/// Returns the indices of the readings with errors beyond the noise; none if the readings hold a mistake, which is to
+/// be corrected first. `fit` is of all readings by `options`, or not run if nothing is free.
 [[nodiscard]] std::vector<int> outliersOf(const CellReadings& input, const calibration::Identification& fit,
                                           const calibration::IdentificationOptions& options);
 
-/// The ids of readings at these places.
+/// Returns the ids of the readings with these indices.
 [[nodiscard]] std::vector<std::string> idsAt(const std::vector<int>& places,
                                              const std::vector<calibration::Measurement>& readings);
 
@@ -23,10 +23,10 @@ namespace tubeplan::app {
 struct RefitOfReadings {
   std::vector<calibration::Measurement> readings;  ///< all but those set aside
   std::vector<std::string> set_aside;              ///< ids of outliers
-  calibration::Identification fit;                 ///< of `readings`; not run where nothing is free
+  calibration::Identification fit;                 ///< of `readings`; not run if nothing is free
 };
 
-/// Fits all readings and, where `outliers` finds places of some by that fit, the others. A fit that is refused is the
+/// Fits all readings and, if `outliers` finds indices of some by that fit, the others. A fit that is refused is the
 /// result.
 [[nodiscard]] RefitOfReadings fitWithoutOutliers(
     const std::vector<calibration::Measurement>& readings,

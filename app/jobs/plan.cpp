@@ -62,7 +62,7 @@ void countChanges(const std::vector<int>& before, PlanOutcome& outcome) {
   outcome.tubes_removed = static_cast<int>(old.size()) - kept;
 }
 
-constexpr double kMostStandoff = 1;  // m, and most insertion
+constexpr double kMostStandoff = 1;  // also the largest insertion [m]
 
 double standoffOf(const PlanRequest& request, const PlanOutcome& outcome) {
   if (!request.standoff) return planner::CompensationOptions{}.standoff;
@@ -94,7 +94,7 @@ planner::VisitPlanOptions planOptions(const PlanRequest& request, const PlanOutc
   return options;
 }
 
-/// The arm is kept off by what the base may be out, on top of what the scene asks for.
+/// Checks the padding, which keeps the arm away by the base's uncertainty in addition to the scene's clearance.
 void checkPadding(const PlanRequest& request, const PlanOutcome& outcome) {
   constexpr double kMostSigmas = 10;
   if (!(request.padding >= 0 && request.padding <= kMostSigmas))
@@ -111,7 +111,7 @@ void addTruth(const std::string& file, PlanOutcome& outcome) {
   requireSameSheet(outcome.nominal, *outcome.truth, file);
 }
 
-/// The cell as the planner has it, and the true one.
+/// Returns an outcome with the planner's cell, and the true one.
 PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
   PlanOutcome outcome;
   outcome.cell = cell;
@@ -125,7 +125,7 @@ PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
   return outcome;
 }
 
-/// A zone that holds none of the tubes orders nothing: it was meant for another list.
+/// Refuses a zone without any of the tubes, which was meant for another list.
 void requireZonesOfTheList(const ConditionsRequest& asked, const planner::VisitConditions& conditions,
                            const std::vector<int>& tubes) {
   for (std::size_t k = 0; k < conditions.zones.size(); ++k) {
@@ -135,7 +135,7 @@ void requireZonesOfTheList(const ConditionsRequest& asked, const planner::VisitC
   }
 }
 
-/// What the work list says beside its tubes, and the request of the way between them.
+/// Adds the conditions of the work list, and the requested kind of travel.
 void addConditions(const PlanRequest& request, const tubesheets::Selection& selection, PlanOutcome& outcome) {
   outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
   requireZonesOfTheList(request.conditions, outcome.conditions, selection.tube_indices);
@@ -146,7 +146,7 @@ void addConditions(const PlanRequest& request, const tubesheets::Selection& sele
     outcome.cell.warnings.push_back(std::move(doubtful));
 }
 
-/// Whether the base could be placed by the touches.
+/// Calibrates the base by the touches; returns false if that fails.
 bool placeBase(PlanOutcome& outcome, std::vector<calibration::Measurement> touches) {
   outcome.touches = std::move(touches);
   outcome.calibration = calibrateBoth(outcome.nominal, outcome.cell, outcome.touches);

@@ -20,13 +20,13 @@ namespace {
 
 using calibration::Estimate, calibration::Measurement;
 
-constexpr double kUsualSigma = 1.27e-4;  // m: 0.005 in, the centring of a calibration tool
+constexpr double kUsualSigma = 1.27e-4;  // [m]: 0.005 in, the centring of a calibration tool
 
 bool wants(const TouchRequest& request, const std::string& goal) {
   return request.goal == goal || request.goal == "both";
 }
 
-/// Median of what the readings of that sort have; 0 where there are none.
+/// Returns the median sigma of the readings of that sort [m]; 0 if there are none.
 double medianSigma(const std::vector<Measurement>& readings, bool is_touch) {
   std::vector<double> sigmas;
   for (const auto& reading : readings)
@@ -34,7 +34,7 @@ double medianSigma(const std::vector<Measurement>& readings, bool is_touch) {
   return sigmas.empty() ? 0 : calibration::median(std::move(sigmas));
 }
 
-/// The noise that a reading to come is taken to have.
+/// Returns the noise assumed for a future reading.
 ReadingNoise noiseOf(const TouchRequest& request, const Cell& cell, const std::vector<Measurement>& readings,
                      bool is_touch) {
   if (request.sigma > 0) return {cell.units.toInternal(request.sigma, dimension::kLength), "--sigma"};
@@ -43,7 +43,7 @@ ReadingNoise noiseOf(const TouchRequest& request, const Cell& cell, const std::v
   return {kUsualSigma, "default; --sigma changes it"};
 }
 
-/// Those asked for, else those of the readings, else none; each once, in order.
+/// Returns the loads asked for, else those of the readings, else none; each once, in order.
 std::vector<double> loadsOf(const TouchRequest& request, const Cell& cell, const std::vector<Measurement>& readings) {
   std::set<double> loads;
   for (const double load : request.loads) {
@@ -58,10 +58,10 @@ std::vector<double> loadsOf(const TouchRequest& request, const Cell& cell, const
   return {loads.begin(), loads.end()};
 }
 
-/// New readings are made where the arm stands now.
+/// Returns the present set-up of the arm, in which new readings are made.
 std::string lastSetup(const Estimate& estimate) { return estimate.start.base_poses.back().setup; }
 
-/// `known`: the model error that the cell states [m].
+/// Adds notes on the estimate. `known`: the model error that the cell states [m].
 void noteEstimate(const Estimate& estimate, double known, const Units& units, std::vector<std::string>& notes) {
   if (!estimate.note.empty())
     notes.push_back("the readings could not be fitted (" + estimate.note + "): the cell's values are used instead");
@@ -74,7 +74,7 @@ void noteEstimate(const Estimate& estimate, double known, const Units& units, st
     notes.push_back("new readings belong to the last set-up, '" + lastSetup(estimate) + "'");
 }
 
-/// Takes what the readings determine into the task, and stands the cell accordingly.
+/// Adds the information of the readings to the task, and places the cell accordingly.
 void learn(const TouchRequest& request, const std::vector<Measurement>& readings, const std::string& named_by,
            TouchTask& task, TouchOutcome& outcome) {
   if (wants(request, "parameters")) {
@@ -96,7 +96,7 @@ void learn(const TouchRequest& request, const std::vector<Measurement>& readings
   outcome.cell = cellAsEstimated(outcome.cell, *task.of_base);
 }
 
-/// What is asked for where the request leaves it open.
+/// Returns the request with defaults filled in.
 TouchRequest completed(TouchRequest request, const Cell& cell) {
   if (!std::isfinite(request.sigma) || request.sigma < 0)
     throw InputError("--sigma", fmt::format("{}", request.sigma),
@@ -123,7 +123,7 @@ void requireEnough(const TouchRequest& request, const TouchOutcome& outcome) {
                      "say --loads=0,20 or --kind position");
 }
 
-/// Where the arm works and which readings there may be.
+/// Sets the postures of the work and the possible readings.
 void settleTask(const TouchRequest& request, TouchTask& task, TouchOutcome& outcome) {
   task.cell = outcome.cell;
   task.by_touch = request.kind == "touch";

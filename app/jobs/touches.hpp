@@ -1,5 +1,5 @@
-// What to measure next, from files named in a request to proposals in memory: holes that place the base, and readings
-// that sharpen the free numbers.
+// Proposals of the next measurements, from the files of a request to results in memory: holes that place the base, and
+// readings that improve the free numbers.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace tubeplan::app {
 
-/// Throws InputError for bad input.
+/// Proposes measurements. Throws InputError for bad input.
 [[nodiscard]] TouchOutcome proposeTouches(const TouchRequest& request);
 
-/// The same for a cell and readings at hand, in the place of the request's files.
+/// Proposes measurements for a given cell and readings, instead of the request's files.
 [[nodiscard]] TouchOutcome proposeTouches(const TouchRequest& request, const Cell& cell,
                                           const std::vector<calibration::Measurement>& readings);
 
