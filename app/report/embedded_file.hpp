@@ -1,4 +1,4 @@
-// A file that the program carries within itself.
+// A file embedded in the program.
 #pragma once
 
 #include <string_view>

@@ -40,8 +40,8 @@ struct Insertion {
   std::string text;
 };
 
-/// JSON in which no character can be read as markup: `<`, `>` and `&` occur inside strings only, where an escape means
-/// the same; everything past ASCII (U+2028 and U+2029 too) is escaped by the writer.
+/// Returns JSON in which no character can be read as markup: `<`, `>` and `&` occur inside strings only, where an
+/// escape means the same; all characters beyond ASCII (U+2028 and U+2029 too) are escaped by the writer.
 std::string embeddableJson(const nlohmann::json& report) {
   const std::string plain = report.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   std::string safe;
@@ -64,8 +64,8 @@ std::string embeddableJson(const nlohmann::json& report) {
   return safe;
 }
 
-/// The page with each marker replaced, in the order given and once: inserted text is never searched, so data that looks
-/// like a marker stays data.
+/// Returns the page with each marker replaced, in the order given and once: inserted text is never searched, so data
+/// that looks like a marker stays data.
 template <std::size_t kCount>
 std::string assemble(std::string_view page, const std::array<Insertion, kCount>& insertions) {
   std::string result;
@@ -100,7 +100,7 @@ std::string htmlOf(std::string_view text) {
   return safe;
 }
 
-/// The program's version and the files that the page is of, but where the page has a list of them of its own.
+/// Returns the program's version and the input files of the page, unless the page has a list of its own.
 std::string originOf(const nlohmann::json& report) {
   if (!report.is_object() || !report.contains("inputs") || report.contains("commands")) return "";
   std::string text = "tubeplan " + htmlOf(report.value("version", "")) + " of";
@@ -109,7 +109,7 @@ std::string originOf(const nlohmann::json& report) {
   return text;
 }
 
-/// Said in place of the pictures by a program that was built without its page.
+/// Returns the text shown instead of pictures by a program built without its page.
 std::string missingText(const PageKind& kind, const PageSources& sources) {
   if (!sources.script.empty()) return "";
   return fmt::format(

@@ -8,16 +8,16 @@
 
 namespace tubeplan::app {
 
-/// What a page is of.
+/// Kind of a page.
 struct PageKind {
-  std::string_view name;     ///< `page` of its document, by which the script knows its sections
-  std::string_view title;    ///< until the script puts the document's own
-  std::string_view figures;  ///< where the same figures are, for who allows no scripts
+  std::string_view name;     ///< `page` of its document, which selects the script's sections
+  std::string_view title;    ///< shown until the script sets the document's own
+  std::string_view figures;  ///< where the same figures are, for readers without scripts
 };
 
-/// The page with the document embedded so that no text in it can end its script block; what is no object counts as an
-/// empty one. Bytes that are not UTF-8 become U+FFFD and numbers that are not finite become null. Same document, same
-/// bytes. Without a script the page says that this program has no report pictures.
+/// Returns the page with the document embedded so that no text in it can end its script block. A document that is no
+/// object counts as an empty one. Bytes that are not UTF-8 become U+FFFD and numbers that are not finite become null.
+/// The same document gives the same bytes. Without a script the page says that this program has no report pictures.
 [[nodiscard]] std::string renderPage(const PageKind& kind, const nlohmann::json& report,
                                      const PageSources& sources = builtPageSources());
 

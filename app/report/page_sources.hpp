@@ -1,4 +1,4 @@
-// What a report is drawn with: built of app/web, and carried by the program.
+// Script and style of reports: built from app/web, and embedded in the program.
 #pragma once
 
 #include <string_view>
@@ -8,14 +8,15 @@
 
 namespace tubeplan::app {
 
-/// The report's script and style; generated at build time by embed_files.cmake. Empty where the page was not built.
+/// Returns the report's script and style; generated at build time by embed_files.cmake. Empty if the page was not
+/// built.
 [[nodiscard]] const std::vector<EmbeddedFile>& embeddedReport();
 
 struct PageSources {
   std::string_view style, script;  ///< ASCII; nothing in them ends its block of the page
 };
 
-/// The program's own, by their names in embeddedReport().
+/// Returns the program's own sources, by their names in embeddedReport().
 [[nodiscard]] PageSources builtPageSources();
 
 }  // namespace tubeplan::app

@@ -6,11 +6,11 @@
 
 namespace tubeplan::app {
 
-/// The whole page as one HTML document that needs no network, no other file and no server. The data is embedded so that
-/// no text in it can end its script block; the page shows text as text only. Bytes that are not UTF-8 become U+FFFD and
-/// numbers that are not finite become "not recorded". Same document, same bytes.
+/// Returns the whole page as one HTML document that needs no network, no other file and no server. The data is embedded
+/// so that no text in it can end its script block; the page shows text as text only. Bytes that are not UTF-8 become
+/// U+FFFD and numbers that are not finite become "not recorded". The same document gives the same bytes.
 ///
-/// Every part of `report` may be absent or null; the page then says "not recorded" in its place. Lengths are in
+/// Every part of `report` may be absent or null; the page then shows "not recorded". Lengths are in
 /// `units.length` (as "in"), angles in `units.angle`, times in seconds; a point is [x, y] in the sheet's frame.
 ///   title, cell, version: text; seed: number or text; units: {length, angle}; summary: [[label, value], ...]
 ///   sheet: {name, leg, viewed_from: "below" | "above", hole_diameter, pitch, rows, columns,
