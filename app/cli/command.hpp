@@ -1,4 +1,4 @@
-// What a command of the program is: its name, its words and what it runs.
+// A command of the program: its name, its words and its function.
 #pragma once
 
 #include <functional>
@@ -13,15 +13,17 @@ namespace tubeplan::app {
 /// Exit codes, a promise to scripts.
 enum ExitCode { kDone = 0, kNegativeAnswer = 1, kBadInput = 2, kInternalError = 3 };
 
-/// The same for a reader, with kStoppedExitCode.
+/// Exit codes in words for a reader, including kStoppedExitCode.
 inline constexpr const char* kExitCodes =
     "0 done, 1 a negative answer, 2 bad input, 3 the program failed (no memory left, or a defect of it), "
     "130 stopped by Ctrl-C or SIGTERM";
 
-/// Does the work once the command line is read; returns the exit code. Throws InputError for bad input.
+/// Function that does the work after the command line is read, and returns the exit code. Throws InputError for bad
+/// input.
 using Run = std::function<int()>;
 
-/// Declares the command's arguments on its part of the command line, and returns what is to be run with them.
+/// Function that declares the command's arguments on its part of the command line, and returns the function to run with
+/// them.
 using Configure = Run (*)(CLI::App& cli);
 
 struct Command {

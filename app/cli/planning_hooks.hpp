@@ -1,4 +1,4 @@
-// Progress on the terminal and Ctrl-C, as long work asks for them.
+// Progress on the terminal and Ctrl-C, as hooks of long work.
 #pragma once
 
 #include "calibration/hooks.hpp"
@@ -6,10 +6,10 @@
 
 namespace tubeplan::app {
 
-/// One progress line per stage; stops when the user asks.
+/// Returns hooks that show one progress line per stage, and stop on the user's request.
 [[nodiscard]] planner::PlanHooks terminalHooks();
 
-/// The same for fits and diagnoses.
+/// Returns the same hooks for fits and diagnoses.
 [[nodiscard]] calibration::WorkHooks terminalWorkHooks();
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// A line on the terminal that says how far long work is, how fast it goes and how long it will take.
+// A line on the terminal with the progress of long work, its speed and the time left.
 #pragma once
 
 #include <chrono>
@@ -7,15 +7,15 @@
 
 namespace tubeplan::app {
 
-/// Writes to standard error, and only where that is a terminal. Not for use from several threads at once.
+/// A progress line on standard error, shown only on a terminal. Not safe from several threads at once.
 class Progress {
  public:
   Progress(std::string label, std::size_t total);
-  ~Progress();  ///< wipes the line
+  ~Progress();  ///< clears the line
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// So many of the total are done. Redraws at most ten times a second.
+  /// Reports that `done` of the total are done. Redraws at most ten times a second.
   void update(std::size_t done);
 
  private:
@@ -27,8 +27,8 @@ class Progress {
   Clock::time_point start_, drawn_;
 };
 
-/// "planning [#####-----] 30/60  12.1/s  0:02 left" in at most `width` characters; "planning ..." where nobody knows
-/// the total (0).
+/// Returns "planning [#####-----] 30/60  12.1/s  0:02 left" in at most `width` characters; "planning ..." if the total
+/// is unknown (0).
 [[nodiscard]] std::string progressLine(const std::string& label, std::size_t done, std::size_t total, double seconds,
                                        int width);
 

@@ -6,7 +6,7 @@ namespace tubeplan::app {
 
 namespace {
 
-// A signal handler has no other way to speak to the program: the one variable of this kind.
+// Flag set by the signal handler, which has no other way to inform the program.
 volatile std::sig_atomic_t stop_noted = 0;
 
 void noteSignal(int signal_number) {

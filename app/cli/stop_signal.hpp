@@ -1,15 +1,15 @@
-// Ctrl-C as a question that long work asks now and then.
+// Ctrl-C as a flag that long work checks now and then.
 #pragma once
 
 namespace tubeplan::app {
 
-/// From now on an interrupt (SIGINT) or a request to end (SIGTERM) is noted; a second one ends the program at once.
+/// Makes the program note an interrupt (SIGINT) or a request to end (SIGTERM); a second one ends the program at once.
 void noteStopSignals();
 
-/// Whether one came.
+/// Returns true if an interrupt or a request to end was noted.
 [[nodiscard]] bool stopRequested();
 
-/// What main returns then, as shells do: 128 + SIGINT.
+/// Exit code of a stopped program, as shells use it: 128 + SIGINT.
 inline constexpr int kStoppedExitCode = 130;
 
 }  // namespace tubeplan::app
