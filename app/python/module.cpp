@@ -1,6 +1,6 @@
-// `import tubeplan`: an arm posed in batches as NumPy arrays, and what the commands do with cells and readings, as
-// dictionaries with the keys that their --json writes. Arrays are in metres, radians and newtons; dictionaries in the
-// cell's own units.
+// The module `tubeplan` of Python: poses of an arm in batches as NumPy arrays, and the commands on cells and readings
+// with results as dictionaries, with the keys of their --json output. Arrays are in metres, radians and newtons;
+// dictionaries in the cell's own units.
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -41,7 +41,7 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 
 py::object toPython(const nlohmann::json& json) { return py::module_::import("json").attr("loads")(json.dump()); }
 
-/// Ctrl-C ends long work, as in the terminal: once the thread that called has seen it, all of them stop.
+/// Ends long work on Ctrl-C, as in the terminal: once the calling thread has noticed it, all of them stop.
 class Interruption {
  public:
   bool operator()() const {
@@ -56,14 +56,14 @@ class Interruption {
   std::shared_ptr<std::atomic<bool>> is_seen_ = std::make_shared<std::atomic<bool>>(false);
 };
 
-/// Work that Python's other threads need not wait for.
+/// Runs work without Python's lock, so that its other threads need not wait.
 template <class Work>
 auto withoutLock(Work&& work) {
   const py::gil_scoped_release released;
   return work();
 }
 
-/// Rotations as one array of N x 3 x 3.
+/// Returns rotations as one array of N x 3 x 3.
 py::array_t<double> stacked(const std::vector<Eigen::Matrix3d>& rotations) {
   py::array_t<double> out({static_cast<py::ssize_t>(rotations.size()), py::ssize_t{3}, py::ssize_t{3}});
   auto at = out.mutable_unchecked<3>();
@@ -75,7 +75,7 @@ py::array_t<double> stacked(const std::vector<Eigen::Matrix3d>& rotations) {
 
 class PythonCell {
  public:
-  /// The whole path is kept: a program may change its folder.
+  /// The absolute path is kept, because a program may change its folder.
   explicit PythonCell(const std::filesystem::path& path)
       : path_(path.empty() ? "" : std::filesystem::absolute(path).string()), cell_(readCell(path.string())) {}
 
@@ -94,7 +94,8 @@ class PythonCell {
     return limits;
   }
 
-  /// Deflected tips in the world: N x 3 places, N x 3 x 3 tool frames, and whether each shape converged.
+  /// Returns deflected tips in the world: N x 3 places [m], N x 3 x 3 tool frames, and for each true if its shape
+  /// converged.
   [[nodiscard]] py::tuple poses(const Rows& q, double load) const {
     const auto joints = cell_.arm.jointCount();
     if (q.cols() != joints)
@@ -170,7 +171,7 @@ class PythonCell {
     return asked;
   }
 
-  /// Work that Ctrl-C has ended leaves Python's own KeyboardInterrupt behind.
+  /// Runs work; if Ctrl-C ends it, Python's own KeyboardInterrupt is raised.
   static py::object run(const std::function<nlohmann::json()>& work) {
     const nlohmann::json figures = withoutLock([&] {
       const InputRecord inputs;
