@@ -11,9 +11,9 @@
 
 namespace tubeplan::app {
 
-/// Request in the words of a command. A cause is EFFECT@AT, EFFECT@AT:NUMBER=VALUE,... (with sizes, as a diagnosis
-/// gives them), EFFECT@all joints, free@NAME, or free@geometry. A formula is TARGET += EXPRESSION; the causes may then
-/// include formula@TARGET.
+/// Request in the words of a command. A cause is `EFFECT@AT`, `EFFECT@AT:NUMBER=VALUE,...` (with sizes, as a diagnosis
+/// gives them), `EFFECT@all joints`, `free@NAME` or `free@geometry`. A formula is `TARGET += EXPRESSION`; the causes
+/// may then include `formula@TARGET`.
 struct AdditionRequest {
   std::vector<std::string> causes;
   std::string formula;
@@ -27,8 +27,8 @@ struct Addition : AddedCauses {
 /// effects refuse.
 [[nodiscard]] Addition addToCell(const Cell& cell, const AdditionRequest& request);
 
-/// Returns the cell without these causes: each an effect, EFFECT@AT, with its numbers in `identify`, or free@NAME, a
-/// name of `identify` that is held again at its present value. Throws InputError for causes that the cell does not
+/// Returns the cell without these causes: each an effect, `EFFECT@AT`, with its numbers in `identify`, or `free@NAME`,
+/// a name of `identify` that is held again at its present value. Throws InputError for causes that the cell does not
 /// have.
 [[nodiscard]] Cell withoutCauses(const Cell& cell, const std::vector<std::string>& causes);
 

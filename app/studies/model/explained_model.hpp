@@ -10,7 +10,7 @@
 namespace tubeplan::app {
 
 struct AddedCauses {
-  std::vector<std::string> names;  ///< names of the causes: backlash@tool.z, free@latch-link.beam.Iz
+  std::vector<std::string> names;  ///< names of the causes: `backlash@tool.z`, `free@latch-link.beam.Iz`
   std::vector<std::string> freed;  ///< numbers added to the cell's `identify`
   std::vector<deflection::Effect> formulas;
 };
