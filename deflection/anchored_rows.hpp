@@ -13,8 +13,8 @@
 namespace tubeplan::deflection {
 
 struct AnchoredRows {
-  /// The same arm with some rows' frames moved along their z axes: tip, joint axes and loads are unchanged. If any row
-  /// is moved, it has no effects, because these refer to the rows as they were written.
+  /// Arm with some rows' frames moved along their z axes: tip, joint axes and loads are unchanged. If any row is moved,
+  /// it has no effects, because these refer to the rows as they were written.
   Arm arm;
   std::vector<double> slid;  ///< shift of each row's frame along z [m]; the z of a point in it is less by this
 };

@@ -113,7 +113,7 @@ template <class S>
 struct EffectTerms {
   bool joint_is_compliant = false, member_is_compliant = false;
   std::array<bool, 3> bends{}, has_gap{};
-  Vector3<S> compliance = Vector3<S>::Zero();  ///< at the origin, about the row's axes [rad/(N m)]
+  Vector3<S> compliance = Vector3<S>::Zero();  ///< compliance at the origin, about the row's axes [rad/(N m)]
   Vector3<S> softness = Vector3<S>::Zero();    ///< softness below the knee moment; see elements/joint_stiffness.hpp
   Vector3<S> knee = Vector3<S>::Zero();        ///< knee moment [N m]
   Vector3<S> gap = Vector3<S>::Zero();         ///< clearance [rad], see elements/clearance.hpp
@@ -180,7 +180,7 @@ struct ArmOf {
   ConditionValues reference = usualConditions();
   std::vector<EffectOf<S>> effects;       ///< effects beyond the model above
   std::vector<SideChain<S>> side_chains;  ///< rows that only add weight
-  std::vector<RigidMounting> mountings;   ///< one for each set-up with rigid rows
+  std::vector<RigidMounting> mountings;   ///< one entry for each set-up with rigid rows
   std::optional<TipLoad<S>> tip_load;
 
   /// Returns the joints with readings of their own, revolute and prismatic, in the order of every joint vector.

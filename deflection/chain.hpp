@@ -31,7 +31,7 @@ struct ChainLink {
   Vector3<S> p = Vector3<S>::Zero();      ///< translation, in near axes
   Matrix3<S> R = Matrix3<S>::Identity();  ///< rotation, for kTurn
   S weight{0};                            ///< total weight of this piece, or of the lump
-  Vector3<S> lever = Vector3<S>::Zero();  ///< from the link's near frame to the lump, in near axes
+  Vector3<S> lever = Vector3<S>::Zero();  ///< vector from the link's near frame to the lump, in near axes
 };
 
 template <class S>

@@ -50,7 +50,7 @@ class DirectChanges {
 
   const PreparedArm& arm_;
   const TipSensitivity& sensitivity_;
-  std::vector<std::size_t> first_link_, first_element_;  ///< of each row
+  std::vector<std::size_t> first_link_, first_element_;  ///< first link and first element of each row
   Chain<Dual> chain_;
 };
 

@@ -41,12 +41,13 @@ struct PostureOf {
   Eigen::Matrix<S, Eigen::Dynamic, 1> q;
   S load{0};
   Vector3<S> gravity_B = -Vector3<S>::UnitZ();
-  std::optional<WrenchOf<S>> wrench = {};  ///< in addition to the hung load
+  std::optional<WrenchOf<S>> wrench = {};  ///< loads in addition to the hung load
   /// Readings of the side chains' joints (side_chains.hpp); empty if unknown: see restOfSideChains().
   Eigen::Matrix<S, Eigen::Dynamic, 1> side_q = {};
   /// Direction of each joint's last motion, -1, 0 or +1; empty if unknown, as if all were 0.
   std::vector<int> approach_directions = {};
-  /// If not stated, the arm's reference; without a time there is no drift, and any slip has happened.
+  /// Conditions of the posture. Those not stated are the arm's reference; without a time there is no drift, and any
+  /// slip has happened.
   ConditionValues conditions = {};
   std::string_view setup = {};  ///< set-up of the base; the viewed text must outlive the posture
 };
@@ -79,8 +80,8 @@ enum class KinematicsStatus {
 /// State of a row's frame. Forces and moments are those of everything from its origin outwards, about its origin.
 struct RowState {
   PoseOf<double> X_BL_rigid, X_BL;    ///< frame without and with deflection
-  Eigen::Vector3d force_B, moment_B;  ///< in base axes [N, N m]
-  Eigen::Vector3d force_L, moment_L;  ///< in the row's deflected axes [N, N m]
+  Eigen::Vector3d force_B, moment_B;  ///< force and moment in base axes [N, N m]
+  Eigen::Vector3d force_L, moment_L;  ///< force and moment in the row's deflected axes [N, N m]
 };
 
 /// Deflection of one element: its row, its law (index into elementKinds()) and its segment of the member.
@@ -88,7 +89,7 @@ struct ComponentState {
   int row = -1;
   int kind = -1;
   int segment = 0;
-  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< in the element's near-end axes [m]
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< displacement in the element's near-end axes [m]
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();      ///< [rad]
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();           ///< part of the rotation that is clearance [rad]
 };

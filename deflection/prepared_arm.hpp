@@ -111,13 +111,13 @@ class PreparedArm {
 
   const Arm& arm_;
   Posture asked_;
-  std::optional<EffectContext<double>> context_;  ///< if the arm has effects
+  std::optional<EffectContext<double>> context_;  ///< effects at the present posture; nothing if the arm has none
   bool is_fixed_;  ///< true: no slides and nothing else that depends on the posture, so that the links are constant
   bool is_prepared_ = false;  ///< true: the members below hold the fixed arm
-  Chain<double> chain_;       ///< with the revolute joints at zero
+  Chain<double> chain_;       ///< chain with the revolute joints at zero
   std::vector<JointTurn> turns_;
   std::vector<RigidPart> parts_;
-  std::vector<std::size_t> part_ends_;  ///< of each body
+  std::vector<std::size_t> part_ends_;  ///< end of each body's parts
   std::vector<Hanging> hanging_;
   mutable Equilibrium equilibrium_;  ///< filled by copyOutElements() on demand if a kernel has solved the shape
   std::unique_ptr<const simd::RevoluteChain> revolute_chain_;  ///< the arm for the kernels, if they take it

@@ -18,9 +18,9 @@
 namespace tubeplan::deflection {
 
 enum class RowConvention {
-  kModified,  ///< as in DenavitHartenberg: alpha and a lead to the row's own axis
+  kModified,  ///< numbers of DenavitHartenberg: alpha and a lead to the row's own axis
   kStandard,  ///< RotZ(theta) TransZ(d) TransX(a) RotX(alpha) RotY(beta): the last three lead to the next row's axis
-  kOrigin,    ///< as in Origin
+  kOrigin,    ///< numbers of Origin
 };
 
 /// Returns the conventions' names in files, in the order of RowConvention.

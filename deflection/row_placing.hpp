@@ -55,7 +55,8 @@ class RowPlacing {
   Eigen::Vector3d gravity_B_;
   PreparedArm arm_;
   std::unique_ptr<const Plain> plain_;  ///< the arm for the kernels; null if they do not take it
-  std::vector<double> q_, loads_, tip_, turns_, element_states_, sweeps_;  ///< in lanes
+  /// Inputs and outputs of the kernel, in lanes.
+  std::vector<double> q_, loads_, tip_, turns_, element_states_, sweeps_;
   PlacedRows placed_;
 };
 

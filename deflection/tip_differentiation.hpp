@@ -62,8 +62,8 @@ class TipDifferentiation {
   ArmOf<Dual> dual_arm_;  ///< empty until needed
   PostureOf<Dual> dual_posture_;
   Vector3<Dual> gravity_turn_;
-  std::optional<EffectContext<Dual>> context_;  ///< of the dual arm and posture, if there are effects
-  std::vector<int> joints_;                     ///< of each row, -1 if it is passive
+  std::optional<EffectContext<Dual>> context_;  ///< effects of the dual arm and posture; nothing if there are none
+  std::vector<int> joints_;                     ///< joint of each row, -1 if it is passive
   std::vector<int> active_;                     ///< row of each joint
   std::vector<std::pair<int, std::size_t>> order_;
   Eigen::Matrix<double, 6, Eigen::Dynamic> columns_;

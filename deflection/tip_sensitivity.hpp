@@ -66,10 +66,10 @@ class TipSensitivity {
     Eigen::Matrix3d R, turn_B;  ///< near axes; rotation vector in base axes per change of the rotation
     Eigen::Matrix3d displacement_by_force, displacement_by_moment, displacement_by_weight;
     Eigen::Matrix3d rotation_by_force, rotation_by_moment, rotation_by_weight, rotation_by_displacement;
-    Eigen::Matrix3d displacement_itself;          ///< by its own deflection under the same load
+    Eigen::Matrix3d displacement_itself;          ///< response to its own deflection under the same load
     Eigen::Matrix3d moment_by_rotation, inverse;  ///< slope of the loads beyond; inverse of the rotation's own equation
     Eigen::Vector3d is_compliant;                 ///< 0 for an axis that hangs freely in its gap, else 1
-    Eigen::Matrix3d turn_by_turn, shift_by_turn;  ///< of the element, by a rotation of its near end, base axes
+    Eigen::Matrix3d turn_by_turn, shift_by_turn;  ///< response of the element to a rotation of its near end, base axes
   };
 
   /// Returns true if a motion of everything beyond a link moves the responding frame.
@@ -84,11 +84,11 @@ class TipSensitivity {
 
   std::vector<PoseOf<double>> frames_;
   std::size_t answering_ = 0;           ///< index of the frame whose responses these are
-  std::vector<OutboardLoad> outboard_;  ///< of each link's far end
+  std::vector<OutboardLoad> outboard_;  ///< loads beyond each link's far end
   /// Response to a rotation about the base's origin under the same inboard loads, at far ends.
   std::vector<TipRows> motion_;
   std::vector<Answer> answers_;
-  std::vector<LoadAnswer> loads_;  ///< of each link
+  std::vector<LoadAnswer> loads_;  ///< responses to loads on each link
   std::vector<ElementSensitivity> elements_;
   TipRows gravity_;
 };

@@ -56,7 +56,7 @@ class FewTubes {
   const PostureTable& table_;
   const std::vector<int>& zones_;
   TravelNetwork& network_;
-  std::vector<Stop> stops_;  // by posture
+  std::vector<Stop> stops_;  // stop of each posture
   Eigen::MatrixXd straight_;
   std::array<Eigen::MatrixXd, 3> times_;  // expected times, optimistic times, lower bounds [s]
   std::vector<Knowledge> knowledge_;

@@ -28,10 +28,10 @@ struct SegmentProof {
 };
 
 struct PlanCache {
-  std::map<int, TubeReach> reach;             ///< by tube
-  std::map<MotionEnds, MotionPlan> travels;   ///< with the smaller end first
-  std::map<MotionEnds, SegmentProof> proofs;  ///< in the direction of travel
-  std::vector<VisitOrder> orders;             ///< one for each round, in terms of this list's reachable tubes
+  std::map<int, TubeReach> reach;             ///< reach of each tube
+  std::map<MotionEnds, MotionPlan> travels;   ///< travels by their ends, with the smaller end first
+  std::map<MotionEnds, SegmentProof> proofs;  ///< proofs of segments by their ends, in the direction of travel
+  std::vector<VisitOrder> orders;             ///< order of each round, in terms of this list's reachable tubes
   /// Tubes in the order of the last completed plan. The next search starts from it if most tubes are the same.
   std::vector<int> visiting_order;
 };
@@ -39,8 +39,8 @@ struct PlanCache {
 /// Numbers of results that were reused.
 struct KeptWork {
   int reach = 0;    ///< tubes
-  int travels = 0;  ///< of the path
-  int proofs = 0;   ///< of segments, without retreats
+  int travels = 0;  ///< travels of the path
+  int proofs = 0;   ///< proofs of segments, without retreats
 };
 
 }  // namespace tubeplan::planner

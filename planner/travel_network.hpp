@@ -42,7 +42,7 @@ class TravelRoadmap {
 struct TravelEstimate {
   double time = std::numeric_limits<double>::infinity();  ///< infinite if there is no path [s]
   bool is_exact = false;                                  ///< false: time of a detour that is not yet optimised
-  bool apart = false;                                     ///< as MotionPlan::apart, with the obstacle in `tightest`
+  bool apart = false;  ///< true: no path, as MotionPlan::apart, with the obstacle in `tightest`
   Clearance tightest;
   long checks = 0;  ///< number of postures checked
 };
@@ -75,8 +75,8 @@ class TravelNetwork {
   const std::vector<TubeReach>& reach_;
   TravelRoadmap& roadmap_;
   MotionProblem problem_;
-  std::optional<LineTravels> lines_;           ///< if the tool is to move straight
-  std::map<MotionEnds, MotionPlan> backward_;  ///< with the larger end first
+  std::optional<LineTravels> lines_;           ///< straight travels of the tool, if these are asked for
+  std::map<MotionEnds, MotionPlan> backward_;  ///< reversed travels, with the larger end first
 };
 
 }  // namespace tubeplan::planner

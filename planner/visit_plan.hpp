@@ -99,7 +99,7 @@ enum class VisitPlanStatus { kNotRun, kPlanned, kNothingReachable, kNoOrder, kSt
 struct VisitPlan {
   VisitPlanStatus status = VisitPlanStatus::kNotRun;
   std::string reason;
-  std::vector<PlannedVisit> visits;  ///< in visiting order
+  std::vector<PlannedVisit> visits;  ///< visits in visiting order
   std::vector<UnreachableTube> unreachable;
   /// Approach, retreat, travel, approach, ...; before and after them the travels from the start and to the end posture.
   std::vector<PathSegment> segments;

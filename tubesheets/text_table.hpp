@@ -27,7 +27,8 @@ struct TableWords {
 
 /// One table of a text, with the decimal point of the program.
 struct TextTable {
-  std::vector<std::string> columns;  ///< as many as the fields of a row; "column 1", ... without a heading
+  /// Column names, as many as the fields of a row; "column 1", ... without a heading.
+  std::vector<std::string> columns;
   bool has_heading = false;
   int heading_line = 0;  ///< 0 if there is none
   /// Line of a row of units, whose words are added to the headings in brackets; 0 if there is none.

@@ -27,8 +27,8 @@ enum class TubeState {
 /// A hole [m]. Sheet frame: origin at the centre of the sheet's lower face, x along the divider plate, y into the hot
 /// leg, z up. The hole's centre is at z = 0.
 struct Tube {
-  int row = 0;     ///< from 1, counted away from the divider plate
-  int column = 0;  ///< from 1, counted along x
+  int row = 0;     ///< row number from 1, counted away from the divider plate
+  int column = 0;  ///< column number from 1, counted along x
   double x = 0;
   double y = 0;
   TubeState state = TubeState::kOpen;

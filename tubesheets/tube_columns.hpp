@@ -23,8 +23,8 @@ enum class TubeColumn {
   kState,  ///< a state or a code, nothing else
   kCode,   ///< a code, a remark or a number
   kDwell,
-  kVisit,    ///< written by a plan: place in the visiting order
-  kOutcome,  ///< written by a plan: reason why there is no visit
+  kVisit,    ///< place in the visiting order, written by a plan
+  kOutcome,  ///< reason why there is no visit, written by a plan
   kNote,     ///< text for people, kept and not read
 };
 

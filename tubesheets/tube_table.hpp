@@ -26,7 +26,7 @@ struct CodeColumn {
 struct TubeTable {
   TextTable text;
   std::map<TubeColumn, std::size_t> places;  ///< index of each known column; kNote has no entry
-  std::vector<CodeColumn> codes;             ///< in the order of the table
+  std::vector<CodeColumn> codes;             ///< columns of states and codes, in the order of the table
   std::vector<std::string> unread;           ///< names of unknown columns
   const LengthUnit* unit_x = nullptr;        ///< null if there is no x, or its unit is not stated
   const LengthUnit* unit_y = nullptr;

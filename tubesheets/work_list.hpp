@@ -53,7 +53,7 @@ enum class SelectionStatus { kNotRun, kSelected, kRefused };
 
 struct Selection {
   SelectionStatus status = SelectionStatus::kNotRun;
-  std::string reason;             ///< when refused: names the item, the tube or the line
+  std::string reason;             ///< reason of a refusal, which names the item, the tube or the line
   std::vector<int> tube_indices;  ///< indices in Sheet::tubes, ascending, each once
   std::map<int, double> dwell;    ///< stay at a tube [s] by index, where a list states one
   std::vector<LeftOut> left_out;  ///< tubes left out because of their state or finished work

@@ -15,7 +15,7 @@ struct CalibrationOutcome {
   calibration::BaseCalibration calibration;
   std::optional<ModelError> model_error;  ///< estimated with the base
   std::vector<calibration::Measurement> touches;
-  nlohmann::json figures;  ///< as `tubeplan calibrate --json` writes them
+  nlohmann::json figures;  ///< JSON of `tubeplan calibrate --json`
 };
 
 /// Calibrates the base. `file` is the source of the touches, for messages. Throws InputError for too few touches, or

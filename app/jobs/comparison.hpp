@@ -22,8 +22,8 @@ struct ComparisonOutcome {
   calibration::Comparison comparison;
   std::vector<calibration::Measurement> readings;  ///< all but those set aside
   std::vector<std::string> set_aside;              ///< ids of outliers
-  std::vector<std::string> warnings;               ///< of the fit
-  nlohmann::json figures;                          ///< as `tubeplan compare --json` writes them
+  std::vector<std::string> warnings;               ///< warnings of the fit
+  nlohmann::json figures;                          ///< JSON of `tubeplan compare --json`
 };
 
 /// Refits the readings. Throws JobStopped.

@@ -23,11 +23,11 @@ struct DiagnosisRequest {
 
 struct DiagnosisOutcome {
   calibration::Diagnosis diagnosis;
-  std::vector<calibration::ReadingCandidate> candidates;  ///< for the readings to propose
+  std::vector<calibration::ReadingCandidate> candidates;  ///< candidates for the readings to propose
   calibration::DiscriminatingMeasurements next;
   std::vector<calibration::EffectWarning> warnings;         ///< about effects that the cell has
   std::vector<calibration::ProposedMeasurement> run_sheet;  ///< the proposed readings; empty: none is proposed
-  nlohmann::json figures;                                   ///< as `tubeplan diagnose --json` writes them
+  nlohmann::json figures;                                   ///< JSON of `tubeplan diagnose --json`
 };
 
 /// Returns the diagnosis alone, without further readings and warnings; not run if the readings determine nothing.

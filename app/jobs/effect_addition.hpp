@@ -20,7 +20,7 @@ struct AdditionRequest {
 };
 
 struct Addition : AddedCauses {
-  Cell cell;  ///< with all additions, in the form in which it will be read again
+  Cell cell;  ///< the cell with all additions, in the form in which it will be read again
 };
 
 /// Adds the causes. Throws InputError for an empty request, an effect that the cell has already, or what the readers of

@@ -43,7 +43,7 @@ struct IdentificationOutcome {
   std::vector<calibration::FormulaOverlap> overlaps;
   PredictedCentring centring;
   std::vector<calibration::EffectWarning> of_effects;
-  nlohmann::json figures;  ///< as `tubeplan identify --json` writes them
+  nlohmann::json figures;  ///< JSON of `tubeplan identify --json`
 };
 
 /// Identifies the model. Throws InputError for names that are no parameters, nothing to free and readings that

@@ -14,7 +14,7 @@ namespace tubeplan::app {
 struct LadderModel {
   std::string name;
   CellReadings input;
-  const calibration::Identification* fit = nullptr;  ///< as returned by fitForLadder(), if it exists already
+  const calibration::Identification* fit = nullptr;  ///< result of fitForLadder(), if it exists already
 };
 
 struct LadderRequest {
@@ -30,7 +30,7 @@ struct LadderOutcome {
   std::vector<ModelComparisonRow> comparison;
   LadderSteps steps;
   std::vector<std::string> set_aside;  ///< ids of outliers of the last model: no model is judged on them
-  nlohmann::json figures;              ///< as `tubeplan ladder --json` writes them
+  nlohmann::json figures;              ///< JSON of `tubeplan ladder --json`
 };
 
 /// Returns the cell with its arm taken as rigid, so that only its base is fitted.

@@ -23,7 +23,7 @@ namespace tubeplan::app {
 struct RefitOfReadings {
   std::vector<calibration::Measurement> readings;  ///< all but those set aside
   std::vector<std::string> set_aside;              ///< ids of outliers
-  calibration::Identification fit;                 ///< of `readings`; not run if nothing is free
+  calibration::Identification fit;                 ///< fit of `readings`; not run if nothing is free
 };
 
 /// Fits all readings and, if `outliers` finds indices of some by that fit, the others. A fit that is refused is the

@@ -12,7 +12,7 @@ namespace tubeplan::app {
 struct PageKind {
   std::string_view name;     ///< `page` of its document, which selects the script's sections
   std::string_view title;    ///< shown until the script sets the document's own
-  std::string_view figures;  ///< where the same figures are, for readers without scripts
+  std::string_view figures;  ///< place of the same figures, for readers without scripts
 };
 
 /// Returns the page with the document embedded so that no text in it can end its script block. A document that is no

@@ -43,22 +43,22 @@ struct PlacedByTouches {
 
 /// A cell in internal units.
 struct CellModel {
-  deflection::Arm arm;  ///< with the tool axis that the cell states, if the arm file does not
+  deflection::Arm arm;  ///< the arm, with the tool axis that the cell states, if the arm file does not
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< world = tube-sheet frame
   bool base_known = false;
   bool tool_axis_stated = false;  ///< true: stated by the arm file or the scene; false: the default
-  /// Of shift [m] and small rotation [rad] along and about the world's x, y, z.
+  /// Covariance of shift [m] and small rotation [rad] along and about the world's x, y, z.
   std::optional<Matrix6d> base_covariance;
   BasePrior base_prior;
   std::optional<PlacedByTouches> placed_by;  ///< nothing: there are no touches, or the base was written by hand
-  calibration::ArmUncertainty uncertainty;   ///< of the arm's numbers that are not fitted
+  calibration::ArmUncertainty uncertainty;   ///< uncertainty of the arm's numbers that are not fitted
   std::optional<ModelError> model_error;
   std::optional<tubesheets::Sheet> sheet;
   std::optional<tubesheets::SteppedTool> tool;
   std::optional<Eigen::VectorXd> park;  ///< joint readings of the rest position [rad, m]
-  planner::Scene scene;                 ///< with links only if the file has neither scene nor shapes
+  planner::Scene scene;                 ///< the scene, with links only if the file has neither scene nor shapes
   std::vector<std::string> identify;    ///< dotted names, or `geometry`
-  calibration::Priors priors;           ///< of the numbers that a fit frees
+  calibration::Priors priors;           ///< priors of the numbers that a fit frees
 
   /// Returns the model's own error, unless it is known from the touches of a base alone.
   [[nodiscard]] std::optional<ModelError> knownModelError() const {

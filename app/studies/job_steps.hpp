@@ -12,7 +12,7 @@ using calibration::WorkHooks;
 
 /// Exception of work that ends because it was asked to stop; caught once, where its outcome would have been used.
 struct JobStopped {
-  std::string kept;  ///< what was written before, in words; empty: nothing
+  std::string kept;  ///< results that were written before, in words; empty: nothing
 };
 
 inline void requireGoingOn(const WorkHooks& hooks) {

@@ -49,7 +49,7 @@ struct NextReadings {
   std::vector<int> candidates;  ///< indices of those whose shape converges, to which the design's indices refer
   Design design;
   std::vector<NumberForecast> numbers;
-  TipSigma tip_now, tip_after, tip_random;                 ///< of the model alone, without the encoders' noise
+  TipSigma tip_now, tip_after, tip_random;                 ///< sigma of the model's tip, without the encoders' noise
   double bits = std::numeric_limits<double>::quiet_NaN();  ///< information gained in all
   double bits_random = std::numeric_limits<double>::quiet_NaN();
 };

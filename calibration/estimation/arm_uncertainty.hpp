@@ -14,10 +14,10 @@ namespace tubeplan::calibration {
 struct ArmUncertainty {
   double stiffness = 0.1;   ///< share of each stiffness, and of the size of each effect
   double weight = 0.02;     ///< share of each weight
-  double zero = 7e-4;       ///< of the zeros of revolute joints [rad] (0.04 deg)
-  double axis = 3.5e-4;     ///< of the directions of axes [rad] (0.02 deg)
-  double length = 3.81e-4;  ///< of distances between axes and of the zeros of slides [m] (0.015 in)
-  double tip = 5.08e-4;     ///< of each coordinate of the tool's tip [m] (0.020 in)
+  double zero = 7e-4;       ///< sigma of the zeros of revolute joints [rad] (0.04 deg)
+  double axis = 3.5e-4;     ///< sigma of the directions of axes [rad] (0.02 deg)
+  double length = 3.81e-4;  ///< sigma of distances between axes and of the zeros of slides [m] (0.015 in)
+  double tip = 5.08e-4;     ///< sigma of each coordinate of the tool's tip [m] (0.020 in)
 
   std::vector<std::string> determined;  ///< names of numbers that measurements determined together
   Eigen::MatrixXd covariance;           ///< covariance of the values of `determined` [internal units]

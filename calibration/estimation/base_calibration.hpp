@@ -25,8 +25,8 @@ struct BaseCalibrationOptions {
   double collinear_ratio = 0.05;  ///< least height of the touches' triangle relative to its longest side
   double mistaken_hole_p_value = 1e-4;  ///< below it, a mistaken hole is searched for; 0: never
   NeighbourQuestion neighbours;   ///< neighbours of the hole that a touch names, for the search for a mistaken one
-  double model_error = 0;         ///< as in TouchFitOptions [m]
-  bool finds_model_error = true;  ///< as in TouchFitOptions
+  double model_error = 0;         ///< model error known beforehand, per coordinate [m]
+  bool finds_model_error = true;  ///< true: a lack of fit increases the model error
   bool finds_suspects = true;     ///< true: after a lack of fit, the touch or joint that explains it is searched for
   LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
 };
@@ -36,14 +36,14 @@ enum class CalibrationStatus { kNotRun, kDone, kRefused, kNotConverged };
 struct TouchResidual {
   std::string id, hole;
   Eigen::Vector3d residual_W = Eigen::Vector3d::Zero();  ///< tip minus hole, for the fitted base and arm [m]
-  Eigen::Vector3d sigma_W = Eigen::Vector3d::Zero();     ///< of the reading itself [m]
+  Eigen::Vector3d sigma_W = Eigen::Vector3d::Zero();     ///< sigma of the reading itself [m]
 };
 
 /// Distance between two touched holes: by the arm of the file, and on the sheet. It does not depend on the base.
 struct DistanceCheck {
   std::string from, to;
   double by_arm = 0, on_sheet = 0;  ///< [m]
-  double sigma = 0;                 ///< of the difference, from the touches' noise and the arm's uncertain numbers [m]
+  double sigma = 0;  ///< sigma of the difference, from the touches' noise and the arm's uncertain numbers [m]
 };
 
 /// A number of the arm that was fitted with the base.
@@ -59,7 +59,7 @@ struct SuspectReading {
   std::string touch;
   Eigen::Index joint = -1;
   double off = 0;      ///< reading minus the value that the other touches require [rad or m]
-  double p_value = 0;  ///< of the touches with that correction
+  double p_value = 0;  ///< p-value of the touches with that correction
 };
 
 struct BaseCalibration {
@@ -69,7 +69,7 @@ struct BaseCalibration {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   deflection::Arm arm;                 ///< the arm with its fitted numbers, which stands at X_WB
   std::vector<TouchedNumber> numbers;  ///< numbers that differ from the given arm
-  JointUncertainty uncertainty;        ///< of base and numbers together
+  JointUncertainty uncertainty;        ///< uncertainty of base and numbers together
   Eigen::Matrix<double, 6, 6> covariance =
       Eigen::Matrix<double, 6, 6>::Constant(std::numeric_limits<double>::quiet_NaN());
   int odd_touch = -1;  ///< the only touch, of four or more that do not fit, without which the others do; -1: none
@@ -78,11 +78,11 @@ struct BaseCalibration {
   std::vector<SuspectReading> suspect_readings;  ///< explanations if the touches do not fit, likeliest first
   std::vector<TouchResidual> residuals;
   std::vector<DistanceCheck> distances;
-  double rms = std::numeric_limits<double>::quiet_NaN();  ///< of the residuals' lengths [m]
+  double rms = std::numeric_limits<double>::quiet_NaN();  ///< root mean square of the residuals' lengths [m]
   /// Relative to the touches' noise and the numbers' uncertainty.
   double chi2 = std::numeric_limits<double>::quiet_NaN();
   double p_value = std::numeric_limits<double>::quiet_NaN();
-  double model_error = 0;             ///< of each coordinate beyond noise and numbers, included in the covariance [m]
+  double model_error = 0;  ///< error of each coordinate beyond noise and numbers, included in the covariance [m]
   bool is_model_error_found = false;  ///< true: estimated from these touches, which do not fit
   int degrees_of_freedom = 0;
   int iterations = 0;

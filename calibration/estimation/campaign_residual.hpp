@@ -57,14 +57,14 @@ class CampaignResidual {
   Eigen::VectorXd prior_slopes_;  ///< empty if no priors are appended
   StopQuestion stop_;
   std::vector<Measurement> settled_;                ///< empty if no surface is touched
-  std::vector<int> base_pose_of_;                   ///< of each reading
+  std::vector<int> base_pose_of_;                   ///< base pose of each reading
   PredictionRequest slopes_asked_;                  ///< the numbers, and the base if one is free
   std::vector<Eigen::Index> numbers_;               ///< column of each number
   std::vector<std::vector<Eigen::Index>> bases_;    ///< six columns of each base, or none
-  PlacedArm placed_;                                ///< at the last variables
+  PlacedArm placed_;                                ///< state at the last variables
   std::vector<double> slopes_;                      ///< slope of each number by its variable
-  std::vector<Eigen::Matrix3d> turns_;              ///< from the rotation vector's rate to the angular rate
-  std::optional<deflection::Kinematics> prepared_;  ///< for the placed arm, if no variable changes it
+  std::vector<Eigen::Matrix3d> turns_;              ///< matrices from the rotation vector's rate to the angular rate
+  std::optional<deflection::Kinematics> prepared_;  ///< kinematics of the placed arm, if no variable changes it
   Unweighted last_;
 };
 

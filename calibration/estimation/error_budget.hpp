@@ -21,7 +21,7 @@ struct ErrorBudget {
   double noise = std::numeric_limits<double>::quiet_NaN();      ///< the noise floor, limited to the error
   int readings = 0;
   bool is_held_out = false;
-  bool are_angles = false;  ///< as in ErrorSize
+  bool are_angles = false;  ///< true: all readings measure angles alone
 };
 
 /// The errors of a model without and with an explanation, on the same readings.

@@ -13,7 +13,7 @@ namespace tubeplan::calibration {
 
 /// Uncertainty of readings besides the free numbers and their own noise.
 struct DoubtBeside {
-  ArmUncertainty arm = ArmUncertainty::none();  ///< of numbers that are not free
+  ArmUncertainty arm = ArmUncertainty::none();  ///< uncertainty of numbers that are not free
   double model_error = 0;                       ///< per coordinate, known beforehand [m]
 };
 
@@ -24,10 +24,11 @@ struct Estimate {
   std::string note;  ///< reason why the readings could not be fitted; the values are then those of the file
   PlacedArm start;
   std::vector<Unknown> unknowns;
-  Eigen::VectorXd x;            ///< variables of the unknowns at the fit, from `start`
-  double model_error = 0;       ///< of each coordinate beyond the readings' noise (Identification::model_error) [m]
-  UncertainNumbers beside;      ///< of the arm, which are not free
-  Eigen::MatrixXd information;  ///< of the variables over their typical sizes, then of the normals of `beside`
+  Eigen::VectorXd x;        ///< variables of the unknowns at the fit, from `start`
+  double model_error = 0;   ///< error of each coordinate beyond the readings' noise (Identification::model_error) [m]
+  UncertainNumbers beside;  ///< uncertain numbers of the arm that are not free
+  /// Information on the variables over their typical sizes, then on the normals of `beside`.
+  Eigen::MatrixXd information;
 };
 
 /// Fits the readings (any number, also none; held-out ones are not used) and adds up their information. Touches of

@@ -16,12 +16,12 @@ namespace tubeplan::calibration {
 /// stated noise and residuals of tenths.
 struct Fit {
   LeastSquaresResult solution;  ///< its chi2 is that of the weighted readings, without priors
-  ReadingWeights weights;       ///< as used last
-  WhitenedResidual residual;    ///< at the solution with these weights, with its Jacobian
+  ReadingWeights weights;       ///< weights used last
+  WhitenedResidual residual;    ///< residual at the solution with these weights, with its Jacobian
   Eigen::MatrixXd covariance;   ///< posterior, of the variables
   Eigen::VectorXd factors;      ///< robust weights within `weights`; empty without a loss
-  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< of the readings with their stated noise alone
-  int degrees_of_freedom = 0;  ///< of the readings, less the numbers that they determine; may be none
+  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< chi-square of the readings with their stated noise alone
+  int degrees_of_freedom = 0;  ///< number of rows of the readings, less the numbers that they determine; may be none
   double p_value = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -10,11 +10,11 @@ namespace tubeplan::calibration {
 
 /// The readings and the optimum of a fit, with its derivatives.
 struct FittedBasis {
-  std::vector<Measurement> readings;  ///< those in use
+  std::vector<Measurement> readings;  ///< readings in use
   PlacedArm fitted;                   ///< the baseline at its optimum
   std::vector<Unknown> unknowns;      ///< unknowns of the baseline, 0 at its optimum
-  ReadingWeights weights;             ///< from the stated noise
-  WhitenedResidual residual;          ///< at the optimum, with the Jacobian by `unknowns`
+  ReadingWeights weights;             ///< weights from the stated noise
+  WhitenedResidual residual;          ///< residual at the optimum, with the Jacobian by `unknowns`
   StopQuestion stop = {};             ///< called within fits, which throw WorkStopped if it returns true
 };
 

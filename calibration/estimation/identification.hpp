@@ -52,13 +52,13 @@ struct IdentificationOptions {
   LeastSquaresOptions solver;
   RobustLoss loss = RobustLoss::kNone;
   int starts = 1;               ///< number of starts: the first as given, the others drawn around it
-  std::uint64_t seed = 1;       ///< of the drawn starts and the folds
+  std::uint64_t seed = 1;       ///< seed of the drawn starts and the folds
   int folds = 5;                ///< folds of the cross-validation by pose, if no reading is marked held-out; 0: none
   double outlier_level = 0.01;  ///< chance of naming any reading an outlier if there is none
   double drop_level = 0;        ///< above 0: numbers that the readings do not need at this level are dropped
   bool intervals_by_profile = true;
   bool may_hold_all = false;  ///< true: a model without free numbers is judged as it stands; false: it is refused
-  /// Of the numbers that are held; nothing: determined numbers are not computed.
+  /// Uncertainty of the numbers that are held; nothing: determined numbers are not computed.
   std::optional<ArmUncertainty> uncertainty;
   WorkHooks hooks;  ///< also stop the solver
   /// Called for the fits to all readings, from every start, but not for refits of some.
@@ -69,7 +69,7 @@ enum class IdentificationStatus { kNotRun, kDone, kRefused, kNotConverged, kStop
 
 struct IdentifiedNumber {
   Unknown unknown;
-  double value = 0;  ///< of the parameter; for a base component, of its step
+  double value = 0;  ///< value of the parameter; for a base component, of its step
   double sigma = std::numeric_limits<double>::quiet_NaN();
   double lower = std::numeric_limits<double>::quiet_NaN();  ///< 95 % interval
   double upper = std::numeric_limits<double>::quiet_NaN();
@@ -109,29 +109,31 @@ struct ErrorSize {
 struct Identification {
   IdentificationStatus status = IdentificationStatus::kNotRun;
   std::string reason;
-  std::vector<FreeProblem> problems;              ///< if refused: names that cannot be freed
-  std::optional<ReadingProblem> reading_problem;  ///< if refused: readings that do not determine enough
+  std::vector<FreeProblem> problems;              ///< names that cannot be freed, if refused
+  std::optional<ReadingProblem> reading_problem;  ///< readings that do not determine enough, if refused
   std::vector<std::string> dropped;               ///< numbers that the readings do not need, "NAME: why"
   PlacedArm start, fitted;                        ///< model with only the bases placed; with everything fitted
   std::vector<IdentifiedNumber> numbers;
-  Eigen::MatrixXd covariance;  ///< of the numbers' variables, in their order (compliances for stiffnesses)
+  Eigen::MatrixXd covariance;  ///< covariance of the numbers' variables, in their order (compliances for stiffnesses)
   std::vector<StrongCorrelation> correlations;
-  /// With the model as it stands; with only the bases fitted; with everything fitted.
+  /// Errors with the model as it stands; with only the bases fitted; with everything fitted.
   ErrorSize before, after_base, after;
-  ErrorSize heldout_before, heldout;  ///< on held-out readings; before: with only the bases fitted
+  ErrorSize heldout_before, heldout;  ///< errors of held-out readings; before: with only the bases fitted
   int not_judged = 0;                 ///< number of held-out readings that the fit cannot judge (judgeable())
   double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms from noise alone [m]
   double chi2 = std::numeric_limits<double>::quiet_NaN();
-  int degrees_of_freedom = 0;  ///< of the readings, less the numbers that they determine; may be none
+  int degrees_of_freedom = 0;  ///< number of rows of the readings, less the numbers that they determine; may be none
   double p_value = std::numeric_limits<double>::quiet_NaN();
   /// Standard deviation of each coordinate beyond the noise, included in the covariance [m]; above 0 if chi-square
   /// rejects the stated noise.
   double model_error = 0;
-  std::optional<ArmUncertainty> uncertainty;  ///< of all the arm's numbers, given the readings, if it was asked for
+  /// Uncertainty of all the arm's numbers, given the readings, if it was asked for.
+  std::optional<ArmUncertainty> uncertainty;
   std::vector<Outlier> outliers;
-  Eigen::VectorXd errors;           ///< length of each fitted reading's error [m], in the order of `used`
-  std::vector<int> used;            ///< indices of the fitted readings
-  Eigen::VectorXd singular_values;  ///< of the readings' Jacobian, with each column scaled by its number's typical size
+  Eigen::VectorXd errors;  ///< length of each fitted reading's error [m], in the order of `used`
+  std::vector<int> used;   ///< indices of the fitted readings
+  /// Singular values of the readings' Jacobian, each column scaled by its number's typical size.
+  Eigen::VectorXd singular_values;
   int iterations = 0, evaluations = 0, jacobian_evaluations = 0;
   int starts_agreeing = 1;
 };

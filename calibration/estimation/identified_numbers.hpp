@@ -13,7 +13,7 @@ struct FittedModel {
   PlacedArm start;  ///< state with the unknowns' variables at 0
   std::vector<Unknown> unknowns;
   Fit fit;
-  std::optional<ReadingWeights> start_weights;  ///< at `start`, if it can be evaluated
+  std::optional<ReadingWeights> start_weights;  ///< weights at `start`, if it can be evaluated
 };
 
 /// Sets `numbers`, one for each unknown in their order.

@@ -7,7 +7,8 @@
 namespace tubeplan::calibration {
 
 struct ProfileInterval {
-  double lower = -std::numeric_limits<double>::infinity();  ///< of the variable; infinite if the rise is not reached
+  /// Lower end for the variable; infinite if the rise is not reached.
+  double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
 };
 

@@ -23,7 +23,8 @@ struct Repeats {
   double noise_ratio = std::numeric_limits<double>::quiet_NaN();  ///< noise by repeats over the stated noise
   /// Two-sided, for the hypothesis that both are the same.
   double noise_p_value = std::numeric_limits<double>::quiet_NaN();
-  double lack_of_fit_F = std::numeric_limits<double>::quiet_NaN();  ///< with a noise of kMostNoiseRatio at most
+  /// F of the lack of fit, with a noise of kMostNoiseRatio at most.
+  double lack_of_fit_F = std::numeric_limits<double>::quiet_NaN();
   int lack_freedom = 0;
   double lack_of_fit_p_value = std::numeric_limits<double>::quiet_NaN();
 };

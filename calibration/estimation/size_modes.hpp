@@ -18,7 +18,7 @@ struct SizeModesQuestion {
   const PlacedArm& placed;
   const std::vector<Unknown>& unknowns;  ///< variables that are 0 at `placed`
   std::vector<std::size_t> sizes;        ///< indices in `unknowns`
-  Eigen::VectorXd sigma;                 ///< of each size as found; 0 if it was held
+  Eigen::VectorXd sigma;                 ///< sigma of each size as found; 0 if it was held
   const std::vector<Measurement>& readings;
   double model_error = 0;  ///< [m]
   StopQuestion stop = {};
@@ -28,8 +28,8 @@ struct SizeModesQuestion {
 /// middle: however often the same count is read, the sizes may be anything within the intervals.
 struct SizeMode {
   PlacedArm state;
-  Eigen::VectorXd values, sigma;                          ///< of each size; sigma is 0 if it has no effect
-  Eigen::VectorXd lower, upper;                           ///< of each size, all in proportion; two sigmas at least
+  Eigen::VectorXd values, sigma;  ///< value and sigma of each size; sigma is 0 if it has no effect
+  Eigen::VectorXd lower, upper;   ///< limits of each size, all in proportion; two sigmas at least
   double cost = std::numeric_limits<double>::infinity();  ///< chi-square with priors
   bool is_as_found = false;
 };

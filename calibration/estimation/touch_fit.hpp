@@ -36,13 +36,13 @@ struct TouchFit {
   std::string reason;  ///< reason if not kConverged
   int iterations = 0;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  deflection::Arm arm;                                     ///< with its fitted numbers
-  JointUncertainty uncertainty;                            ///< about X_WB and `arm`
-  std::vector<Eigen::Matrix3d> noise;                      ///< of each touch from its own and its encoders' noise [m^2]
-  Eigen::Matrix3Xd error_W;                                ///< tip minus hole of each touch [m]
-  double model_error = 0;                                  ///< per coordinate, as used [m]
-  bool is_model_error_found = false;                       ///< true: increased because of these touches
-  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< with the prior knowledge
+  deflection::Arm arm;                 ///< the arm with its fitted numbers
+  JointUncertainty uncertainty;        ///< about X_WB and `arm`
+  std::vector<Eigen::Matrix3d> noise;  ///< covariance of each touch from its own and its encoders' noise [m^2]
+  Eigen::Matrix3Xd error_W;            ///< tip minus hole of each touch [m]
+  double model_error = 0;              ///< per coordinate, as used [m]
+  bool is_model_error_found = false;   ///< true: increased because of these touches
+  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< chi-square with the prior knowledge
   int degrees_of_freedom = 0;
   double p_value = std::numeric_limits<double>::quiet_NaN();
 };

@@ -24,10 +24,10 @@ struct ReadingWeights {
   struct UnknownPoint {
     std::string name;
     std::vector<int> readings;
-    Eigen::MatrixXd Q;         ///< as many rows as all of its readings have, at most one column for each number
+    Eigen::MatrixXd Q;  ///< basis with as many rows as all of its readings have, at most one column for each number
     Eigen::MatrixXd estimate;  ///< matrix from the stacked errors to the numbers of the place
   };
-  std::vector<int> first_row;              ///< of each reading
+  std::vector<int> first_row;              ///< first row of each reading
   std::vector<Eigen::MatrixXd> whitener;   ///< L^-1 of the own covariance L L^T, times the root of its weight
   std::vector<Eigen::MatrixXd> noise;      ///< covariance of each reading by its own and the encoders' noise [m^2]
   std::vector<Eigen::MatrixXd> own_noise;  ///< covariance without the part that it shares with other readings [m^2]
@@ -57,7 +57,7 @@ struct ReadingWeights {
 struct WhitenedResidual {
   bool ok = false;
   Eigen::VectorXd r;         ///< whitened, predicted minus measured; rows of `weights`
-  Eigen::MatrixXd jacobian;  ///< by the unknowns' variables, if asked for
+  Eigen::MatrixXd jacobian;  ///< Jacobian by the unknowns' variables, if asked for
   Eigen::VectorXd error;  ///< predicted minus measured in metres, not whitened; for an unknown point, from its estimate
 };
 

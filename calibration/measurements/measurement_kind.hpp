@@ -50,7 +50,7 @@ struct KnownPlaces {
   Eigen::Vector3d up_W = Eigen::Vector3d::UnitZ();  ///< direction against gravity
 };
 
-/// What a reading lacks: found, expected, and advice.
+/// Missing part of a reading: found, expected, and advice.
 struct ReadingLack {
   std::string found, expected, advice = {};
 };

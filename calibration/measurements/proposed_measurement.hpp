@@ -16,7 +16,7 @@ namespace tubeplan::calibration {
 struct ProposedMeasurement {
   std::string id;
   MeasurementKind kind = MeasurementKind::kPosition;
-  std::string point;  ///< as in Measurement
+  std::string point;  ///< point with the meaning of Measurement::point
   std::string setup;
   double load = 0;         ///< load hung from the tip [N]
   Eigen::VectorXd q;       ///< joint positions to move to [rad, m for a prismatic joint]

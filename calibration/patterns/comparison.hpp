@@ -36,7 +36,7 @@ struct ModelLackOfFit {
   double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms from noise alone [m]
   double chi2 = std::numeric_limits<double>::quiet_NaN();
   int degrees_of_freedom = 0;  ///< less the numbers that the readings determine; may be none
-  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< by the stated noise
+  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< p-value by the stated noise
   std::string inconclusive;  ///< reason why the readings allow no verdict, and what is needed; empty if they do
   Repeats repeats;
   Adequacy adequacy = Adequacy::kNotRun;
@@ -45,7 +45,7 @@ struct ModelLackOfFit {
 /// One reading, in the order of the file.
 struct ComparedReading {
   bool is_held_out = false;  ///< true: not used in the fit
-  /// In the world [m].
+  /// Predicted tip in the world [m].
   Eigen::Vector3d tip_before = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   Eigen::Vector3d tip_after = tip_before;
   /// Measured minus predicted, in the world [m]; for a distance along its line, for an unknown point from its estimate.

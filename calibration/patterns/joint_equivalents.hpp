@@ -13,11 +13,12 @@ namespace tubeplan::calibration {
 
 /// Corrections of joint readings [rad, m on a slide], with joints in the order of the arm's active rows.
 struct JointEquivalents {
-  bool ok = false;                                         ///< false: the model could not be evaluated
-  Eigen::MatrixXd corrections;                             ///< joints x readings, to be added to the readings
-  Eigen::VectorXd mean, spread;                            ///< mean and standard deviation of each joint's corrections
-  Eigen::VectorXd sigma;                                   ///< stated for each encoder; 0 if none is stated
-  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< by the encoders' noise alone; NaN if none is stated
+  bool ok = false;               ///< false: the model could not be evaluated
+  Eigen::MatrixXd corrections;   ///< joints x readings, to be added to the readings
+  Eigen::VectorXd mean, spread;  ///< mean and standard deviation of each joint's corrections
+  Eigen::VectorXd sigma;         ///< stated for each encoder; 0 if none is stated
+  /// Chi-square by the encoders' noise alone; NaN if none is stated.
+  double chi2 = std::numeric_limits<double>::quiet_NaN();
   int degrees_of_freedom = 0;
   double p_value = std::numeric_limits<double>::quiet_NaN();
 };

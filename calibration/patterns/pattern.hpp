@@ -18,11 +18,12 @@ struct ReadingScene {
   bool ok = false;  ///< false: a deflected shape did not converge, and the rest is not to be used
   PlacedArm placed;
   std::vector<Measurement> readings;
-  Eigen::Matrix3Xd tips;                    ///< predicted places in the world [m]
-  Eigen::Matrix3Xd seen;                    ///< predicted places, or displacements from their reference [m]
-  std::vector<Eigen::Matrix3d> tools;       ///< axes of the deflected tool frame, in the world
-  std::vector<Eigen::Matrix3d> radials;     ///< axes away from the base's axis of gravity, around it, up; in the world
-  std::vector<Eigen::Matrix3Xd> moments_L;  ///< of each reading: one column for each row, in the row's own axes [N m]
+  Eigen::Matrix3Xd tips;                 ///< predicted places in the world [m]
+  Eigen::Matrix3Xd seen;                 ///< predicted places, or displacements from their reference [m]
+  std::vector<Eigen::Matrix3d> tools;    ///< axes of the deflected tool frame, in the world
+  std::vector<Eigen::Matrix3d> radials;  ///< axes away from the base's axis of gravity, around it, up; in the world
+  /// Moments at each reading: one column for each row, in the row's own axes [N m].
+  std::vector<Eigen::Matrix3Xd> moments_L;
 };
 
 /// Returns the slopes of a reading's rows by the tip's place in the world: by all three coordinates, or along the
@@ -37,7 +38,7 @@ struct ReadingScene {
 struct Variable {
   std::string name;  ///< "theta3", "moment forearm.z"
   deflection::ValueUnit unit;
-  Eigen::VectorXd value;  ///< of each reading, internal units; NaN if not stated; for groups, the group's number
+  Eigen::VectorXd value;  ///< value at each reading, internal units; NaN if not stated; for groups, the group's number
   Eigen::MatrixXd basis;  ///< readings x functions; zero if not stated; empty for groups
   std::vector<std::string> groups;  ///< names of the groups, if the variable is a group
 };
@@ -45,7 +46,7 @@ struct Variable {
 /// One row of the table.
 struct PatternKind {
   const char* name;
-  std::string needs;                                                    ///< what the readings must have for the test
+  std::string needs;                                                    ///< requirements of the test on the readings
   std::function<std::vector<Variable>(const ReadingScene&)> variables;  ///< empty if the readings do not have it
 };
 

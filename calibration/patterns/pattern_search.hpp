@@ -22,7 +22,7 @@ enum class PatternFrame { kWorld, kRadial, kTool };
 /// Mean over neighbouring values of the variable of the error's part that follows it.
 struct TrendStep {
   double at = 0;          ///< mean value of the variable; for groups, the group's number
-  Eigen::Vector3d error;  ///< in the frame's axes [m]
+  Eigen::Vector3d error;  ///< mean error in the frame's axes [m]
   int readings = 0;
 };
 
@@ -35,23 +35,23 @@ struct PatternTest {
   int numbers = 0;  ///< columns that were not absorbed
   int rest = 0;     ///< remaining degrees of freedom
   double F = std::numeric_limits<double>::quiet_NaN();
-  double p_value = 1;      ///< of this test alone
+  double p_value = 1;      ///< p-value of this test alone
   double p_corrected = 1;  ///< over all tests (Holm)
   double share = 0;        ///< share of chi-square that it explains
   bool is_finding = false;
   std::string goes_with;            ///< stronger finding without which this would be none; empty if it is independent
-  std::vector<TrendStep> trend;     ///< by rising value
+  std::vector<TrendStep> trend;     ///< steps by rising value
   std::vector<std::string> groups;  ///< names of the groups, if the variable is a group
   int component = -1;               ///< component of the frame in which the trend is largest
   int low = -1, high = -1;          ///< steps of the trend with the least and the largest value of that component
   /// Difference between them [m]; for a constant, its root mean square.
   double size = std::numeric_limits<double>::quiet_NaN();
-  double followed_rms = std::numeric_limits<double>::quiet_NaN();  ///< of the error that follows the variable [m]
+  double followed_rms = std::numeric_limits<double>::quiet_NaN();  ///< rms of the error that follows the variable [m]
 };
 
 struct PatternSearch {
   std::vector<PatternTest> tests;       ///< all tests, by p-value
-  std::vector<PatternTest> findings;    ///< one for each variable, in the frame that shows it best; strongest first
+  std::vector<PatternTest> findings;    ///< finding for each variable, in the frame that shows it best; strongest first
   std::vector<std::string> not_tested;  ///< variables that were not tested, and why
 };
 

@@ -11,15 +11,16 @@ namespace tubeplan::calibration {
 
 struct CampaignPace {
   double shortest = 60, longest = 180;  ///< between two readings [s]
-  double longest_period = 28800;        ///< of the conditions' swings; a campaign covers half a period at least [s]
-  double overshoot = 0.5;               ///< probability that a joint passes its goal and comes back
+  /// Longest period of the conditions' swings; a campaign covers half a period at least [s].
+  double longest_period = 28800;
+  double overshoot = 0.5;  ///< probability that a joint passes its goal and comes back
 };
 
 /// Conditions of one reading, drawn before its posture is known.
 struct ReadingConditions {
   deflection::ConditionValues stated;  ///< time is counted from the start of the campaign
-  std::vector<int> turns;              ///< for each joint: +1 if it stops on arrival, -1 if it passes and comes back
-  std::vector<int> rests;              ///< for each joint, the direction from which it returns if it need not move
+  std::vector<int> turns;  ///< arrival of each joint: +1 if it stops at its goal, -1 if it passes and comes back
+  std::vector<int> rests;  ///< direction from which each joint returns if it need not move
   Eigen::Vector3d coordinate_noise = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Vector3d turn_noise = Eigen::Vector3d::Zero();        ///< [rad]
   Eigen::VectorXd encoder_noise;                               ///< [rad or m]

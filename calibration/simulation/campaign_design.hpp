@@ -15,26 +15,26 @@ namespace tubeplan::calibration {
 
 /// Place of the tip for a reading.
 enum class CampaignPlace {
-  kAnywhere,  ///< at the tip of a random posture
-  kPlane,     ///< in one plane across gravity, at the height that half of the arm's postures exceed
-  kHoles,     ///< at holes of the sheet: in them for a touch, below them for other kinds
+  kAnywhere,  ///< tip of a random posture
+  kPlane,     ///< plane across gravity, at the height that half of the arm's postures exceed
+  kHoles,     ///< holes of the sheet: in them for a touch, below them for other kinds
 };
 
-inline constexpr double kAngleSigma = 8.7e-5;  ///< of an inclinometer or a six-degree probe [rad] (0.005 deg)
+inline constexpr double kAngleSigma = 8.7e-5;  ///< sigma of an inclinometer or a six-degree probe [rad] (0.005 deg)
 
 struct CampaignDesign {
   std::string name;
   MeasurementKind kind = MeasurementKind::kPosition;
   CampaignPlace place = CampaignPlace::kAnywhere;
-  bool points_known = true;   ///< for kind touch
+  bool points_known = true;   ///< true: touched points have known places
   std::vector<double> loads;  ///< every posture is read under each of them in turn [N]
   double push = 0;            ///< largest additional force of random direction on the tip [N]
   /// Rows of the arm, each read at every posture, for kinds that may be fixed to a row; empty: the tool.
   std::vector<int> rows;
-  int postures_per_point = 1;                  ///< for kind touch: number of postures that touch the same point
+  int postures_per_point = 1;                  ///< number of postures that touch the same point, for kind touch
   int setups = 1;                              ///< number of base poses, one after the other
-  std::optional<Eigen::Vector3d> anchor_W;     ///< for kinds that measure from an anchor [m]
-  std::optional<Eigen::Vector3d> direction_W;  ///< for kinds that measure along a direction, a unit vector
+  std::optional<Eigen::Vector3d> anchor_W;     ///< anchor, for kinds that measure from one [m]
+  std::optional<Eigen::Vector3d> direction_W;  ///< unit vector, for kinds that measure along a direction
   /// Box that the tip stays in [m]; if empty, in front of the base's own plane.
   std::optional<Eigen::AlignedBox3d> region_W;
   double sigma = kPositionSigma;  ///< standard deviation of a coordinate [m]; 0: exact readings

@@ -19,7 +19,7 @@ struct StationReadings {
   std::optional<Eigen::Vector3d> p_W;  ///< the point that is touched or measured [m]
   std::optional<Surface> surface;      ///< the touched surface, for kinds that touch one
   std::vector<Measurement> readings;
-  std::vector<Eigen::Vector3d> tips_W;  ///< of each reading, without noise [m]
+  std::vector<Eigen::Vector3d> tips_W;  ///< tip of each reading, without noise [m]
 };
 
 /// Pose of the tool in a posture, if that is usable.

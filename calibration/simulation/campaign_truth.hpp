@@ -18,7 +18,7 @@ struct TrueBase {
 /// The truth that readings are made with. All other behaviour of the arm is part of `arm`.
 struct CampaignTruth {
   deflection::Arm arm;
-  std::vector<TrueBase> bases;  ///< one for each set-up
+  std::vector<TrueBase> bases;  ///< base pose of each set-up
 };
 
 struct TruthOptions {

@@ -19,7 +19,7 @@ struct TouchPlan {
 };
 
 struct TouchSimulationOptions {
-  double sigma = 1.27e-4;        ///< of each coordinate of the centring [m] (0.005 in)
+  double sigma = 1.27e-4;        ///< noise of each coordinate of the centring [m] (0.005 in)
   double model_error_sigma = 0;  ///< error of the true arm beyond its own model, per coordinate [m]
   double load = 0;               ///< [N]
   Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();  ///< the holes' axis
@@ -31,7 +31,7 @@ enum class TouchSimulationStatus { kNotRun, kDone, kOutOfReach };
 struct TouchSimulation {
   TouchSimulationStatus status = TouchSimulationStatus::kNotRun;
   std::string reason;
-  std::vector<Measurement> touches;  ///< of known places
+  std::vector<Measurement> touches;  ///< touches of known places
 };
 
 /// Returns how the arm, standing at X_WB, brings its deflected tip to each of these places, each from a start near it.

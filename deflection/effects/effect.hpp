@@ -72,7 +72,7 @@ struct EffectKind {
   PlaceRule at;
   const char* word = "";              ///< name of the only place, for PlaceRule::kWord
   const char* place_needs = "";       ///< feature of an arm that a place requires, if its file may lack it: "a slide"
-  const char* places_elsewhere = "";  ///< where it acts, if not at places of the arm
+  const char* places_elsewhere = "";  ///< place of its action, if it has none in the arm
   double odds = 1;  ///< prior odds of the kind against others, shared by its places; 0: tried only on request
   const char* odds_reason = "";             ///< reason for the odds
   std::vector<EffectVariable> varies_with;  ///< plainest first; empty: may vary with anything
@@ -117,7 +117,7 @@ struct MadeEffect {
   EffectStatus status = EffectStatus::kNotRun;
   std::string reason;              ///< reason if not made
   std::vector<std::string> known;  ///< valid names, if the name was unknown
-  Effect effect;                   ///< at neutral values
+  Effect effect;                   ///< the effect at neutral values
 };
 
 /// Makes an effect at its neutral values from its name and place: ("backlash", "tool.z").

@@ -47,7 +47,7 @@ struct FormulaSymbol {
   Of of = Of::kLoad;
   int row = -1, axis = -1;
   double unit = 1, zero = 0;
-  Condition condition{};  ///< for kCondition
+  Condition condition{};  ///< condition of a kCondition symbol
 };
 
 struct NamedSymbol {
@@ -63,7 +63,7 @@ struct NamedSymbol {
 
 /// A parsed formula; shared by the effects that carry it and never changed.
 struct Formula {
-  std::string text;  ///< as written
+  std::string text;  ///< text as written
   std::string at;    ///< the target's name; the second formula of a target has "#2" appended, and so on
   FormulaTarget target;
   Quantity quantity = Quantity::kAngle;  ///< quantity of the target: an angle or a length
@@ -94,7 +94,7 @@ struct MadeFormula {
   std::string word;                ///< the unknown name, if that is the reason
   std::vector<std::string> known;  ///< the known names, if one is unknown
   std::vector<std::string> free;   ///< parameters without a start, if made; a misspelt symbol is among them
-  Effect effect;                   ///< at its start values
+  Effect effect;                   ///< the effect at its start values
 };
 
 /// Parses a formula of an arm. `at` is the effect's place in a file; if empty, it becomes the target with the first

@@ -32,14 +32,15 @@ std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& po
   else
     chain = assembleChain<S>(whole, castArm<double>(whole), posture.q);
   const std::size_t count = chain.links.size();
-  std::vector<Vector3<S>> gravity(count);  // in the near axes of each link
+  std::vector<Vector3<S>> gravity(count);  // gravity's direction in the near axes of each link
   Vector3<S> along = posture.gravity_B;
   for (std::size_t k = 0; k < count; ++k) {
     gravity[k] = along;
     if (chain.links[k].type == ChainLinkType::kTurn) along = (chain.links[k].R.transpose() * along).eval();
   }
   std::vector<Vector3<S>> moments(arm.rows.size(), Vector3<S>::Zero());
-  Vector3<S> force = along * posture.load, moment = Vector3<S>::Zero();  // in the axes of the end of link k, about it
+  // Load on the end of link k, in its axes and about it.
+  Vector3<S> force = along * posture.load, moment = Vector3<S>::Zero();
   if (posture.wrench) addWrench(chain, *posture.wrench, force, moment);
   for (std::size_t k = count; k-- > 0;) {
     const ChainLink<S>& link = chain.links[k];

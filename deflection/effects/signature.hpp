@@ -17,7 +17,7 @@ struct SignatureOptions {
 
 struct Signature {
   std::optional<EffectVariable> kind;  ///< joint, direction, load or a condition; nothing: the tip does not move
-  int joint = -1;                      ///< for kJoint and kDirection
+  int joint = -1;                      ///< joint index for kJoint and kDirection; else -1
   std::vector<double> at;              ///< values of the variable: rad, m, N, a condition's unit, or -1 and 1
   /// Shift of the tip along one axis of the tool frame [m]; NaN where the arm has no equilibrium.
   std::vector<double> shift;

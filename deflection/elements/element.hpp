@@ -21,7 +21,7 @@ struct Flexibility {
 /// Load on an element, in the row's own (deflected) axes [N, N m, m].
 template <class S>
 struct Loading {
-  Vector3<S> force;   ///< on the far end, from everything beyond
+  Vector3<S> force;   ///< force on the far end, from everything beyond
   Vector3<S> moment;  ///< about the far end, from everything beyond
   Vector3<S> weight;  ///< total weight distributed along the element
   Vector3<S> chord;   ///< vector from near to far end, as deflected in the last pass: the true moment arm

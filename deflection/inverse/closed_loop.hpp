@@ -18,7 +18,7 @@ namespace tubeplan::deflection {
 template <int Size>
 struct ClosureChain {
   std::vector<JointClosure<Size>> joints;
-  Closure<Size> tool;  ///< at zero readings
+  Closure<Size> tool;  ///< tool at zero readings
   double reach;        ///< [m]
 };
 
@@ -51,7 +51,7 @@ class ClosedLoop {
   static constexpr int kOuterTerms = Size == kLineSize ? 9 : 3, kInnerTerms = kOuterTerms;
   /// Equations left after elimination of the outer joints.
   static constexpr int kEquations = Size == kLineSize ? 6 : 2;
-  static constexpr int kUnknowns = 2 * kEquations;  ///< of the matrix polynomial
+  static constexpr int kUnknowns = 2 * kEquations;  ///< unknowns of the matrix polynomial
   static_assert(kUnknowns == (Size == kLineSize ? 12 : 4));
 
   using Outer = Eigen::Matrix<double, Size, kOuterTerms>;

@@ -11,8 +11,8 @@
 namespace tubeplan::deflection {
 
 struct InverseKinematicsOptions {
-  double position_tolerance = 1e-10;  ///< of the deflected tip [m]
-  double pitch_tolerance = 1e-10;     ///< of the tilt that the joints can still reduce [rad]
+  double position_tolerance = 1e-10;  ///< tolerance of the deflected tip [m]
+  double pitch_tolerance = 1e-10;     ///< tolerance of the tilt that the joints can still reduce [rad]
   int max_iterations = 60;
   /// Least singular value of the scaled Jacobian (tip motion per reach, and pitch of turret arms, per rad). For other
   /// arms, a tilt that the joints change by less per rad is accepted.
@@ -43,7 +43,7 @@ struct Branch {
 struct InverseKinematics {
   BranchStatus status = BranchStatus::kNotRun;  ///< kConverged if any branch is; else the most informative failure
   std::string reason;
-  std::vector<Branch> branches;  ///< converged ones first, in a fixed order
+  std::vector<Branch> branches;  ///< all branches, converged ones first, in a fixed order
 };
 
 /// Returns all branches: rigid ones (closed forms of turrets and wrists, else roots of the chain's closure), each led

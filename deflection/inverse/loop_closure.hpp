@@ -30,7 +30,7 @@ using JointTerms = std::array<Eigen::Matrix<double, Size, Size>, 3>;
 /// A joint's motion by 1, cos q, sin q (1, d, d^2 for a slide).
 template <int Size>
 struct JointClosure {
-  JointTerms<Size> forth, back;  ///< by q, and by -q
+  JointTerms<Size> forth, back;  ///< motions by q and by -q
   bool slides;
 };
 

@@ -73,7 +73,7 @@ inline Real adjugateOf(const Real (*a)[4], Real (*adj)[4]) {
              c3 = a[2][1] * a[3][2] - a[3][1] * a[2][2], c2 = a[2][0] * a[3][3] - a[3][0] * a[2][3],
              c1 = a[2][0] * a[3][2] - a[3][0] * a[2][2], c0 = a[2][0] * a[3][1] - a[3][0] * a[2][1];
   for (int k = 0; k < 2; ++k) {
-    // From the other row of the upper half, with the lower half's minors; the sign depends on the place.
+    // Cofactors combine the other row of the upper half with the lower half's minors; the sign depends on the place.
     const Real* u = a[1 - k];
     const Real* l = a[3 - k];
     const double sign = k == 0 ? 1 : -1;

@@ -31,7 +31,7 @@ inline constexpr int kMaxColumns = kMaxJoints + kGravityTurns + kMaxUnknowns;
 
 struct Linearization {
   Unknown unknown[kMaxUnknowns];
-  Softening softening[kMaxUnknowns];  ///< by the springs for a deflection, by the beam for its rho
+  Softening softening[kMaxUnknowns];  ///< softening of the springs for a deflection, of the beam for its rho
   int count;
   Vec S[kMaxTurns], a[kMaxTurns];
   int width;  ///< length of a row: the unknowns, then the variables of derivatives

@@ -31,7 +31,7 @@ struct PlainRow {
   PlainPose X_TL;
   bool is_at_turn;    ///< true: X_TL is the identity
   bool along_chord;   ///< true: bodies lie along the bent member's chord
-  double member[3];   ///< in the row's axes [m]
+  double member[3];   ///< member in the row's axes [m]
   double bow_factor;  ///< bow per rotation of the pieces, for a member in several pieces [m/rad]
   int first_piece, pieces;
 };

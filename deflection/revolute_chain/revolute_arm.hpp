@@ -22,7 +22,7 @@ struct Turn {
   double cos_rest, sin_rest;    ///< constant rotation of a turn without a joint
   double offset;                ///< offset of the joint's reading [rad]
   double compliance;            ///< sum of the compliances about this axis [rad/(N m)]
-  double weight, moment[3];     ///< of the body [N], and its first moment about the origin [N m]
+  double weight, moment[3];     ///< weight of the body [N], and its first moment about the origin [N m]
   double beam_compliance;       ///< bending compliance about this axis of the beam that leads here [rad/(N m)]
   double beam_weight;           ///< weight along the beam [N]
   int joint;                    ///< index of the reading, or -1
@@ -42,10 +42,10 @@ struct RevoluteArm {
 /// Postures side by side: entry l of each array belongs to lane l, arrays of the same kind are `stride` apart.
 struct Postures {
   const double* q;        ///< readings, joint by joint [rad]
-  const double* load;     ///< at the tip [N]
+  const double* load;     ///< load at the tip [N]
   const double* gravity;  ///< direction of gravity in the base, x, y, z
   long stride;
-  double tolerance;  ///< of the tip [m]
+  double tolerance;  ///< tolerance of the tip [m]
   int max_iterations;
 };
 
@@ -78,7 +78,7 @@ struct Tool {
 /// Goals side by side, each with start readings.
 struct Goals {
   double p_BT[3][8], axis_B[3][8], start[4][8], load[8], gravity_B[3][8];
-  double tolerance;                            ///< of shapes, at the tip [m]
+  double tolerance;                            ///< tolerance of shapes, at the tip [m]
   double position_tolerance, pitch_tolerance;  ///< [m], [rad]
   int max_sweeps;                              ///< largest number of pairs of sweeps in one shape
   int max_steps;
@@ -92,7 +92,7 @@ struct Reached {
   double steps[8];
   double position_error[8];  ///< [m]
   double tilt_sine[8], tilt_cosine[8];
-  double smallest_singular_value[8];  ///< of the Jacobian scaled by the reach
+  double smallest_singular_value[8];  ///< least singular value of the Jacobian scaled by the reach
 };
 
 /// Applies Newton's method to as many goals as the kernel has lanes.

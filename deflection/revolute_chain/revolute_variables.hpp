@@ -48,7 +48,7 @@ class RevoluteVariables {
   int joints_ = 0, columns_ = 0;
   bool has_gravity_ = false, has_compliances_ = false;
   std::vector<Term> terms_;
-  std::vector<std::size_t> ends_;  ///< of each variable's terms
+  std::vector<std::size_t> ends_;  ///< end of each variable's terms
 };
 
 }  // namespace tubeplan::deflection::simd

@@ -26,7 +26,7 @@ struct TurnState {
   Real sx, sy;                ///< first moment beyond, x and y before the turn
   Real size;                  ///< sum of the loads beyond [N]
   Real given, moment;         ///< deflection [rad], moment [N m]
-  Real lambda, kappa, rho;    ///< of a beam
+  Real lambda, kappa, rho;    ///< numbers of a beam, as defined above
   Real by_rho, lambda_by_rho, kappa_by_m, kappa_by_rho;
 };
 

@@ -18,7 +18,7 @@ namespace tubeplan::planner {
 
 /// The nearest approach of one posture.
 struct NearestPair {
-  double distance = std::numeric_limits<double>::quiet_NaN();  ///< as Clearance::distance [m]
+  double distance = std::numeric_limits<double>::quiet_NaN();  ///< distance with the meaning of Clearance::distance [m]
   int pair = -1;                                               ///< -1 if there is nothing to touch
 };
 
@@ -50,7 +50,7 @@ class NearestPairs {
   [[nodiscard]] Capsule around(const deflection::PlacedRows& placed, int lane, int body) const;
 
   Scene scene_;
-  std::vector<const Solid*> solids_;  ///< one for each body
+  std::vector<const Solid*> solids_;  ///< solid of each body
   std::vector<kernels::PlainBody> bodies_;
   std::vector<kernels::PlainObstacle> obstacles_;
   std::vector<kernels::PairKind> obstacle_kinds_;

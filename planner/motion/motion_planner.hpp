@@ -43,7 +43,7 @@ enum class MotionPlanStatus { kNotRun, kFree, kNoPath, kStartBlocked, kGoalBlock
 
 struct MotionPlan {
   MotionPlanStatus status = MotionPlanStatus::kNotRun;
-  std::string reason;  ///< if there is no path, what is in the way
+  std::string reason;  ///< obstacle in the way, if there is no path
   /// Start and goal included; each straight stretch between them (or the flow) is proved free.
   std::vector<Eigen::VectorXd> waypoints;
   bool straight = false;  ///< true: start and goal alone
@@ -55,7 +55,7 @@ struct MotionPlan {
   double cost = std::numeric_limits<double>::quiet_NaN();
   double proved_margin = std::numeric_limits<double>::quiet_NaN();  ///< least over the stretches [m]
   Clearance tightest;  ///< the tightest posture met on the path; if there is none, what blocks the straight move
-  int iterations = 0;  ///< of the search
+  int iterations = 0;  ///< iterations of the search
   long checks = 0;     ///< number of postures checked
 };
 

@@ -12,7 +12,8 @@ namespace tubeplan::planner {
 /// whole level of its bisection together.
 struct SideBySideClearance {
   PostureClearance alone;
-  std::function<MarginsSideBySide(const PostureColumns&)> many;  ///< the same results as `alone`, bit for bit
+  /// Function for many postures, with the same results as `alone`, bit for bit.
+  std::function<MarginsSideBySide(const PostureColumns&)> many;
 
   Clearance operator()(const Eigen::VectorXd& q) const { return alone(q); }
 };

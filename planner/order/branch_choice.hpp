@@ -14,8 +14,8 @@ enum class BranchChoiceStatus { kNotRun, kSolved, kForbiddenMove, kBadInput };
 struct BranchChoice {
   BranchChoiceStatus status = BranchChoiceStatus::kNotRun;
   std::string reason;
-  std::vector<int> branches;  ///< by place in the order
-  /// With start, end and extra times; infinite if forbidden [s].
+  std::vector<int> branches;  ///< branch at each place in the order
+  /// Time with start, end and extra times [s]; infinite if forbidden.
   double travel_time = std::numeric_limits<double>::quiet_NaN();
 };
 

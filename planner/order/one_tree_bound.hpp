@@ -18,7 +18,7 @@ namespace tubeplan::planner {
 struct OneTreeOptions {
   int iterations = 1500;    ///< number of subgradient steps on the sparse graph, in all
   int rounds = 4;           ///< number of trees on the complete graph; each adds its edges to the sparse one
-  int neighbours = 10;      ///< of each visit in the sparse graph
+  int neighbours = 10;      ///< neighbours of each visit in the sparse graph
   int complete_up_to = 30;  ///< number of visits up to which the complete graph is used throughout
   int cuts_up_to = 100;     ///< number of visits up to which problems with a few branches each add border cuts
   int cut_rounds = 12;      ///< rounds of cuts after the other rounds, while they gain enough

@@ -75,10 +75,11 @@ class PostureTable {
   bool one_ratio_ = false;  // true: one ratio of speed to acceleration for all joints, so that one difference is enough
   double ratio_ = 0;        // [s]
   std::vector<int> first_, node_of_;
-  std::vector<char> with_extra_;  // by visit: nonzero if a move to or from it may have extra time; empty: any may
+  std::vector<char> with_extra_;  // flags by visit, nonzero if a move to or from it may have extra time; empty: any may
   std::vector<double> by_speed_;  // posture x joint: value / max_speed
-  std::vector<double> by_acceleration_;                   // posture x joint: value / max_acceleration
-  std::vector<double> by_joint_, by_joint_acceleration_;  // the same values node by node: joint x posture
+  std::vector<double> by_acceleration_;  // posture x joint: value / max_acceleration
+  // Values of `by_speed_` and `by_acceleration_` node by node: joint x posture.
+  std::vector<double> by_joint_, by_joint_acceleration_;
 };
 
 }  // namespace tubeplan::planner

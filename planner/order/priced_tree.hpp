@@ -78,7 +78,7 @@ class PairGraph {
   std::vector<std::vector<Edge>> edges_of_;
   std::vector<double> times_;
   std::vector<int> posture_of_price_;
-  std::vector<std::uint64_t> inside_;  ///< by posture, a bit for each cut
+  std::vector<std::uint64_t> inside_;  ///< bits by posture, one for each cut
   std::size_t cuts_ = 0;
 };
 

@@ -41,7 +41,7 @@ class EdgePenalties {
 
  private:
   std::unordered_map<std::uint64_t, double> seconds_;
-  std::vector<char> touched_;  // by visit, so that most moves need no search
+  std::vector<char> touched_;  // flags by visit, so that most moves need no search
 };
 
 /// A route visits every tube once, in any order, from rest to rest. Without `start` (`end`) it begins (ends) at any
@@ -52,7 +52,7 @@ struct Route {
   std::optional<Eigen::VectorXd> start;  ///< [rad]
   std::optional<Eigen::VectorXd> end;    ///< [rad]
   ExtraTime extra_time;                  ///< may be empty
-  /// By visit: nonzero if a move to or from it may have extra time. Empty: any may.
+  /// Flags by visit, nonzero if a move to or from it may have extra time. Empty: any may.
   std::vector<char> with_extra;
 };
 

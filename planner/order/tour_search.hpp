@@ -39,7 +39,7 @@ class TourSearch {
     int node, beyond, behind;
   };
   static constexpr int kLongestInsertion = 3;
-  struct Stretches {  // of growing length, all with the same last node
+  struct Stretches {  // stretches of growing length, all with the same last node
     Segment segments[kLongestInsertion];
     double saved[kLongestInsertion];  // time saved by closing the tour behind them [s]
     int size = 0;

@@ -16,8 +16,8 @@ namespace tubeplan::planner {
 struct VisitOrderOptions {
   std::uint64_t seed = 1;
   int kicks_per_visit = 30;    ///< local perturbations; the effort is a count, so that a run is repeatable
-  int least_kicks = 20'000;    ///< for small problems
-  int most_kicks = 2'000'000;  ///< for large ones
+  int least_kicks = 20'000;    ///< least number of kicks, for small problems
+  int most_kicks = 2'000'000;  ///< largest number of kicks, for large problems
   int neighbours = 8;          ///< number of other visits that a move of the local search may join to a visit
   double most_exact_work = kMostExactWork;  ///< largest work of problems that are solved exactly (exact_order.hpp)
   bool with_bound = true;  ///< false: lower_bound and gap stay NaN (the bound does not depend on extra times)
@@ -36,7 +36,7 @@ struct VisitOrder {
   VisitOrderStatus status = VisitOrderStatus::kNotRun;
   std::string reason;
   std::vector<int> order;     ///< visits, first to last
-  std::vector<int> branches;  ///< by place in the order: branch at order[k]
+  std::vector<int> branches;  ///< branch at each place in the order: that of order[k]
   /// Straight moves and extra times, start and end included [s].
   double travel_time = std::numeric_limits<double>::quiet_NaN();
   double lower_bound = std::numeric_limits<double>::quiet_NaN();     ///< proved [s]

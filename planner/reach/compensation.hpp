@@ -39,7 +39,7 @@ struct TubeBranch {
   deflection::BranchStatus status = deflection::BranchStatus::kNotRun;
   std::string reason;
   Eigen::VectorXd q;                      ///< joint readings with the tip at the hole's centre on the face
-  std::vector<Eigen::VectorXd> approach;  ///< from the standoff up to q, both included
+  std::vector<Eigen::VectorXd> approach;  ///< postures from the standoff up to q, both included
   Eigen::Vector3d predicted_tip_W;        ///< tip of the flexible model at q [m]
   double tilt = std::numeric_limits<double>::quiet_NaN();  ///< angle between the tool and the hole's axis [rad]
   /// Largest distance of the tip from the hole's axis during the approach, on the flexible model [m].

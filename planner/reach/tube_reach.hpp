@@ -26,7 +26,7 @@ struct TubeReach {
   int tube = -1;  ///< index in the sheet
   /// Usable ones: reach the hole, within limits, clear at the hole and during the whole approach.
   std::vector<TubeBranch> branches;
-  std::string reason;  ///< if there is none: what stops the branch that came furthest
+  std::string reason;  ///< obstacle to the branch that came furthest, if there is no usable one
   Clearance blocking;  ///< pair in the way, if that is a collision
 };
 

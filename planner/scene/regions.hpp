@@ -51,7 +51,7 @@ class HalfSpace : public Shape {
   }
 
   [[nodiscard]] const Eigen::Vector3d& point() const { return point_; }
-  [[nodiscard]] const Eigen::Vector3d& normal() const { return normal_; }  ///< of length 1
+  [[nodiscard]] const Eigen::Vector3d& normal() const { return normal_; }  ///< normal of length 1
 
  private:
   Eigen::Vector3d point_, normal_;

@@ -35,7 +35,7 @@ struct MadeShape {
 };
 
 struct ShapeRow {
-  std::string_view key;   ///< as written in a file; nested keys are separated by a dot (`inside_of.sphere`)
+  std::string_view key;   ///< key in a file; nested keys are separated by a dot (`inside_of.sphere`)
   std::string_view help;  ///< one sentence
   std::vector<ShapeField> fields;
   bool may_be_body;  ///< true: a link can have this shape, which only solids can

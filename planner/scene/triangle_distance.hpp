@@ -16,7 +16,7 @@ inline constexpr double kTriangleContact = 1e-9;
 
 struct TriangleGap {
   double distance;        ///< 0 where they meet [m]
-  Eigen::Vector3d point;  ///< of the segment, or of the solid without its rounding
+  Eigen::Vector3d point;  ///< nearest point of the segment, or of the solid without its rounding
   /// Unit vector from that point to the triangle; zero where they meet.
   Eigen::Vector3d across = Eigen::Vector3d::Zero();
 };

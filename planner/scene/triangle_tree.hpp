@@ -67,7 +67,7 @@ class TriangleTree {
   }
 
   std::vector<Node> nodes_;
-  std::vector<Corners> triangles_;  ///< in the order of the leaves
+  std::vector<Corners> triangles_;  ///< corners in the order of the leaves
 };
 
 }  // namespace tubeplan::planner

@@ -37,7 +37,7 @@ struct TimedMove {
 /// Moves end to end, with a stop at every waypoint.
 struct TimedPolyline {
   std::vector<TimedMove> moves;     ///< waypoints - 1
-  std::vector<double> start_times;  ///< one for each move [s]
+  std::vector<double> start_times;  ///< start of each move [s]
   double duration = 0;              ///< [s]
 };
 

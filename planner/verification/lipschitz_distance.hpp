@@ -48,9 +48,9 @@ class LipschitzMargins {
   /// First estimate of a pair, from the middle of the capsule.
   struct Look {
     const Pair* pair;
-    Capsule capsule;  ///< in the other's frame
+    Capsule capsule;  ///< capsule in the other's frame
     const Shape* other;
-    double padding;  ///< subtracted from the distance [m]
+    double padding;  ///< padding to subtract from the distance [m]
     double bound;    ///< lower bound of the remaining margin [m]
   };
 

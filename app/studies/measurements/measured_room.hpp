@@ -23,7 +23,7 @@ class MeasuredRoom {
  private:
   calibration::PlacedArm fitted_;
   double lowest_ = std::numeric_limits<double>::infinity();  ///< height in the world [m]
-  std::vector<double> nearest_;                              ///< of each pair of links [m]
+  std::vector<double> nearest_;                              ///< least distance of each pair of links [m]
 };
 
 }  // namespace tubeplan::app

@@ -25,8 +25,9 @@ namespace tubeplan::app {
 /// out of reach from the true base are taken only if there are too few others.
 struct BestTouches {
   std::vector<calibration::TouchPlan> plans;
-  std::string reason;                                            ///< reason if there are none; else empty
-  double mean_sigma = std::numeric_limits<double>::quiet_NaN();  ///< as in calibration::TouchChoice [m]
+  std::string reason;  ///< reason if there are none; else empty
+  /// Predicted sigma of a tip coordinate over the work [m].
+  double mean_sigma = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Returns the best touches for the tip at the candidates.

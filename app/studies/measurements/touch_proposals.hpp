@@ -14,18 +14,19 @@ namespace tubeplan::app {
 
 /// Task of a proposal: the numbers to improve, the readings to use and the work.
 struct TouchTask {
-  CellModel cell;                                ///< as estimated
-  std::optional<planner::Workcell> under_sheet;  ///< for cells with a sheet
+  CellModel cell;                                ///< the estimated cell
+  std::optional<planner::Workcell> under_sheet;  ///< workcell of cells with a sheet
   std::vector<int> tubes;                        ///< tubes of the work list, where the tip must be known
   /// Information from the readings so far; nothing: not asked for.
   std::optional<calibration::Estimate> of_base, of_numbers;
   bool is_first = true;              ///< true: there are no readings yet
   bool by_touch = true;              ///< true: readings for the numbers are touches; false: the tip's place
-  double base_sigma = 0, sigma = 0;  ///< of touches for the base, of readings for the numbers [m]
+  double base_sigma = 0, sigma = 0;  ///< sigma of touches for the base, and of readings for the numbers [m]
   std::vector<double> loads;         ///< [N]
-  int count = 0;                     ///< of each; 0: 3 touches, 10 readings
+  int count = 0;                     ///< number of touches, and of readings; 0: 3 touches, 10 readings
   int candidates = 0;                ///< number of holes or postures to choose from; 0: 60 holes, 600 postures
-  calibration::Optimality optimality = calibration::Optimality::kDeterminant;  ///< of readings for the numbers
+  /// Criterion of readings for the numbers.
+  calibration::Optimality optimality = calibration::Optimality::kDeterminant;
   std::uint64_t seed = 1;
 };
 

@@ -17,7 +17,7 @@ namespace tubeplan::app {
 /// A fitted model of the loop: as given, or after a step.
 struct ImprovedModel {
   std::string name;  ///< "as given", "+ backlash@tool.z"
-  CellModel cell;    ///< with the additions; its numbers are those of `fit`
+  CellModel cell;    ///< the cell with the additions; its numbers are those of `fit`
   calibration::Identification fit;
   int step = 0;                ///< number of steps before that added something
   std::vector<int> set_aside;  ///< readings left out of the fit as outliers of the last diagnosis
@@ -52,7 +52,7 @@ enum class ImprovementReason {
   kAlternativesApart,  ///< alternatives differ by `first`, more than the gain `second`
   kUnsureButLower,     ///< the cause is uncertain, but lowers the error of held-out readings and of the farthest poses
   kNoneLower,          ///< no cause is certain, and none lowers those errors
-  kFarthestWorse,      ///< with a fit to the nearer poses, the error of the farthest is `first`, before `second`
+  kFarthestWorse,      ///< the error of the farthest poses with a fit to the nearer ones is `first`, before `second`
   kNotLowerTogether,   ///< fitted with everything else, it does not lower the error of held-out readings
   kMistakeExplains,
   kNoVerdict,
@@ -66,8 +66,8 @@ struct ImprovementStep {
   std::vector<std::string> added;                                           ///< empty in the last round
   std::vector<std::string> also;                         ///< causes that no reading distinguishes from the added ones
   std::vector<std::string> not_needed;                   ///< members of a cause that the fit found to be zero
-  calibration::ErrorSize heldout_before, heldout_after;  ///< with folds of poses held out
-  /// With the quarter of the poses that reach farthest held out.
+  calibration::ErrorSize heldout_before, heldout_after;  ///< errors with folds of poses held out
+  /// Errors with the quarter of the poses that reach farthest held out.
   calibration::ErrorSize farthest_before, farthest_after;
 };
 

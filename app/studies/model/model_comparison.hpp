@@ -16,14 +16,14 @@ namespace tubeplan::app {
 struct ModelComparisonRow {
   std::string name;
   int fitted_numbers = 0;
-  calibration::ErrorSize as_it_stands;  ///< with the base of the file
-  calibration::ErrorSize fitted;        ///< with `identify` fitted, and the base if it is unknown
+  calibration::ErrorSize as_it_stands;  ///< error with the base of the file
+  calibration::ErrorSize fitted;        ///< error with `identify` fitted, and the base if it is unknown
   calibration::ErrorSize heldout;
   double noise_floor = 0;  ///< [m]
   double chi2_per_dof = 0;
-  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< of chi-square, by the stated noise
-  calibration::PlacedArm model;                               ///< as fitted; without rows if it could not be
-  std::optional<StepTable> steps;                             ///< if asked for
+  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< p-value of chi-square, by the stated noise
+  calibration::PlacedArm model;    ///< the fitted model; without rows if it could not be fitted
+  std::optional<StepTable> steps;  ///< step table, if asked for
 };
 
 /// Judges a cell's model on readings; if it frees nothing, it is judged as it stands. Throws JobStopped.

@@ -20,7 +20,7 @@ struct HoleTally {
 /// Results of all holes and one way of compensation.
 struct WayTally {
   std::vector<HoleTally> holes;
-  RunSums errors;                        ///< in units of ErrorSketch
+  RunSums errors;                        ///< sums in units of ErrorSketch
   std::vector<RunSums> at_least;         ///< 1, 2, ... steps or more
   std::vector<std::uint64_t> all_holes;  ///< runs in which all holes took so many
 
@@ -34,7 +34,7 @@ struct FailureCount {
 
 struct SettingTally {
   std::uint64_t runs = 0;
-  std::array<FailureCount, kTrialFailures> failures;  ///< by TrialFailure; at kNone the runs that were scored
+  std::array<FailureCount, kTrialFailures> failures;  ///< counts by TrialFailure; at kNone the runs that were scored
   std::array<WayTally, kWays.size()> ways;
 };
 

@@ -17,10 +17,10 @@ namespace tubeplan::app {
 
 /// Choice of the touched holes.
 enum class TouchRule {
-  kBest,    ///< those that place the base best, the same in every run
-  kSpread,  ///< those furthest from each other, the same in every run
+  kBest,    ///< holes that place the base best, the same in every run
+  kSpread,  ///< holes furthest from each other, the same in every run
   kRandom,  ///< others in every run, well off a line
-  kTested,  ///< as kRandom, but out of the holes that are then visited, as in the thesis's experiment
+  kTested,  ///< holes like those of kRandom, but out of the ones that are then visited, as in the thesis's experiment
 };
 
 struct TouchRuleRow {

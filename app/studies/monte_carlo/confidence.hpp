@@ -30,7 +30,7 @@ class RunSums {
   [[nodiscard]] std::uint64_t runs() const { return runs_; }
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] double mean() const;           ///< NaN without cases
-  [[nodiscard]] double standardError() const;  ///< of the mean; NaN below two runs
+  [[nodiscard]] double standardError() const;  ///< standard error of the mean; NaN below two runs
 
   /// Returns, for a quantity that is 0 or 1, Wilson's interval with the number of independent cases that gives this
   /// standard error. If all cases are alike, nothing determines that number: a run then counts as one case.

@@ -29,7 +29,7 @@ class ErrorSketch {
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] double mean() const;   ///< [m]; NaN without errors, as for all below
   [[nodiscard]] double rms() const;    ///< [m]
-  [[nodiscard]] double sigma() const;  ///< of one error (n - 1) [m]; NaN below two
+  [[nodiscard]] double sigma() const;  ///< standard deviation of one error (n - 1) [m]; NaN below two
   [[nodiscard]] double max() const;    ///< [m]
 
   /// Returns the least error that this share of all does not exceed [m].
@@ -56,7 +56,7 @@ class ErrorSketch {
   std::uint64_t count_ = 0, max_ = 0;
   WideCount sum_ = 0, squares_ = 0;
   std::uint32_t first_part_ = 0;
-  std::vector<std::uint64_t> counts_;  ///< from first_part_
+  std::vector<std::uint64_t> counts_;  ///< counts by part, from first_part_
 };
 
 }  // namespace tubeplan::app

@@ -12,8 +12,8 @@
 namespace tubeplan::app {
 
 struct StepExperimentOptions {
-  calibration::DoubtBeside doubt;  ///< as in CentringOptions
-  std::vector<int> tubes;          ///< of the model's sheet; each run touches and visits some of those in reach
+  calibration::DoubtBeside doubt;  ///< doubt with the meaning of CentringOptions::doubt
+  std::vector<int> tubes;          ///< tubes of the model's sheet; each run touches and visits some of those in reach
   TruthSpread spread;
   int runs = 100;
   std::uint64_t seed = 1;

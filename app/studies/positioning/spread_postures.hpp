@@ -9,8 +9,8 @@
 namespace tubeplan::app {
 
 struct SpreadPostures {
-  std::vector<int> tubes;                 ///< those in reach, as indices in the sheet
-  std::vector<Eigen::VectorXd> postures;  ///< of each of them, the first branch that reaches it
+  std::vector<int> tubes;                 ///< tubes in reach, as indices in the sheet
+  std::vector<Eigen::VectorXd> postures;  ///< first branch that reaches each of these tubes
   int asked = 0;                          ///< number of holes, those out of reach included
 };
 

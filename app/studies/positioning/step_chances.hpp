@@ -13,20 +13,21 @@
 namespace tubeplan::app {
 
 struct StepChances {
-  std::string reason;                           ///< reason if there are none; else empty
-  std::optional<ModelError> model_error;        ///< as used; nothing: left out
-  bool base_is_exact = false;                   ///< true: the base is stated as known, without an uncertainty
-  bool numbers_are_exact = false;               ///< true: the uncertainty of the arm's numbers is unknown
-  std::vector<std::vector<double>> by_posture;  ///< of 0, 1, ... steps; each adds up to 1
+  std::string reason;                     ///< reason if there are none; else empty
+  std::optional<ModelError> model_error;  ///< error used; nothing: left out
+  bool base_is_exact = false;             ///< true: the base is stated as known, without an uncertainty
+  bool numbers_are_exact = false;         ///< true: the uncertainty of the arm's numbers is unknown
+  /// Probabilities of 0, 1, ... steps at each posture; each list adds up to 1.
+  std::vector<std::vector<double>> by_posture;
 };
 
 /// Input of stepChances(): the goals of the arm by its model, and the tool's predicted poses.
 struct StepQuestion {
-  const CellModel& cell;                          ///< as read: its statements on base, numbers and model error
-  const planner::Workcell& model;                 ///< placed
+  const CellModel& cell;           ///< the cell that was read: its statements on base, numbers and model error
+  const planner::Workcell& model;  ///< the placed workcell
   const calibration::BaseCalibration* placed_by;  ///< calibration that placed it; null: the base is that of the cell
   const std::vector<Eigen::VectorXd>& postures;
-  const std::vector<planner::Centring>& predicted;  ///< by the model itself, one for each posture
+  const std::vector<planner::Centring>& predicted;  ///< centring by the model itself, one for each posture
 };
 
 /// Returns the probabilities; none for a base that was never placed.

@@ -32,7 +32,7 @@ struct ScoringModels {
 struct TubeToScore {
   int tube = -1;
   Eigen::VectorXd q;
-  Eigen::Vector3d tip_error_W = Eigen::Vector3d::Zero();  ///< of the true arm beyond its own model [m]
+  Eigen::Vector3d tip_error_W = Eigen::Vector3d::Zero();  ///< error of the true arm beyond its own model [m]
 };
 
 /// Centring by mode, in the order of kCompensations; empty if that mode finds no posture in the branch.

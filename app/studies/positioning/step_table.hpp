@@ -23,12 +23,12 @@ struct RealArm {
 struct StepHole {
   int tube = -1;
   Eigen::VectorXd q;            ///< a posture of the branch that every model must use
-  Eigen::Vector3d tip_error_W;  ///< of the real arm beyond its model there [m]
+  Eigen::Vector3d tip_error_W;  ///< error of the real arm beyond its model there [m]
 };
 
 struct StepHoles {
   std::vector<StepHole> holes;
-  int out_of_reach = 0;  ///< drawn in addition, but beyond the real arm's reach
+  int out_of_reach = 0;  ///< number of holes drawn in addition, but beyond the real arm's reach
 };
 
 /// Draws open holes of the sheet at random until `count` are within the real arm's reach; fewer on a small sheet. Links

@@ -14,7 +14,7 @@ namespace {
 using namespace tubeplan::planner::kernels;
 
 constexpr double kContactGap = 1e-9;   // a smaller gap counts as contact [m]
-constexpr double kFinestStep = 1e-15;  // as a share of the segment
+constexpr double kFinestStep = 1e-15;  // smallest Newton step, as a share of the segment
 constexpr int kMostSteps = 100;
 
 struct Segment {

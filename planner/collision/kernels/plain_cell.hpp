@@ -21,7 +21,7 @@ struct PlainBody {
 struct PlainObstacle {
   double from[3], to[3];       ///< ends of a capsule; `from` is a point of a plane or the centre of a sphere
   double normal[3];            ///< normal of a plane, of length 1
-  double radius, half_length;  ///< of a sphere, a capsule, or a cylinder about z of C
+  double radius, half_length;  ///< sizes of a sphere, a capsule, or a cylinder about z of C
   double half[3];              ///< half sizes of a box along the axes of C
   PlainPose X_CW;
 };
@@ -45,7 +45,7 @@ struct FoundPairs {
   double* ends;      ///< 6 for each body: both ends in the world
   double* distance;  ///< least distance of the exact pairs [m]
   double* nearest;   ///< index of that pair; -1 if there is none
-  double* bounds;    ///< one for each of the other pairs
+  double* bounds;    ///< lower bounds of the other pairs, one for each [m]
   long stride;
 };
 
