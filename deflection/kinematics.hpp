@@ -41,7 +41,7 @@ class Kinematics {
 
   const Arm& given_;
   PreparedArm arm_;
-  std::optional<TipDifferentiation> tip_;  ///< used if there is no kernel
+  std::optional<TipDifferentiation> tip_;  ///< differentiation of the tip, used if there is no kernel
   std::vector<Variable> joints_;
   std::vector<double> sweeps_, derivatives_;
 };

@@ -119,7 +119,8 @@ class PreparedArm {
   std::vector<RigidPart> parts_;
   std::vector<std::size_t> part_ends_;  ///< end of each body's parts
   std::vector<Hanging> hanging_;
-  mutable Equilibrium equilibrium_;  ///< filled by copyOutElements() on demand if a kernel has solved the shape
+  /// Elements and loads at rest, filled by copyOutElements() on demand if a kernel has solved the shape.
+  mutable Equilibrium equilibrium_;
   std::unique_ptr<const simd::RevoluteChain> revolute_chain_;  ///< the arm for the kernels, if they take it
   std::vector<double> element_states_;                         ///< result of a kernel for each turn
   std::vector<Variable> kernel_asked_;                         ///< last variables of kernelFor()

@@ -59,7 +59,7 @@ class TipDifferentiation {
   TipSensitivity sensitivity_;
   DirectChanges direct_;
   std::vector<double> kernel_columns_;
-  ArmOf<Dual> dual_arm_;  ///< empty until needed
+  ArmOf<Dual> dual_arm_;  ///< the arm in dual numbers, empty until needed
   PostureOf<Dual> dual_posture_;
   Vector3<Dual> gravity_turn_;
   std::optional<EffectContext<Dual>> context_;  ///< effects of the dual arm and posture; nothing if there are none

@@ -34,7 +34,8 @@ struct VisitChoice {
 struct RealOrder {
   std::vector<Stop> stops;  ///< start and end posture included; empty: none was found
   std::string reason;       ///< reason if there is none
-  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< proved, for straight moves [s]
+  /// Proved lower bound of the time, for straight moves [s].
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();
   bool is_parted = false;  ///< true: abandoned, because a move leads between parts of the free space that nothing joins
   Clearance between;       ///< obstacle of that move
 };

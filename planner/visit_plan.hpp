@@ -76,7 +76,7 @@ struct PathSegment {
   SegmentKind kind = SegmentKind::kTravel;
   int visit = -1;  ///< visit that it belongs to (a travel: the one it leads to; to the end posture: the last)
   std::vector<Eigen::VectorXd> waypoints;
-  /// Proved, beyond the clearance that the scene requires [m].
+  /// Proved least margin beyond the clearance that the scene requires [m].
   double margin = std::numeric_limits<double>::quiet_NaN();
   Clearance tightest;
   bool flows = false;
@@ -108,7 +108,7 @@ struct VisitPlan {
   double optimality_gap = std::numeric_limits<double>::quiet_NaN();
   double row_by_row_time = std::numeric_limits<double>::quiet_NaN();  ///< straight moves row after row [s]
   double total_time = std::numeric_limits<double>::quiet_NaN();       ///< approaches, retreats and stays included [s]
-  double min_margin = std::numeric_limits<double>::quiet_NaN();       ///< proved, over all segments [m]
+  double min_margin = std::numeric_limits<double>::quiet_NaN();       ///< proved least margin over all segments [m]
   Clearance tightest;
   int detours = 0;  ///< travels that are neither a straight joint move nor a line
   int lines = 0;    ///< travels with the tip on a line

@@ -14,7 +14,7 @@ namespace tubeplan::tubesheets {
 struct LayoutKey {
   std::string_view name;
   std::variant<double Layout::*, int Layout::*> field;
-  bool required = false;  ///< required numbers must be above zero, the others not below
+  bool required = false;  ///< true: must be stated and above zero; false: may be left out, and not below zero
   std::string_view meaning;
 };
 

@@ -12,7 +12,7 @@ namespace tubeplan::tubesheets {
 /// Result of a term: the candidates that it keeps, or the reason why it cannot be applied.
 struct TermChoice {
   std::vector<int> tubes;  ///< indices in Sheet::tubes, ascending
-  std::string reason;      ///< empty on success
+  std::string reason;      ///< reason of failure; empty on success
 };
 
 enum class TermRole {

@@ -34,7 +34,7 @@ struct SheetDescription {
   double hole_diameter = std::numeric_limits<double>::quiet_NaN();
   Leg leg = Leg::kHot;
   ViewedFrom viewed_from = ViewedFrom::kBelow;
-  std::optional<Manway> manway = std::nullopt;  ///< nothing if its place is unknown
+  std::optional<Manway> manway = std::nullopt;  ///< manway of the sheet; nothing if its place is unknown
 };
 
 /// A tube sheet. `tubes` are in sheet order: by row, then by column. Positions [m] are in the sheet frame of tube.hpp.

@@ -51,7 +51,7 @@ struct TextTable {
 /// A column's plain name and its unit as written: "Joint 1 [deg]" gives "joint1" and "deg".
 struct HeadingWords {
   std::string name;  ///< small letters and digits of ASCII, and all other characters beyond ASCII
-  std::string unit;  ///< empty if none is stated
+  std::string unit;  ///< unit as written; empty if none is stated
 };
 
 /// Splits a heading into name and unit. A unit stands in brackets, or after the last blank, underscore, comma or slash.

@@ -18,9 +18,9 @@ enum class TubeState {
   kOpen,
   kPlugged,
   kSleeved,
-  kStabilised,    ///< plugged, with a stabiliser inside
-  kToPlug,        ///< recommended to plug, not yet done
-  kInaccessible,  ///< reported as unreachable or obstructed
+  kStabilised,    ///< a plugged tube with a stabiliser inside
+  kToPlug,        ///< a tube recommended for plugging and not yet plugged
+  kInaccessible,  ///< a tube reported as unreachable or obstructed
   kUnresolved,    ///< identity in doubt
 };
 

@@ -41,7 +41,7 @@ enum class TubeColumn {
 
 /// Meaning of a heading. A unit of another kind makes the column unknown: "row (mm)" is no row.
 struct TubeHeading {
-  std::optional<TubeColumn> column;  ///< nothing if the heading is unknown
+  std::optional<TubeColumn> column;  ///< column of the heading; nothing if it is unknown
   std::string unit;                  ///< unit as written; empty if none is stated
 };
 [[nodiscard]] TubeHeading readTubeHeading(const std::string& heading);

@@ -28,7 +28,7 @@ struct TubeTable {
   std::map<TubeColumn, std::size_t> places;  ///< index of each known column; kNote has no entry
   std::vector<CodeColumn> codes;             ///< columns of states and codes, in the order of the table
   std::vector<std::string> unread;           ///< names of unknown columns
-  const LengthUnit* unit_x = nullptr;        ///< null if there is no x, or its unit is not stated
+  const LengthUnit* unit_x = nullptr;        ///< unit of x; null if there is no x, or its unit is not stated
   const LengthUnit* unit_y = nullptr;
   std::optional<Problem> problem;  ///< first fault; the other members are then not to be used
 

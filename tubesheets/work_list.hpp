@@ -2,7 +2,7 @@
 //
 // The line is a comma-separated list of items, blanks around them allowed. The sheet must have no problems (sheet.hpp).
 //   - all, R10C20, R1-10C5-9, R10, C20, outer:2, zone:-10:10:20:40in, plugged (a tube state): the union of these.
-//   - The same with a minus (-plugged, -R3C4, -outer:1): taken away, from all tubes when nothing is asked for.
+//   - The same with a minus (-plugged, -R3C4, -outer:1): removed, from all tubes if nothing else is asked for.
 //   - every:K, spread:N: a part of what the rest of the list selects, in the order written.
 //   - leg:hot, sheet:FINGERPRINT: the list is for that leg or sheet only.
 // Plugged and stabilised tubes take no tool, inaccessible ones could not be reached before, and the identity of

@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 struct CalibrationOutcome {
   calibration::BaseCalibration calibration;
-  std::optional<ModelError> model_error;  ///< estimated with the base
+  std::optional<ModelError> model_error;  ///< model error estimated with the base
   std::vector<calibration::Measurement> touches;
   nlohmann::json figures;  ///< JSON of `tubeplan calibrate --json`
 };

@@ -32,7 +32,7 @@ struct IdentificationRequest {
 };
 
 struct IdentificationOutcome {
-  calibration::Identification fit;                 ///< not run if the readings hold a mistake, which is its reason
+  calibration::Identification fit;  ///< the fit; not run if the readings hold a mistake, which is its reason
   std::vector<calibration::Measurement> readings;  ///< readings given to the fit: all but those set aside
   std::vector<std::string> set_aside;              ///< ids of outliers
   std::vector<std::string> warnings;               ///< about the readings

@@ -50,8 +50,9 @@ struct CellModel {
   /// Covariance of shift [m] and small rotation [rad] along and about the world's x, y, z.
   std::optional<Matrix6d> base_covariance;
   BasePrior base_prior;
-  std::optional<PlacedByTouches> placed_by;  ///< nothing: there are no touches, or the base was written by hand
-  calibration::ArmUncertainty uncertainty;   ///< uncertainty of the arm's numbers that are not fitted
+  /// Touches that placed the base; nothing if there are none, or if the base was written by hand.
+  std::optional<PlacedByTouches> placed_by;
+  calibration::ArmUncertainty uncertainty;  ///< uncertainty of the arm's numbers that are not fitted
   std::optional<ModelError> model_error;
   std::optional<tubesheets::Sheet> sheet;
   std::optional<tubesheets::SteppedTool> tool;

@@ -54,9 +54,9 @@ class CampaignResidual {
   const std::vector<Unknown>& unknowns_;
   const std::vector<Measurement>& readings_;
   const ReadingWeights& weights_;
-  Eigen::VectorXd prior_slopes_;  ///< empty if no priors are appended
+  Eigen::VectorXd prior_slopes_;  ///< slopes of the priors; empty if none are appended
   StopQuestion stop_;
-  std::vector<Measurement> settled_;                ///< empty if no surface is touched
+  std::vector<Measurement> settled_;                ///< readings with fitted surfaces; empty if no surface is touched
   std::vector<int> base_pose_of_;                   ///< base pose of each reading
   PredictionRequest slopes_asked_;                  ///< the numbers, and the base if one is free
   std::vector<Eigen::Index> numbers_;               ///< column of each number

@@ -56,9 +56,10 @@ struct ReadingWeights {
 
 struct WhitenedResidual {
   bool ok = false;
-  Eigen::VectorXd r;         ///< whitened, predicted minus measured; rows of `weights`
+  Eigen::VectorXd r;         ///< whitened residual, predicted minus measured; rows of `weights`
   Eigen::MatrixXd jacobian;  ///< Jacobian by the unknowns' variables, if asked for
-  Eigen::VectorXd error;  ///< predicted minus measured in metres, not whitened; for an unknown point, from its estimate
+  /// Residual in metres, predicted minus measured, not whitened; for an unknown point, from its estimate.
+  Eigen::VectorXd error;
 };
 
 /// Returns the residual at variables x of the unknowns, from the state `start`; throws WorkStopped.

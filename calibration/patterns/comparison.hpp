@@ -62,7 +62,7 @@ struct Comparison {
   std::string reason;                 ///< reason if not done
   std::vector<FreeProblem> problems;  ///< reasons if refused
   ModelLackOfFit as_it_stands, after_refit;
-  Identification refit;  ///< not run if nothing is free
+  Identification refit;  ///< the refit; not run if nothing is free
   PlacedArm fitted;      ///< the model after the refit
   std::vector<ComparedReading> readings;
   std::vector<int> worst;                        ///< indices of the fitted readings after the refit, most sigmas first

@@ -16,7 +16,7 @@ struct JointEquivalents {
   bool ok = false;               ///< false: the model could not be evaluated
   Eigen::MatrixXd corrections;   ///< joints x readings, to be added to the readings
   Eigen::VectorXd mean, spread;  ///< mean and standard deviation of each joint's corrections
-  Eigen::VectorXd sigma;         ///< stated for each encoder; 0 if none is stated
+  Eigen::VectorXd sigma;         ///< stated sigma of each encoder; 0 if none is stated
   /// Chi-square by the encoders' noise alone; NaN if none is stated.
   double chi2 = std::numeric_limits<double>::quiet_NaN();
   int degrees_of_freedom = 0;

@@ -46,8 +46,9 @@ struct Variable {
 /// One row of the table.
 struct PatternKind {
   const char* name;
-  std::string needs;                                                    ///< requirements of the test on the readings
-  std::function<std::vector<Variable>(const ReadingScene&)> variables;  ///< empty if the readings do not have it
+  std::string needs;  ///< requirements of the test on the readings
+  /// Function for the variables of the readings, empty if they do not have any.
+  std::function<std::vector<Variable>(const ReadingScene&)> variables;
 };
 
 const std::vector<PatternKind>& patternKinds();

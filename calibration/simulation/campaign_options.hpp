@@ -23,7 +23,7 @@ struct CampaignOptions {
   /// Least distance of the tip from the base's origin without a region, as a share of the arm's reach.
   double least_reach = 0.2;
   int max_draws = 2000;        ///< postures tried for one point
-  CampaignClearance is_clear;  ///< empty: nothing is in the way
+  CampaignClearance is_clear;  ///< check of collisions; empty: nothing is in the way
 };
 
 }  // namespace tubeplan::calibration

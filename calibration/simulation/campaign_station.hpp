@@ -71,7 +71,7 @@ class CampaignStation {
   const CampaignOptions& options_;
   PostureSource source_;
   double reach_, plane_height_ = 0;
-  std::vector<CampaignPoint> fresh_holes_;  ///< not read yet
+  std::vector<CampaignPoint> fresh_holes_;  ///< holes that are not read yet
   Eigen::VectorXd here_;                    ///< the last posture's readings, without noise
 };
 

@@ -2,7 +2,7 @@
 //
 // Law: rotation +g/2 where the moment is positive, -g/2 where it is negative, free in between (elements/clearance.hpp).
 // Symbols: g gap [rad].
-// Validity: at rest, without friction; about axes that give, about any axis of a turning row (its bearings have play
+// Validity: at rest, without friction; about compliant axes, about any axis of a turning row (its bearings have play
 // across as well) and about both axes across a slide (it tips in its guide).
 // Source: Signorini's complementarity; coupling backlash in Harmonic Drive's catalogues.
 #pragma once

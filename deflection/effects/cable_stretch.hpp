@@ -1,10 +1,11 @@
-// A joint driven by cables: they stretch under the moment, and friction retains a share of it by the
-// sense of the last motion.
+// A joint driven by cables: they stretch under the moment, and friction retains a share of it by the direction of the
+// last motion.
 //
 // Law: rotation = c M + k |M| s, M the moment about the joint's axis.
-// Symbols: c [rad/(N m)] stretch; k [rad/(N m)] the part by friction; s sense of the joint's last motion, -1, 0 or
-// +1; M [N m] of the shape without deflection. Validity: linear stretch; the last motion was longer than the lost
-// motion. Source: Capstan friction: a cable over a sheave loses a share of its tension (Townsend and Salisbury 1987).
+// Symbols: c [rad/(N m)] stretch; k [rad/(N m)] the part by friction; s sense of the joint's last motion, -1, 0 or +1;
+//      M [N m] of the shape without deflection.
+// Validity: linear stretch; the last motion was longer than the lost motion.
+// Source: capstan friction: a cable over a sheave loses a share of its tension (Townsend and Salisbury 1987).
 #pragma once
 
 #include "deflection/effects/places.hpp"

@@ -23,7 +23,7 @@ struct EffectContext {
   PostureOf<S> posture;                          ///< true joint values, gravity as the moved base sees it
   Vector3<S> gravity_turn = Vector3<S>::Zero();  ///< rotation vector of gravity in base axes [rad]
   PoseOf<S> X_BM;                                ///< pose of the moved base M in the nominal base
-  S measurement_scale{1};                        ///< measured per true coordinate
+  S measurement_scale{1};                        ///< measured coordinates per true coordinate
   std::optional<RigidFrames<S>> rigid_frames;    ///< frames of `given` at `asked`, once an effect has asked for them
   /// Moments of `given` at `asked`, once an effect has asked for them.
   std::optional<std::vector<Vector3<S>>> rigid_moments;

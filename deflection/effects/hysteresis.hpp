@@ -1,4 +1,4 @@
-// Lost motion: the joint rests on one side or the other of its reading, by the way it came.
+// Lost motion: the joint rests on one side or the other of its reading, depending on the direction of its last motion.
 //
 // Law: true joint value = reading + h s.
 // Symbols: h half width [rad; m on a slide], s sense of the joint's last motion, -1, 0 or +1.

@@ -1,11 +1,11 @@
 // A slide that is more compliant the farther it is extended: less of it overlaps its bearing.
 //
 // Law: rotation = M (c1 s + c2 s^2 + c3 s^3) about the axis, at the slide's guide.
-// Symbols: s extension of the slide: above its lower limit, over its range, where limits are stated; its reading in
-// metres where not; c1 to c3 [rad/(N m)] at s = 1; M the moment about the axis there [N m].
-// Validity: small rotations; readings that grow as the slide comes out. What it gives at s = 0 is joint-compliance.
-// Source: two bearings an overlap L - s apart give by 1 / (L - s)^2 under a moment, whose series in s / L has no
-// negative term; taken to third order.
+// Symbols: s extension of the slide: above its lower limit, over its range, if limits are stated; else its reading in
+//      metres; c1 to c3 [rad/(N m)] at s = 1; M the moment about the axis there [N m].
+// Validity: small rotations; readings that grow as the slide is extended. The compliance at s = 0 is joint-compliance.
+// Source: two bearings at a distance of the overlap L - s have a compliance of 1 / (L - s)^2, whose series in s / L has
+//      no negative term; taken to third order.
 #pragma once
 
 #include "deflection/effects/places.hpp"

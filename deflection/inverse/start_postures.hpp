@@ -38,7 +38,7 @@ class StartPostures {
   bool is_turret_;
   InverseKinematicsOptions options_;
   GoalProblem rigid_;
-  std::optional<RigidSearch> postures_, places_;  ///< created on first use
+  std::optional<RigidSearch> postures_, places_;  ///< searches, created on first use
 };
 
 }  // namespace tubeplan::deflection

@@ -14,7 +14,7 @@ namespace tubeplan::planner {
 using BlockerCounts = std::map<std::pair<std::string, std::string>, int>;
 
 struct MotionSearchResult {
-  /// Empty: none found; else from start to goal exactly, each stretch proved free.
+  /// Path from start to goal exactly, each stretch proved free; empty if none was found.
   std::vector<Eigen::VectorXd> waypoints;
   int iterations = 0;
   long checks = 0;  ///< number of postures checked

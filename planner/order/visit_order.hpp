@@ -39,7 +39,7 @@ struct VisitOrder {
   std::vector<int> branches;  ///< branch at each place in the order: that of order[k]
   /// Straight moves and extra times, start and end included [s].
   double travel_time = std::numeric_limits<double>::quiet_NaN();
-  double lower_bound = std::numeric_limits<double>::quiet_NaN();     ///< proved [s]
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();     ///< proved lower bound of the travel time [s]
   double optimality_gap = std::numeric_limits<double>::quiet_NaN();  ///< (travel_time - lower_bound) / lower_bound
 };
 

@@ -30,7 +30,7 @@ struct ShapeField {
 };
 
 struct MadeShape {
-  ShapePointer shape;   ///< empty if there is a problem
+  ShapePointer shape;   ///< the shape; empty if there is a problem
   std::string problem;  ///< field and reason; empty if there is none
 };
 

@@ -66,7 +66,7 @@ struct PlanCheck {
   double worst_acceleration_share = 0;
   /// Clearance of the tool in a tube; infinite if none enters [m].
   double least_play = std::numeric_limits<double>::infinity();
-  double least_margin = std::numeric_limits<double>::infinity();  ///< proved between rows [m]
+  double least_margin = std::numeric_limits<double>::infinity();  ///< least margin, proved between rows [m]
   std::string tightest;
 };
 

@@ -53,7 +53,7 @@ enum class ImprovementReason {
   kUnsureButLower,     ///< the cause is uncertain, but lowers the error of held-out readings and of the farthest poses
   kNoneLower,          ///< no cause is certain, and none lowers those errors
   kFarthestWorse,      ///< the error of the farthest poses with a fit to the nearer ones is `first`, before `second`
-  kNotLowerTogether,   ///< fitted with everything else, it does not lower the error of held-out readings
+  kNotLowerTogether,   ///< the cause, fitted with everything else, does not lower the error of held-out readings
   kMistakeExplains,
   kNoVerdict,
 };
@@ -63,7 +63,7 @@ struct ImprovementStep {
   calibration::Diagnosis diagnosis;
   ImprovementReason reason = ImprovementReason::kNoVerdict;
   double first = std::numeric_limits<double>::quiet_NaN(), second = first;  ///< see ImprovementReason [m]
-  std::vector<std::string> added;                                           ///< empty in the last round
+  std::vector<std::string> added;                        ///< names of added causes; empty in the last round
   std::vector<std::string> also;                         ///< causes that no reading distinguishes from the added ones
   std::vector<std::string> not_needed;                   ///< members of a cause that the fit found to be zero
   calibration::ErrorSize heldout_before, heldout_after;  ///< errors with folds of poses held out

@@ -40,7 +40,7 @@ class RunSchedule {
  private:
   std::uint64_t total_, chunk_;
   RunSet done_;
-  std::deque<RunRange> open_;  ///< not given yet
+  std::deque<RunRange> open_;  ///< chunks that are not given yet
 };
 
 /// Returns a chunk size so small that no worker waits long for the last ones, and so large that there are few.
