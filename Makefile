@@ -2,7 +2,7 @@
 # make test   the same with the packages of the tests, and runs every test
 # make everything  compiles all that is in the tree: tests, benchmarks and studies too
 # make package  the same as demo's build, and a Debian package of it in build/
-# make site   the documents, every command and the catalogue of effects as a site in build/site/html
+# make site   the documents, every command, the catalogue of effects and the libraries' headers as a site in build/site/html
 # make sanitize  every test under the address, undefined-behaviour and thread sanitizers (clang; long): sanitize-libraries,
 #                sanitize-program and sanitize-threads in a row
 # make pictures  the pictures of the documents, taken anew

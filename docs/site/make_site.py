@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""make_site.py TUBEPLAN OUT: the documents, every command's help and the catalogue of effects as a site in OUT/html.
+"""make_site.py TUBEPLAN OUT: the documents, every command's help, the catalogue of effects and the libraries' headers as a site in OUT/html.
 
 What the program says is asked of the program, so that nothing here repeats it. A warning of Sphinx is an error.
 """
@@ -13,6 +13,8 @@ import sys
 import time
 import urllib.parse
 import urllib.request
+
+from reference import reference_pages
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 DOCS, CELL = SOURCE / "docs", SOURCE / "app/cells/bench.yaml"
@@ -118,12 +120,12 @@ def run_notebook(program, out):
                    cwd=place, env=environment, check=True)
 
 
-def index_page():
+def index_page(references):
     readme = (SOURCE / "README.md").read_text()
     readme = re.sub(r"\]\(docs/([^)]*)\)", r"](\1)", readme)
     readme = re.sub(r"\[([^\]]*)\]\((?!https?:|[\w-]+\.(?:md|png|svg))[^)]*\)", r"\1", readme)
     readme = readme.replace("[CONTRIBUTING.md](CONTRIBUTING.md)", "CONTRIBUTING.md")
-    listed = "\n".join(["commands", "effects", *PAGES])
+    listed = "\n".join(["commands", "effects", *PAGES, *references])
     return f"{readme}\n```{{toctree}}\n:hidden:\n:maxdepth: 2\n\n{listed}\n```\n"
 
 
@@ -139,7 +141,10 @@ def main():
         if name == "missing_effect":
             continue
         shutil.copy(DOCS / f"{name}.md", source)
-    (source / "index.md").write_text(index_page())
+    references = reference_pages(SOURCE)
+    for name, text in references.items():
+        (source / f"{name}.md").write_text(text)
+    (source / "index.md").write_text(index_page(references))
     (source / "commands.md").write_text(commands_page(program))
     (source / "effects.md").write_text(effects_page(program, out))
     (source / "conf.py").write_text(CONF)
