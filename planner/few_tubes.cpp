@@ -49,7 +49,7 @@ FewTubes::FewTubes(const PlanContext& context, const VisitChoice& choice, const 
 RealOrder FewTubes::order() {
   RealOrder best;
   double least = std::numeric_limits<double>::infinity();
-  std::size_t view = 0, settled = 0;  // number of shares whose order is known
+  std::size_t view = 0, settled = 0;  // settled: number of views whose order is known
   for (int rounds = 0; rounds < context_.options.reprice_rounds && !context_.isStopped();) {
     const ExactOrder order = exactOrder(table_, times_[view], zones_);
     if (std::isnan(best.lower_bound)) best.lower_bound = order.time * (1 - kRounding);
