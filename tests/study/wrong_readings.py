@@ -291,6 +291,8 @@ def main():
         seeds = range(asked.seed, asked.seed + asked.runs)
         for what, complaint_found in pool.map(lambda seed: attempt(program, cells, seed, asked.command, asked.pairs), seeds):
             made += what is not None
+            if made % 100 == 0 and sys.stderr.isatty():
+                print(f"\r{made} runs, {wrong} of them wrong", end="", file=sys.stderr, flush=True)
             if complaint_found:
                 wrong += 1
                 print(f"{what}: {complaint_found}", flush=True)
