@@ -16,7 +16,7 @@ import urllib.request
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 DOCS, CELL = SOURCE / "docs", SOURCE / "app/cells/bench.yaml"
-PAGES = ["tutorial", "files", "workbench", "planning", "campaign", "python", "missing_effect", "trust", "limits", "design", "kernel", "blind_trial", "benchmarks",
+PAGES = ["tutorial", "recipes", "files", "workbench", "planning", "campaign", "python", "missing_effect", "trust", "limits", "design", "kernel", "blind_trial", "benchmarks",
          "workbench_api", "glossary"]
 CONF = """project = "Tubeplan"
 extensions = ["myst_parser"]
@@ -122,7 +122,7 @@ def index_page():
     readme = (SOURCE / "README.md").read_text()
     readme = re.sub(r"\]\(docs/([^)]*)\)", r"](\1)", readme)
     readme = re.sub(r"\[([^\]]*)\]\((?!https?:|[\w-]+\.(?:md|png|svg))[^)]*\)", r"\1", readme)
-    readme = readme.replace("[CONTRIBUTING.md](CONTRIBUTING.md)", "CONTRIBUTING.md")
+    readme = re.sub(r"\[((?:CONTRIBUTING|CHANGELOG)\.md)\]\(\1\)", r"\1", readme)
     listed = "\n".join(["commands", "effects", *PAGES])
     return f"{readme}\n```{{toctree}}\n:hidden:\n:maxdepth: 2\n\n{listed}\n```\n"
 
@@ -134,6 +134,7 @@ def main():
     source.mkdir(parents=True)
     for file in [*DOCS.glob("*.png"), *DOCS.glob("*.json")]:
         shutil.copy(file, source)
+    shutil.copytree(DOCS / "diagrams", source / "diagrams", ignore=shutil.ignore_patterns("*.dot", "*.py"))
     run_notebook(program, out)
     for name in PAGES:
         if name == "missing_effect":
