@@ -23,6 +23,12 @@ extensions = ["myst_parser"]
 html_theme = "sphinx_rtd_theme"
 myst_heading_anchors = 3
 suppress_warnings = ["misc.highlighting_failure"]
+html_static_path = ["static"]
+html_css_files = ["tables.css"]
+"""
+# The theme neither breaks the lines of cells nor uses a wide window.
+STYLE = """.wy-table-responsive table td, .wy-table-responsive table th {white-space: normal; vertical-align: top}
+.wy-nav-content {max-width: 1200px}
 """
 
 
@@ -144,6 +150,8 @@ def main():
     (source / "commands.md").write_text(commands_page(program))
     (source / "effects.md").write_text(effects_page(program, out))
     (source / "conf.py").write_text(CONF)
+    (source / "static").mkdir()
+    (source / "static/tables.css").write_text(STYLE)
     began = time.monotonic()
     subprocess.run(["sphinx-build", "-q", "-W", "--keep-going", "-b", "html", source, out / "html"], check=True)
     print(f"{out / 'html/index.html'}: {len(list((out / 'html').glob('*.html')))} pages in {time.monotonic() - began:.0f} s")
