@@ -7,6 +7,7 @@ are measured too, a part between semicolons as a sentence, without their code sp
 tests/phrases.txt and on doubled words. It uses Debian's diction, the one packaged linter whose list is a plain file of
 our own: proselint has a fixed list of literary style, vale is not packaged, those of npm need a configuration in code.
 """
+import collections
 import re
 import statistics
 import subprocess
@@ -63,18 +64,18 @@ def sentences(text):
                     yield line, len(words), part
 
 
-def clauses(tree):
-    """Yields (place, first sentence) of every comment that begins as a clause without a main verb."""
+def first_lines(tree):
+    """Yields (place, first line) of every comment of the sources."""
     for folder in FOLDERS:
         for path in sorted((tree / folder).rglob("*")):
             if path.suffix not in SOURCES or "node_modules" in path.parts:
                 continue
-            before = ""
+            inside = False
             for number, line in enumerate(path.read_text().splitlines(), 1):
                 comment = re.match(r"\s*(?://+!?|/\*\*?|\*)\s+(.*)", line)
-                if comment and not before and CLAUSE.match(comment[1]):
+                if comment and not inside:
                     yield f"{path.relative_to(tree)}:{number}", comment[1]
-                before = comment[1] if comment else ""
+                inside = bool(comment)
 
 
 def phrases(tree):
@@ -88,13 +89,17 @@ def phrases(tree):
     said = subprocess.run(["diction", "-d", "-n", "-s", "-f", str(tree / "tests/phrases.txt")], input=text,
                           capture_output=True, text=True, check=True).stdout
     found += [line for line in said.splitlines() if " -> " in line]
-    print(*found, sep="\n")
+    print("\n".join(found) or f"no phrase of tests/phrases.txt in {len(documents(tree))} documents")
     return len(found)
 
 
 def comments(tree):
-    found = list(clauses(tree))
-    print(*(f"{place}: {words}" for place, words in found), f"{len(found)} comments begin as a clause", sep="\n")
+    """Prints the comments that begin as a clause, and how many of all they are."""
+    lines = list(first_lines(tree))
+    found = [(place, words) for place, words in lines if CLAUSE.match(words)]
+    openings = collections.Counter(CLAUSE.match(words)[0] for _, words in found)
+    print(*(f"{place}: {words}" for place, words in found), sep="\n")
+    print(f"{len(found)} of {len(lines)} comments begin as a clause:", ", ".join(f"{word} {n}" for word, n in openings.most_common()))
     return 0
 
 
