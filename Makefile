@@ -6,6 +6,7 @@
 # make sanitize  every test under the address, undefined-behaviour and thread sanitizers (clang; long): sanitize-libraries,
 #                sanitize-program and sanitize-threads in a row
 # make pictures  the pictures of the documents, taken anew
+# make diagrams  the diagrams of the documents, drawn from docs/diagrams
 # make coverage  lines and branches that the tests run, by folder (clang)
 # make mutants  mutants of what results hang on, and which of them no test kills (an hour or more)
 # make clean-root ROOT=FOLDER  the package in a Debian of its own: installed, planned, opened, linked (as root)
@@ -21,7 +22,7 @@ BUILD := build
 BENCH := build-bench
 SUDO  := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 
-.PHONY: demo test everything sanitize sanitize-libraries sanitize-program sanitize-threads coverage mutants clean-root bench package site pictures program packages format clean
+.PHONY: demo test everything sanitize sanitize-libraries sanitize-program sanitize-threads coverage mutants clean-root bench package site pictures diagrams program packages format clean
 .DEFAULT_GOAL := demo
 
 # Two stages, as in the thesis: the stiffnesses from a campaign of touched holes, then the base from three touches. An arm
@@ -41,6 +42,10 @@ test: $(BUILD)/.tests
 pictures: $(BUILD)/.tests
 	cmake --build $(BUILD) -j $(JOBS)
 	TUBEPLAN=$(BUILD)/tubeplan TUBEPLAN_WEB=$(BUILD)/web node tests/web/docs_pictures.mjs
+
+diagrams: $(BUILD)/.packages-docs
+	for diagram in docs/diagrams/*.dot; do dot -Tsvg $$diagram -o $${diagram%.dot}.svg || exit 1; done
+	python3 docs/diagrams/frames.py docs/diagrams/frames.svg
 
 everything: $(BUILD)/.tests $(BENCH)/.packages
 	cmake --preset release -DTUBEPLAN_TESTS=ON -DTUBEPLAN_BENCHMARKS=ON -DTUBEPLAN_STUDIES=ON

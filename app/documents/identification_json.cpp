@@ -121,7 +121,7 @@ constexpr TextLine kIdentificationWords[] = {
     {"+degrees_of_freedom", " ({chi2_per_dof:.2f} each, p = {p_value:.3g})\n"},
     {"!+degrees_of_freedom", ": the fit cannot be tested\n"},
     {"+model_error",
-     "lack of fit: the model error is {:.4r error_unit} in each coordinate beyond the stated noise (one standard "
+     "lack of fit: the model error in each coordinate is {:.4r error_unit} beyond the stated noise (one standard "
      "deviation); standard deviations and intervals count it as noise, not as what a missing effect shifts the numbers "
      "by\n"},
     {"", "parameters\n"},

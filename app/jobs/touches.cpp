@@ -67,7 +67,7 @@ void noteEstimate(const Estimate& estimate, double known, const Units& units, st
     notes.push_back("the readings could not be fitted (" + estimate.note + "): the cell's values are used instead");
   if (estimate.model_error > known)
     notes.push_back(
-        fmt::format("lack of fit: the model error is {:.4g} {} in each coordinate beyond the stated noise; it is added "
+        fmt::format("lack of fit: the model error in each coordinate is {:.4g} {} beyond the stated noise; it is added "
                     "to the noise of every reading",
                     estimate.model_error / units.factor(dimension::kLength), units.length().name));
   if (estimate.start.base_poses.size() > 1)

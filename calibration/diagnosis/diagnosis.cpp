@@ -112,6 +112,17 @@ void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model,
   result.scatter_probability = 0;
 }
 
+/// Takes back that nothing is missing where noise alone would hardly leave such residuals, whatever causes compete: no
+/// verdict of `diagnose` may be kinder than that of a comparison by the same chi-square.
+void withholdAdequate(const DiagnosisWork& work, Diagnosis& result) {
+  if (result.verdict != Verdict::kAdequate || !(result.p_value < kLackOfFit)) return;
+  takeRepeatsForNoise(work, modelOfNothing(work), result);
+  if (result.repeats.groups > 0) return;
+  result.verdict = Verdict::kInconclusive;
+  result.reason = "noise alone leaves residuals as large as these in fewer than 1 of 100 cases, and no known effect is "
+                  "likely; needed: more readings, or a sigma that is known";
+}
+
 /// The verdict, from the leading models' fits.
 void conclude(Answer& answer) {
   DiagnosisWork& work = answer.work;
@@ -122,6 +133,7 @@ void conclude(Answer& answer) {
   for (const ModelClass& one : posterior.classes)
     if (result.closest.size() < kMostClosest) result.closest.push_back(one.explanation);
   decide(work.options, posterior, result);
+  withholdAdequate(work, result);
   rankCauses(work, result);
   result.nothing_criterion = -2 * modelOfNothing(work).logWeight();
   const CompetingModel& best = work.models.front();

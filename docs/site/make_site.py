@@ -18,13 +18,19 @@ from reference import reference_pages
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 DOCS, CELL = SOURCE / "docs", SOURCE / "app/cells/bench.yaml"
-PAGES = ["tutorial", "files", "workbench", "planning", "campaign", "python", "missing_effect", "trust", "limits", "design", "kernel", "blind_trial", "benchmarks",
+PAGES = ["tutorial", "recipes", "files", "workbench", "planning", "campaign", "python", "missing_effect", "trust", "limits", "design", "kernel", "blind_trial", "benchmarks",
          "workbench_api", "glossary"]
 CONF = """project = "Tubeplan"
 extensions = ["myst_parser"]
 html_theme = "sphinx_rtd_theme"
 myst_heading_anchors = 3
 suppress_warnings = ["misc.highlighting_failure"]
+html_static_path = ["static"]
+html_css_files = ["tables.css"]
+"""
+# The theme neither breaks the lines of cells nor uses a wide window.
+STYLE = """.wy-table-responsive table td, .wy-table-responsive table th {white-space: normal; vertical-align: top}
+.wy-nav-content {max-width: 1200px}
 """
 
 
@@ -124,7 +130,7 @@ def index_page(references):
     readme = (SOURCE / "README.md").read_text()
     readme = re.sub(r"\]\(docs/([^)]*)\)", r"](\1)", readme)
     readme = re.sub(r"\[([^\]]*)\]\((?!https?:|[\w-]+\.(?:md|png|svg))[^)]*\)", r"\1", readme)
-    readme = readme.replace("[CONTRIBUTING.md](CONTRIBUTING.md)", "CONTRIBUTING.md")
+    readme = re.sub(r"\[((?:CONTRIBUTING|CHANGELOG)\.md)\]\(\1\)", r"\1", readme)
     listed = "\n".join(["commands", "effects", *PAGES, *references])
     return f"{readme}\n```{{toctree}}\n:hidden:\n:maxdepth: 2\n\n{listed}\n```\n"
 
@@ -136,6 +142,7 @@ def main():
     source.mkdir(parents=True)
     for file in [*DOCS.glob("*.png"), *DOCS.glob("*.json")]:
         shutil.copy(file, source)
+    shutil.copytree(DOCS / "diagrams", source / "diagrams", ignore=shutil.ignore_patterns("*.dot", "*.py"))
     run_notebook(program, out)
     for name in PAGES:
         if name == "missing_effect":
@@ -148,6 +155,8 @@ def main():
     (source / "commands.md").write_text(commands_page(program))
     (source / "effects.md").write_text(effects_page(program, out))
     (source / "conf.py").write_text(CONF)
+    (source / "static").mkdir()
+    (source / "static/tables.css").write_text(STYLE)
     began = time.monotonic()
     subprocess.run(["sphinx-build", "-q", "-W", "--keep-going", "-b", "html", source, out / "html"], check=True)
     print(f"{out / 'html/index.html'}: {len(list((out / 'html').glob('*.html')))} pages in {time.monotonic() - began:.0f} s")

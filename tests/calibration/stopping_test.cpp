@@ -125,7 +125,7 @@ TEST_F(StoppingBetweenBlocks, IdentificationGivesNoFigure) {
 
 TEST_F(StoppingBetweenBlocks, DiagnosisGivesNoFigure) {
   stopAtAll([&](const WorkHooks& hooks) { return diagnose(placed, many, diagnosis(hooks)); },
-            [](const Diagnosis& result) { return result.verdict == Verdict::kStopped; }, 5, 1.4);
+            [](const Diagnosis& result) { return result.verdict == Verdict::kStopped; }, 5, 2);
 }
 
 TEST_F(StoppingBetweenBlocks, ComparisonGivesNoFigure) {

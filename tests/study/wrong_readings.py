@@ -205,6 +205,8 @@ def contradictions(command, figures):
             found.append(f"p = {figures['p_value']} without a word")
     if command not in ("compare", "diagnose"):
         return found
+    if command == "diagnose" and figures["verdict"] == "adequate" and figures["p_value"] < 0.01 and len(figures["sentences"]) == 1:
+        found.append(f"adequate at p = {figures['p_value']}, which no repeats excuse")
     numbers = [rms.get(key) for key in ("noise_floor", "before")]
     if figures["verdict"] == "adequate" and None not in numbers and numbers[1] > SLACK * MOST_NOISE_RATIO * numbers[0]:
         found.append(f"adequate with an error of {numbers[1]} beside a floor of {numbers[0]}")
@@ -289,6 +291,8 @@ def main():
         seeds = range(asked.seed, asked.seed + asked.runs)
         for what, complaint_found in pool.map(lambda seed: attempt(program, cells, seed, asked.command, asked.pairs), seeds):
             made += what is not None
+            if made % 100 == 0 and sys.stderr.isatty():
+                print(f"\r{made} runs, {wrong} of them wrong", end="", file=sys.stderr, flush=True)
             if complaint_found:
                 wrong += 1
                 print(f"{what}: {complaint_found}", flush=True)

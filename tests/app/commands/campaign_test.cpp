@@ -166,7 +166,7 @@ TEST_F(CampaignCommand, AgreesWithScoreOnTheSameSettings) {
 
 TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
   const std::string question = mockup("--tubes spread:40 --seed 8 --jobs 2 --runs ");
-  const int status = stopped("'" TUBEPLAN_PROGRAM "' " + question + "2000", "stopped", SIGINT);
+  const int status = stopped("'" TUBEPLAN_PROGRAM "' " + question + "1200", "stopped", SIGINT);
   ASSERT_TRUE(WIFEXITED(status));
   ASSERT_EQ(WEXITSTATUS(status), 130) << contentOf(folder / "stopped.txt");
   expectSays(contentOf(folder / "stopped.txt"), "the same command continues from there");
@@ -174,8 +174,8 @@ TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
   const std::string kept = contentOf(folder / "stopped/tally.json");
 
   // Another question is refused, or begun anew in so many words.
-  expectRefused(mockup("--tubes spread:40 --seed 9 --runs 2000 --resume --out stopped"), "another seed (8, now 9)");
-  expectRefused(mockup("--tubes spread:41 --seed 8 --runs 2000 --resume --out stopped"), "another list of tubes");
+  expectRefused(mockup("--tubes spread:40 --seed 9 --runs 1200 --resume --out stopped"), "another seed (8, now 9)");
+  expectRefused(mockup("--tubes spread:41 --seed 8 --runs 1200 --resume --out stopped"), "another list of tubes");
   expectRefused(question + "1 --resume --out stopped", "more runs");
   EXPECT_EQ(contentOf(folder / "stopped/tally.json"), kept);
   std::filesystem::create_directories(folder / "other");
@@ -188,13 +188,13 @@ TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
   ASSERT_EQ(run(mockup("--tubes spread:40 --seed 10 --runs 5 --out other")).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "other/tally-2.json"));
 
-  const Outcome resumed = run(question + "2000 --resume --out stopped");
+  const Outcome resumed = run(question + "1200 --resume --out stopped");
   ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
   expectSays(resumed.err, "continuing from ");
-  ASSERT_EQ(run(question + "2000 --out whole").exit_code, 0);
+  ASSERT_EQ(run(question + "1200 --out whole").exit_code, 0);
   expectSameFiles("stopped", "whole");
-  ASSERT_EQ(run(question + "2100 --resume --out stopped").exit_code, 0);
-  ASSERT_EQ(run(question + "2100 --out more").exit_code, 0);
+  ASSERT_EQ(run(question + "1250 --resume --out stopped").exit_code, 0);
+  ASSERT_EQ(run(question + "1250 --out more").exit_code, 0);
   expectSameFiles("stopped", "more");
 }
 
@@ -286,7 +286,7 @@ TEST_F(CampaignCommand, SeveralProcessesWriteTheSameBytes) {
 
 TEST_F(CampaignCommand, AProcessThatIsKilledLosesLittle) {
   if (!hasMpirun()) GTEST_SKIP() << "no mpirun here, or a program built without MPI: nothing of MPI was tested";
-  const std::string question = mockup("--tubes spread:40 --seed 8 --jobs 1 --runs 4000");
+  const std::string question = mockup("--tubes spread:40 --seed 8 --jobs 1 --runs 2000");
   // The rank that is not the first, found by what mpirun left in its environment.
   const std::string second =
       "for p in $(pgrep -x tubeplan); do tr '\\0' '\\n' 2>/dev/null </proc/$p/environ | grep -qx "

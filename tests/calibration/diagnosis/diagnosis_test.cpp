@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "tests/calibration/bench_readings.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
@@ -168,6 +169,20 @@ TEST(Diagnosis, SaysThatReadingsScatterBeyondTheirNoise) {
   EXPECT_TRUE(found.alternatives.empty());
   EXPECT_TRUE(found.remainder.follows.empty());
   EXPECT_GT(found.remainder.size, 0.5 * found.noise_floor);
+}
+
+// Few readings of a noise somewhat larger than stated: the prior may favour nothing, the chi-square does not.
+TEST(Diagnosis, IsNotAdequateAtAChiSquareThatNoiseHardlyGives) {
+  const auto cell = shippedBench();
+  int hardly = 0;
+  for (const int seed : {1, 2, 3, 4, 5, 6}) {
+    auto readings = benchReadings(cell, "", "", {}, 16, seed);
+    for (auto& reading : readings) reading.sigma /= 1.4;
+    const Diagnosis found = diagnose(benchStart(cell, readings), readings, optionsFor(cell));
+    hardly += found.p_value < kLackOfFit ? 1 : 0;
+    EXPECT_TRUE(found.verdict != Verdict::kAdequate || found.p_value >= kLackOfFit) << "seed " << seed;
+  }
+  EXPECT_GE(hardly, 3);
 }
 
 // The same, where readings were repeated: they tell the noise, and nothing is missing.

@@ -228,7 +228,7 @@ TEST(BaseCalibration, NamesTheOneTouchThatDoesNotAgreeWithTheOthers) {
 /// A joint of one touch misread, by little or by much: the larger the mistake, the more is said.
 TEST(BaseCalibration, NamesTheJointReadingThatIsOff) {
   const auto cell = touchedCell({{-40, 10}, {38, 12}, {10, 45}, {-5, 20}, {30, 35}});
-  for (const double off : {0.5, 1., 5.}) {
+  for (const double off : {0.5, 5.}) {
     int named = 0, first = 0;
     for (std::size_t touch = 0; touch < cell.plans.size(); ++touch)
       for (Eigen::Index joint = 0; joint < 2; ++joint) {  // the tip is far from these

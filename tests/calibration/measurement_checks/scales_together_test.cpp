@@ -25,7 +25,7 @@ TEST(ScalesTogether, OfSeveralJointsAreNamed) {
   std::string found;
   for (const std::vector<int>& joints : {std::vector{1, 2}, std::vector{0, 2}, std::vector{1, 2, 3}})
     for (const bool are_alike : {true, false})
-      for (const std::uint64_t number : {0, 3, 5}) {
+      for (const std::uint64_t number : {0, 5}) {
         auto set = cleanSet(number);
         ASSERT_TRUE(set);
         SeededRandom random(number + 31);

@@ -59,15 +59,17 @@ MeasurementChecks checksOfPoses(const std::vector<const MistakeMade*>& made, std
 TEST(TurnsBeside, AnotherMistakeBothAreNamed) {
   int made = 0, named = 0;
   std::string found;
+  const auto& others = mistakesOfOthers();
   for (const auto& of_turns : mistakesOfTurns())
-    for (const auto& other : mistakesOfOthers()) {
+    for (std::size_t k = 0; k < others.size() / 2; ++k) {  // each of the turns beside two, each other beside two
+      const auto& other = others[static_cast<std::size_t>(made) % others.size()];
       const auto checks = checksOfPoses({&of_turns, &other}, static_cast<std::uint64_t>(++made));
       const auto* gross = grossMistake(checks);
       const std::string assume = gross ? gross->assume : "nothing";
       named += assume == other.assume + "," + of_turns.assume;
       found += other.assume + " + " + of_turns.assume + ": " + assume + "\n";
     }
-  EXPECT_GE(named, made - 2) << found;
+  EXPECT_GE(named, made - 1) << found;
 }
 
 TEST(TurnsBeside, TwoOfTheTurnsAreBothNamed) {

@@ -1,0 +1,53 @@
+"""tutorial_test.py TUBEPLAN SOURCE: the console blocks of docs/tutorial.md run as they stand and print what is shown.
+
+Figures may differ from machine to machine: a shown line has to begin a printed line with all numbers taken for alike.
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, SOURCE = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+
+
+def alike(line):
+    line = re.sub(r"(?<![\w.])[+-]?\d[\d.]*(e[+-]?\d+)?(?!\w)", "#", line)
+    return " ".join(line.removesuffix("...").split())
+
+
+def commands(text):
+    """[(command, lines that it is shown to print)] of the console blocks, in their order."""
+    found = []
+    for block in re.findall(r"^```console\n(.*?)^```", text, re.S | re.M):
+        for line in block.splitlines():
+            if line.startswith("$ "):
+                found.append((line[2:], []))
+            else:
+                found[-1][1].append(line)
+    return found
+
+
+class Tutorial(unittest.TestCase):
+    def test_console_blocks_print_what_they_show(self):
+        shown = commands((SOURCE / "docs/tutorial.md").read_text())
+        self.assertGreater(len(shown), 15)
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = pathlib.Path(temporary)
+            (folder / "app").mkdir()
+            (folder / "app/cells").symlink_to(SOURCE / "app/cells")
+            environment = {**os.environ, "PATH": f"{PROGRAM.parent}:{os.environ['PATH']}"}
+            for command, lines in shown:
+                with self.subTest(command):
+                    done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, capture_output=True, text=True,
+                                          timeout=300, check=False)
+                    self.assertEqual(done.returncode, 1 if " compare " in command else 0, done.stdout + done.stderr)
+                    printed = [alike(line) for line in (done.stdout + done.stderr).splitlines()]
+                    for line in lines:
+                        self.assertTrue(any(one.startswith(alike(line)) for one in printed), f"{line}\nis not in\n{done.stdout}")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])
