@@ -1,4 +1,4 @@
-// What a reading says of itself, and what would be read next.
+// Conditions of a reading, and proposed readings, in words and figures.
 import {exact, fixed, isNumber, jointDecimals, probability, short} from "./numbers.js";
 
 /**
@@ -42,7 +42,7 @@ export function separations(readings) {
   }));
 }
 
-/** What further readings would do to a pair of explanations. */
+/** Headings of the table of explanation pairs that further readings would distinguish. */
 export const PAIR_HEADS = ["if it is", "rather than", "BIC apart now", "expected then", "chance to be named"];
 
 /**

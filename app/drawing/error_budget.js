@@ -11,7 +11,7 @@ export function errorUnit({error_unit: own, units}) {
   return plainUnit(typeof own === "string" && own !== "" ? own : String(units?.length ?? ""));
 }
 
-/** What the error is and divides into, in the document's words; empty where it has none. @param {JudgedDocument} document */
+/** Returns the document's words on the error and its parts; empty if it has none. @param {JudgedDocument} document */
 export function budgetText({error_budget: budget}) {
   return typeof budget?.words === "string" ? budget.words : "";
 }

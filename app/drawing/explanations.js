@@ -33,7 +33,7 @@ function titleOf(effects, most) {
     .join(" and ");
 }
 
-/** What the fit found, effect by effect; with its place where there are several. @param {BareExplanation} explanation */
+/** Returns the fitted sizes by effect, with places if there are several. @param {BareExplanation} explanation */
 export function sizesOf({effects}) {
   return effects.flatMap((effect) => {
     const text = sizeText(effect);
@@ -106,19 +106,19 @@ function stiffnessText({name, value, sigma, unit}) {
   return isKnown && unit ? `, stiffness ${stiffnessOf(value, sigma)} ${inverseUnit(unit)}` : "";
 }
 
-/** How much of what an effect does shows in the readings; empty where that is not known. @param {unknown} fraction */
+/** Returns words on the share of an effect that readings show; empty if unknown. @param {unknown} fraction */
 export function keptText(fraction) {
   if (!isNumber(fraction)) return "";
   if (fraction > 0.98) return "all of it is observable";
   return `${percent(fraction, fraction < 0.1 ? 1 : 0)} of it is observable; the rest is absorbed by the fitted numbers`;
 }
 
-/** Whether nothing else is needed beside it. @param {{enough?: boolean}} explanation */
+/** Returns true if the explanation needs nothing else beside it. @param {{enough?: boolean}} explanation */
 export function isEnough(explanation) {
   return explanation.enough !== false;
 }
 
-/** What its effects are, or that they do not suffice. @param {BareExplanation} explanation */
+/** Returns words for the explanation's effects, or that they do not suffice. @param {BareExplanation} explanation */
 export function explanationWords(explanation) {
   if (!isEnough(explanation)) return "the closest of the known effects, but not enough";
   const words = new Set(explanation.effects.map((effect) => effect.words ?? ""));
@@ -138,13 +138,13 @@ export function explanationsOf(document) {
   return [...drawn, ...others.filter((other) => !titles.has(explanationTitle(other)))];
 }
 
-/** What errors are called that were refitted without the explanation, and with it. */
+/** Names of the errors refitted without the explanation, and with it. */
 export const WITHOUT_IT = "refitted without it";
 /** @param {BareExplanation} explanation */
 export function withIt(explanation) {
   return `with ${isEnough(explanation) ? "" : "the closest, "}${briefTitle(explanation)}`;
 }
 
-/** What errors are called of a model as it stands, and refitted. */
+/** Names of the errors of a model as it stands, and refitted. */
 export const AS_IT_STANDS = "as it stands";
 export const REFITTED = "refitted";

@@ -1,6 +1,6 @@
 // From lengths in a plane to pixels: a camera, an extent that it is to show, and the margins around it.
 
-/** Where the middle of the picture lies, u to the right and v upwards, and pixels per unit of length.
+/** Middle of the picture, u to the right and v upwards, and pixels per unit of length.
  *  @typedef {{u: number, v: number, scale: number}} Camera */
 /** @typedef {{width: number, height: number}} Size */
 /** @typedef {{left: number, right: number, bottom: number, top: number}} Extent */

@@ -32,7 +32,7 @@ const VERDICTS = {
   inconclusive: {shape: "ring", colour: "muted"},
   "falls-short": {shape: "triangle", colour: "case0"},
 };
-/** What a kind has that is not in its table. @type {Mark} */
+/** Mark of a kind that is not in its table. @type {Mark} */
 const OTHER = {shape: "diamond", colour: "violet"};
 
 /** The state of a hole's tube. @param {string} name @returns {Mark} */

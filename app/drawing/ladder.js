@@ -3,7 +3,7 @@ import {fixed, isNumber, short} from "./numbers.js";
 
 /** @typedef {{name: string, fitted: number | null, heldout: number | null}} ComparedModel */
 
-/** What the two kinds of bars and the line are. */
+/** Words for the two kinds of bars and the line. */
 export const LADDER_WORDS = {
   fitted: "fitted: on the readings that the fit used",
   heldout: "held out: on readings that the fit did not use",
@@ -23,7 +23,7 @@ export function modelNames(names) {
 const MOST_TIMES = 12;
 
 /**
- * Where the axis ends: at the largest error, unless that would press the others against the left.
+ * Returns the end of the axis: the largest error, unless that would squeeze the others at the left.
  * @param {readonly ComparedModel[]} models @param {number | null} floor
  */
 export function axisEnd(models, floor) {

@@ -29,7 +29,7 @@ export function short(value) {
   return fixed(value, digits);
 }
 
-/** As it was given, to six figures: 0.089, 20. @param {unknown} value */
+/** Returns a number to six significant figures: 0.089, 20. @param {unknown} value */
 export function exact(value) {
   return isNumber(value) ? value.toLocaleString("en", {maximumSignificantDigits: 6}).replace("-", "\u2212") : MISSING;
 }
@@ -113,7 +113,7 @@ export function unitText(unit) {
 
 const POWERS = {"^2": "\u00b2", "^3": "\u00b3", "^4": "\u2074"};
 
-/** As drawings write it: deg/(lbf\u00b7in) for deg/(lbf*in). @param {string} unit */
+/** Returns a unit as drawings write it: deg/(lbf\u00b7in) for deg/(lbf*in). @param {string} unit */
 export function plainUnit(unit) {
   return unit
     .replace("degree", "deg")
@@ -121,13 +121,13 @@ export function plainUnit(unit) {
     .replaceAll("*", "\u00b7");
 }
 
-/** Of one over a figure: lbf\u00b7in/deg of deg/(lbf*in). @param {string} unit */
+/** Returns the unit of a figure's inverse: lbf\u00b7in/deg for deg/(lbf*in). @param {string} unit */
 export function inverseUnit(unit) {
   const [over, under = "1"] = unit.replace(/[()]/g, "").split("/");
   return plainUnit(`${under}${over === "1" ? "" : `/${over}`}`);
 }
 
-/** How many decimals a length has more or fewer than one in inches. @type {Record<string, number>} */
+/** Number of decimals of a length beyond those of one in inches. @type {Record<string, number>} */
 const DECIMALS = {in: 0, mm: -1, cm: 0, m: 2, ft: 1};
 
 /** A length to so many decimals of an inch, or as fine in another unit. @param {unknown} value @param {string} unit */

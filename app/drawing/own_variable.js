@@ -1,5 +1,5 @@
-// Where a cause shows: which variable its law lives on, and as which part of the error. Of the variables that the law
-// may hang on, the one that what the cause does at these readings follows most.
+// View of a cause: the variable of its law, and the part of the error that shows it. Of the variables that the law
+// may depend on, it is the one that the effect at these readings follows most.
 import {jointKey} from "./error_parts.js";
 import {followedShare} from "./groups.js";
 
@@ -12,7 +12,7 @@ import {followedShare} from "./groups.js";
  *  @typedef {{variable: Variable, part: Part, score?: number}} View */
 
 /**
- * Of several causes, the view of the one that shows best: an earlier one unless another is clearly better.
+ * Returns the view of the cause that shows best: an earlier one unless another is clearly better.
  * @param {readonly Cause[]} causes @param {readonly (Vector3 | null)[]} done @param {readonly VariedReading[]} readings
  * @param {readonly Variable[]} variables @param {readonly Part[]} parts @returns {View | null}
  */
@@ -74,8 +74,8 @@ function meanSquare(values) {
 const CLEARLY = 0.02;
 
 /**
- * Where a cause is seen best: `done` is what it does to the error at each reading. As the error of the joint or axis
- * that it turns, where it turns one; else as the part along an axis that has most of it and follows its variable.
+ * Returns the best view of a cause; `done` is its part of the error at each reading. It is the error of the joint or
+ * axis that the cause turns, if it turns one; else the part along the axis that has most of it and follows its variable.
  * @param {Cause} cause @param {readonly (Vector3 | null)[]} done @param {readonly VariedReading[]} readings
  * @param {readonly Variable[]} variables @param {readonly Part[]} parts @returns {View | null}
  */

@@ -10,7 +10,7 @@ export const MOST_RANKED = 12;
 /** @typedef {{effect: string, at: string, words?: string, probability?: number | null, chi2_fall?: number | null,
  *    kept_fraction?: number | null, size?: RankedSize | null}} Ranked */
 
-/** What a ranked effect's probability is: each is of all explanations that the effect is part of. */
+/** Heading of a ranked effect's probability, which is that of all explanations with the effect. */
 export const IS_THERE = "probability that it is there";
 
 /** A figure behind a bar. @typedef {{share: number, text: string}} Barred */
@@ -39,7 +39,7 @@ export function rankingRows(ranking) {
 }
 
 /**
- * How many were tried, what their probabilities are, and what else is probable.
+ * Returns notes on the number of effects tried, their probabilities, and other probable explanations.
  * @param {{ranking: readonly unknown[], probability?: any, probability_words?: unknown}} document
  */
 export function triedText({ranking, probability: chances, probability_words: meaning}) {

@@ -26,7 +26,7 @@ import {besideLevel, findVariable} from "./variables.js";
  */
 
 /**
- * Of a diagnosis: the model without one of its explanations, and with it.
+ * Returns the errors of a diagnosis: of the model without one of its explanations, and with it.
  * @template {VariedReading & {before: Vector3, explained: (Vector3 | null)[], position: Vector3 | null}} R
  * @param {{readings: R[], joints: {name: string}[],
  *    explanations: {effects: Cause[], enough?: boolean}[]}} document
@@ -59,7 +59,7 @@ export function errorsOfExplanation({readings, joints, explanations}, index) {
 }
 
 /**
- * Of a comparison: the model as given, and refitted. Errors as measured less predicted.
+ * Returns the errors of a comparison, measured minus predicted: of the model as given, and refitted.
  * @template {VariedReading} R
  * @param {R[]} readings @param {(Vector3 | null)[]} places @param {string[]} joints
  * @param {(Vector3 | null)[]} before @param {(Vector3 | null)[]} after @param {string} when after the names
@@ -80,7 +80,7 @@ export function errorsOfRefit(readings, places, joints, before, after, when = ""
   };
 }
 
-/** What the causes take away from the error at each reading. @param {ErrorPair} pair @returns {(Vector3 | null)[]} */
+/** Returns the error that causes remove at each reading. @param {ErrorPair} pair @returns {(Vector3 | null)[]} */
 export function doneBy({series: [before, after]}) {
   return before.errors.map((from, i) => {
     const to = after?.errors[i];
@@ -116,7 +116,7 @@ export function partFollowing(variable, pair, parts) {
 }
 
 /**
- * Where what remains unexplained shows: what it follows most.
+ * Returns the view of the unexplained remainder: the variable that it follows most.
  * @param {{remainder?: {follows?: {variable: string}[]} | null} | null | undefined} diagnosis
  * @param {ErrorPair} pair @param {readonly Variable[]} variables @param {readonly Part[]} parts
  * @returns {View | null}
@@ -127,7 +127,7 @@ export function viewOfRemainder(diagnosis, pair, variables, parts) {
 }
 
 /**
- * Where the pattern search found something; a point is a name, not a measure: what else was found says more.
+ * Returns the view of a found pattern. A point is a name, not a measure, so that other findings come first.
  * @param {readonly {variable: string, frame?: string, component?: string}[]} patterns
  * @param {readonly Variable[]} variables @param {readonly Part[]} parts @returns {View | null}
  */

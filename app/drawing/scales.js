@@ -54,7 +54,7 @@ export function widened(low, high) {
 }
 
 /**
- * As far to both sides of zero as the largest size, with a little room.
+ * Returns limits at both sides of zero by the largest size, with a little room.
  * @param {number} low @param {number} high @returns {[number, number]}
  */
 export function symmetric(low, high) {

@@ -7,7 +7,7 @@
  *    "crossed-square" | "crossed-diamond" | "crossed-ring" | "none"} Shape
  */
 
-/** What of a shape is filled and what is a line, about (x, y) with radius r; `width` is the line's, as a share of r.
+/** Filled part and line of a shape about (x, y) with radius r; `width` is the line's, as a share of r.
  *  @typedef {{fill: string, line: string, width: number}} Outline */
 
 /** @param {number} x @param {number} y @param {number} r */

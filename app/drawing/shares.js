@@ -1,5 +1,5 @@
-// Of thousands of readings a share is drawn: more marks would hide one another. It goes by the readings' places in the
-// list, so that before and after have the same, and not by every so many of them, which may all have one load.
+// Choice of the readings that are drawn out of thousands: more marks would hide one another. It depends on the places
+// in the list, so that before and after show the same ones. It is not every n-th reading, which may all have one load.
 import {whole} from "./numbers.js";
 
 /** So many arrows, or marks, a picture shows one by one, and so many points a joint's small panel. */
@@ -10,7 +10,7 @@ export const MOST_POINTS = 300;
 const GOLDEN = 0.6180339887498949;
 
 /**
- * Whether a reading is of the share that is drawn: multiples of the golden ratio lie evenly within a turn.
+ * Returns true if a reading is drawn: multiples of the golden ratio lie evenly within a turn.
  * @param {number} index @param {number} count of readings @param {number} most that are drawn, about
  */
 export function isInShare(index, count, most) {
@@ -18,7 +18,7 @@ export function isInShare(index, count, most) {
 }
 
 /**
- * How many are drawn, for the legend; nothing where all are.
+ * Returns words for the legend on the number drawn; empty if all are.
  * @param {number} count @param {number} most
  */
 export function shareText(count, most) {

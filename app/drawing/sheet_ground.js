@@ -1,4 +1,4 @@
-// What lies under the holes of a sheet, painted on a canvas: the plate with the divider, and the manway's direction.
+// Ground under the holes of a sheet, painted on a canvas: the plate with the divider, and the manway's direction.
 import {toPixel} from "./frames.js";
 
 /** @typedef {import("./sheet_model.js").SheetModel} SheetModel */

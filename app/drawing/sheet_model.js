@@ -13,7 +13,7 @@ import {extentOf} from "./frames.js";
  *    view_words: string, manway: Manway | null, holes: HoleArrays}} SheetSource */
 /** @typedef {ReturnType<typeof makeSheetModel>} SheetModel */
 
-/** Of the plate beyond the outermost hole, in pitches. */
+/** Width of the plate beyond the outermost hole, in pitches. */
 const RIM = 1.4;
 
 /** @param {SheetSource} source */
@@ -64,7 +64,7 @@ function plateOf(extent, radius) {
   return {
     radius,
     isOneLeg,
-    /** Of a sheet of one leg: its holes lie below the divider as drawn. */
+    /** True if the holes of a sheet of one leg are drawn below the divider. */
     isLower,
     /** @type {Extent} */
     plate: {

@@ -48,7 +48,7 @@ export const READING_SIGMAS = 5;
 export const MARKED = "\u25b2 ";
 
 /**
- * Of how many sigmas an error is, and whether that is so many that it is marked.
+ * Returns an error in sigmas, marked if it is above the limit.
  * @param {unknown} times @param {number} limit
  */
 export function sigmasText(times, limit) {

@@ -5,7 +5,7 @@ import {plural} from "./numbers.js";
 /** @typedef {import("./kinds.js").Mark} Mark */
 /** @typedef {{name: string, mark: Mark}} StepKind What a number of inserted steps is called, and how it is drawn. */
 /**
- * What may tell the steps: their words, the tool itself, tubes counted by steps, or a tube's probabilities.
+ * Document that states the steps: by their words, the tool itself, tubes counted by steps, or a tube's probabilities.
  * @typedef {{step_words?: unknown, steps?: unknown, counts?: unknown, tubes?: unknown,
  *    base?: unknown}} SteppedDocument
  */
@@ -33,7 +33,7 @@ const PLACED = {
 /** @param {import("./shapes.js").Shape} shape @returns {Mark} */
 const nominal = (shape) => ({shape, colour: "accent"});
 
-/** Of a base that nobody placed: as it would be if it stood exactly where it should. @type {StepMarks} */
+/** Marks for a nominal base, which hold if it stands exactly where it should. @type {StepMarks} */
 const NOMINAL = {
   none: nominal("plus"),
   all: nominal("crossed-ring"),
@@ -58,7 +58,7 @@ export function stepMark(inserted, count, base) {
   return inserted >= count ? all : some[(inserted - 1) % some.length];
 }
 
-/** How many steps the tool of a document has; 0 where it does not say. @param {SteppedDocument} document */
+/** Returns the number of steps of a document's tool; 0 if it is not stated. @param {SteppedDocument} document */
 export function stepCountOf({step_words: words, steps, counts, tubes}) {
   if (Array.isArray(words) && words.length > 0) return words.length - 1;
   if (Array.isArray(steps) && steps.length > 0) return steps.length;
@@ -68,7 +68,7 @@ export function stepCountOf({step_words: words, steps, counts, tubes}) {
 }
 
 /**
- * What 0, 1, ..., all inserted steps are called, and their marks.
+ * Returns names and marks of 0, 1, ..., all inserted steps.
  * @param {SteppedDocument} document @returns {StepKind[]}
  */
 export function stepKinds(document) {
@@ -80,7 +80,7 @@ export function stepKinds(document) {
   }));
 }
 
-/** How far the tool goes in, in a document's own words where it has some. @param {unknown} words @param {number} steps */
+/** Returns words on the steps that enter, the document's if it has some. @param {unknown} words @param {number} steps */
 export function stepText(words, steps) {
   const own = Array.isArray(words) ? words[steps] : undefined;
   return typeof own === "string" && own !== "" ? own : plural(steps, "step");

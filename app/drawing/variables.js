@@ -1,5 +1,5 @@
-// What an error may be drawn against: anything that differs between the readings, by the name that formulas and the
-// program's findings give it.
+// Variables that an error may be drawn against: anything that differs between the readings, by its name in formulas and
+// in the program's findings.
 import {isNumber, plainUnit} from "./numbers.js";
 import {rangeOf} from "./scales.js";
 
@@ -25,7 +25,7 @@ import {rangeOf} from "./scales.js";
 const LEAST_MOMENT = 1e-6;
 
 /**
- * Of the moments those that differ between the readings.
+ * Returns the moments that differ between the readings.
  * @param {VariableSource} source @param {Moments | null} found
  */
 function momentVariables(source, found) {
@@ -73,7 +73,7 @@ function groupVariable(source, kind, of) {
   return [variable(kind, kind, kind, "", (reading) => at.get(of(reading) ?? ""), levels)];
 }
 
-/** What a reading states of a condition. @param {VariedReading} reading @param {ConditionName} name */
+/** Returns a reading's value of a condition. @param {VariedReading} reading @param {ConditionName} name */
 function conditionOf(reading, name) {
   const numbers = /** @type {Record<string, number | undefined>} */ (/** @type {unknown} */ (reading));
   return numbers[name];

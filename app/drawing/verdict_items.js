@@ -1,4 +1,4 @@
-// What a diagnosis or a comparison comes to, sentence by sentence, in the words of its document.
+// Verdict of a diagnosis or a comparison, sentence by sentence, in the words of its document.
 
 /**
  * The advice on further readings comes last. An earlier program wrote one text with the advice in it: that stays whole.
