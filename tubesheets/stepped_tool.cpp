@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTail = 9;         // standard deviations; the probability beyond is 1e-19
 constexpr double kNoWidth = 1e-14;  // as a share of the radius: narrower distributions are a line or a point
-// As a share of the larger variance: rounding may make a zero variance that negative.
+// Share of the larger variance down to which rounding may make a zero variance negative.
 constexpr double kRoundOff = 1e-12;
 constexpr double kQuadrature = 1e-12;  // absolute, of each piece
 constexpr int kDeepest = 14;           // halvings of a piece

@@ -33,7 +33,7 @@ VectorXd drawPosture(const deflection::Arm& arm, PostureChoice choice, boost::ra
     const double upper = std::isfinite(joint.upper) ? joint.upper : span;
     const double within = choice == PostureChoice::kNearLimits ? kNearLimits * (upper - lower) : 0;
     q[k] = boost::random::uniform_real_distribution<double>(lower + within, upper - within)(random);
-    // Of three, one anywhere, one near each limit.
+    // One of three choices: anywhere, or near one of the two limits.
     if (choice != PostureChoice::kNearLimits) continue;
     const int where = boost::random::uniform_int_distribution<int>(0, 2)(random);
     if (where > 0) q[k] = where == 1 ? lower + within : upper - within;
