@@ -1,4 +1,4 @@
-// How long work reports its progress, and how it is asked to stop.
+// Progress reports of long work, and the request to stop it.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,13 @@
 
 namespace tubeplan::calibration {
 
-/// Whether to stop. Once true it must stay so; it may be asked by several threads at once. Empty: never.
+/// Function that returns true to stop work. Once true it must stay so; several threads may call it at once. Empty:
+/// never.
 using StopQuestion = std::function<bool()>;
 
-/// Told how much of a stage is done (a total of 0: nobody knows), by the thread that called; asked whether to stop. A
-/// verb that was stopped says so by its status and gives nothing else. Either may be empty: neither changes a result.
+/// Hooks of long work. `progress` is called with the part of a stage that is done (a total of 0: unknown), by the
+/// calling thread. `stop` is asked whether to stop: the status then says so, and there is no other result. Either may
+/// be empty; neither changes a result.
 struct WorkHooks {
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress;
   StopQuestion stop;
@@ -19,13 +21,13 @@ struct WorkHooks {
 
 [[nodiscard]] inline bool shouldStop(const StopQuestion& stop) { return stop && stop(); }
 
-/// For work within work: stops as the whole does, and leaves the telling to it.
+/// Returns hooks for work within work, which stops with it and leaves progress to it.
 [[nodiscard]] inline WorkHooks withoutProgress(const WorkHooks& hooks) { return {{}, hooks.stop}; }
 
-/// Unwinds work that was asked to stop, within this library: the verb that was given the hooks catches it.
+/// Exception that unwinds work on a request to stop, within this library: the function with the hooks catches it.
 struct WorkStopped {};
 
-/// Of a status that says so.
+/// Reason of a status for stopped work.
 inline constexpr const char* kStoppedReason = "stopped on request";
 
 inline void goOn(const StopQuestion& stop) {

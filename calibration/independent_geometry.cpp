@@ -18,15 +18,15 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kPostures = 12;
-constexpr double kNothingNew = 1e-6;  // of a column's length, beyond those taken
-constexpr double kNearlyAsNew = 0.3;  // of the newest: the first in order is taken among such
+constexpr double kNothingNew = 1e-6;  // length of a column's remainder, as a share of its own, that counts as zero
+constexpr double kNearlyAsNew = 0.3;  // share of the newest column's remainder: the first in order above it is taken
 constexpr std::uint64_t kPosturesSeed = 7;
 constexpr int kRanks = 5;
 constexpr std::string_view kShiftAlongY = ".dh.b";
 
 bool isToolTurn(const std::string& name) { return name.starts_with("tool.turn."); }
 
-/// The arm as a mechanism alone: rigid, with neither effects nor what only weighs.
+/// Returns the arm as a mechanism alone: rigid, without effects and parts that only weigh.
 Arm mechanismOf(const Arm& arm) {
   Arm mechanism = deflection::rigidCopy(arm);
   mechanism.effects.clear();
@@ -34,7 +34,7 @@ Arm mechanismOf(const Arm& arm) {
   return mechanism;
 }
 
-/// Postures all over the turn of each joint, slides within a metre: what the limits leave is up to the readings.
+/// Returns postures all over the turn of each joint, slides within a metre; the limits are left to the readings.
 std::vector<deflection::Posture> posturesAllOver(const Arm& mechanism) {
   RandomStream random(kPosturesSeed);
   std::vector<deflection::Posture> postures(kPostures);
@@ -48,8 +48,8 @@ std::vector<deflection::Posture> posturesAllOver(const Arm& mechanism) {
   return postures;
 }
 
-/// How the tool moves by each number, in every posture: 6 rows a posture, lengths as parts of the arm's size. Columns
-/// of numbers, then of the six steps of the base.
+/// Returns the motions of the tool by each number, in every posture: 6 rows a posture, lengths as parts of the arm's
+/// size. Columns are those of the numbers, then of the six steps of the base.
 MatrixXd motionsBy(const Arm& mechanism, const std::vector<Parameter>& numbers) {
   std::vector<deflection::Variable> variables;
   for (const Parameter& number : numbers) variables.push_back(deflection::Variable::number(number.path));
@@ -69,12 +69,12 @@ MatrixXd motionsBy(const Arm& mechanism, const std::vector<Parameter>& numbers) 
   return motions;
 }
 
-/// Columns taken so far, as an orthonormal basis, and what they leave of the others.
+/// Span of the columns taken so far, as an orthonormal basis, and the remainders of the others.
 class Span {
  public:
   explicit Span(const MatrixXd& motions) : rest_(motions), lengths_(motions.colwise().norm()) {}
 
-  /// The part of a column that no column taken makes: 1 at first, 0 of one that moves nothing.
+  /// Returns the relative remainder of a column outside the span: 1 at first, 0 for one that moves nothing.
   [[nodiscard]] double newnessOf(Index column) const {
     return lengths_[column] > 0 ? rest_.col(column).norm() / lengths_[column] : 0;
   }
@@ -89,7 +89,7 @@ class Span {
   VectorXd lengths_;
 };
 
-/// The order in which numbers are asked; nothing of those that a mechanism has not.
+/// Returns the rank in which a number is tried; nothing for numbers that a mechanism does not have.
 std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   if (number.path.side_chain >= 0 || number.path.effect >= 0 || !isGeometry(number.name)) return std::nullopt;
   if (isToolTurn(number.name) && !placed.shows_tool_turn) return std::nullopt;
@@ -99,7 +99,7 @@ std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   return moves(placed.arm.rows[static_cast<std::size_t>(number.path.row)].joint) ? 2 : 3;
 }
 
-/// Takes the numbers of one rank, as long as any says something new.
+/// Takes the numbers of one rank, as long as any adds to the span.
 void takeAll(std::vector<Index> columns, Span& span, std::vector<Index>& taken) {
   while (!columns.empty()) {
     double newest = 0;
@@ -119,7 +119,7 @@ double priorOf(const Parameter& number, const Priors& priors) {
   return number.quantity == deflection::Quantity::kAngle ? priors.angle : priors.length;
 }
 
-/// Of each column taken, the variance that numbers which are held leave to it: each is a combination of the columns
+/// Returns for each column taken the variance from numbers that are held: each of these is a combination of the columns
 /// taken and of those of `beside`, which have priors of their own.
 VectorXd leftByOthers(const MatrixXd& motions, const std::vector<Index>& taken, std::vector<Index> beside,
                       const std::vector<std::pair<Index, double>>& held) {
@@ -141,8 +141,8 @@ VectorXd leftByOthers(const MatrixXd& motions, const std::vector<Index>& taken, 
   return variances;
 }
 
-/// Whether nothing but the fit says where the arm stands: one base that is known leaves what leads to the first joint
-/// to be found.
+/// Returns true if the fit alone places every base; with a known base, the numbers up to the first joint remain to be
+/// found.
 bool placesEveryBase(const PlacedArm& placed, const std::vector<Unknown>& free) {
   return std::ranges::none_of(placed.base_poses, &BasePose::is_known) &&
          std::ranges::any_of(free, [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });

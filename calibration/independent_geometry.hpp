@@ -1,4 +1,5 @@
-// Which of an arm's numbers of geometry a fit may free together: as many as move the tool independently of each other.
+// Choice of an arm's geometric numbers that a fit can free together: as many as move the tool independently of each
+// other.
 #pragma once
 
 #include <string>
@@ -8,14 +9,14 @@
 
 namespace tubeplan::calibration {
 
-/// Returns whether a parameter of that name says where things are: a row's placement, a joint's zero, the tool's tip
-/// and turn.
+/// Returns true if a parameter of that name is geometric: a row's placement, a joint's zero, the tool's tip and
+/// rotation.
 [[nodiscard]] bool isGeometry(const std::string& name);
 
 /// A number of such a set.
 struct IndependentNumber {
   std::string name;
-  /// What the numbers that it stands for besides may be off by, as a standard deviation of this one.
+  /// Standard deviation of this number by the errors of the numbers that it replaces.
   double others_sigma = 0;
 };
 

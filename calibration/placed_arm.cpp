@@ -16,19 +16,20 @@ namespace {
 using deflection::isStiffness, deflection::Parameter, deflection::Quantity;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kStiffest = 1e4;      // a fit may make an axis that much stiffer than its start ...
-constexpr double kSoftest = 100;       // ... or give that often what it may well give
-constexpr double kNearlyRigid = 1e-5;  // rad under the arm's whole weight at its reach: the start of a rigid axis
-constexpr double kMayGive = 0.02;      // rad under the same: what a rigid axis may typically turn out to give
+constexpr double kStiffest = 1e4;  // largest factor by which a fit may stiffen an axis beyond its start
+constexpr double kSoftest = 100;   // largest multiple of the likely deflection that a fit may give an axis
+// Rotation under the arm's whole weight at its reach: the start of a rigid axis [rad].
+constexpr double kNearlyRigid = 1e-5;
+constexpr double kMayGive = 0.02;  // typical rotation under the same weight of an axis taken as rigid [rad]
 
-/// N; of an arm whose weight is not stated, that of one a person lifts with difficulty.
+/// Returns the arm's weight [N], or that of an arm that one person can hardly lift if it is not stated.
 double usualWeightOf(const deflection::Arm& arm) {
   const double weight = deflection::weightOf(arm);
   return weight > 0 ? weight : 100;
 }
 
-/// How far a number may well be from the drawing: a few parts in a thousand of the arm for lengths, a degree for
-/// angles, a factor for stiffnesses, a tenth for the rest.
+/// Returns the likely error of a number: a few parts in a thousand of the arm for lengths, a degree for angles, a
+/// factor for stiffnesses, a tenth for the rest.
 double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
   if (parameter.path.effect >= 0) {
     const auto& effect = arm.effects.at(static_cast<std::size_t>(parameter.path.effect));
@@ -48,7 +49,8 @@ double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
   }
 }
 
-/// What a stiffness's number is multiplied by to be one of an angle: 1, or the rest of a member's E I / L or G J / L.
+/// Returns the factor from a stiffness's number to an angular stiffness: 1, or the rest of a member's E I / L or G J /
+/// L.
 double angleStiffnessOf(const Parameter& parameter, const deflection::Arm& arm) {
   if (parameter.quantity == Quantity::kTorquePerAngle) return 1;
   const auto& beam = *arm.rows.at(static_cast<std::size_t>(parameter.path.row)).beam;
@@ -58,9 +60,9 @@ double angleStiffnessOf(const Parameter& parameter, const deflection::Arm& arm) 
   return (is_torsion ? beam.G : beam.E) / length;
 }
 
-/// The change of a stiffness's inverse by which its part gives what a part may well give under the arm's weight, or
-/// all that it is drawn to give. Not the start alone: that may be far too stiff, and what is reported must not depend
-/// on it.
+/// Returns the change of a stiffness's inverse that produces the likely deflection of a part under the arm's weight, or
+/// the whole nominal one. It does not depend on the start alone, because that may be far too stiff and results must not
+/// depend on it.
 double typicalCompliance(const Parameter& parameter, const deflection::Arm& arm) {
   const double moment = usualWeightOf(arm) * deflection::reachOf(arm);
   const double of_angle = kMayGive / moment * angleStiffnessOf(parameter, arm);
@@ -86,14 +88,15 @@ Unknown armUnknown(const Parameter& parameter, const deflection::Arm& arm, bool 
   return unknown;
 }
 
-/// Whether a row's lean is all but the offset of the joint before it: no number to free beside those of its row.
+/// Returns true if a row's beta is nearly the offset of the joint before it, and so is not freed with the numbers of
+/// its row.
 bool isReplaced(const Parameter& parameter, const deflection::Arm& arm) {
   return parameter.name.ends_with(".beta") && parameter.path.side_chain < 0 && parameter.value == 0 &&
          !deflection::isNearlyParallel(arm.rows.at(static_cast<std::size_t>(parameter.path.row)));
 }
 
-/// Of an effect of the catalogue. What the user's own formula may amount to, and the shape of a law, nobody knows
-/// beforehand.
+/// Returns true for the size of an effect of the catalogue. The likely size of a user's formula, or of the shape of a
+/// law, is unknown.
 bool isSizeOfCatalogue(const Unknown& unknown, const deflection::Arm& arm) {
   if (unknown.path.effect < 0) return false;
   const auto& effect = arm.effects.at(static_cast<std::size_t>(unknown.path.effect));
@@ -137,7 +140,7 @@ void addBase(const PlacedArm& placed, std::vector<Unknown>& list) {
   }
 }
 
-/// A stiffness that is rigid is no parameter yet: makes it finite, hardly giving under the arm's weight.
+/// Makes a rigid stiffness finite, with hardly any deflection under the arm's weight, so that it becomes a parameter.
 bool soften(deflection::Arm& arm, const std::string& name) {
   const std::size_t dot = name.find(".joint_stiffness.");
   if (dot == std::string::npos || name.size() != dot + 18) return false;
@@ -164,7 +167,7 @@ int basePoseOf(const PlacedArm& placed, const Measurement& reading) {
 
 std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name) {
   const bool is_part = name.find('.') != std::string::npos;
-  // Without a base that is known, the base's pose does what the first axis's shift does.
+  // Without a known base, the base's pose replaces the shift of the first axis.
   const auto isPartOf = [&](const Parameter& parameter) {
     return is_part && parameter.name.starts_with(name + ".") &&
            !(parameter.name.ends_with(".dh.b") && parameter.value == 0);
@@ -178,7 +181,7 @@ std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::stri
 
 namespace {
 
-/// Numbers of geometry beside those that are free already; each has the part of those that it stands for besides.
+/// Adds geometric numbers independent of those that are free already; each includes the part of those that it replaces.
 void addGeometry(const PlacedArm& placed, std::vector<Unknown>& list) {
   for (const auto& number : independentGeometry(placed, list)) {
     Unknown unknown = armUnknown(*deflection::findParameter(placed.arm, number.name), placed.arm, false);

@@ -1,4 +1,4 @@
-// What several estimators ask of a sample and of the distributions of its squares.
+// Statistics of samples and of the distributions of their squares, for several estimators.
 #pragma once
 
 #include <map>
@@ -6,19 +6,20 @@
 
 namespace tubeplan::calibration {
 
-/// Of an even number the upper of the two in the middle; NaN of none.
+/// Returns the median; of an even number of values the upper of the middle two, of none NaN.
 [[nodiscard]] double median(std::vector<double> values);
 
-/// Upper tail of chi-square; NaN where there is no freedom.
+/// Returns the upper tail of chi-square; NaN without degrees of freedom.
 [[nodiscard]] double chiSquareTail(double chi2, double degrees_of_freedom);
 
-/// The lower tail: how often noise alone leaves as little.
+/// Returns the lower tail of chi-square: the probability that noise alone leaves as little.
 [[nodiscard]] double chiSquareLowerTail(double chi2, double degrees_of_freedom);
 
-/// The value that chi-square exceeds with probability `tail`, between 0 and 1; there must be freedom.
+/// Returns the value that chi-square exceeds with probability `tail`, between 0 and 1; there must be degrees of
+/// freedom.
 [[nodiscard]] double chiSquareQuantile(double tail, double degrees_of_freedom);
 
-/// chiSquareQuantile of one tail for readings of so many rows, which are many: each number of rows is worked out once.
+/// chiSquareQuantile() of one tail for many readings: it is computed once for each number of rows.
 class ChiSquareLimit {
  public:
   explicit ChiSquareLimit(double tail) : tail_(tail) {}
@@ -29,10 +30,10 @@ class ChiSquareLimit {
   std::map<int, double> known_;
 };
 
-/// Median of the mean of so many squares of standard normal numbers: 0.45 of one, 0.79 of three.
+/// Returns the median of the mean of `count` squares of standard normal numbers: 0.45 for one, 0.79 for three.
 [[nodiscard]] double medianOfMeanSquare(int count);
 
-/// Upper tail of Fisher's F; there must be freedom above and below.
+/// Returns the upper tail of Fisher's F; both numbers of degrees of freedom must be above zero.
 [[nodiscard]] double fisherTail(double F, double freedom_above, double freedom_below);
 
 }  // namespace tubeplan::calibration
