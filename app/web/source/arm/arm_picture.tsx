@@ -4,6 +4,7 @@ import {signal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {Vector3} from "three";
 import {palette} from "../drawing/colours";
+import {Check} from "../drawing/fields";
 import {MarkIcon} from "../drawing/marks";
 import {lengthAndUnit, short, whole} from "../../../drawing/numbers.js";
 import {sceneDocument, units} from "../server/workbench";
@@ -18,7 +19,7 @@ import {poseRequest, type ShownReading} from "./pose_link";
 const TIMES = [1, 10, 50].map((times) => ({value: times, words: `×${times}`, hint: `Deflection drawn ${times} times`}));
 export const magnified = signal(1);
 /** The errors of all readings: whether they are drawn, and where between before (0) and after (1). */
-export const isFieldShown = signal(false);
+const isFieldShown = signal(false);
 const fade = signal(1);
 const VIEWS = [
   ["corner", "Corner"],
@@ -151,14 +152,9 @@ function FieldBar({errors}: {errors: ReadingErrors}) {
   const hasTwo = errors.series.length > 1;
   return (
     <span class="shown-errors">
-      <label title="The errors of all readings as arrows at their places">
-        <input
-          type="checkbox"
-          checked={isFieldShown.value}
-          onChange={(event) => (isFieldShown.value = event.currentTarget.checked)}
-        />{" "}
+      <Check of={isFieldShown} title="The errors of all readings as arrows at their places" kind="">
         all errors
-      </label>
+      </Check>
       {isFieldShown.value && hasTwo ? (
         <label class="fade" title={errors.series.map((series) => series.name).join("; ")}>
           <MarkIcon mark={errors.series[0].mark} size={12} isHollow /> before

@@ -44,6 +44,11 @@ const BESIDE_ARM = 0.6;
 /** An arm whose length is another by more is another arm: the picture is framed anew. */
 const SAME_ARM = 0.3;
 
+function empty(group: Group): void {
+  disposeAll(group);
+  group.clear();
+}
+
 function lengthAlong(places: readonly Vector3[]): number {
   return places.slice(1).reduce((sum, place, i) => sum + place.distanceTo(places[i]), 0);
 }
@@ -161,8 +166,7 @@ export class ArmStage {
   }
 
   private build(document: SceneDocument, sheet: SheetModel | null, palette: Palette): void {
-    disposeAll(this.statics);
-    this.statics.clear();
+    empty(this.statics);
     const colours = {fill: palette.rim, edge: palette.muted};
     const wall = document.shapes.find((shape) => shape.kind === "keep_side" && Math.abs(shape.normal?.[1] ?? 0) > 0.5);
     const side = Math.sign(wall?.normal?.[1] ?? 0) as -1 | 0 | 1;
@@ -184,17 +188,8 @@ export class ArmStage {
       disposeAll(arm.group);
       this.scene.remove(arm.group);
     }
-    this.ghost = makeArm(
-      document,
-      new MeshStandardMaterial({
-        color: palette.case0,
-        transparent: true,
-        opacity: 0.2,
-        depthWrite: false,
-        roughness: 1,
-      }),
-      this.reach,
-    );
+    const faint = {transparent: true, opacity: 0.2, depthWrite: false, roughness: 1};
+    this.ghost = makeArm(document, new MeshStandardMaterial({color: palette.case0, ...faint}), this.reach);
     const look = new MeshStandardMaterial({color: palette.accent, roughness: 0.55, metalness: 0.1});
     this.solid = makeArm(document, look, this.reach);
     this.scene.add(this.ghost.group, this.solid.group);
@@ -244,8 +239,7 @@ export class ArmStage {
 
   /** The line to what is nearest; magnified, the arm is not where it could touch anything. */
   private drawClearance(pose: PoseDocument, palette: Palette): void {
-    disposeAll(this.marks);
-    this.marks.clear();
+    empty(this.marks);
     const {clearance} = pose;
     if (!clearance || !clearance.to || this.magnified !== 1) return;
     this.marks.add(clearanceLine(vector(clearance.from), vector(clearance.to), this.reach, palette));
@@ -253,16 +247,14 @@ export class ArmStage {
 
   /** The errors of the reading that the arm is brought to; null for none. */
   setReading(reading: ShownReading | null, palette: Palette): void {
-    disposeAll(this.errors);
-    this.errors.clear();
+    empty(this.errors);
     if (reading) this.errors.add(errorArrows(reading, this.reach, palette));
     this.ask();
   }
 
   /** The errors of all readings; null for none. */
   setErrors(errors: ReadingErrors | null, palette: Palette): void {
-    disposeAll(this.field);
-    this.field.clear();
+    empty(this.field);
     if (errors) this.field.add(errorField(errors, this.reach, palette));
     this.ask();
   }

@@ -1,9 +1,11 @@
 // The arm view: the deflected arm under the sheet, sliders that it follows at once, and the operator's read-out.
+import {submitting, TextInput, withPoint} from "../drawing/fields";
+import {Figures, Panel} from "../drawing/panel";
 import {Segments} from "../drawing/segments";
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
-import {fixed, jointDecimals, lengthFigure, lengthAndUnit} from "../../../drawing/numbers.js";
-import type {JointInfo, TipPose} from "../server/documents";
+import {fixed, jointDecimals, lengthFigure, lengthAndUnit, MISSING} from "../../../drawing/numbers.js";
+import type {JointInfo} from "../server/documents";
 import {cell, report, units} from "../server/workbench";
 import {picked, sheet} from "../shell/page_state";
 import {ArmPicture} from "./arm_picture";
@@ -30,12 +32,10 @@ export default function ArmView() {
   useEffect(beginUnderHole, [sheet.value]);
   return (
     <div class="arm-view">
-      <section class="panel">
-        <div class="panel-body flush">
-          <ArmPicture />
-          {cell.value?.has_sheet ? <ToolInset /> : null}
-        </div>
-      </section>
+      <Panel body="flush">
+        <ArmPicture />
+        {cell.value?.has_sheet ? <ToolInset /> : null}
+      </Panel>
       <aside class="side">
         <ReadOut />
         <Sliders />
@@ -44,46 +44,43 @@ export default function ArmView() {
   );
 }
 
-function isFound(branch: {status: string}): boolean {
-  return branch.status === "found";
-}
-
 const PLACES = ["x", "y", "z"],
   TURNS = ["γ", "β", "α"];
 
 function ReadOut() {
-  const answer = poseRequest.answer.value;
+  const answer = poseRequest.answer.value,
+    clearance = answer?.clearance;
   const {length, angle} = units.value;
+  const change = answer?.change.position;
   return (
-    <section class="panel readout" aria-live="off">
-      <header>
-        <h2>Tip, deflected</h2>
-        <div class="end">{isLive.value ? <LiveSwitch /> : <span class="muted">in the base's frame</span>}</div>
-      </header>
-      <div class="panel-body">
-        <div class="readout-grid">
-          {PLACES.map((name, k) => (
-            <Figure name={name} figure={lengthFigure(answer?.flexible.position[k], length)} unit={length} />
-          ))}
-          {TURNS.map((name, k) => (
-            <Figure name={name} figure={fixed(answer?.flexible.fixed_angles[k], jointDecimals(angle))} unit={angle} />
-          ))}
-        </div>
-        <dl class="figures">
-          <dt>sag</dt>
-          <dd>{answer ? lengthAndUnit(sagOf(answer.change), length) : "–"}</dd>
-          <dt>from rigid</dt>
-          <dd>{answer ? answer.change.position.map((value) => lengthFigure(value, length)).join("  ") : "–"}</dd>
-          <dt>clearance</dt>
-          <dd class={(answer?.clearance?.distance ?? 1) < 0 ? "bad" : ""}>
-            {answer?.clearance ? lengthAndUnit(answer.clearance.distance, length) : "–"}
-          </dd>
-          <dt></dt>
-          <dd class="muted clip">{answer?.clearance ? answer.clearance.pair.join(" to ") : "no scene"}</dd>
-        </dl>
-        {answer?.segments?.warning ? <p class="bad">{answer.segments.warning}</p> : null}
+    <Panel
+      title="Tip, deflected"
+      end={isLive.value ? <LiveSwitch /> : <span class="muted">in the base's frame</span>}
+      kind="readout"
+    >
+      <div class="readout-grid">
+        {PLACES.map((name, k) => (
+          <Figure name={name} figure={lengthFigure(answer?.flexible.position[k], length)} unit={length} />
+        ))}
+        {TURNS.map((name, k) => (
+          <Figure name={name} figure={fixed(answer?.flexible.fixed_angles[k], jointDecimals(angle))} unit={angle} />
+        ))}
       </div>
-    </section>
+      <Figures
+        rows={[
+          ["sag", change ? lengthAndUnit(Math.hypot(...change), length) : MISSING],
+          ["from rigid", change?.map((value) => lengthFigure(value, length)).join("  ") ?? MISSING],
+          [
+            "clearance",
+            <span class={(clearance?.distance ?? 1) < 0 ? "bad" : ""}>
+              {clearance ? lengthAndUnit(clearance.distance, length) : MISSING}
+            </span>,
+          ],
+          ["", <div class="muted clip">{clearance?.pair.join(" to ") ?? "no scene"}</div>],
+        ]}
+      />
+      {answer?.segments?.warning ? <p class="bad">{answer.segments.warning}</p> : null}
+    </Panel>
   );
 }
 
@@ -102,10 +99,6 @@ function LiveSwitch() {
   );
 }
 
-function sagOf(change: TipPose): number {
-  return Math.hypot(...change.position);
-}
-
 function Figure({name, figure, unit}: {name: string; figure: string; unit: string}) {
   return (
     <div class="figure">
@@ -119,46 +112,41 @@ function Figure({name, figure, unit}: {name: string; figure: string; unit: strin
 function Sliders() {
   const joints = cell.value?.joints ?? [];
   const answer = poseRequest.inverse.value;
+  const found = (answer?.branches ?? []).flatMap(({status}, index) =>
+    status === "found" ? [{value: index, words: String(index + 1)}] : [],
+  );
+  const home = (
+    <button class="link" onClick={() => (poseRequest.joints.value = joints.map((joint) => joint.home))}>
+      home
+    </button>
+  );
   return (
-    <section class="panel grow">
-      <header>
-        <h2>Joints and load</h2>
-        <div class="end">
-          <button class="link" onClick={() => (poseRequest.joints.value = joints.map((joint) => joint.home))}>
-            home
-          </button>
+    <Panel title="Joints and load" end={home} kind="grow" body="sliders">
+      {cell.value?.has_sheet ? <HoleBox /> : null}
+      {joints.map((joint, index) => (
+        <JointSlider key={joint.name} joint={joint} index={index} />
+      ))}
+      <LoadSlider />
+      {found.length > 1 ? (
+        <div class="branches">
+          <span class="muted">postures under this hole</span>
+          <Segments
+            label="Posture"
+            value={answer!.branch}
+            onChoose={(index) => showHole(poseRequest.hole.value, index)}
+            choices={found}
+          />
         </div>
-      </header>
-      <div class="panel-body sliders">
-        {cell.value?.has_sheet ? <HoleBox /> : null}
-        {joints.map((joint, index) => (
-          <JointSlider key={joint.name} joint={joint} index={index} />
-        ))}
-        <LoadSlider />
-        {answer && answer.branches.filter(isFound).length > 1 ? (
-          <div class="branches">
-            <span class="muted">postures under this hole</span>
-            <Segments
-              label="Posture"
-              value={answer.branch}
-              onChoose={(index) => showHole(poseRequest.hole.value, index)}
-              choices={answer.branches.flatMap((branch, index) =>
-                isFound(branch) ? [{value: index, words: String(index + 1)}] : [],
-              )}
-            />
-          </div>
-        ) : null}
-        <p class="muted latency">answered in {fixed(poseRequest.latency.value, 1)} ms</p>
-      </div>
-    </section>
+      ) : null}
+      <p class="muted latency">answered in {fixed(poseRequest.latency.value, 1)} ms</p>
+    </Panel>
   );
 }
 
 /** A hole by its name: the arm goes under it. */
 function HoleBox() {
   const text = useSignal("");
-  const go = (event: Event) => {
-    event.preventDefault();
+  const go = () => {
     const found = /R?\s*(\d+)\s*[C ,]\s*(\d+)/i.exec(text.value);
     const hole = found ? (sheet.value?.find(Number(found[1]), Number(found[2])) ?? -1) : -1;
     if (hole < 0)
@@ -167,15 +155,10 @@ function HoleBox() {
     void showHole(hole);
   };
   return (
-    <form class="hole-box" onSubmit={go}>
+    <form class="hole-box" onSubmit={submitting(go)}>
       <label class="field">
         under hole
-        <input
-          value={text.value}
-          placeholder="R10C20"
-          spellcheck={false}
-          onInput={(event) => (text.value = event.currentTarget.value)}
-        />
+        <TextInput of={text} placeholder="R10C20" />
       </label>
       <button class="button" type="submit">
         Go
@@ -191,77 +174,72 @@ function unlimitedOf(unit: string): number {
 }
 
 function JointSlider({joint, index}: {joint: JointInfo; index: number}) {
-  const value = poseRequest.joints.value[index] ?? joint.home;
   const turn = unlimitedOf(joint.unit),
-    lower = joint.lower ?? -turn,
-    upper = joint.upper ?? turn;
+    least = joint.lower ?? -turn,
+    most = joint.upper ?? turn;
   return (
-    <label class="slider">
-      <span>{joint.name}</span>
-      <input
-        type="range"
-        min={lower}
-        max={upper}
-        step={(upper - lower) / 4000}
-        value={value}
-        onInput={(event) => {
-          isFollowing.value = false; // a hand on the slider has it
-          setJoint(index, Number(event.currentTarget.value));
-        }}
-      />
-      <NumberBox
-        value={value}
-        digits={jointDecimals(joint.unit)}
-        onChange={(next) => setJoint(index, Math.min(upper, Math.max(lower, next)))}
-        label={joint.name}
-      />
-      <small>{joint.unit}</small>
-    </label>
+    <Slider
+      name={joint.name}
+      unit={joint.unit}
+      range={[least, most, (most - least) / 4000]}
+      value={poseRequest.joints.value[index] ?? joint.home}
+      digits={jointDecimals(joint.unit)}
+      onSlide={(next) => {
+        isFollowing.value = false; // a hand on the slider has it
+        setJoint(index, next);
+      }}
+      onType={(next) => setJoint(index, Math.min(most, Math.max(least, next)))}
+    />
   );
 }
 
 function LoadSlider() {
   const most = Math.max(40, ...(cell.value?.loads ?? []));
-  const {load} = poseRequest;
+  const take = (next: number) => (poseRequest.load.value = Math.max(0, next));
   return (
-    <label class="slider">
-      <span>load</span>
-      <input
-        type="range"
-        min={0}
-        max={most}
-        step={most / 400}
-        value={load.value}
-        onInput={(event) => (load.value = Number(event.currentTarget.value))}
-      />
-      <NumberBox value={load.value} digits={1} onChange={(next) => (load.value = Math.max(0, next))} label="load" />
-      <small>{units.value.force}</small>
-    </label>
+    <Slider
+      name="load"
+      unit={units.value.force}
+      range={[0, most, most / 400]}
+      value={poseRequest.load.value}
+      digits={1}
+      onSlide={take}
+      onType={take}
+    />
   );
 }
 
-/** A figure that can be typed: taken on Enter or when it is left. */
-function NumberBox({
-  value,
-  digits,
-  onChange,
-  label,
-}: {
+interface SliderProps {
+  name: string;
+  unit: string;
+  /** The least, the most and the step. */
+  range: [number, number, number];
   value: number;
   digits: number;
-  onChange: (next: number) => void;
-  label: string;
-}) {
+  onSlide: (next: number) => void;
+  onType: (next: number) => void;
+}
+
+/** A slider with its figure, that can be typed: taken on Enter or when it is left. */
+function Slider({name, unit, range: [min, max, step], value, digits, onSlide, onType}: SliderProps) {
   return (
-    <input
-      class="number-box"
-      aria-label={`${label}, as a number`}
-      value={value.toFixed(digits)}
-      onChange={(event) => {
-        const next = Number(event.currentTarget.value.replace("−", "-").replace(",", "."));
-        if (Number.isFinite(next)) onChange(next);
-        else event.currentTarget.value = value.toFixed(digits);
-      }}
-    />
+    <label class="slider">
+      <span>{name}</span>
+      <input
+        {...{type: "range", min, max, step, value}}
+        onInput={(event) => onSlide(Number(event.currentTarget.value))}
+      />
+      <input
+        class="number-box"
+        aria-label={`${name}, as a number`}
+        value={value.toFixed(digits)}
+        onChange={(event) => {
+          const next = Number(withPoint(event.currentTarget.value));
+          if (Number.isFinite(next)) onType(next);
+          else event.currentTarget.value = value.toFixed(digits);
+        }}
+      />
+      <small>{unit}</small>
+    </label>
   );
 }

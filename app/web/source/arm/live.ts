@@ -1,5 +1,5 @@
 // A running arm: what its encoders say moves the arm of this browser, as long as it follows.
-import {batch, computed, effect, signal} from "@preact/signals";
+import {batch, effect, signal} from "@preact/signals";
 import {liveNews} from "../server/workbench";
 import {poseRequest} from "./pose_link";
 
@@ -7,10 +7,8 @@ import {poseRequest} from "./pose_link";
 const SILENCE = 3000;
 
 export const isFollowing = signal(true);
-const heard = signal(false);
-
 /** Whether a running arm reports where it is. */
-export const isLive = computed(() => heard.value);
+export const isLive = signal(false);
 
 let silence: ReturnType<typeof setTimeout> | undefined;
 
@@ -18,8 +16,8 @@ effect(() => {
   const news = liveNews.value;
   if (!news?.joints) return;
   clearTimeout(silence);
-  silence = setTimeout(() => (heard.value = false), SILENCE);
-  heard.value = true;
+  silence = setTimeout(() => (isLive.value = false), SILENCE);
+  isLive.value = true;
 });
 
 effect(() => {

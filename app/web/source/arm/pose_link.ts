@@ -4,7 +4,7 @@ import {batch, computed, effect, signal} from "@preact/signals";
 import type {Mark} from "../drawing/marks";
 import type {InverseDocument, PoseDocument, Vector3} from "../server/documents";
 import {post} from "../server/requests";
-import {cell, report, state} from "../server/workbench";
+import {attempt, cell, report, state} from "../server/workbench";
 
 const joints = signal<number[]>([]);
 const load = signal(0);
@@ -43,7 +43,7 @@ effect(() => {
 let isAsking = false;
 let isWanted = false;
 
-export async function askPose(): Promise<void> {
+async function askPose(): Promise<void> {
   isWanted = true;
   if (isAsking) return;
   isAsking = true;
@@ -93,12 +93,10 @@ export async function showHole(index: number, branch?: number): Promise<void> {
   inverse.value = null;
   reading.value = null;
   hole.value = index;
-  try {
+  await attempt("No posture", async () => {
     const found = await post<InverseDocument>("/api/inverse", {hole: index, ...(branch === undefined ? {} : {branch})});
     if (hole.peek() !== index) return;
     inverse.value = found;
     if (found.status === "found" && found.joints) joints.value = found.joints;
-  } catch (error) {
-    report("No posture", error);
-  }
+  });
 }

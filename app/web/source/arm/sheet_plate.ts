@@ -10,7 +10,6 @@ import {
   LineSegments,
   Mesh,
   MeshBasicMaterial,
-  MeshStandardMaterial,
   Object3D,
   SRGBColorSpace,
   Shape,
@@ -19,6 +18,7 @@ import {
 import type {Palette} from "../drawing/colours";
 import {roundDown125} from "../../../drawing/scales.js";
 import type {SheetModel} from "../sheet/sheet_model";
+import {veil} from "./solids";
 
 /** Pixels across the picture of the holes that lies on the sheet's face. */
 const FACE = 2048;
@@ -76,16 +76,7 @@ function divider(sheet: SheetModel, palette: Palette): Object3D {
   const r = sheet.radius;
   const wall = new Shape();
   wall.absarc(0, 0, r, Math.PI, 2 * Math.PI, false);
-  const plate = new Mesh(
-    new ShapeGeometry(wall, 40),
-    new MeshStandardMaterial({
-      color: palette.rim,
-      side: DoubleSide,
-      transparent: true,
-      opacity: 0.16,
-      depthWrite: false,
-    }),
-  );
+  const plate = new Mesh(new ShapeGeometry(wall, 40), veil(palette.rim, 0.16));
   plate.rotation.x = Math.PI / 2;
   return plate;
 }

@@ -73,14 +73,16 @@ export function obstacleOf(
   units: Units | undefined,
   colours: {fill: string; edge: string},
 ): Object3D | null {
-  const solid = solidOf(
-    shape,
-    new MeshStandardMaterial({color: colours.fill, roughness: 0.9, transparent: true, opacity: 0.85}),
-    units,
-  );
+  const look = {color: colours.fill, roughness: 0.9, transparent: true, opacity: 0.85};
+  const solid = solidOf(shape, new MeshStandardMaterial(look), units);
   if (!(solid instanceof Mesh)) return null;
   solid.add(new LineSegments(new EdgesGeometry(solid.geometry, 30), new LineBasicMaterial({color: colours.edge})));
   return solid;
+}
+
+/** Of what is seen through from both sides. */
+export function veil(color: string, opacity: number): MeshStandardMaterial {
+  return new MeshStandardMaterial({color, opacity, side: DoubleSide, transparent: true, depthWrite: false});
 }
 
 /**
@@ -93,23 +95,11 @@ export function bowlOf(shape: SolidShape, side: -1 | 0 | 1, colours: {fill: stri
     turn = side === 0 ? 2 * Math.PI : Math.PI;
   const geometry = new SphereGeometry(r, 40, 18, start, turn, Math.PI / 2, Math.PI / 2);
   geometry.rotateX(Math.PI / 2);
-  const skin = new MeshStandardMaterial({
-    color: colours.fill,
-    side: DoubleSide,
-    transparent: true,
-    opacity: 0.13,
-    roughness: 1,
-    depthWrite: false,
-  });
-  group.add(new Mesh(geometry, skin));
+  group.add(new Mesh(geometry, veil(colours.fill, 0.13)));
   const coarse = new SphereGeometry(r, side === 0 ? 16 : 8, 6, start, turn, Math.PI / 2, Math.PI / 2);
   coarse.rotateX(Math.PI / 2);
-  group.add(
-    new LineSegments(
-      new EdgesGeometry(coarse, 1),
-      new LineBasicMaterial({color: colours.edge, transparent: true, opacity: 0.4}),
-    ),
-  );
+  const edges = new LineBasicMaterial({color: colours.edge, transparent: true, opacity: 0.4});
+  group.add(new LineSegments(new EdgesGeometry(coarse, 1), edges));
   if (shape.center) group.position.set(...shape.center);
   return group;
 }
@@ -119,19 +109,7 @@ export function openingOf(center: Triple, diameter: number, colours: {edge: stri
   const group = new Group();
   const rim = new TorusGeometry(diameter / 2, 0.03 * diameter, 8, 48);
   group.add(new Mesh(rim, new MeshStandardMaterial({color: colours.edge, roughness: 0.8})));
-  const light = new CircleGeometry(diameter / 2, 48);
-  group.add(
-    new Mesh(
-      light,
-      new MeshStandardMaterial({
-        color: colours.edge,
-        side: DoubleSide,
-        transparent: true,
-        opacity: 0.18,
-        depthWrite: false,
-      }),
-    ),
-  );
+  group.add(new Mesh(new CircleGeometry(diameter / 2, 48), veil(colours.edge, 0.18)));
   group.position.set(...center);
   group.lookAt(0, 0, 0);
   return group;

@@ -1,13 +1,14 @@
 // Under the hole, magnified: the hole's rim, the steps of the calibration tool where the tool stands, and how far off it
 // is.
 import {useEffect, useRef} from "preact/hooks";
+import {Figures} from "../drawing/panel";
 import {palette, type Palette} from "../drawing/colours";
-import {fixed, jointDecimals, lengthAndUnit} from "../../../drawing/numbers.js";
+import {fixed, jointDecimals, lengthAndUnit, MISSING} from "../../../drawing/numbers.js";
 import {stepKinds} from "../../../drawing/steps.js";
 import type {PoseDocument} from "../server/documents";
 import {currentModel, sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
-import {clearedContext} from "../drawing/canvas";
+import {clearedContext, drawRings, strokeLine} from "../drawing/canvas";
 import {MarkIcon} from "../drawing/marks";
 import {holeName} from "../sheet/sheet_model";
 import {poseRequest} from "./pose_link";
@@ -27,7 +28,8 @@ export function ToolInset() {
   }, [centring, palette.value]);
   const hole = poseRequest.hole.value;
   const name = hole >= 0 && sheet.value ? holeName(sheet.value, hole) : "no hole picked";
-  const base = currentModel.value?.base;
+  const base = currentModel.value?.base,
+    {length, angle} = units.value;
   const kind = stepKinds({...sheetDocument.value.document?.tool, base})[centring?.steps ?? -1];
   return (
     <section class="inset" aria-label="The tool under the hole">
@@ -36,14 +38,13 @@ export function ToolInset() {
         <span class="muted">from below</span>
       </header>
       <canvas ref={canvas} width={2} height={2} />
-      <dl class="figures">
-        <dt>off centre</dt>
-        <dd>{lengthAndUnit(centring?.distance, units.value.length, 4)}</dd>
-        <dt>tilt</dt>
-        <dd>{centring ? `${fixed(centring.tilt, jointDecimals(units.value.angle))} ${units.value.angle}` : "–"}</dd>
-        <dt>height</dt>
-        <dd>{lengthAndUnit(centring?.height, units.value.length, 4)}</dd>
-      </dl>
+      <Figures
+        rows={[
+          ["off centre", lengthAndUnit(centring?.distance, length, 4)],
+          ["tilt", centring ? `${fixed(centring.tilt, jointDecimals(angle))} ${angle}` : MISSING],
+          ["height", lengthAndUnit(centring?.height, length, 4)],
+        ]}
+      />
       <p class="inset-case">
         {kind ? (
           <>
@@ -64,7 +65,7 @@ function draw(canvas: HTMLCanvasElement, centring: PoseDocument["centring"], col
   const r = 0.36 * side,
     middle = side / 2;
   const radius = sheet.peek()?.holeRadius ?? 0.38;
-  circle(context, middle, middle, r, colours.ink, 2);
+  circle(context, middle, middle, r, {colour: colours.ink, width: 2});
   cross(context, middle, middle, 5, colours.muted);
   if (!centring) return;
   const most = 0.62 * side;
@@ -72,45 +73,32 @@ function draw(canvas: HTMLCanvasElement, centring: PoseDocument["centring"], col
     y = middle - clamp((centring.offset[1] / radius) * r, most);
   stepShares().forEach((share, index) => {
     const isIn = (centring.steps ?? 0) > index;
-    circle(context, x, y, share * r, isIn ? colours.accent : colours.case0, 1.3, isIn ? [] : [4, 3]);
+    const look = {colour: isIn ? colours.accent : colours.case0, width: 1.3, dash: isIn ? [] : [4, 3]};
+    circle(context, x, y, share * r, look);
   });
   cross(context, x, y, 4, colours.accent);
-  context.strokeStyle = colours.accent;
-  context.beginPath();
-  context.moveTo(middle, middle);
-  context.lineTo(x, y);
-  context.stroke();
+  strokeLine(context, [middle, middle], [x, y]);
+}
+
+interface Look {
+  colour: string;
+  width: number;
+  dash?: number[];
 }
 
 function clamp(value: number, most: number): number {
   return Math.max(-most, Math.min(most, value));
 }
 
-function circle(
-  context: CanvasRenderingContext2D,
-  x: number,
-  y: number,
-  r: number,
-  colour: string,
-  width: number,
-  dash: number[] = [],
-): void {
-  context.beginPath();
-  context.arc(x, y, r, 0, 2 * Math.PI);
-  context.strokeStyle = colour;
-  context.lineWidth = width;
-  context.setLineDash(dash);
-  context.stroke();
+function circle(context: CanvasRenderingContext2D, x: number, y: number, r: number, look: Look): void {
+  Object.assign(context, {strokeStyle: look.colour, lineWidth: look.width});
+  context.setLineDash(look.dash ?? []);
+  drawRings(context, [[x, y]], r);
   context.setLineDash([]);
 }
 
 function cross(context: CanvasRenderingContext2D, x: number, y: number, r: number, colour: string): void {
-  context.beginPath();
-  context.moveTo(x - r, y);
-  context.lineTo(x + r, y);
-  context.moveTo(x, y - r);
-  context.lineTo(x, y + r);
-  context.strokeStyle = colour;
-  context.lineWidth = 1;
-  context.stroke();
+  Object.assign(context, {strokeStyle: colour, lineWidth: 1});
+  strokeLine(context, [x - r, y], [x + r, y]);
+  strokeLine(context, [x, y - r], [x, y + r]);
 }

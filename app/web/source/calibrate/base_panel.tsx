@@ -1,7 +1,9 @@
 // Where the base stands: its place with sigmas, what is left at each touch, distances, correlations.
+import {Panel} from "../drawing/panel";
 import {fixed, isNumber, short} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
 import type {CalibrateDocument} from "../server/documents";
+import {pageAdvice} from "../server/page_words";
 import {units} from "../server/workbench";
 import {OtherModel} from "../shell/other_model";
 import {ProblemWords} from "../shell/states";
@@ -13,63 +15,50 @@ export function BasePanel() {
   const {problem, document} = outcome.value;
   if (problem)
     return (
-      <section class="panel grow">
-        <div class="panel-body">
-          <ProblemWords problem={problem} />
-        </div>
-      </section>
+      <Panel kind="grow">
+        <ProblemWords problem={problem} />
+      </Panel>
     );
-  return document ? <FoundBase document={document} /> : <NoBase />;
-}
-
-function NoBase() {
+  if (document) return <FoundBase document={document} />;
   return (
-    <section class="panel grow">
-      <header>
-        <h2>Base</h2>
-      </header>
-      <div class="panel-body">
-        <p class="muted">
-          Where the base stands, what is left at each touch and how sure that is, once three holes are touched.
-        </p>
-      </div>
-    </section>
+    <Panel title="Base" kind="grow">
+      <p class="muted">
+        Where the base stands, what is left at each touch and how sure that is, once three holes are touched.
+      </p>
+    </Panel>
   );
 }
 
 function FoundBase({document}: {document: CalibrateDocument}) {
   const {warnings = [], to_do = [], nominal, covariance} = document;
+  const end = (
+    <>
+      <OtherModel name="calibrate" />
+      <FitFigure document={document} />
+    </>
+  );
   return (
-    <section class="panel grow">
-      <header>
-        <h2>Base</h2>
-        <div class="end">
-          <OtherModel name="calibrate" />
-          <FitFigure document={document} />
-        </div>
-      </header>
-      <div class="panel-body">
-        {document.reason ? (
-          <p class="warning">
-            {document.status === "done" ? "" : "The base stays where it was: "}
-            {document.reason}
-          </p>
-        ) : null}
-        {warnings.map((warning) => (
-          <p class="warning">{warning}</p>
-        ))}
-        {to_do.length > 0 ? <ToDo steps={to_do} /> : null}
-        <BasePose document={document} {...units.value} />
-        {nominal ? <FromNominal nominal={nominal} /> : null}
-        <TouchFigures document={document} unit={units.value.length} />
-        {covariance ? (
-          <>
-            <h3>Correlations of the base's numbers</h3>
-            <Covariance matrix={covariance} />
-          </>
-        ) : null}
-      </div>
-    </section>
+    <Panel title="Base" end={end} kind="grow">
+      {document.reason ? (
+        <p class="warning">
+          {document.status === "done" ? "" : "The base stays where it was: "}
+          {document.reason}
+        </p>
+      ) : null}
+      {warnings.map((warning) => (
+        <p class="warning">{warning}</p>
+      ))}
+      {to_do.length > 0 ? <ToDo steps={to_do} /> : null}
+      <BasePose document={document} {...units.value} />
+      {nominal ? <FromNominal nominal={nominal} /> : null}
+      <TouchFigures document={document} unit={units.value.length} />
+      {covariance ? (
+        <>
+          <h3>Correlations of the base's numbers</h3>
+          <Covariance matrix={covariance} />
+        </>
+      ) : null}
+    </Panel>
   );
 }
 
@@ -90,11 +79,14 @@ function ToDo({steps}: {steps: string[]}) {
     <>
       <h3>What to do</h3>
       <ul class="to-do">
-        {steps.map((step) => (
-          <li>
-            <InCode text={step} />
-          </li>
-        ))}
+        {steps
+          .map(pageAdvice)
+          .filter(Boolean)
+          .map((step) => (
+            <li>
+              <InCode text={step} />
+            </li>
+          ))}
       </ul>
     </>
   );

@@ -1,9 +1,11 @@
 // The list of touches: made, proposed, and the hole that is picked; joints are entered or simulated.
+import {submitting, withPoint} from "../drawing/fields";
 import {Icon} from "../drawing/icons";
+import {Panel} from "../drawing/panel";
 import {fixed, jointDecimals} from "../../../drawing/numbers.js";
 import type {CalibrateDocument} from "../server/documents";
 import {get, remove} from "../server/requests";
-import {cell, order, report, runJob, runningJob} from "../server/workbench";
+import {attempt, cell, order, runJob, runningJob} from "../server/workbench";
 import {picked} from "../shell/page_state";
 import {holeName, type SheetModel} from "../sheet/sheet_model";
 import {holeOf, proposals, touches} from "./touches";
@@ -13,60 +15,54 @@ function jointsText(values: readonly number[]): string {
 }
 
 export function TouchPanel({model}: {model: SheetModel}) {
-  const suggested = (proposals.value.document?.next_readings ?? []).map((reading) => ({
-    hole: holeOf(model, reading.point),
-    joints: reading.joints,
-  }));
   const done = touches.value;
-  const open = suggested.filter((entry) => entry.hole >= 0 && !done.some((touch) => touch.hole === entry.hole));
-  const own =
-    picked.value >= 0 &&
-    !done.some((touch) => touch.hole === picked.value) &&
-    !open.some((entry) => entry.hole === picked.value);
+  const isDone = (hole: number) => hole < 0 || done.some((touch) => touch.hole === hole);
+  const open = (proposals.value.document?.next_readings ?? [])
+    .map(({point}) => holeOf(model, point))
+    .filter((hole) => !isDone(hole));
+  if (!isDone(picked.value) && !open.includes(picked.value)) open.push(picked.value);
+  const suggest = (
+    <button
+      class="button"
+      disabled={runningJob("touches") !== null}
+      onClick={() => runJob("Which holes to touch", "/api/touches", {goal: "base"})}
+    >
+      Suggest
+    </button>
+  );
   return (
-    <section class="panel">
-      <header>
-        <h2>{done.length === 0 ? "Three holes to touch" : `${done.length} touched`}</h2>
-        <div class="end">
-          <button
-            class="button"
-            disabled={runningJob("touches") !== null}
-            onClick={() => runJob("Which holes to touch", "/api/touches", {goal: "base"})}
-          >
-            Suggest
+    <Panel
+      title={done.length === 0 ? "Three holes to touch" : `${done.length} touched`}
+      end={suggest}
+      body="touch-list"
+    >
+      {done.map((touch, index) => (
+        <div class="touch-row done" key={touch.id}>
+          <b>{touch.id}</b>
+          <span>{holeName(model, touch.hole)}</span>
+          <span class="joint-list">
+            {jointsText(touch.joints)}
+            {touch.simulated ? <small class="muted"> simulated</small> : null}
+          </span>
+          <button class="tool" title="Take this touch away" onClick={() => takeAway(index)}>
+            <Icon name="close" size={14} />
           </button>
         </div>
-      </header>
-      <div class="panel-body touch-list">
-        {done.map((touch, index) => (
-          <div class="touch-row done" key={touch.id}>
-            <b>{touch.id}</b>
-            <span>{holeName(model, touch.hole)}</span>
-            <span class="joint-list">
-              {jointsText(touch.joints)}
-              {touch.simulated ? <small class="muted"> simulated</small> : null}
-            </span>
-            <button class="tool" title="Take this touch away" onClick={() => takeAway(index)}>
-              <Icon name="close" size={14} />
-            </button>
-          </div>
-        ))}
-        {open.map((entry) => (
-          <TouchForm key={entry.hole} name={holeName(model, entry.hole)} hole={entry.hole} />
-        ))}
-        {own ? <TouchForm key={picked.value} name={holeName(model, picked.value)} hole={picked.value} /> : null}
-        {done.length + open.length === 0 && !own ? (
-          <p class="muted">Suggest marks the three most informative holes, or pick one on the sheet.</p>
-        ) : null}
-        <button
-          class="button first"
-          disabled={done.length < 3 || runningJob("calibrate") !== null}
-          onClick={() => void calibrate()}
-        >
-          {done.length < 3 ? `Calibrate (${3 - done.length} more)` : "Calibrate"}
-        </button>
-      </div>
-    </section>
+      ))}
+      {open.map((hole) => (
+        <TouchForm key={hole} name={holeName(model, hole)} hole={hole} />
+      ))}
+      {done.length + open.length === 0 ? (
+        <p class="muted">Suggest marks the three most informative holes, or pick one on the sheet.</p>
+      ) : null}
+      <button
+        class="button first"
+        disabled={done.length < 3 || runningJob("calibrate") !== null}
+        onClick={() => void calibrate()}
+      >
+        {done.length < 3 ? `Calibrate (${3 - done.length} more)` : "Calibrate"}
+      </button>
+    </Panel>
   );
 }
 
@@ -77,8 +73,8 @@ async function calibrate(): Promise<void> {
   if (status === "done") await runJob("Predicted error", "/api/field", {of: "centring"});
 }
 
-function takeAway(index: number): void {
-  remove(`/api/touch/${index}`).catch((error) => report("The touch stays", error));
+function takeAway(index: number): Promise<boolean> {
+  return attempt("The touch stays", () => remove(`/api/touch/${index}`));
 }
 
 function TouchForm({name, hole}: {name: string; hole: number}) {
@@ -87,11 +83,10 @@ function TouchForm({name, hole}: {name: string; hole: number}) {
   return (
     <form
       class="touch-row"
-      onSubmit={(event) => {
-        event.preventDefault();
-        const values = joints.map((joint) => Number(new FormData(event.currentTarget).get(joint.name)));
-        void touch({joints: values});
-      }}
+      onSubmit={submitting((form) => {
+        const typed = new FormData(form);
+        return touch({joints: joints.map((joint) => Number(withPoint(String(typed.get(joint.name)))))});
+      })}
     >
       <span>{name}</span>
       <span class="joint-inputs">

@@ -1,7 +1,8 @@
 // The sheet with the holes to touch ringed, over the error that the model leaves at each hole.
 import {signal} from "@preact/signals";
 import {useCallback, useMemo} from "preact/hooks";
-import {drawRings, TYPEFACE} from "../drawing/canvas";
+import {drawRings, strokeLine, TYPEFACE} from "../drawing/canvas";
+import {Check} from "../drawing/fields";
 import {MarkIcon} from "../drawing/marks";
 import {cell, runJob, runningJob} from "../server/workbench";
 import {picked} from "../shell/page_state";
@@ -84,12 +85,7 @@ export function TouchSheet({model}: {model: SheetModel}) {
 /** A cross over a ring, in its colour: a touch that is suspected, told apart without colour too. */
 function crossOver(context: CanvasRenderingContext2D, [x, y]: readonly [number, number]): void {
   const reach = 15;
-  context.beginPath();
-  context.moveTo(x - reach, y - reach);
-  context.lineTo(x + reach, y + reach);
-  context.moveTo(x - reach, y + reach);
-  context.lineTo(x + reach, y - reach);
-  context.stroke();
+  for (const side of [-reach, reach]) strokeLine(context, [x - side, y - reach], [x + side, y + reach]);
 }
 
 function TouchHead() {
@@ -97,10 +93,7 @@ function TouchHead() {
     <>
       <h2>Touches</h2>
       <div class="end">
-        <label class="check">
-          <input type="checkbox" checked={isHeat.value} onChange={() => (isHeat.value = !isHeat.value)} /> predicted
-          error
-        </label>
+        <Check of={isHeat}>predicted error</Check>
         <button
           class="button"
           disabled={runningJob("field") !== null}

@@ -1,7 +1,7 @@
 // The touches made, those proposed, and what came of them.
-import {effect, signal} from "@preact/signals";
+import {computed} from "@preact/signals";
 import type {CalibrateDocument, FieldDocument, TouchesDocument, TouchList} from "../server/documents";
-import {get} from "../server/requests";
+import {answerTo} from "../server/answers";
 import {result, state} from "../server/workbench";
 import {view} from "../shell/page_state";
 import type {SheetModel} from "../sheet/sheet_model";
@@ -9,16 +9,12 @@ import type {SheetModel} from "../sheet/sheet_model";
 export const proposals = result<TouchesDocument>("touches"),
   outcome = result<CalibrateDocument>("calibrate"),
   field = result<FieldDocument>("field");
-export const touches = signal<TouchList["touches"]>([]);
-
-effect(() => {
-  void state.value?.revision;
-  if (state.value === null || view.value !== "calibrate") return;
-  get<TouchList>("/api/touches").then(
-    (list) => (touches.value = list.touches ?? []),
-    () => (touches.value = []),
-  );
+const list = answerTo<TouchList>({
+  key: () => (state.value && view.value === "calibrate" ? `${state.value.revision} ${state.value.touches}` : null),
+  path: () => "/api/touches",
+  keeps: true,
 });
+export const touches = computed(() => list.value.document?.touches ?? []);
 
 /** The hole of a name, -1 where the sheet has none. */
 export function holeOf(model: SheetModel, point: string): number {

@@ -27,3 +27,10 @@ export function drawRings(context: CanvasRenderingContext2D, places: Iterable<[n
   }
   context.stroke();
 }
+
+/** A line through places, as one stroke of the context's own colour and width. */
+export function strokeLine(context: CanvasRenderingContext2D, ...places: (readonly number[])[]): void {
+  context.beginPath();
+  for (const [x, y] of places) context.lineTo(x, y);
+  context.stroke();
+}

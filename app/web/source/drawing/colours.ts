@@ -1,47 +1,26 @@
 // The page's colours as the canvas needs them, read from the style sheet so that dark, light and print stay in one place.
 import {signal} from "@preact/signals";
 
-const NAMES = [
-  "paper",
-  "panel",
-  "ink",
-  "muted",
-  "line",
-  "plate",
-  "rim",
-  "hole",
-  "faint",
-  "accent",
-  "good",
-  "bad",
-  "warn",
-  "case0",
-  "case1",
-  "case2",
-  "case3",
-  "violet",
-  "rose",
-  "band0",
-  "band1",
-  "band2",
-  "band3",
-  "band4",
-  "band5",
-] as const;
+type Words<Text extends string> = Text extends `${infer First} ${infer Others}` ? First | Words<Others> : Text;
+const NAMES =
+  "paper panel ink muted line plate rim hole faint accent good bad warn case0 case1 case2 case3 violet rose" as const;
+const BANDS = "band0 band1 band2 band3 band4 band5" as const;
 
-export type ColourName = (typeof NAMES)[number];
+export type ColourName = Words<typeof NAMES | typeof BANDS>;
 export type Palette = Record<ColourName, string>;
 
 function readPalette(): Palette {
   const style = getComputedStyle(document.documentElement);
-  return Object.fromEntries(NAMES.map((name) => [name, style.getPropertyValue(`--${name}`).trim()])) as Palette;
+  return Object.fromEntries(
+    `${NAMES} ${BANDS}`.split(" ").map((name) => [name, style.getPropertyValue(`--${name}`).trim()]),
+  ) as Palette;
 }
 
 export const palette = signal<Palette>({} as Palette);
 
 // ---- dark and light
 
-export type ColourScheme = "auto" | "light" | "dark";
+type ColourScheme = "auto" | "light" | "dark";
 const KEPT = "tubeplan.scheme";
 const wantsDark = matchMedia("(prefers-color-scheme: dark)");
 
@@ -60,7 +39,7 @@ export function isDark(): boolean {
   return scheme.value === "dark" || (scheme.value === "auto" && wantsDark.matches);
 }
 
-export function applyScheme(): void {
+function applyScheme(): void {
   document.documentElement.dataset.scheme = isDark() ? "dark" : "light";
   palette.value = readPalette();
 }

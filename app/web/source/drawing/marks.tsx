@@ -51,20 +51,16 @@ export function marksPath(shape: Shape, places: Iterable<readonly [number, numbe
   return all;
 }
 
-/** A mark about a place in an SVG picture; a hollow one has a line where it would be filled. */
-export function MarkAt({
-  mark,
-  x,
-  y,
-  r,
-  isHollow = false,
-}: {
+interface MarkAtProps {
   mark: Mark;
   x: number;
   y: number;
   r: number;
   isHollow?: boolean;
-}) {
+}
+
+/** A mark about a place in an SVG picture; a hollow one has a line where it would be filled. */
+export function MarkAt({mark, x, y, r, isHollow = false}: MarkAtProps) {
   const colour = `var(--${mark.colour})`;
   if (isHollow) return <path d={hollowPath(mark.shape, x, y, r)} fill="none" stroke={colour} stroke-width={0.28 * r} />;
   const {fill, line, width} = outlineOf(mark.shape, x, y, r);

@@ -4,8 +4,10 @@ import uPlot from "uplot";
 import {TYPEFACE} from "./canvas";
 import type {Palette} from "./colours";
 
+export type PlotOptions = Omit<uPlot.Options, "width" | "height">;
+
 export interface PlotProps {
-  options: Omit<uPlot.Options, "width" | "height">;
+  options: PlotOptions;
   data: uPlot.AlignedData;
   label: string;
   onReady?: (plot: uPlot) => void;
@@ -29,13 +31,20 @@ export function axis(colours: Palette, label: string, more: Partial<uPlot.Axis> 
   };
 }
 
+/** A plot without a legend of its own, in which nothing follows the pointer. */
+const LOOK: Partial<uPlot.Options> = {
+  padding: [10, 14, 0, 0],
+  legend: {show: false},
+  cursor: {x: false, y: false, points: {show: false}, drag: {x: false, y: false}},
+};
+
 export function Plot({options, data, label, onReady}: PlotProps) {
   const box = useRef<HTMLDivElement>(null);
   // At once, so that paper has its own colours.
   useLayoutEffect(() => {
     const element = box.current!;
     const size = () => ({width: Math.max(80, element.clientWidth), height: Math.max(60, element.clientHeight)});
-    const plot = new uPlot({...options, ...size(), padding: options.padding ?? [10, 14, 0, 0]}, data, element);
+    const plot = new uPlot({...LOOK, ...options, ...size()}, data, element);
     onReady?.(plot);
     const observer = new ResizeObserver(() => {
       const {width, height} = size();

@@ -6,32 +6,35 @@ export interface Choice<T> {
   hint?: string;
 }
 
-export function rove(event: KeyboardEvent): void {
-  const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-  if (by === 0) return;
-  event.preventDefault();
-  event.stopPropagation();
-  const buttons = [
-    ...(event.currentTarget as HTMLElement).querySelectorAll<HTMLButtonElement>("button:not(:disabled)"),
-  ];
-  const at = buttons.indexOf(document.activeElement as HTMLButtonElement);
-  const next = buttons[(at + by + buttons.length) % buttons.length];
-  next?.focus();
-  next?.click();
+/** Follows keys from button to button within an element, each to be taken as it is come to; at an end round to the other,
+ * or not. */
+export function roving(keys: Record<string, 1 | -1>, isRound = true) {
+  return (event: KeyboardEvent) => {
+    const by = keys[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const within = event.currentTarget as HTMLElement;
+    const buttons = [...within.querySelectorAll<HTMLButtonElement>("button:not(:disabled)")];
+    const at = buttons.indexOf(document.activeElement as HTMLButtonElement) + by,
+      last = buttons.length - 1;
+    const next = buttons[isRound ? (at + last + 1) % (last + 1) : Math.max(0, Math.min(last, at))];
+    next?.focus();
+    next?.click();
+  };
 }
 
-/** Without a value (`undefined`) the buttons are commands side by side. */
-export function Segments<T extends string | number>({
-  label,
-  choices,
-  value,
-  onChoose,
-}: {
+export const rove = roving({ArrowRight: 1, ArrowLeft: -1});
+
+interface SegmentsProps<T> {
   label: string;
   choices: readonly Choice<T>[];
   value: T | undefined;
   onChoose: (value: T) => void;
-}) {
+}
+
+/** Without a value (`undefined`) the buttons are commands side by side. */
+export function Segments<T extends string | number>({label, choices, value, onChoose}: SegmentsProps<T>) {
   const hasValue = choices.some((choice) => choice.value === value);
   return (
     <div class="segments" role="group" aria-label={label} onKeyDown={rove}>

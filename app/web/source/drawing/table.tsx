@@ -3,7 +3,7 @@ import type {ComponentChildren} from "preact";
 import {MISSING} from "../../../drawing/numbers.js";
 
 /** A cell is text, an element, or null for what is missing; columns in `text` are no numbers. */
-interface TableProps {
+export interface TableProps {
   heads: readonly ComponentChildren[];
   rows: readonly (readonly ComponentChildren[])[];
   text?: readonly number[];

@@ -1,17 +1,14 @@
 // Tabs above a panel: one tab stop, arrow keys within.
 import {rove, type Choice} from "./segments";
 
-export function Tabs<T extends string>({
-  label,
-  tabs,
-  value,
-  onChoose,
-}: {
+interface TabsProps<T> {
   label: string;
   tabs: readonly Choice<T>[];
   value: T;
   onChoose: (value: T) => void;
-}) {
+}
+
+export function Tabs<T extends string>({label, tabs, value, onChoose}: TabsProps<T>) {
   return (
     <div class="tabs" role="tablist" aria-label={label} onKeyDown={rove}>
       {tabs.map((tab) => (

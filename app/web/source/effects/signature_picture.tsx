@@ -1,10 +1,8 @@
 // What an effect does to the tip of this arm, drawn against what it follows.
-import {useEffect} from "preact/hooks";
-import {useSignal} from "@preact/signals";
 import {plainUnit, tickTexts} from "../../../drawing/numbers.js";
 import {roundTicks} from "../../../drawing/scales.js";
 import type {SignatureDocument} from "../server/documents";
-import {get} from "../server/requests";
+import {useAnswer} from "../server/answers";
 
 const WIDTH = 420,
   HEIGHT = 150,
@@ -14,21 +12,10 @@ const WIDTH = 420,
   BOTTOM = 34;
 
 export function SignaturePicture({effect, at}: {effect: string; at: string}) {
-  const document = useSignal<SignatureDocument | null>(null);
-  useEffect(() => {
-    let isWanted = true;
-    document.value = null;
-    get<SignatureDocument>(`/api/signature?effect=${encodeURIComponent(effect)}&at=${encodeURIComponent(at)}`).then(
-      (found) => {
-        if (isWanted) document.value = found;
-      },
-      () => {}, // the laws stand without their picture
-    );
-    return () => {
-      isWanted = false;
-    };
-  }, [effect, at]);
-  const shown = document.value;
+  // The laws stand without their picture.
+  const shown = useAnswer<SignatureDocument>(
+    `/api/signature?effect=${encodeURIComponent(effect)}&at=${encodeURIComponent(at)}`,
+  ).document;
   return (
     <figure class="signature">
       {shown === null ? null : shown.values.length === 0 ? (

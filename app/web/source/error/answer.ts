@@ -4,6 +4,7 @@ import {verdictMark} from "../../../drawing/kinds.js";
 import {short} from "../../../drawing/numbers.js";
 import {verdictItems} from "../../../drawing/verdict_items.js";
 import type {Mark} from "../drawing/marks";
+import {pageWords} from "../server/page_words";
 import {currentModel, state} from "../server/workbench";
 import {ladderOf} from "./ladder";
 import {currentComparison, currentDiagnosis, ladder} from "./loop";
@@ -15,9 +16,7 @@ interface Answer {
 }
 
 function answerOf({verdict, verdict_words}: {verdict: string; verdict_words?: string}, items: string[]): Answer {
-  // What the command line would say is a button here.
-  const plain = items.map((item) => item.replace(/ \(--assume [^)]*\)/g, ""));
-  return {words: verdict_words ?? verdict, mark: verdictMark(verdict), items: plain};
+  return {words: verdict_words ?? verdict, mark: verdictMark(verdict), items: items.map(pageWords)};
 }
 
 /** What the top of the view says: of the newest document about the model as it is now. */

@@ -1,5 +1,5 @@
 // The errors as arrows at the readings' places, painted on a canvas over the sheet or alone.
-import {clearedContext, TYPEFACE} from "../drawing/canvas";
+import {clearedContext, strokeLine, TYPEFACE} from "../drawing/canvas";
 import type {Palette} from "../drawing/colours";
 import {drawArrow, usualLargest} from "../../../drawing/arrows.js";
 import {extentOf, fit, toPixel, type Camera, type Size} from "../../../drawing/frames.js";
@@ -157,16 +157,8 @@ function drawRuler(context: CanvasRenderingContext2D, scale: number, unit: strin
   const length = roundDown125(LONGEST_RULER / scale),
     x = 84,
     y = height - 12;
-  context.beginPath();
-  for (const [dx, dy] of [
-    [0, -4],
-    [0, 4],
-    [0, 0],
-    [length * scale, 0],
-    [length * scale, -4],
-    [length * scale, 4],
-  ])
-    context.lineTo(x + dx, y + dy);
-  context.stroke();
+  const [from, to] = [x, x + length * scale];
+  strokeLine(context, [from, y], [to, y]);
+  for (const end of [from, to]) strokeLine(context, [end, y - 4], [end, y + 4]);
   context.fillText(`${exact(length)} ${unit}`, x, y - 8);
 }

@@ -1,6 +1,7 @@
 // What could be missing, what would tell explanations apart, a formula of one's own, and the fitted numbers.
 import {signal} from "@preact/signals";
 import {plural} from "../../../drawing/numbers.js";
+import {Panel} from "../drawing/panel";
 import {choicesOf} from "../drawing/segments";
 import {Tabs} from "../drawing/tabs";
 import {runningJob, state} from "../server/workbench";
@@ -25,23 +26,13 @@ export function EffectsPanel() {
     ["formula", "Formula"],
     ["numbers", "Numbers"],
   ]);
+  const choice = (
+    <Tabs label="What is missing" tabs={tabs} value={effectsTab.value} onChoose={(next) => (effectsTab.value = next)} />
+  );
   return (
-    <section class="panel">
-      <header>
-        <Tabs
-          label="What is missing"
-          tabs={tabs}
-          value={effectsTab.value}
-          onChoose={(next) => (effectsTab.value = next)}
-        />
-        <div class="end">
-          <OtherModel name="diagnose" />
-        </div>
-      </header>
-      <div class="panel-body" role="tabpanel">
-        <TabBody />
-      </div>
-    </section>
+    <Panel head={choice} end={<OtherModel name="diagnose" />} role="tabpanel">
+      <TabBody />
+    </Panel>
   );
 }
 

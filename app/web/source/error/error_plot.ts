@@ -15,7 +15,7 @@ import {roundTicks, widened} from "../../../drawing/scales.js";
 import {isInShare, MOST_MARKS} from "../../../drawing/shares.js";
 import {variableTitle} from "../../../drawing/variables.js";
 import type {Palette} from "../drawing/colours";
-import {axis} from "../drawing/plot";
+import {axis, type PlotOptions} from "../drawing/plot";
 import {markPaths} from "../drawing/plot_marks";
 import {paintLaw, paintMeans} from "./plot_painting";
 
@@ -26,7 +26,7 @@ export interface PlotRow {
 }
 
 interface MadePlot {
-  options: Omit<uPlot.Options, "width" | "height">;
+  options: PlotOptions;
   data: uPlot.AlignedData;
   rows: PlotRow[];
   law: Bin[];
@@ -51,8 +51,6 @@ export function makePlot(errors: ErrorPair, view: View, look: PlotLook): MadePlo
     words: `${errorTitle(view)} against ${variableTitle(view.variable)}, of ${rows.length} readings: ${names}`,
     data: [rows.map((row) => row.x), ...values.map((column) => rows.map((row) => column[row.index]))],
     options: {
-      legend: {show: false},
-      cursor: {show: true, x: false, y: false, points: {show: false}, drag: {x: false, y: false}},
       scales: scalesOf(view, isLevel, look.most),
       axes: axesOf(view, isLevel, look),
       hooks: {

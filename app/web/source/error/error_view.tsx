@@ -1,4 +1,5 @@
 // The error view: the verdict and the next thing to do on top; the ladder, the effects, and the errors themselves below.
+import {Panel} from "../drawing/panel";
 import {state} from "../server/workbench";
 import {dialog} from "../shell/page_state";
 import {Nothing} from "../shell/states";
@@ -31,14 +32,9 @@ export function ErrorView() {
     <div class="error-view">
       <VerdictBand />
       <ReadingChecks readings={readings} />
-      <section class="panel">
-        <header>
-          <h2>Error of each model</h2>
-        </header>
-        <div class="panel-body">
-          <LadderBars />
-        </div>
-      </section>
+      <Panel title="Error of each model">
+        <LadderBars />
+      </Panel>
       <EffectsPanel />
       <EvidencePanel />
       <ResidualPlot />

@@ -22,7 +22,7 @@ export const variables = computed<Variable[]>(() => {
   if (!errors) return [];
   const joints = errors.joints.map((name, k) => ({name, unit: cell.value?.joints[k]?.unit}));
   const {readings, places} = errors;
-  return variablesOf({readings, joints, places}, units.value, moments.value);
+  return variablesOf({readings, joints, places}, units.value, moments.value.document);
 });
 
 export const parts = computed<Part[]>(() => {
@@ -32,7 +32,7 @@ export const parts = computed<Part[]>(() => {
     ids: errors.readings.map((reading) => reading.id),
     places: errors.places,
     unit: units.value,
-    leverage: leverage.value,
+    leverage: leverage.value.document,
   });
 });
 

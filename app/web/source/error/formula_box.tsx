@@ -2,8 +2,11 @@
 import {signal, useSignal} from "@preact/signals";
 import {effectTitle} from "../../../drawing/explanations.js";
 import type {CatalogueDocument} from "../server/documents";
-import {get} from "../server/requests";
-import {cell, report, runningJob, units} from "../server/workbench";
+import {submitting, Select, TextInput} from "../drawing/fields";
+import {choicesOf} from "../drawing/segments";
+import {useAnswer} from "../server/answers";
+import {ProblemWords} from "../shell/states";
+import {cell, runningJob, units} from "../server/workbench";
 import {addEffects, addFormula} from "./loop";
 
 /** Kept over changes of view. */
@@ -16,21 +19,10 @@ export function FormulaBox() {
   const [a = "theta1", c = "theta3"] = [joints[0], joints[2] ?? joints[0]];
   const examples = [`${c} += c*sin(${a})`, `${c} += c*${c}_dir`, `tip.z += c*load`, `${c} += c*sin(k*${a}); k=3`];
   return (
-    <form
-      class="formula"
-      onSubmit={(event) => {
-        event.preventDefault();
-        if (text.value.trim() !== "") void addFormula(text.value.trim());
-      }}
-    >
+    <form class="formula" onSubmit={submitting(() => text.value.trim() !== "" && addFormula(text.value.trim()))}>
       <label class="field">
         a law of your own: what it changes += its value
-        <input
-          value={text.value}
-          spellcheck={false}
-          placeholder={examples[0]}
-          onInput={(event) => (text.value = event.currentTarget.value)}
-        />
+        <TextInput of={text} placeholder={examples[0]} />
       </label>
       <div class="row">
         <button class="button first" type="submit" disabled={runningJob("add") !== null || text.value.trim() === ""}>
@@ -54,31 +46,21 @@ export function FormulaBox() {
 
 /** Every effect of the catalogue at every place of this arm, to add without being asked. */
 function CatalogueMenu() {
-  const catalogue = useSignal<CatalogueDocument["effects"] | null>(null);
-  const chosen = useSignal(-1);
-  const load = () => {
-    if (!catalogue.value)
-      get<CatalogueDocument>("/api/catalogue").then(
-        (found) => (catalogue.value = found.effects),
-        (error) => report("The catalogue", error),
-      );
-  };
-  const effect = catalogue.value?.[chosen.value];
+  const isWanted = useSignal(false),
+    chosen = useSignal(-1);
+  const {document, problem} = useAnswer<CatalogueDocument>(isWanted.value ? "/api/catalogue" : "");
+  const effects = document?.effects ?? [],
+    effect = effects[chosen.value];
   return (
     <div class="catalogue">
       <label class="field">
         or any effect of the catalogue
-        <select
-          onFocus={load}
-          onPointerDown={load}
+        <Select
+          choices={choicesOf([[-1, "choose …"], ...effects.map((entry, k) => [k, effectTitle(entry)] as const)])}
           value={chosen.value}
-          onChange={(event) => (chosen.value = Number(event.currentTarget.value))}
-        >
-          <option value={-1}>choose …</option>
-          {(catalogue.value ?? []).map((entry, index) => (
-            <option value={index}>{effectTitle(entry)}</option>
-          ))}
-        </select>
+          onChoose={(index) => (chosen.value = index)}
+          onOpen={() => (isWanted.value = true)}
+        />
       </label>
       <button
         type="button"
@@ -88,6 +70,7 @@ function CatalogueMenu() {
       >
         Add
       </button>
+      {problem ? <ProblemWords problem={problem} /> : null}
       <p class="muted reserve">{effect ? `${effect.words}. ${effect.law}` : ""}</p>
     </div>
   );

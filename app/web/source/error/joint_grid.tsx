@@ -1,6 +1,6 @@
 // Joint by joint: small pictures of the error as that of each joint, the loudest framed. One look says where.
 import {useMemo, useRef} from "preact/hooks";
-import {clearedContext} from "../drawing/canvas";
+import {clearedContext, strokeLine} from "../drawing/canvas";
 import {palette, type Palette} from "../drawing/colours";
 import {marksPath} from "../drawing/marks";
 import {usePainted} from "../drawing/painted";
@@ -122,10 +122,7 @@ function drawPanel(
   const context = clearedContext(canvas, width, height);
   const {points, means, zero} = panelPlaces(multiple, errors, most, width, height);
   context.strokeStyle = colours.line;
-  context.beginPath();
-  context.moveTo(0, zero);
-  context.lineTo(width, zero);
-  context.stroke();
+  strokeLine(context, [0, zero], [width, zero]);
   context.globalAlpha = 0.75;
   points.forEach((places, k) => {
     const {mark} = errors.series[k];
@@ -136,7 +133,5 @@ function drawPanel(
   context.globalAlpha = 1;
   context.strokeStyle = colours.ink;
   context.lineWidth = 1.6;
-  context.beginPath();
-  means.forEach(([x, y]) => context.lineTo(x, y));
-  context.stroke();
+  strokeLine(context, ...means);
 }

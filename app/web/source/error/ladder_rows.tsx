@@ -85,19 +85,15 @@ function ModelName({model, limit}: {model: ComparedModel; limit: number | null})
   );
 }
 
-function Bar({
-  kind,
-  value,
-  end,
-  floor,
-  unit,
-}: {
+interface BarProps {
   kind: string;
   value: number | null;
   end: number;
   floor: number | null;
   unit: string;
-}) {
+}
+
+function Bar({kind, value, end, floor, unit}: BarProps) {
   if (value === null || value === undefined) return null;
   const {share, isCut} = barOf(value, end);
   return (

@@ -1,14 +1,12 @@
 // How far joints take the tip at the readings, asked of the program while errors are looked at: of every joint, and of
 // the axes that the found causes turn.
-import {computed, effect, signal} from "@preact/signals";
+import {computed} from "@preact/signals";
 import type {EffectAt, LeverageDocument} from "../server/documents";
-import {get, isMissing} from "../server/requests";
-import {cell, currentModel, report, state} from "../server/workbench";
-import {view} from "../shell/page_state";
+import {answerTo} from "../server/answers";
+import {cell, currentModel, report} from "../server/workbench";
 import {diagnose} from "./loop";
+import {readingsKey} from "./moments";
 import {turnedBy} from "../../../drawing/own_variable.js";
-
-export const leverage = signal<LeverageDocument | null>(null);
 
 const AXIS = /^[^,]+\.[xyz]$/;
 const MOST_AXES = 4;
@@ -23,25 +21,12 @@ const names = computed(() => {
   return [...joints, ...axes.slice(0, MOST_AXES)].join(",");
 });
 
-const key = computed(() => {
-  const now = state.value;
-  if (!now?.measurements || view.value !== "error") return "";
-  return `${now.measurements.name} ${now.model} ${now.results.compare?.revision ?? -1} ${names.value}`;
-});
-
-let fetched = "";
-effect(() => {
-  const wanted = key.value;
-  if (wanted === "" || wanted === fetched) return;
-  fetched = wanted;
-  get<LeverageDocument>(`/api/leverage?at=${encodeURIComponent(names.peek())}`).then(
-    (found) => {
-      if (fetched === wanted) leverage.value = found;
-    },
-    (error) => {
-      if (fetched !== wanted) return;
-      leverage.value = null;
-      if (!isMissing(error)) report("The leverage of the joints", error);
-    },
-  );
+export const leverage = answerTo<LeverageDocument>({
+  key: () => {
+    const key = readingsKey();
+    return key && `${key} ${names.value}`;
+  },
+  path: () => `/api/leverage?at=${encodeURIComponent(names.peek())}`,
+  keeps: true,
+  onProblem: (error) => report("The leverage of the joints", error),
 });

@@ -9,7 +9,7 @@ import type {
   WorkbenchState,
 } from "../server/documents";
 import {ServerProblem} from "../server/requests";
-import {report, result, runJob, runningJobs, startJob, state, stopJobs, takeState} from "../server/workbench";
+import {attempt, report, result, runJob, runningJobs, startJob, state, stopJobs, takeState} from "../server/workbench";
 
 export const compare = result<CompareDocument>("compare");
 export const diagnose = result<DiagnoseDocument>("diagnose");
@@ -57,13 +57,7 @@ export const areChangeable = computed(() => runningJobs.value.every((job) => job
 /** The readings here are marked, or taken otherwise. The answer is the state after it: what is asked next is asked of that. */
 export async function changeReadings(title: string, change: () => Promise<WorkbenchState>): Promise<boolean> {
   await stopJobs("compare");
-  try {
-    takeState(await change());
-    return true;
-  } catch (error) {
-    report(title, error);
-    return false;
-  }
+  return attempt(title, async () => takeState(await change()));
 }
 
 /** Kinds of jobs whose answer is of the readings. */

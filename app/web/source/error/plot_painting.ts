@@ -1,5 +1,6 @@
 // What is painted into the plot of the errors beside its points: the law with its band below them, means above them.
 import uPlot from "uplot";
+import {strokeLine} from "../drawing/canvas";
 import type {Palette} from "../drawing/colours";
 import type {Bin} from "../../../drawing/binned.js";
 
@@ -21,9 +22,7 @@ export function paintLaw(plot: uPlot, law: readonly Bin[], isLevel: boolean, col
     context.fill();
     context.globalAlpha = 1;
     context.lineWidth = 2.2 * uPlot.pxRatio;
-    context.beginPath();
-    law.forEach((bin) => context.lineTo(at.x(bin.x), at.y(bin.mean)));
-    context.stroke();
+    strokeLine(context, ...law.map((bin) => [at.x(bin.x), at.y(bin.mean)]));
   });
 }
 
@@ -47,10 +46,7 @@ function paintLevel(context: CanvasRenderingContext2D, at: Placing, bin: Bin, ha
   );
   context.globalAlpha = 1;
   context.lineWidth = 2.2 * uPlot.pxRatio;
-  context.beginPath();
-  context.moveTo(left, at.y(bin.mean));
-  context.lineTo(right, at.y(bin.mean));
-  context.stroke();
+  strokeLine(context, [left, at.y(bin.mean)], [right, at.y(bin.mean)]);
 }
 
 export function paintMeans(plot: uPlot, means: readonly Bin[], colours: Palette): void {
@@ -63,14 +59,8 @@ export function paintMeans(plot: uPlot, means: readonly Bin[], colours: Palette)
     for (const bin of means) {
       const x = at.x(bin.x),
         [low, high] = [at.y(bin.mean - 2 * bin.error), at.y(bin.mean + 2 * bin.error)];
-      context.beginPath();
-      context.moveTo(x, low);
-      context.lineTo(x, high);
-      for (const y of [low, high]) {
-        context.moveTo(x - half, y);
-        context.lineTo(x + half, y);
-      }
-      context.stroke();
+      strokeLine(context, [x, low], [x, high]);
+      for (const y of [low, high]) strokeLine(context, [x - half, y], [x + half, y]);
       context.beginPath();
       context.rect(x - 0.8 * half, at.y(bin.mean) - 0.8 * half, 1.6 * half, 1.6 * half);
       context.fill();

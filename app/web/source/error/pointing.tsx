@@ -6,6 +6,7 @@ import type {RefObject} from "preact";
 import uPlot from "uplot";
 import {drawRings} from "../drawing/canvas";
 import {palette} from "../drawing/colours";
+import {Terms} from "../drawing/panel";
 import {conditionsOf} from "../../../drawing/conditions.js";
 import {isNumber, short} from "../../../drawing/numbers.js";
 import {READING_SIGMAS, sigmasText} from "../../../drawing/sigma_text.js";
@@ -163,7 +164,7 @@ export function PointedReading({place, errors}: {place: Signal<Place>; errors: R
   );
 }
 
-export function ReadingWords({errors, index}: {errors: ReadingErrors; index: number}) {
+function ReadingWords({errors, index}: {errors: ReadingErrors; index: number}) {
   const reading = errors.readings[index];
   const joints = errors.joints.map((name, k) => ({name, unit: cell.value?.joints[k]?.unit}));
   return (
@@ -174,22 +175,17 @@ export function ReadingWords({errors, index}: {errors: ReadingErrors; index: num
         {reading.held_out ? ", held out" : ""}
       </b>
       <dl>
-        {conditionsOf(reading, joints, units.value).map(({name, figure, unit, sense}) => (
-          <>
-            <dt>{name}</dt>
-            <dd>
-              {figure} {unit} {sense}
-            </dd>
-          </>
-        ))}
-        {errors.series.map((series, k) => (
-          <>
-            <dt>{k === 0 ? "before" : "after"}</dt>
-            <dd>
-              <ErrorWords error={series.errors[index]} sigmas={errors.sigmas[k]?.[index]} />
-            </dd>
-          </>
-        ))}
+        <Terms
+          rows={[
+            ...conditionsOf(reading, joints, units.value).map(
+              ({name, figure, unit, sense}) => [name, `${figure} ${unit} ${sense}`] as const,
+            ),
+            ...errors.series.map(({errors: of}, k) => {
+              const words = <ErrorWords error={of[index]} sigmas={errors.sigmas[k]?.[index]} />;
+              return [k === 0 ? "before" : "after", words] as const;
+            }),
+          ]}
+        />
       </dl>
       <span>click: the arm there</span>
     </>
@@ -197,7 +193,7 @@ export function ReadingWords({errors, index}: {errors: ReadingErrors; index: num
 }
 
 /** An error with its sigmas; more than five are marked, with a sign beside the colour. */
-export function ErrorWords({error, sigmas}: {error: number[] | null; sigmas: number | undefined}) {
+function ErrorWords({error, sigmas}: {error: number[] | null; sigmas: number | undefined}) {
   if (!error) return <>–</>;
   const {text, isMany} = sigmasText(sigmas, READING_SIGMAS);
   return (

@@ -1,13 +1,13 @@
-// Every reading with its error: sorted by any column, filtered, set aside and taken back. Only the rows in sight are in
-// the page, so that thousands cost nothing.
-import {computed, effect as follow, signal} from "@preact/signals";
-import type {RefObject} from "preact";
+// Every reading with its error: sorted by any column, filtered, set aside and taken back.
+import {signal} from "@preact/signals";
 import {useEffect, useMemo, useRef} from "preact/hooks";
+import {TextInput} from "../drawing/fields";
+import {useWindow} from "../drawing/window";
 import {senseArrow} from "../../../drawing/conditions.js";
 import {exact, fixed, jointDecimals, plural, short, whole} from "../../../drawing/numbers.js";
 import {READING_SIGMAS, sigmasText} from "../../../drawing/sigma_text.js";
 import type {MeasurementsDocument} from "../server/documents";
-import {get} from "../server/requests";
+import {answerTo} from "../server/answers";
 import {report, state, units} from "../server/workbench";
 import {selectReadings, selectedReadings, pointed} from "./linked";
 import {areChangeable} from "./loop";
@@ -17,25 +17,16 @@ import {readingErrors} from "./residuals";
 import {showReading} from "./show_reading";
 
 const ROW = 26;
-const MORE = 8;
 
-const measured = signal<MeasurementsDocument | null>(null);
 const isWanted = signal(false);
-const key = computed(() => {
-  const now = state.value;
-  return now?.measurements && isWanted.value
-    ? `${now.cell.file} ${now.measurements.name} ${now.measurements.change} ${now.model}`
-    : "";
-});
-follow(() => {
-  const wanted = key.value;
-  if (wanted === "") return;
-  get<MeasurementsDocument>("/api/measurements").then(
-    (document) => {
-      if (key.peek() === wanted) measured.value = document;
-    },
-    (error) => report("The readings", error),
-  );
+const measured = answerTo<MeasurementsDocument>({
+  key: () => {
+    const {measurements, cell, model} = state.value ?? {};
+    return measurements && isWanted.value ? `${cell?.file} ${measurements.name} ${measurements.change} ${model}` : null;
+  },
+  path: () => "/api/measurements",
+  keeps: true,
+  onProblem: (error) => report("The readings", error),
 });
 
 const order = signal({column: "sigma", isDown: true});
@@ -46,10 +37,10 @@ export function ReadingTable() {
     isWanted.value = true;
     return () => (isWanted.value = false);
   }, []);
-  const joints = measured.value?.joints ?? [];
+  const joints = measured.value.document?.joints ?? [];
   const all = useMemo(
-    () => rowsOf(measured.value?.rows ?? [], readingErrors.value, units.value.length),
-    [measured.value, readingErrors.value, units.value],
+    () => rowsOf(measured.value.document?.rows ?? [], readingErrors.value, units.value.length),
+    [measured.value.document, readingErrors.value, units.value],
   );
   const sizeUnit = useMemo(() => sizeUnitOf(all, units.value.length), [all, units.value]);
   const columns = useMemo(
@@ -66,17 +57,15 @@ export function ReadingTable() {
   return (
     <div class="reading-table">
       <div class="reading-tools">
-        <input
+        <TextInput
+          of={filter}
           aria-label="Filter the readings"
           placeholder="P12   sigma>3   theta3<40   aside   held-out"
-          value={filter.value}
-          spellcheck={false}
-          onInput={(event) => (filter.value = event.currentTarget.value)}
         />
         <span class="muted">
           {wrong !== null
             ? `${wrong} is not understood`
-            : measured.value === null
+            : measured.value.document === null
               ? "loading"
               : rows.length === all.length
                 ? plural(all.length, "reading")
@@ -106,12 +95,8 @@ function pickRows(rows: ReadingRow[]): void {
 
 function Rows({rows, columns, isBusy}: {rows: ReadingRow[]; columns: readonly Column[]; isBusy: boolean}) {
   const box = useRef<HTMLDivElement>(null);
-  const {top, height} = useScroll(box);
-  const first = Math.max(0, Math.floor(top / ROW) - MORE),
-    last = Math.min(rows.length, first + Math.ceil(height / ROW) + 2 * MORE);
-  const layout = {
-    gridTemplateColumns: `26px ${columns.map(({width}) => width).join(" ")}`,
-  };
+  const {first, last} = useWindow(box, rows.length, ROW);
+  const layout = {gridTemplateColumns: `26px ${columns.map(({width}) => width).join(" ")}`};
   return (
     <div
       class="reading-rows"
@@ -139,20 +124,6 @@ function Rows({rows, columns, isBusy}: {rows: ReadingRow[]; columns: readonly Co
       </div>
     </div>
   );
-}
-
-/** What of a box is in sight. */
-function useScroll(box: RefObject<HTMLDivElement>): {top: number; height: number} {
-  const place = useRef(signal({top: 0, height: 300})).current;
-  useEffect(() => {
-    const element = box.current!;
-    const look = () => (place.value = {top: element.scrollTop, height: element.clientHeight});
-    const observer = new ResizeObserver(look);
-    observer.observe(element);
-    element.addEventListener("scroll", look);
-    return () => observer.disconnect();
-  }, []);
-  return place.value;
 }
 
 /** Sorts by its column, the largest first; again turns the order round. */

@@ -3,7 +3,9 @@
 import {useMemo, useRef} from "preact/hooks";
 import {palette} from "../drawing/colours";
 import {explanationTitle} from "../../../drawing/explanations.js";
+import {Select} from "../drawing/fields";
 import {Plot} from "../drawing/plot";
+import {choicesOf} from "../drawing/segments";
 import type {View} from "../../../drawing/own_variable.js";
 import {commonMost, letterOf} from "../../../drawing/reading_errors.js";
 import {MOST_MARKS} from "../../../drawing/shares.js";
@@ -21,6 +23,8 @@ import {
   type ReadingErrors,
 } from "./residuals";
 
+const choiceOf = ({key, name}: {key: string; name: string}) => ({value: key, words: name});
+
 export function ResidualPlot() {
   const errors = readingErrors.value,
     view = shownView.value,
@@ -31,26 +35,20 @@ export function ResidualPlot() {
     <section class="panel residual-plot">
       <header>
         <h2>Error against</h2>
-        <select
-          aria-label="Variable"
+        <Select
+          label="Variable"
+          choices={variables.value.map(choiceOf)}
           value={view?.variable.key ?? ""}
-          onChange={(event) => (chosenVariable.value = event.currentTarget.value)}
-        >
-          {variables.value.map((entry) => (
-            <option value={entry.key}>{entry.name}</option>
-          ))}
-        </select>
+          onChoose={(key) => (chosenVariable.value = key)}
+        />
         <div class="end">
           <BesideChoice />
-          <select
-            aria-label="Part of the error"
+          <Select
+            label="Part of the error"
+            choices={parts.value.map(choiceOf)}
             value={view?.part.key ?? ""}
-            onChange={(event) => (chosenPart.value = event.currentTarget.value)}
-          >
-            {parts.value.map((entry) => (
-              <option value={entry.key}>{entry.name}</option>
-            ))}
-          </select>
+            onChoose={(key) => (chosenPart.value = key)}
+          />
         </div>
       </header>
       <div class={`plots ${beside ? "two" : ""}`}>
@@ -67,21 +65,17 @@ export function ResidualPlot() {
 function BesideChoice() {
   const explanations = currentDiagnosis.value?.explanations ?? [];
   if (explanations.length < 2) return null;
+  const drawn = drawnExplanation.value;
+  const others = explanations.flatMap((_, index): [number, string][] =>
+    index === drawn ? [] : [[index, `${letterOf(drawn)} beside ${letterOf(index)}`]],
+  );
   return (
-    <select
-      aria-label="Explanation beside"
+    <Select
+      label="Explanation beside"
+      choices={choicesOf([[-1, `${letterOf(drawn)} alone`], ...others])}
       value={besideExplanation.value}
-      onChange={(event) => putBeside(Number(event.currentTarget.value))}
-    >
-      <option value={-1}>{letterOf(drawnExplanation.value)} alone</option>
-      {explanations.map((_, index) =>
-        index === drawnExplanation.value ? null : (
-          <option value={index}>
-            {letterOf(drawnExplanation.value)} beside {letterOf(index)}
-          </option>
-        ),
-      )}
-    </select>
+      onChoose={putBeside}
+    />
   );
 }
 

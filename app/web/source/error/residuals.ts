@@ -5,13 +5,14 @@ import {AFTER, BEFORE} from "../../../drawing/kinds.js";
 import {errorsOfExplanation, errorsOfRefit, type ErrorPair} from "../../../drawing/reading_errors.js";
 import type {
   CompareDocument,
+  ComparedReading,
   DiagnosedReading,
   DiagnoseDocument,
   ErrorReading,
   Model,
   Vector3,
 } from "../server/documents";
-import {get} from "../server/requests";
+import {answerTo} from "../server/answers";
 import {currentModel, report, state} from "../server/workbench";
 import {compare, currentDiagnosis} from "./loop";
 
@@ -41,20 +42,10 @@ const modelBefore = computed<Model | null>(() => {
   if (at < 1 || !compared.has(now.model)) return null;
   return now.models.slice(0, at).findLast((model) => compared.has(model.id)) ?? null;
 });
-const comparisonBefore = signal<CompareDocument | null>(null);
-const beforeKey = computed(() =>
-  modelBefore.value ? `${modelBefore.value.id} ${state.value?.results.compare?.revision}` : "",
-);
-effect(() => {
-  const wanted = beforeKey.value;
-  comparisonBefore.value = null;
-  if (wanted === "") return;
-  get<CompareDocument>(`/api/results/compare?model=${modelBefore.peek()!.id}`).then(
-    (document) => {
-      if (beforeKey.peek() === wanted) comparisonBefore.value = document;
-    },
-    (error) => report("The model before", error),
-  );
+const comparisonBefore = answerTo<CompareDocument>({
+  key: () => (modelBefore.value ? `${modelBefore.value.id} ${state.value?.results.compare?.revision}` : ""),
+  path: () => `/api/results/compare?model=${modelBefore.peek()!.id}`,
+  onProblem: (error) => report("The model before", error),
 });
 
 // ---- the errors
@@ -97,59 +88,59 @@ function scaledSigmas(sigmas: number | undefined, from: number | null, to: numbe
   return sigmas === undefined || to === null || !(from! > 0) ? undefined : (sigmas * to) / from!;
 }
 
+/** What a comparison says of each reading's error, before as another one has it and after its own refit. */
+function comparedErrors(
+  {readings}: CompareDocument,
+  before: (Pick<ComparedReading, "size_after" | "sigmas_after"> | undefined)[],
+): Pick<ReadingErrors, "sigmas" | "sizes" | "sizeUnits"> {
+  return {
+    sigmas: [before.map((reading) => reading?.sigmas_after), readings.map((reading) => reading.sigmas_after)],
+    sizes: [before.map((reading) => reading?.size_after ?? null), readings.map((reading) => reading.size_after)],
+    sizeUnits: readings.map((reading) => reading.size_unit),
+  };
+}
+
+function placesOf({readings}: CompareDocument): (Vector3 | null)[] {
+  return readings.map((reading) => reading.position_after ?? reading.measured ?? null);
+}
+
 function ofTwoModels(before: CompareDocument, now: CompareDocument, model: Model, earlier: Model): ReadingErrors {
-  const known = new Map(before.readings.map((reading) => [reading.id, reading]));
+  const known = new Map(before.readings.map((reading) => [reading.id, reading])),
+    earlierOnes = now.readings.map(({id}) => known.get(id));
   const had = new Set(earlier.effects.map((own) => `${own.effect}@${own.at}`));
+  const seriesOf = (name: string, mark: ErrorPair["series"][number]["mark"], readings: typeof earlierOnes) => {
+    return {name, mark, errors: readings.map((reading) => reading?.error_after ?? null)};
+  };
   return {
     readings: now.readings,
-    places: now.readings.map((reading) => reading.position_after ?? reading.measured ?? null),
+    places: placesOf(now),
     series: [
-      {
-        name: `before: ${earlier.label}, refitted`,
-        mark: BEFORE,
-        errors: now.readings.map(({id}) => (known.has(id) ? known.get(id)!.error_after : null)),
-      },
-      {
-        name: `after: ${model.label}`,
-        mark: AFTER,
-        errors: now.readings.map((reading) => reading.error_after),
-      },
+      seriesOf(`before: ${earlier.label}, refitted`, BEFORE, earlierOnes),
+      seriesOf(`after: ${model.label}`, AFTER, now.readings),
     ],
     joints: jointsOf(now),
     judged: 0,
     tested: 1,
     causes: model.effects.filter((own) => !had.has(`${own.effect}@${own.at}`)),
-    sigmas: [
-      now.readings.map(({id}) => known.get(id)?.sigmas_after),
-      now.readings.map((reading) => reading.sigmas_after),
-    ],
-    sizes: [
-      now.readings.map(({id}) => known.get(id)?.size_after ?? null),
-      now.readings.map((reading) => reading.size_after),
-    ],
-    sizeUnits: now.readings.map((reading) => reading.size_unit),
+    ...comparedErrors(now, earlierOnes),
   };
 }
 
 function ofComparison(document: CompareDocument): ReadingErrors {
+  const {readings} = document;
   return {
     ...errorsOfRefit(
-      document.readings,
-      document.readings.map((reading) => reading.position_after ?? reading.measured ?? null),
+      readings,
+      placesOf(document),
       jointsOf(document),
-      document.readings.map((reading) => reading.error_before),
-      document.readings.map((reading) => reading.error_after),
+      readings.map((reading) => reading.error_before),
+      readings.map((reading) => reading.error_after),
       document.model === currentModel.value?.id ? "" : ", of the model before",
     ),
-    sigmas: [
-      document.readings.map((reading) => reading.sigmas_before),
-      document.readings.map((reading) => reading.sigmas_after),
-    ],
-    sizes: [
-      document.readings.map((reading) => reading.size_before),
-      document.readings.map((reading) => reading.size_after),
-    ],
-    sizeUnits: document.readings.map((reading) => reading.size_unit),
+    ...comparedErrors(
+      document,
+      readings.map(({size_before, sigmas_before}) => ({size_after: size_before, sigmas_after: sigmas_before})),
+    ),
   };
 }
 
@@ -198,7 +189,7 @@ export const readingErrors = computed<ReadingErrors | null>(() => {
   const compared = compare.value.document;
   if (!compared) return null;
   const earlier = modelBefore.value,
-    before = comparisonBefore.value,
+    before = comparisonBefore.value.document,
     model = currentModel.value;
   if (earlier && before && model && compared.model === model.id) return ofTwoModels(before, compared, model, earlier);
   return ofComparison(compared);

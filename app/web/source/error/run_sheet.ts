@@ -4,7 +4,7 @@
 import {computed, effect, signal} from "@preact/signals";
 import type {MeasurementsDocument} from "../server/documents";
 import {get, postText} from "../server/requests";
-import {cell, report, state} from "../server/workbench";
+import {attempt, cell, state} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
 import {currentDiagnosis} from "./loop";
 import {readingErrors} from "./residuals";
@@ -76,14 +76,8 @@ export async function idsHere(): Promise<Set<string>> {
 // ---- given back
 
 /** Readings that are new join those that are here; the comparison follows, and a diagnosis where there was one. */
-export async function joinReadings(text: string): Promise<boolean> {
-  try {
-    await postText("/api/live/readings", text);
-    return true;
-  } catch (error) {
-    report("Readings to join", error);
-    return false;
-  }
+export function joinReadings(text: string): Promise<boolean> {
+  return attempt("Readings to join", () => postText("/api/live/readings", text));
 }
 
 /** Whether a table is this run sheet, filled in: its ids, none of which is here yet. */

@@ -4,19 +4,16 @@ import {shareText} from "../../../drawing/shares.js";
 import {MarkIcon} from "../drawing/marks";
 import type {ErrorPair} from "../../../drawing/reading_errors.js";
 
-export function SeriesLegend({
-  errors,
-  isBrief = false,
-  most,
-  children,
-}: {
+interface SeriesLegendProps {
   errors: ErrorPair | null;
   /** What the series are is said above: here before and after alone. */
   isBrief?: boolean;
   /** How many of the readings are drawn. */
   most: number;
   children?: ComponentChildren;
-}) {
+}
+
+export function SeriesLegend({errors, isBrief = false, most, children}: SeriesLegendProps) {
   const share = shareText(errors?.readings.length ?? 0, most);
   return (
     <p class="series-legend">

@@ -4,7 +4,7 @@ import uPlot from "uplot";
 import {exact} from "../../../drawing/numbers.js";
 import {rootTicks} from "../../../drawing/scales.js";
 import {requiredText} from "../../../drawing/visits.js";
-import {TYPEFACE} from "../drawing/canvas";
+import {strokeLine, TYPEFACE} from "../drawing/canvas";
 import type {Palette} from "../drawing/colours";
 import {axis} from "../drawing/plot";
 
@@ -34,10 +34,7 @@ export function paintRequired(plot: uPlot, required: number | null, unit: string
   ctx.save();
   ctx.strokeStyle = ctx.fillStyle = colours.bad;
   ctx.setLineDash([7, 4]);
-  ctx.beginPath();
-  ctx.moveTo(bbox.left, y);
-  ctx.lineTo(bbox.left + bbox.width, y);
-  ctx.stroke();
+  strokeLine(ctx, [bbox.left, y], [bbox.left + bbox.width, y]);
   ctx.setLineDash([]);
   ctx.textAlign = "right";
   paintWords(plot, requiredText(required, unit), bbox.left + bbox.width - 4, y - 6, colours);

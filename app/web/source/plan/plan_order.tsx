@@ -1,10 +1,17 @@
 // What a plan is asked with, and the button that asks for it.
 import {signal} from "@preact/signals";
 import {plural} from "../../../drawing/numbers.js";
+import {Check, Select} from "../drawing/fields";
+import {choicesOf} from "../drawing/segments";
 import {cell, runJob, runningJob} from "../server/workbench";
 import {selection, staysOfSelection} from "../shell/page_state";
 import {StayCount, WorkListButton} from "./work_list_button";
 
+const WAYS = choicesOf([
+  ["via-point", "via point"],
+  ["goal-point", "goal point"],
+  ["none", "no compensation"],
+]);
 const compensation = signal("via-point");
 const isOnLines = signal(false);
 const isParked = signal(false);
@@ -26,25 +33,21 @@ export function PlanOrder() {
     job = runningJob("plan");
   return (
     <>
-      <select
-        aria-label="Compensation"
+      <Select
+        label="Compensation"
+        choices={WAYS}
         value={compensation.value}
-        onChange={(event) => (compensation.value = event.currentTarget.value)}
-      >
-        <option value="via-point">via point</option>
-        <option value="goal-point">goal point</option>
-        <option value="none">no compensation</option>
-      </select>
+        onChoose={(way) => (compensation.value = way)}
+      />
       {compensation.value === "via-point" ? (
-        <label class="check" title="the tip straight from tube to tube, wherever that is possible and free">
-          <input type="checkbox" checked={isOnLines.value} onChange={() => (isOnLines.value = !isOnLines.value)} />{" "}
+        <Check of={isOnLines} title="the tip straight from tube to tube, wherever that is possible and free">
           straight
-        </label>
+        </Check>
       ) : null}
       {cell.value?.has_park ? (
-        <label class="check" title="set out from the park posture and come back to it">
-          <input type="checkbox" checked={isParked.value} onChange={() => (isParked.value = !isParked.value)} /> park
-        </label>
+        <Check of={isParked} title="set out from the park posture and come back to it">
+          park
+        </Check>
       ) : null}
       <WorkListButton />
       <StayCount />

@@ -1,6 +1,7 @@
 // The plan view: a work list chosen on the sheet, made into a proved tour, played with the arm, and taken away as files.
 import {useEffect, useMemo} from "preact/hooks";
 import {Vector3} from "three";
+import {Panel} from "../drawing/panel";
 import {ArmPicture} from "../arm/arm_picture";
 import {duration, percent, short, whole} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
@@ -31,9 +32,7 @@ const EXPORTS = [
 export default function PlanView() {
   useEffect(() => {
     isFollowed.value = true;
-    return () => {
-      isFollowed.value = false;
-    };
+    return () => void (isFollowed.value = false);
   }, []);
   wantPath();
   return (
@@ -49,11 +48,9 @@ function Plan({model}: {model: SheetModel}) {
   return (
     <div class="plan-view">
       <PlanSheet model={model} document={document} />
-      <section class="panel">
-        <div class="panel-body flush">
-          <ArmPicture tour={points} isSmall />
-        </div>
-      </section>
+      <Panel body="flush">
+        <ArmPicture tour={points} isSmall />
+      </Panel>
       <Transport />
       <TourPlot />
       <section class="panel">

@@ -1,7 +1,7 @@
 // The tour over the sheet: its course, each hole's mark, holes out of reach, and where it is now.
 import {toPixel, type Camera, type Size} from "../../../drawing/frames.js";
 import {UNREACHABLE} from "../../../drawing/kinds.js";
-import {drawRings} from "../drawing/canvas";
+import {drawRings, strokeLine} from "../drawing/canvas";
 import type {Palette} from "../drawing/colours";
 import {drawMark, type Mark} from "../drawing/marks";
 import type {Colouring} from "../sheet/colourings";
@@ -42,16 +42,8 @@ function placeOf({camera, size}: Canvas, model: SheetModel, hole: number): [numb
 }
 
 function drawCourse(canvas: Canvas, model: SheetModel, holes: readonly number[], colour: string, width: number): void {
-  const {context} = canvas;
-  context.beginPath();
-  holes.forEach((hole, i) => {
-    const [x, y] = placeOf(canvas, model, hole);
-    if (i === 0) context.moveTo(x, y);
-    else context.lineTo(x, y);
-  });
-  context.strokeStyle = colour;
-  context.lineWidth = width;
-  context.stroke();
+  Object.assign(canvas.context, {strokeStyle: colour, lineWidth: width});
+  strokeLine(canvas.context, ...holes.map((hole) => placeOf(canvas, model, hole)));
 }
 
 function drawHoleMark(canvas: Canvas, model: SheetModel, hole: number, mark: Mark): void {

@@ -4,11 +4,13 @@ import {choicesOf, Segments} from "../drawing/segments";
 import {signal, useSignalEffect} from "@preact/signals";
 import {useMemo, useRef} from "preact/hooks";
 import uPlot from "uplot";
+import {strokeLine} from "../drawing/canvas";
 import {palette, type Palette} from "../drawing/colours";
 import {exact, fixed, short} from "../../../drawing/numbers.js";
 import {roundTicks} from "../../../drawing/scales.js";
 import {stepKinds} from "../../../drawing/steps.js";
-import {axis, Plot} from "../drawing/plot";
+import {Panel} from "../drawing/panel";
+import {axis, Plot, type PlotOptions} from "../drawing/plot";
 import type {PathDocument, PlanDocument} from "../server/documents";
 import {units} from "../server/workbench";
 import {arrivals, clearances, isPlaying, path, plan, time} from "./playback";
@@ -37,40 +39,30 @@ export function TourPlot() {
     void time.value;
     held.current?.redraw(false, false);
   });
+  const choice = (
+    <Segments label="Plotted" choices={choicesOf(WHATS)} value={what.value} onChoose={(next) => (what.value = next)} />
+  );
   return (
-    <section class="panel">
-      <header>
-        <h2>Along the tour</h2>
-        <div class="end">
-          <Segments
-            label="Plotted"
-            choices={choicesOf(WHATS)}
-            value={what.value}
-            onChoose={(next) => (what.value = next)}
-          />
-        </div>
-      </header>
-      <div class="panel-body flush">
-        {along && what.value === "clearance" ? <ClearanceFigure along={along} /> : null}
-        {made ? (
-          <Plot
-            {...made}
-            label="Along the tour"
-            onReady={(plot) => {
-              held.current = plot;
-              plot.over.addEventListener("click", () => {
-                if (plot.cursor.left !== undefined && plot.cursor.left >= 0) {
-                  isPlaying.value = false;
-                  time.value = plot.posToVal(plot.cursor.left, "x");
-                }
-              });
-            }}
-          />
-        ) : (
-          <p class="muted pad">What a plan keeps clear and how long it travels stands here.</p>
-        )}
-      </div>
-    </section>
+    <Panel title="Along the tour" end={choice} body="flush">
+      {along && what.value === "clearance" ? <ClearanceFigure along={along} /> : null}
+      {made ? (
+        <Plot
+          {...made}
+          label="Along the tour"
+          onReady={(plot) => {
+            held.current = plot;
+            plot.over.addEventListener("click", () => {
+              if (plot.cursor.left !== undefined && plot.cursor.left >= 0) {
+                isPlaying.value = false;
+                time.value = plot.posToVal(plot.cursor.left, "x");
+              }
+            });
+          }}
+        />
+      ) : (
+        <p class="muted pad">What a plan keeps clear and how long it travels stands here.</p>
+      )}
+    </Panel>
   );
 }
 
@@ -114,8 +106,7 @@ function pointsOf(
 function makePlot(which: What, document: PlanDocument, along: PathDocument, sampled: (number | null)[]) {
   const colours = palette.peek();
   const data: uPlot.AlignedData = pointsOf(which, document, along, sampled);
-  const options: Omit<uPlot.Options, "width" | "height"> = {
-    legend: {show: false},
+  const options: PlotOptions = {
     cursor: {y: false, points: {show: false}, drag: {x: false, y: false}},
     scales: scalesOf(which),
     axes: axesOf(which, document, colours),
@@ -181,9 +172,6 @@ function drawPlayhead(plot: uPlot): void {
   ctx.setLineDash([]);
   ctx.strokeStyle = palette.peek().ink;
   ctx.lineWidth = 1.5 * uPlot.pxRatio;
-  ctx.beginPath();
-  ctx.moveTo(x, bbox.top);
-  ctx.lineTo(x, bbox.top + bbox.height);
-  ctx.stroke();
+  strokeLine(ctx, [x, bbox.top], [x, bbox.top + bbox.height]);
   ctx.restore();
 }

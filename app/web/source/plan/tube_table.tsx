@@ -1,7 +1,7 @@
-// Every tube of the plan in visiting order; only the rows in sight are in the page, so that thousands cost nothing.
+// Every tube of the plan in visiting order.
 import {useEffect, useRef} from "preact/hooks";
-import {useSignal} from "@preact/signals";
 import {MarkIcon} from "../drawing/marks";
+import {useWindow} from "../drawing/window";
 import {clock, lengthFigure, probability, short} from "../../../drawing/numbers.js";
 import {tubeTitle} from "../../../drawing/sheet_model.js";
 import type {PlanDocument, PlannedTube} from "../server/documents";
@@ -13,43 +13,30 @@ import {arrivals, currentVisit, goToVisit, isPlaying} from "./playback";
 const titleOf = ({row, column}: {row: number; column: number}) => tubeTitle(row, column);
 
 const ROW = 27;
-const MORE = 8;
 
 export function TubeTable({document}: {document: PlanDocument}) {
   const box = useRef<HTMLDivElement>(null);
-  const top = useSignal(0),
-    height = useSignal(400);
-  useEffect(() => {
-    const element = box.current!;
-    const observer = new ResizeObserver(() => (height.value = element.clientHeight));
-    observer.observe(element);
-    return () => observer.disconnect();
-  }, []);
   useEffect(() => {
     const element = box.current!,
       at = currentVisit.value * ROW;
     if (isPlaying.peek() && (at < element.scrollTop || at > element.scrollTop + element.clientHeight - 3 * ROW))
       element.scrollTop = at - ROW;
   }, [currentVisit.value]);
-  const total = document.tubes.length + document.unreachable.length;
-  const first = Math.max(0, Math.floor(top.value / ROW) - MORE),
-    last = Math.min(total, first + Math.ceil(height.value / ROW) + 2 * MORE);
+  const {tubes, unreachable} = document,
+    total = tubes.length + unreachable.length;
+  const {first, last} = useWindow(box, total, ROW);
   const kinds = stepKinds(document);
-  const rows = [];
-  for (let i = first; i < last; ++i) {
-    const tube = document.tubes[i];
-    rows.push(
-      tube ? (
-        <TubeRow key={i} tube={tube} index={i} kinds={kinds} />
-      ) : (
-        <div class="tube-row out" key={i} role="row" style={{top: `${ROW * i}px`}}>
-          <span class="number">–</span>
-          <b>{titleOf(document.unreachable[i - document.tubes.length])}</b>
-          <span class="wide bad">{document.unreachable[i - document.tubes.length].reason}</span>
-        </div>
-      ),
+  const rowAt = (i: number) => {
+    if (i < tubes.length) return <TubeRow key={i} tube={tubes[i]} index={i} kinds={kinds} />;
+    const tube = unreachable[i - tubes.length];
+    return (
+      <div class="tube-row out" key={i} role="row" style={{top: `${ROW * i}px`}}>
+        <span class="number">–</span>
+        <b>{titleOf(tube)}</b>
+        <span class="wide bad">{tube.reason}</span>
+      </div>
     );
-  }
+  };
   const {length, angle} = units.value;
   return (
     <div class="tube-table" role="table" aria-rowcount={total} aria-label="Tubes in visiting order">
@@ -64,8 +51,8 @@ export function TubeTable({document}: {document: PlanDocument}) {
         <span class="number">tilt, {angle}</span>
         <span class="number">at</span>
       </div>
-      <div class="tube-rows" ref={box} onScroll={(event) => (top.value = event.currentTarget.scrollTop)} tabIndex={0}>
-        <div style={{height: `${ROW * total}px`}}>{rows}</div>
+      <div class="tube-rows" ref={box} tabIndex={0}>
+        <div style={{height: `${ROW * total}px`}}>{Array.from({length: last - first}, (_, k) => rowAt(first + k))}</div>
       </div>
     </div>
   );

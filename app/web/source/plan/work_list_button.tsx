@@ -5,7 +5,7 @@ import {staysOfSelection} from "../shell/page_state";
 
 export function WorkListButton() {
   return (
-    <label class="button" title="a CSV of tubes, as plan --tubes LIST.csv reads it: they become the selection">
+    <label class="button" title="a CSV of tubes, one a row: they become the selection">
       Work list …
       <input
         class="hidden"

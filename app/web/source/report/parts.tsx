@@ -2,10 +2,10 @@
 import type {ComponentChildren} from "preact";
 import {Icon} from "../drawing/icons";
 import {MarkIcon, type Mark} from "../drawing/marks";
-
+import {Table, type TableProps} from "../drawing/table";
 import type {Report} from "./values";
 
-export {Table} from "../drawing/table";
+export {Table};
 
 export interface OfReport {
   report: Report;
@@ -30,6 +30,12 @@ export function Card({title, class: name = "", children}: {title?: ComponentChil
       {children}
     </div>
   );
+}
+
+/** A table on a card; without rows, `what` is missing. */
+export function TableCard({what, title, ...table}: {what: string; title?: ComponentChildren} & TableProps) {
+  if (table.rows.length === 0 && !title) return <Missing what={what} />;
+  return <Card title={title}>{table.rows.length === 0 ? <Missing what={what} /> : <Table {...table} />}</Card>;
 }
 
 export function Reasons({children}: {children: readonly ComponentChildren[]}) {

@@ -10,6 +10,24 @@ export interface JudgedDocument {
   error_budget?: ErrorBudget | null;
   set_aside?: string[];
   units: Units;
+  model: number;
+  revision: number;
+}
+
+/** The same with a verdict. */
+export interface VerdictDocument extends JudgedDocument {
+  verdict: string;
+  /** Not in what an earlier program left in a project. */
+  verdict_words?: string;
+  /** The errors of the model as it stands, refitted, and with each explanation. */
+  ladder?: {name: string; rms: number | null; heldout_rms: number | null}[];
+  sentence: string;
+  /** Sentence by sentence, the error first, without the advice of `splitting`; not in what an earlier program left in a
+   *  project. */
+  sentences?: string[];
+  chi2_per_dof: number;
+  p_value: number;
+  rms: Record<string, number>;
 }
 
 /** Conditions that it states are beside these, under the names that the units have them by. */
@@ -35,8 +53,6 @@ export interface ComparedReading extends ErrorReading {
   size_unit: string;
   sigmas_before?: number;
   sigmas_after?: number;
-  /** The error as those of all joints together. */
-  joint_corrections?: number[];
   measured?: Vector3;
   position_after?: Vector3;
 }
@@ -47,7 +63,6 @@ export interface PatternTest {
   variable: string;
   frame: string;
   component?: string;
-  F: number | null;
   p_value: number | null;
   chi2_fall: number | null;
 }
@@ -58,27 +73,12 @@ export interface PatternFound extends PatternTest {
   size: number;
 }
 
-export interface CompareDocument extends JudgedDocument {
-  verdict: string;
-  /** Not in what an earlier program left in a project. */
-  verdict_words?: string;
-  /** The errors of the model as it stands, and refitted. */
-  ladder?: {name: string; rms: number | null; heldout_rms: number | null}[];
-  sentence: string;
-  /** Sentence by sentence, the error first; not in what an earlier program left in a project. */
-  sentences?: string[];
-  chi2_per_dof: number;
-  p_value: number;
-  grounds: string[];
+export interface CompareDocument extends VerdictDocument {
   joint_columns: string[];
   patterns: PatternFound[];
   tested: PatternTest[];
   readings: ComparedReading[];
-  rms: Record<string, number>;
   worst: {id: string; size: number; sigmas: number}[];
-  units: Units;
-  model: number;
-  revision: number;
 }
 
 export interface Explanation {
@@ -133,15 +133,7 @@ export interface FillIn {
   optional: string[];
 }
 
-export interface DiagnoseDocument extends JudgedDocument {
-  verdict: string;
-  /** Not in what an earlier program left in a project. */
-  verdict_words?: string;
-  sentence: string;
-  /** Sentence by sentence, without the advice of `splitting`; not in what an earlier program left in a project. */
-  sentences?: string[];
-  chi2_per_dof: number;
-  p_value: number;
+export interface DiagnoseDocument extends VerdictDocument {
   probability: {nothing_missing: number; unknown_alone: number; scatter_alone?: number | null};
   not_tried: string[];
   explanations: Explanation[];
@@ -166,8 +158,6 @@ export interface DiagnoseDocument extends JudgedDocument {
   warnings: (string | {sentence: string})[];
   /** What the ranking's probabilities are of. */
   probability_words?: string;
-  /** The errors of the model, and with each explanation. */
-  ladder?: {name: string; rms: number | null; heldout_rms: number | null}[];
   /** The least of each effect that would have been seen. */
   detectable?: {
     effect: string;
@@ -180,11 +170,7 @@ export interface DiagnoseDocument extends JudgedDocument {
   /** What is left that no known effect explains. */
   remainder?: {size: number | null; follows: {variable: string; share: number}[]};
   alternatives: EffectAt[][];
-  rms: Record<string, number>;
   joints: {name: string; unit: string}[];
-  units: Units;
-  model: number;
-  revision: number;
 }
 
 export interface IdentifyDocument extends JudgedDocument {
@@ -200,9 +186,6 @@ export interface IdentifyDocument extends JudgedDocument {
     identifiable: string;
     interval: [number, number] | null;
   }[];
-  units: Units;
-  model: number;
-  revision: number;
 }
 
 export interface LadderDocument extends JudgedDocument {
@@ -214,9 +197,6 @@ export interface LadderDocument extends JudgedDocument {
     worst: {as_it_stands: number; fitted: number; heldout: number | null};
     steps?: {holes: number; counts: number[]} | null;
   }[];
-  units: Units;
-  model: number;
-  revision: number;
 }
 
 export interface CatalogueDocument {

@@ -57,7 +57,6 @@ export interface SceneDocument {
   shapes: SolidShape[];
   arm: ArmRow[];
   tip?: Vector3;
-  tool_axis?: Vector3;
 }
 
 export interface Frame {
@@ -103,6 +102,5 @@ export interface InverseDocument {
   status: string;
   branch: number;
   joints: number[] | null;
-  predicted_tip?: Vector3 | null;
   branches: {status: string; reason: string; joints: number[]; tilt?: number; clearance: null | {distance: number}}[];
 }

@@ -10,7 +10,6 @@ export interface PlannedTube {
   joints: number[];
   steps: number;
   tilt: number;
-  centring_error: number;
   approach_deviation: number;
   probability_by_steps: number[] | null;
   scored?: Record<string, null | {error: number; dx: number; dy: number; steps: number}>;
@@ -27,7 +26,6 @@ export interface PlanDocument {
   min_clearance: number;
   clearance_required: number;
   tightest: string;
-  detours: number;
   /** How the tool goes from tube to tube; not in what an earlier program left in a project. */
   travel?: {kind: string; on_line?: number; line_deviation?: number | null};
   counts?: Record<string, number[]>;

@@ -30,7 +30,7 @@ async function ask<T>(path: string, options?: RequestInit): Promise<T> {
   } catch {
     throw new ServerProblem(0, {
       message: "The program does not respond.",
-      advice: "See whether `tubeplan serve` still runs in its terminal; this page goes on by itself once it does.",
+      advice: "See whether it still runs in its terminal; this page goes on by itself once it does.",
     });
   }
   if (!response.ok) throw new ServerProblem(response.status, await problemOf(response));

@@ -16,8 +16,6 @@ export interface CellInfo {
   units: Units;
   base_known: boolean;
   has_sheet: boolean;
-  has_scene: boolean;
-  has_tool: boolean;
   has_truth: boolean;
   has_park: boolean;
   has_arm_file: boolean;
@@ -63,7 +61,6 @@ export interface ReadingsInfo {
   name: string;
   readings: number;
   kinds: Record<string, number>;
-  setups: number;
   sigma: number | null;
   /** How many are set aside, and how often that was changed. */
   set_aside: number;
@@ -101,7 +98,6 @@ export interface Job {
   stage: string;
   done: number;
   total: number;
-  rate: number | null;
   left_s: number | null;
   error: Problem | null;
   result: string | null;

@@ -1,7 +1,8 @@
 // The server's state as signals: from /api/events, the same in every browser; results fetched when they change.
-import {batch, computed, effect, signal, type Signal} from "@preact/signals";
+import {batch, computed, effect, signal, type ReadonlySignal} from "@preact/signals";
 import type {Job, LiveNews, Model, Problem, SceneDocument, SheetDocument, Units, WorkbenchState} from "./documents";
-import {asProblem, get, isMissing, post} from "./requests";
+import {answerTo, type Loaded} from "./answers";
+import {asProblem, post} from "./requests";
 import {newestJobs, withJob} from "./newest_jobs";
 import {sharing} from "./sharing";
 
@@ -94,74 +95,25 @@ export function followServer(): void {
 
 // ---- results
 
-export interface Loaded<T> {
-  status: "none" | "loading" | "here" | "failed";
-  document: T | null;
-  problem: Problem | null;
-}
-
-const NOTHING: Loaded<never> = {status: "none", document: null, problem: null};
-const results = new Map<string, Signal<Loaded<unknown>>>();
+const results = new Map<string, ReadonlySignal<Loaded<unknown>>>();
 
 /** The result document of a name; it renews itself whenever the state says that it changed. */
-export function result<T>(name: string): Signal<Loaded<T>> {
-  let known = results.get(name);
-  if (known === undefined) {
-    known = signal<Loaded<unknown>>(NOTHING);
-    results.set(name, known);
-    followResult(name, known);
-  }
-  return known as Signal<Loaded<T>>;
+export function result<T>(name: string): ReadonlySignal<Loaded<T>> {
+  const known =
+    results.get(name) ?? answerTo<unknown>({key: () => markOf(name), path: () => `/api/results/${name}`, keeps: true});
+  results.set(name, known);
+  return known as ReadonlySignal<Loaded<T>>;
 }
 
-function followResult(name: string, into: Signal<Loaded<unknown>>): void {
-  const mark = computed(() => {
-    const entry = state.value?.results[name];
-    return entry ? `${entry.model}:${entry.revision}` : "";
-  });
-  effect(() => {
-    const wanted = mark.value;
-    if (wanted === "") {
-      into.value = NOTHING;
-      return;
-    }
-    into.value = {status: "loading", document: into.peek().document, problem: null};
-    get<unknown>(`/api/results/${name}`).then(
-      (document) => {
-        if (mark.peek() === wanted) into.value = {status: "here", document, problem: null};
-      },
-      (error) => {
-        if (mark.peek() !== wanted) return;
-        into.value = isMissing(error) ? NOTHING : {status: "failed", document: null, problem: asProblem(error)};
-      },
-    );
-  });
+function markOf(name: string): string {
+  const entry = state.value?.results[name];
+  return entry ? `${entry.model}:${entry.revision}` : "";
 }
 
-// ---- what belongs to the cell: fetched once for each
-
-function perCell<T>(path: string, isThere: () => boolean): Signal<Loaded<T>> {
-  const into = signal<Loaded<T>>(NOTHING);
-  const key = computed(() =>
-    cell.value && isThere() ? `${state.value?.folder} ${cell.value.file} ${cell.value.name}` : "",
-  );
-  effect(() => {
-    const wanted = key.value;
-    if (wanted === "") {
-      into.value = NOTHING;
-      return;
-    }
-    into.value = {status: "loading", document: null, problem: null};
-    get<T>(path).then(
-      (document) => {
-        if (key.peek() === wanted) into.value = {status: "here", document, problem: null};
-      },
-      (error) => {
-        if (key.peek() === wanted) into.value = {status: "failed", document: null, problem: asProblem(error)};
-      },
-    );
-  });
-  return into;
+/** What belongs to the cell: asked for once for each. */
+function perCell<T>(path: string, isThere: () => boolean): ReadonlySignal<Loaded<T>> {
+  const key = () => (cell.value && isThere() ? `${state.value?.folder} ${cell.value.file} ${cell.value.name}` : "");
+  return answerTo<T>({key, path: () => path});
 }
 
 export const sheetDocument = perCell<SheetDocument>("/api/sheet", () => cell.value?.has_sheet === true);
@@ -188,9 +140,14 @@ export function dismiss(id: number): void {
 }
 
 /** Sends an order; where it is refused, says why. True where it was taken. */
-export async function order(title: string, path: string, body: unknown = {}): Promise<boolean> {
+export function order(title: string, path: string, body: unknown = {}): Promise<boolean> {
+  return attempt(title, () => post(path, body));
+}
+
+/** Does what may be refused, and says why where it is. True where it was done. */
+export async function attempt(title: string, act: () => Promise<unknown>): Promise<boolean> {
   try {
-    await post(path, body);
+    await act();
     return true;
   } catch (error) {
     report(title, error);

@@ -1,4 +1,5 @@
 // What is known of the hole that is pointed out, and the posture that brings the tool under it.
+import {Figures, Panel} from "../drawing/panel";
 import {fixed, jointDecimals, lengthFigure} from "../../../drawing/numbers.js";
 import type {InverseDocument} from "../server/documents";
 import {cell, units} from "../server/workbench";
@@ -9,18 +10,14 @@ import {holeName, type SheetModel} from "./sheet_model";
 
 export function HolePanel({model, colouring: shown}: {model: SheetModel; colouring: Colouring}) {
   const hole = picked.value;
-  if (hole < 0 || hole >= model.count) {
+  if (hole < 0 || hole >= model.count)
     return (
-      <section class="panel grow no-print">
-        <header>
-          <h2>Hole</h2>
-        </header>
-        <div class="panel-body">
-          <p class="muted">Pick a hole: the arm goes under it. Shift adds it to the selection.</p>
-        </div>
-      </section>
+      <Panel title="Hole" kind="grow no-print">
+        <p class="muted">Pick a hole: the arm goes under it. Shift adds it to the selection.</p>
+      </Panel>
     );
-  }
+  const {length} = units.value,
+    at = [0, 1, 2].map((k) => lengthFigure(model.world[3 * hole + k], length)).join("  ");
   return (
     <section class="panel grow">
       <header>
@@ -33,21 +30,13 @@ export function HolePanel({model, colouring: shown}: {model: SheetModel; colouri
         </div>
       </header>
       <div class="panel-body">
-        <dl class="figures">
-          <dt>x, y, z</dt>
-          <dd>
-            {[0, 1, 2].map((k) => lengthFigure(model.world[3 * hole + k], units.value.length)).join("  ")}{" "}
-            {units.value.length}
-          </dd>
-          <dt>state</dt>
-          <dd>{model.stateWords[model.state[hole]]}</dd>
-          {shown.words(hole).map((line) => (
-            <>
-              <dt></dt>
-              <dd>{line}</dd>
-            </>
-          ))}
-        </dl>
+        <Figures
+          rows={[
+            ["x, y, z", `${at} ${length}`],
+            ["state", model.stateWords[model.state[hole]]],
+            ...shown.words(hole).map((line): [string, string] => ["", line]),
+          ]}
+        />
         <Posture inverse={poseRequest.inverse.value} />
       </div>
     </section>
@@ -61,16 +50,12 @@ function Posture({inverse}: {inverse: InverseDocument | null}) {
   const joints = cell.value?.joints ?? [];
   return (
     <>
-      <dl class="figures">
-        {inverse.joints.map((value, i) => (
-          <>
-            <dt>{joints[i]?.name}</dt>
-            <dd>
-              {fixed(value, jointDecimals(joints[i]?.unit ?? ""))} {joints[i]?.unit}
-            </dd>
-          </>
-        ))}
-      </dl>
+      <Figures
+        rows={inverse.joints.map((value, i) => {
+          const {name = "", unit = ""} = joints[i] ?? {};
+          return [name, `${fixed(value, jointDecimals(unit))} ${unit}`];
+        })}
+      />
       <button class="button no-print" onClick={() => (view.value = "arm")}>
         See the arm
       </button>

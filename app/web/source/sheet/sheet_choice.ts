@@ -1,7 +1,7 @@
 // What the sheet's holes are coloured by, and the colouring where it is known.
 import {computed, effect, signal} from "@preact/signals";
 import type {FieldDocument, Model, PlanDocument, ReachDocument} from "../server/documents";
-import {get} from "../server/requests";
+import {answerTo} from "../server/answers";
 import {report, result, runJob, state} from "../server/workbench";
 import {sheet} from "../shell/page_state";
 import {byField, byReach, byState, bySteps, type Colouring} from "./colourings";
@@ -17,7 +17,7 @@ export const CHOICES: [Choice, string][] = [
   ["residual", "Residual"],
   ["sag", "Sag"],
 ];
-export const TITLES: Record<string, string> = {centring: "Predicted error", residual: "Residual", sag: "Sag"};
+const TITLES: Record<string, string> = {centring: "Predicted error", residual: "Residual", sag: "Sag"};
 
 export const chosen = signal<Choice>("state");
 
@@ -42,24 +42,15 @@ effect(() => {
   isBefore.value = false;
 });
 
-const fieldBefore = signal<FieldDocument | null>(null);
-const beforeKey = computed(() => {
-  const id = modelBefore.value?.id,
-    mark = state.value?.results.field;
-  return id !== undefined && mark?.models.includes(id) ? `${id} ${mark.revision} ${state.value?.revision}` : "";
-});
-effect(() => {
-  const wanted = beforeKey.value;
-  if (wanted === "") {
-    fieldBefore.value = null;
-    return;
-  }
-  get<FieldDocument>(`/api/results/field?model=${modelBefore.peek()!.id}`).then(
-    (document) => {
-      if (beforeKey.peek() === wanted) fieldBefore.value = document;
-    },
-    (error) => report("The model before", error),
-  );
+const fieldBefore = answerTo<FieldDocument>({
+  key: () => {
+    const id = modelBefore.value?.id,
+      mark = state.value?.results.field;
+    return id !== undefined && mark?.models.includes(id) ? `${id} ${mark.revision} ${state.value?.revision}` : "";
+  },
+  path: () => `/api/results/field?model=${modelBefore.peek()!.id}`,
+  keeps: true,
+  onProblem: (error) => report("The model before", error),
 });
 
 /** Works out what the sheet is coloured by, of the model that is shown. */
@@ -75,9 +66,7 @@ export function showBefore(before: boolean): void {
 }
 
 export const colouring = computed<Colouring | null>(() => {
-  const model = sheet.value;
-  if (!model) return null;
-  return madeColouring(model, chosen.value) ?? null;
+  return sheet.value ? madeColouring(sheet.value, chosen.value) : null;
 });
 
 function madeColouring(model: SheetModel, choice: Choice): Colouring | null {
@@ -85,10 +74,12 @@ function madeColouring(model: SheetModel, choice: Choice): Colouring | null {
   if (choice === "reach")
     return fits(reach.value.document?.reachable, model) ? byReach(model, reach.value.document!) : null;
   if (choice === "steps") return plan.value.document ? bySteps(model, plan.value.document, "predicted") : null;
-  const own = isOf(field.value.document, choice, model) && field.value.document!.model === state.value?.model,
-    before = isOf(fieldBefore.value, choice, model);
-  const both = [...(own ? [field.value.document!] : []), ...(before ? [fieldBefore.value!] : [])];
-  const shown = isBefore.value ? (before ? fieldBefore.value : null) : own ? field.value.document : null;
+  const [own, before] = [field, fieldBefore].map(({value: {document}}) =>
+    isOf(document, choice, model) ? document : null,
+  );
+  const now = own?.model === state.value?.model ? own : null,
+    shown = isBefore.value ? before : now;
+  const both = [now, before].filter((document) => document !== null);
   return shown ? byField(model, shown, TITLES[choice], both) : null;
 }
 

@@ -112,19 +112,15 @@ function SheetTools({drawing, isLassoing}: SheetToolsProps) {
   );
 }
 
-function HoleTip({
-  sheet,
-  unit,
-  colouring,
-  at,
-  size,
-}: {
+interface HoleTipProps {
   sheet: SheetModel;
   unit: string;
   colouring: Colouring;
   at: {x: number; y: number; hole: number};
   size: Size;
-}) {
+}
+
+function HoleTip({sheet, unit, colouring, at, size}: HoleTipProps) {
   const {hole} = at;
   const isRight = at.x > size.width - 230,
     isLow = at.y > size.height - 130;

@@ -7,14 +7,13 @@ import type {SheetPictureProps} from "./sheet_drawing";
 import type {SheetModel} from "./sheet_model";
 import {SheetPicture} from "./sheet_picture";
 
-/** Shows the sheet once it is read; `without` is what to say of a cell that has none. */
-export function WithSheet({
-  without,
-  children,
-}: {
+interface WithSheetProps {
   without: ComponentChildren;
   children: (model: SheetModel) => ComponentChildren;
-}) {
+}
+
+/** Shows the sheet once it is read; `without` is what to say of a cell that has none. */
+export function WithSheet({without, children}: WithSheetProps) {
   const {problem} = sheetDocument.value;
   if (cell.value && !cell.value.has_sheet)
     return <Nothing title={`${cell.value.name} has no tube sheet`}>{without}</Nothing>;

@@ -1,6 +1,8 @@
 // A table that another program wrote: which of its columns is what. The program says what they seem to be; the user has
 // the last word, and what was chosen once is chosen again for a table with the same columns.
 import {signal} from "@preact/signals";
+import {Select, submitting, TextInput, withPoint} from "../drawing/fields";
+import {choicesOf} from "../drawing/segments";
 import type {Problem} from "../server/documents";
 import {plural} from "../../../drawing/numbers.js";
 import {asProblem, post} from "../server/requests";
@@ -66,7 +68,7 @@ export async function askForColumns(tables: TableText[], use: ColumnsUse): Promi
 export function ColumnsDialog() {
   const shown = foreign.value;
   return (
-    <Dialog isOpen={dialog.value === "columns"} title="Which column is what" onClose={() => closeDialog("columns")}>
+    <Dialog name="columns" title="Which column is what">
       {shown ? <ColumnsForm shown={shown} /> : null}
     </Dialog>
   );
@@ -87,7 +89,7 @@ async function changeOptions(shown: Foreign, options: TableOptions): Promise<voi
 
 /** What no column says: the noise of a coordinate. */
 function noise({use}: Foreign): {sigma?: number} {
-  return !use.asksNoise || sigma.value.trim() === "" ? {} : {sigma: Number(sigma.value)};
+  return !use.asksNoise || sigma.value.trim() === "" ? {} : {sigma: Number(withPoint(sigma.value))};
 }
 
 async function take(shown: Foreign): Promise<void> {
@@ -106,13 +108,7 @@ async function take(shown: Foreign): Promise<void> {
 function ColumnsForm({shown}: {shown: Foreign}) {
   const missing = missingOf(shown.document, shown.choices);
   return (
-    <form
-      class="columns-form"
-      onSubmit={(event) => {
-        event.preventDefault();
-        void take(shown);
-      }}
-    >
+    <form class="columns-form" onSubmit={submitting(() => take(shown))}>
       {shown.document.tables.map((_, table) => (
         <TablePreview shown={shown} table={table} />
       ))}
@@ -124,15 +120,7 @@ function ColumnsForm({shown}: {shown: Foreign}) {
       {!shown.use.asksNoise || shown.choices.flat().some((choice) => choice.quantity === "sigma") ? null : (
         <label class="field narrow">
           one standard deviation of a coordinate ({cell.value?.units.length})
-          <input
-            inputMode="decimal"
-            placeholder="0.003"
-            value={sigma.value}
-            onInput={(event) => {
-              sigma.value = event.currentTarget.value.replace(",", ".");
-              problem.value = null;
-            }}
-          />
+          <TextInput of={sigma} inputMode="decimal" placeholder="0.003" onEdit={() => (problem.value = null)} />
         </label>
       )}
       <p class="muted" role="status">
@@ -152,15 +140,11 @@ function OptionChoice({shown, option}: {shown: Foreign; option: ColumnsDocument[
   return (
     <label class="field narrow">
       {option.label}
-      <select
+      <Select
+        choices={[{value: "", words: "as the columns say"}, ...option.values]}
         value={shown.options[option.name] ?? ""}
-        onChange={(event) => void changeOptions(shown, {...shown.options, [option.name]: event.currentTarget.value})}
-      >
-        <option value="">as the columns say</option>
-        {option.values.map(({value, words}) => (
-          <option value={value}>{words}</option>
-        ))}
-      </select>
+        onChoose={(value) => void changeOptions(shown, {...shown.options, [option.name]: value})}
+      />
     </label>
   );
 }
@@ -207,7 +191,9 @@ function TablePreview({shown, table}: {shown: Foreign; table: number}) {
 
 function MeaningOf({shown, table, column, name}: {shown: Foreign; table: number; column: number; name: string}) {
   const choice = shown.choices[table][column];
-  const target = shown.document.targets.find(({quantity}) => quantity === choice.quantity);
+  const {tables, targets} = shown.document,
+    none = tables[table].names === column ? "the row's name" : "nothing";
+  const target = targets.find(({quantity}) => quantity === choice.quantity);
   const units = target?.units ?? [];
   const change = (next: Partial<ColumnChoice>) => {
     const choices = shown.choices.map((row) => [...row]);
@@ -217,27 +203,19 @@ function MeaningOf({shown, table, column, name}: {shown: Foreign; table: number;
   };
   return (
     <>
-      <select
-        aria-label={`what ${name} is`}
+      <Select
+        label={`what ${name} is`}
+        choices={choicesOf([["", none], ...targets.map(({quantity}) => [quantity, quantity] as const)])}
         value={choice.quantity}
-        onChange={(event) => change({quantity: event.currentTarget.value, unit: "", factor: ""})}
-      >
-        <option value="">{shown.document.tables[table].names === column ? "the row's name" : "nothing"}</option>
-        {shown.document.targets.map((target) => (
-          <option value={target.quantity}>{target.quantity}</option>
-        ))}
-      </select>
+        onChoose={(quantity) => change({quantity, unit: "", factor: ""})}
+      />
       {units.length > 0 ? (
-        <select
-          aria-label={`unit of ${name}`}
+        <Select
+          label={`unit of ${name}`}
+          choices={choicesOf([["", "unit?"], ...units.map((unit) => [unit, unit] as const)])}
           value={choice.unit}
-          onChange={(event) => change({unit: event.currentTarget.value})}
-        >
-          <option value="">unit?</option>
-          {units.map((unit) => (
-            <option value={unit}>{unit}</option>
-          ))}
-        </select>
+          onChoose={(unit) => change({unit})}
+        />
       ) : null}
       {target?.is_required ? (
         <input
@@ -246,7 +224,7 @@ function MeaningOf({shown, table, column, name}: {shown: Foreign; table: number;
           placeholder="factor of pulses"
           size={12}
           value={choice.factor ?? ""}
-          onInput={(event) => change({factor: event.currentTarget.value.trim().replace(",", ".")})}
+          onInput={(event) => change({factor: withPoint(event.currentTarget.value)})}
         />
       ) : null}
     </>

@@ -2,29 +2,28 @@
 import type {ComponentChildren} from "preact";
 import {useLayoutEffect, useRef} from "preact/hooks";
 import {Icon} from "../drawing/icons";
+import {closeDialog, dialog, type DialogName} from "./page_state";
 import {Notices} from "./notices";
 
-export function Dialog({
-  isOpen,
-  title,
-  onClose,
-  children,
-}: {
-  isOpen: boolean;
+interface DialogProps {
+  name: DialogName;
   title: string;
-  onClose: () => void;
   children: ComponentChildren;
-}) {
+}
+
+export function Dialog({name, title, children}: DialogProps) {
+  const isOpen = dialog.value === name,
+    onClose = () => closeDialog(name);
   const element = useRef<HTMLDialogElement>(null);
   // The browser tells of a closing later, when the dialog may be open again: of the page's own it is not to be heard.
   const ownClosings = useRef(0);
   useLayoutEffect(() => {
-    const dialog = element.current;
-    if (!dialog || dialog.open === isOpen) return;
-    if (isOpen) dialog.showModal();
+    const own = element.current;
+    if (!own || own.open === isOpen) return;
+    if (isOpen) own.showModal();
     else {
       ++ownClosings.current;
-      dialog.close();
+      own.close();
     }
   }, [isOpen]);
   const onClosed = () => {

@@ -25,14 +25,12 @@ export function DropTarget() {
       const files = [...(event.dataTransfer?.files ?? [])];
       if (files.length > 0) void loadFiles(files);
     };
-    window.addEventListener("dragover", over);
-    window.addEventListener("dragleave", leave);
-    window.addEventListener("drop", drop);
-    return () => {
-      window.removeEventListener("dragover", over);
-      window.removeEventListener("dragleave", leave);
-      window.removeEventListener("drop", drop);
-    };
+    const listening = new AbortController(),
+      {signal} = listening;
+    window.addEventListener("dragover", over, {signal});
+    window.addEventListener("dragleave", leave, {signal});
+    window.addEventListener("drop", drop, {signal});
+    return () => listening.abort();
   }, []);
   return isOver.value ? (
     <div class="drop">

@@ -2,15 +2,13 @@
 import {Icon} from "../drawing/icons";
 import {Menu} from "./menu";
 
-export function ExportMenu({
-  exports,
-  isHere = true,
-  at = "",
-}: {
+interface ExportMenuProps {
   exports: readonly (readonly [string, string])[];
   isHere?: boolean;
   at?: string;
-}) {
+}
+
+export function ExportMenu({exports, isHere = true, at = ""}: ExportMenuProps) {
   const button = (
     <>
       <Icon name="down" size={16} /> Export

@@ -3,12 +3,11 @@ import {plural} from "../../../drawing/numbers.js";
 import {state} from "../server/workbench";
 import {Dialog} from "./dialog";
 import {joinOffered, offered, openOffered} from "./load";
-import {closeDialog, dialog} from "./page_state";
 
 export function JoinDialog() {
   const here = state.value?.measurements;
   return (
-    <Dialog isOpen={dialog.value === "join"} title="Other readings" onClose={() => closeDialog("join")}>
+    <Dialog name="join" title="Other readings">
       <p class="lead">
         <b>{offered.value?.name}</b> has readings that are not among the {plural(here?.readings ?? 0, "reading")} of{" "}
         {here?.name}.

@@ -1,61 +1,40 @@
 // The keys that work everywhere, and the list of all of them.
 import {chooseScheme, isDark} from "../drawing/colours";
+import {Terms} from "../drawing/panel";
 import {selectedReadings} from "../error/linked";
 import {dismiss, notices, order, state} from "../server/workbench";
 import {Dialog} from "./dialog";
-import {closeDialog, dialog, view, VIEWS} from "./page_state";
+import {dialog, view, VIEWS} from "./page_state";
 import {save} from "./project";
 import {canUndo, undo} from "./undo";
 
-const LIST: [string, [string, string][]][] = [
-  [
-    "Everywhere",
-    [
-      ["1 … 6", "sheet, arm, error, plan, calibrate, effects"],
-      ["O", "open a cell or readings"],
-      ["Ctrl Z", "undo the last change of the model or of the readings"],
-      ["Ctrl Shift Z, Ctrl Y", "redo"],
-      ["Ctrl S", "save as a project"],
-      ["D", "dark or light"],
-      ["?", "this list"],
-      ["Esc", "close, put a message away, or clear the selection"],
-    ],
-  ],
-  [
-    "On a sheet",
-    [
-      ["arrows", "from hole to hole"],
-      ["Enter", "pick the hole"],
-      ["Shift arrows, drag", "move the sheet"],
-      ["+  −  wheel, pinch", "larger, smaller"],
-      ["0", "whole sheet"],
-      ["L, Shift drag", "lasso (with Ctrl: add to the selection)"],
-    ],
-  ],
-  [
-    "On readings",
-    [
-      ["drag", "a loop in the plot or the places selects readings (with Shift: more)"],
-      ["Ctrl A", "in the table: select all that the filter leaves"],
-    ],
-  ],
-  [
-    "In the bar that plays a plan",
-    [
-      ["Space", "play or pause"],
-      ["← →", "a tube back or on"],
-      ["Home", "to the start"],
-    ],
-  ],
-  [
-    "Sliders",
-    [
-      ["← →", "a small step"],
-      ["Page up, down", "a large one"],
-      ["Home, End", "to the limits"],
-    ],
-  ],
-];
+const LIST: Record<string, Record<string, string>> = {
+  Everywhere: {
+    "1 … 6": "sheet, arm, error, plan, calibrate, effects",
+    O: "open a cell or readings",
+    "Ctrl Z": "undo the last change of the model or of the readings",
+    "Ctrl Shift Z, Ctrl Y": "redo",
+    "Ctrl S": "save as a project",
+    D: "dark or light",
+    "?": "this list",
+    Esc: "close, put a message away, or clear the selection",
+  },
+  "On a sheet": {
+    arrows: "from hole to hole",
+    Enter: "pick the hole",
+    "Shift arrows, drag": "move the sheet",
+    "+  −  wheel, pinch": "larger, smaller",
+    // With a blank: a bare number would come before all others.
+    "0 ": "whole sheet",
+    "L, Shift drag": "lasso (with Ctrl: add to the selection)",
+  },
+  "On readings": {
+    drag: "a loop in the plot or the places selects readings (with Shift: more)",
+    "Ctrl A": "in the table: select all that the filter leaves",
+  },
+  "In the bar that plays a plan": {Space: "play or pause", "← →": "a tube back or on", Home: "to the start"},
+  Sliders: {"← →": "a small step", "Page up, down": "a large one", "Home, End": "to the limits"},
+};
 
 function isTyping(event: KeyboardEvent): boolean {
   const target = event.target as HTMLElement | null;
@@ -109,20 +88,13 @@ export function followKeys(): () => void {
 
 export function KeysDialog() {
   return (
-    <Dialog isOpen={dialog.value === "keys"} title="Keys" onClose={() => closeDialog("keys")}>
+    <Dialog name="keys" title="Keys">
       <div class="keys">
-        {LIST.map(([title, keys]) => (
+        {Object.entries(LIST).map(([title, keys]) => (
           <section>
             <h2>{title}</h2>
             <dl>
-              {keys.map(([key, words]) => (
-                <>
-                  <dt>
-                    <kbd>{key}</kbd>
-                  </dt>
-                  <dd>{words}</dd>
-                </>
-              ))}
+              <Terms rows={Object.entries(keys).map(([key, words]) => [<kbd>{key}</kbd>, words] as const)} />
             </dl>
           </section>
         ))}

@@ -5,7 +5,7 @@ import {asProblem, post, postText} from "../server/requests";
 import {startCompare, stopWorkOnReadings} from "../error/loop";
 import {freshRows, idsHere, isFilledSheet, joinReadings} from "../error/run_sheet";
 import {isOfRow, tableOf} from "../error/run_sheet_table";
-import {cell, report, runJob, takeState} from "../server/workbench";
+import {attempt, cell, report, runJob, takeState} from "../server/workbench";
 import {openList, seemsToBeList} from "../plan/work_list";
 import {askForColumns, type ColumnsUse} from "./columns_dialog";
 import {dialog, view} from "./page_state";
@@ -61,11 +61,7 @@ async function joinAll(texts: string[]): Promise<void> {
 
 export async function openOffered(): Promise<void> {
   const {name, texts} = offered.peek()!;
-  try {
-    await openTables(name, texts);
-  } catch (error) {
-    report(`${name} cannot be read`, error);
-  }
+  await attempt(`${name} cannot be read`, () => openTables(name, texts));
 }
 
 /** The first takes the place of the readings here, the others join it. Throws where the first is refused. */
@@ -89,11 +85,8 @@ const READINGS: ColumnsUse = {
 export async function loadFiles(files: File[]): Promise<void> {
   const names = files.map((file) => file.name).join(" and ");
   if (files.some(({name}) => /\.(ya?ml|tubeplan)$/i.test(name))) {
-    report(names, {
-      message: "This is no table of readings.",
-      advice: "A cell or a project is opened from the folder: O.",
-    });
-    return;
+    const advice = "A cell or a project is opened from the folder: O.";
+    return report(names, {message: "This is no table of readings.", advice});
   }
   const tables = await Promise.all(files.map(async (file) => ({name: file.name, text: await file.text()}))),
     texts = tables.map(({text}) => text);
@@ -107,15 +100,12 @@ export async function loadFiles(files: File[]): Promise<void> {
   }
   if (texts.length === 1 || texts.every((text) => idsOf(text) !== null)) {
     try {
-      await openTables(names, texts);
-      return;
+      return await openTables(names, texts);
     } catch (error) {
       refused = error;
       // Its columns are known: there is nothing to ask about them.
-      if (idsOf(texts[0]) !== null && isOfRow(asProblem(error).where, texts[0])) {
-        report(`${names} cannot be read`, error);
-        return;
-      }
+      if (idsOf(texts[0]) !== null && isOfRow(asProblem(error).where, texts[0]))
+        return report(`${names} cannot be read`, error);
     }
   }
   try {
@@ -127,13 +117,8 @@ export async function loadFiles(files: File[]): Promise<void> {
 }
 
 export async function openReadings(file: string): Promise<void> {
-  try {
-    takeState(await post<WorkbenchState>("/api/measurements/open", {file}));
-  } catch (error) {
-    report(`${file} cannot be read`, error);
-    return;
-  }
-  await afterReadings();
+  const open = async () => takeState(await post<WorkbenchState>("/api/measurements/open", {file}));
+  if (await attempt(`${file} cannot be read`, open)) await afterReadings();
 }
 
 export function openCell(file: string): Promise<void> {
@@ -148,7 +133,7 @@ export function openRecent(recent: string, name: string): Promise<void> {
   return openInstead("/api/project/open", {recent}, name);
 }
 
-export interface Practice {
+interface Practice {
   design: string;
   readings: number;
   hide: string[];

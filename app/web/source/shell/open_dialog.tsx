@@ -1,13 +1,9 @@
 // Opening: readings and cells of the folder, a file of one's own, or readings made for practice.
-import {useEffect} from "preact/hooks";
-import {useSignal} from "@preact/signals";
-import type {Problem} from "../server/documents";
 import {plural} from "../../../drawing/numbers.js";
-import {asProblem, get} from "../server/requests";
+import {useAnswer} from "../server/answers";
 import {cell, state} from "../server/workbench";
 import {Dialog} from "./dialog";
 import {loadFiles, openCell, openProject, openReadings, openRecent} from "./load";
-import {closeDialog, dialog} from "./page_state";
 import {PracticeForm} from "./practice_form";
 import {ProblemWords, Waiting} from "./states";
 
@@ -30,36 +26,29 @@ interface RecentSession {
 
 export function OpenDialog() {
   return (
-    <Dialog isOpen={dialog.value === "open"} title="Open" onClose={() => closeDialog("open")}>
+    <Dialog name="open" title="Open">
       <OpenBody />
     </Dialog>
   );
 }
 
 function OpenBody() {
-  const files = useSignal<Files | null>(null);
-  const problem = useSignal<Problem | null>(null);
-  useEffect(() => {
-    get<Files>("/api/files").then(
-      (found) => (files.value = found),
-      (error) => (problem.value = asProblem(error)),
-    );
-  }, []);
-  if (problem.value) return <ProblemWords problem={problem.value} />;
-  if (!files.value) return <Waiting words="Looking into the folder" isBusy />;
+  const {document: files, problem} = useAnswer<Files>("/api/files");
+  if (problem) return <ProblemWords problem={problem} />;
+  if (!files) return <Waiting words="Looking into the folder" isBusy />;
   return (
     <div class="open">
-      <p class="lead">{files.value.folder}</p>
+      <p class="lead">{files.folder}</p>
       <div class="open-lists">
         <FileList
           title="Readings"
-          names={files.value.measurements}
+          names={files.measurements}
           now={state.value?.measurements?.name ?? ""}
           onOpen={openReadings}
         />
-        <FileList title="Cells" names={files.value.cells} now={cell.value?.file ?? ""} onOpen={openCell} />
+        <FileList title="Cells" names={files.cells} now={cell.value?.file ?? ""} onOpen={openCell} />
       </div>
-      <Projects files={files.value} />
+      <Projects files={files} />
       <div class="open-foot">
         <label class="button">
           Files of your own …
@@ -116,17 +105,14 @@ function whenText(saved: string): string {
   return Number.isNaN(when.getTime()) ? "" : when.toLocaleString("en-GB", {dateStyle: "short", timeStyle: "short"});
 }
 
-function FileList({
-  title,
-  names,
-  now,
-  onOpen,
-}: {
+interface FileListProps {
   title: string;
   names: string[];
   now: string;
   onOpen: (name: string) => void;
-}) {
+}
+
+function FileList({title, names, now, onOpen}: FileListProps) {
   return (
     <section>
       <h2>{title}</h2>

@@ -1,8 +1,8 @@
 // Readings of an arm that hides an effect, to practise on.
 import {useSignal, type Signal} from "@preact/signals";
-import {useEffect} from "preact/hooks";
+import {submitting, TextInput} from "../drawing/fields";
 import type {CatalogueDocument} from "../server/documents";
-import {get} from "../server/requests";
+import {useAnswer} from "../server/answers";
 import {cell} from "../server/workbench";
 import {simulate} from "./load";
 
@@ -10,10 +10,9 @@ export function PracticeForm() {
   const hide = useSignal(""),
     readings = useSignal(120),
     seed = useSignal(1);
-  const start = (event: Event) => {
-    event.preventDefault();
+  const start = () => {
     const hidden = hide.value.trim();
-    void simulate({
+    return simulate({
       design: cell.value?.base_known ? "bench" : "bowl",
       readings: readings.value,
       seed: seed.value,
@@ -21,7 +20,7 @@ export function PracticeForm() {
     });
   };
   return (
-    <form class="practice" onSubmit={start}>
+    <form class="practice" onSubmit={submitting(start)}>
       <h2>Practise</h2>
       <HiddenEffect hide={hide} />
       <Count words="readings" count={readings} least={6} most={2000} />
@@ -35,26 +34,15 @@ export function PracticeForm() {
 
 /** By name, with those of the catalogue to choose from. */
 function HiddenEffect({hide}: {hide: Signal<string>}) {
-  const catalogue = useSignal<string[]>([]);
-  useEffect(() => {
-    get<CatalogueDocument>("/api/catalogue").then(
-      (found) => (catalogue.value = [...new Set(found.effects.map((entry) => `${entry.effect}@${entry.at}`))]),
-      () => {},
-    );
-  }, []);
+  const effects = useAnswer<CatalogueDocument>("/api/catalogue").document?.effects ?? [];
   return (
     <>
       <label class="field">
         hidden effect
-        <input
-          list="practice-effects"
-          placeholder="none, or EFFECT@PLACE:SIZE"
-          value={hide.value}
-          onInput={(event) => (hide.value = event.currentTarget.value)}
-        />
+        <TextInput of={hide} list="practice-effects" placeholder="none, or one of the list" />
       </label>
       <datalist id="practice-effects">
-        {catalogue.value.map((name) => (
+        {[...new Set(effects.map(({effect, at}) => `${effect}@${at}`))].map((name) => (
           <option value={name} />
         ))}
       </datalist>

@@ -1,6 +1,6 @@
 // Keeping the work: saved as a project in the opened folder; what is not saved is never dropped unasked.
-import {computed, signal} from "@preact/signals";
-import {useSignal} from "@preact/signals";
+import {computed, signal, useSignal} from "@preact/signals";
+import {submitting, TextInput} from "../drawing/fields";
 import type {Problem, WorkbenchState} from "../server/documents";
 import {asProblem, post, ServerProblem} from "../server/requests";
 import {cell, report, state, takeState} from "../server/workbench";
@@ -38,7 +38,7 @@ export async function save(): Promise<void> {
 
 export function SaveDialog() {
   return (
-    <Dialog isOpen={dialog.value === "save"} title="Save the project" onClose={() => closeDialog("save")}>
+    <Dialog name="save" title="Save the project">
       <SaveForm />
     </Dialog>
   );
@@ -52,28 +52,14 @@ function SaveForm() {
     if (problem.value === null) closeDialog("save");
   };
   return (
-    <form
-      class="save-form"
-      onSubmit={(event) => {
-        event.preventDefault();
-        void write(false);
-      }}
-    >
+    <form class="save-form" onSubmit={submitting(() => write(false))}>
       <label class="field">
         name, in {state.value?.folder}
-        <input
-          autofocus
-          value={name.value}
-          spellcheck={false}
-          onInput={(event) => {
-            name.value = event.currentTarget.value;
-            problem.value = null;
-          }}
-        />
+        <TextInput of={name} autofocus onEdit={() => (problem.value = null)} />
       </label>
       <p class="muted">
-        One file with the cell, the readings, every model with its figures and what is set aside. `tubeplan serve` opens
-        it, here or elsewhere.
+        One file with the cell, the readings, every model with its figures and what is set aside. Open brings it back,
+        here or elsewhere.
       </p>
       {problem.value ? <ProblemWords problem={problem.value} /> : null}
       <div class="row">
@@ -111,7 +97,7 @@ export async function openInstead(path: string, body: Record<string, unknown>, n
 
 export function UnsavedDialog() {
   return (
-    <Dialog isOpen={dialog.value === "unsaved"} title="Keep the work?" onClose={() => closeDialog("unsaved")}>
+    <Dialog name="unsaved" title="Keep the work?">
       <p class="lead">
         The work on <b>{cell.value?.name}</b> is not saved in a project. Opening {opening.value?.name} closes it
         {project.value?.kept ? "; it stays under Open, Recent" : ""}.
@@ -133,15 +119,16 @@ export function UnsavedDialog() {
 
 // ---- the header's part
 
-const ALWAYS = [
-  ["cell.yaml", "Model"],
-  ["project.tubeplan", "Project"],
-] as const;
-const REPORTS = [
-  ["compare", "compare.html", "Comparison, report"],
-  ["diagnose", "diagnose.html", "Diagnosis, report"],
-  ["ladder", "ladder.html", "Ladder, report"],
-] as const;
+/** What can be taken away, and whether it is there. */
+const EXPORTS: [string, string, (now: WorkbenchState) => unknown][] = [
+  ["cell.yaml", "Model", () => true],
+  ["project.tubeplan", "Project", () => true],
+  ["cell-arm.yaml", "Its arm", ({cell}) => cell.has_arm_file],
+  ["measurements.csv", "Readings", ({measurements}) => measurements],
+  ["compare.html", "Comparison, report", ({results}) => results.compare],
+  ["diagnose.html", "Diagnosis, report", ({results}) => results.diagnose],
+  ["ladder.html", "Ladder, report", ({results}) => results.ladder],
+];
 
 export function ProjectTools() {
   const now = state.value;
@@ -153,12 +140,7 @@ export function ProjectTools() {
     : project.value?.kept
       ? "; autosaved"
       : "";
-  const exports: [string, string][] = [
-    ...ALWAYS.map(([name, title]): [string, string] => [name, title]),
-    ...(now.cell.has_arm_file ? [["cell-arm.yaml", "Its arm"] as [string, string]] : []),
-    ...(now.measurements ? [["measurements.csv", "Readings"] as [string, string]] : []),
-    ...REPORTS.filter(([result]) => now.results[result]).map(([, name, title]): [string, string] => [name, title]),
-  ];
+  const exports = EXPORTS.filter(([, , isThere]) => isThere(now)).map(([name, title]) => [name, title] as const);
   return (
     <div class="project-tools">
       <button

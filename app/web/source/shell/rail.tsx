@@ -1,5 +1,6 @@
 // The way from view to view: one tab stop, arrow keys within.
 import {Icon, type IconName} from "../drawing/icons";
+import {roving} from "../drawing/segments";
 import {view, VIEWS, type ViewName} from "./page_state";
 
 const WORDS: Record<ViewName, string> = {
@@ -11,19 +12,7 @@ const WORDS: Record<ViewName, string> = {
   effects: "Effects",
 };
 
-function step(event: KeyboardEvent): void {
-  const by =
-    event.key === "ArrowDown" || event.key === "ArrowRight"
-      ? 1
-      : event.key === "ArrowUp" || event.key === "ArrowLeft"
-        ? -1
-        : 0;
-  if (by === 0) return;
-  event.preventDefault();
-  view.value = VIEWS[(VIEWS.indexOf(view.value) + by + VIEWS.length) % VIEWS.length];
-  const rail = event.currentTarget as HTMLElement;
-  requestAnimationFrame(() => rail.querySelector<HTMLElement>("[aria-current=page]")?.focus());
-}
+const step = roving({ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1});
 
 export function Rail() {
   return (

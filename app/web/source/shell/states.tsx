@@ -1,6 +1,7 @@
 // What a view shows when it has nothing to show: that it waits, that something is not there, or what went wrong.
 import type {ComponentChildren} from "preact";
 import type {Problem} from "../server/documents";
+import {pageProblem} from "../server/page_words";
 
 export function Waiting({words, isBusy = false}: {words: string; isBusy?: boolean}) {
   return (
@@ -22,18 +23,18 @@ export function Nothing({title, children}: {title: string; children?: ComponentC
 
 /** The program's own words: where, what was found, what was expected, what to do. */
 export function ProblemWords({problem}: {problem: Problem}) {
-  const isSplit = problem.where || problem.found || problem.expected;
+  const {where, found, expected, message, advice} = pageProblem(problem);
   return (
     <div class="problem-words">
-      {problem.where ? (
+      {where ? (
         <p>
-          <b>{problem.where}</b>
+          <b>{where}</b>
         </p>
       ) : null}
-      {problem.found ? <p>found {problem.found}</p> : null}
-      {problem.expected ? <p>expected {problem.expected}</p> : null}
-      {isSplit ? null : <p>{problem.message}</p>}
-      {problem.advice ? <p class="advice">{problem.advice}</p> : null}
+      {found ? <p>found {found}</p> : null}
+      {expected ? <p>expected {expected}</p> : null}
+      {where || found || expected ? null : <p>{message}</p>}
+      {advice ? <p class="advice">{advice}</p> : null}
     </div>
   );
 }

@@ -1,4 +1,5 @@
 // The workbench: header, the views on a rail, dialogs, and what must be seen in any of them.
+import type {ComponentType} from "preact";
 import {lazy, Suspense} from "preact/compat";
 import {useEffect} from "preact/hooks";
 import {connection, state} from "../server/workbench";
@@ -22,28 +23,25 @@ import {Waiting} from "./states";
 const ArmView = lazy(() => import("../arm/arm_view"));
 const PlanView = lazy(() => import("../plan/plan_view"));
 
+const SHOWN: Record<ViewName, ComponentType> = {
+  sheet: SheetView,
+  arm: ArmView,
+  error: ErrorView,
+  plan: PlanView,
+  calibrate: CalibrateView,
+  effects: EffectsView,
+};
+
 function CurrentView({name}: {name: ViewName}) {
   if (state.value === null) {
     return connection.value === "lost" ? (
-      <Waiting words="The program does not respond. Check that `tubeplan serve` still runs; this page reconnects by itself." />
+      <Waiting words="The program does not respond. See whether it still runs in its terminal; this page reconnects by itself." />
     ) : (
       <Waiting words="Asking the program for its cell" isBusy />
     );
   }
-  switch (name) {
-    case "arm":
-      return <ArmView />;
-    case "error":
-      return <ErrorView />;
-    case "plan":
-      return <PlanView />;
-    case "calibrate":
-      return <CalibrateView />;
-    case "effects":
-      return <EffectsView />;
-    default:
-      return <SheetView />;
-  }
+  const View = SHOWN[name];
+  return <View />;
 }
 
 export function Workbench() {
@@ -69,8 +67,8 @@ export function Workbench() {
       </main>
       {state.value !== null && connection.value === "lost" ? (
         <p class="silence" role="alert">
-          The program does not respond: the page shows the last state that it received. Check that{" "}
-          <code>tubeplan serve</code> still runs; the page reconnects by itself.
+          The program does not respond: the page shows the last state that it received. See whether it still runs in its
+          terminal; the page reconnects by itself.
         </p>
       ) : null}
       {dialog.value === "" ? <Notices /> : null}

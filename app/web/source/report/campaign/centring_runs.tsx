@@ -4,15 +4,17 @@ import {useCallback, useMemo} from "preact/hooks";
 import type uPlot from "uplot";
 import {exact, isNumber, plural, probability, short, whole} from "../../../../drawing/numbers.js";
 import {sheetWords, type SheetModel} from "../../../../drawing/sheet_model.js";
+import {strokeLine} from "../../drawing/canvas";
 import {palette, type Palette} from "../../drawing/colours";
 import {drawMark, type Mark} from "../../drawing/marks";
-import {axis} from "../../drawing/plot";
+import {Select} from "../../drawing/fields";
+import {axis, type PlotOptions} from "../../drawing/plot";
 import {choicesOf, Segments} from "../../drawing/segments";
 import {paintWithin} from "../../error/plot_painting";
 import {paintWords} from "../../plan/clearance_axes";
 import {PlotBox} from "../errors/error_plot_box";
-import {Card, Lead, Legend, Missing, type OfReport, Reasons, Table} from "../parts";
-import {markRadius, type Painter, paintMarks, type Place, readSheet, SheetBox} from "../plan/sheet_box";
+import {Card, Lead, Legend, Missing, type OfReport, Reasons, Table, TableCard} from "../parts";
+import {type MarkGroup, type Painter, paintGroups, type Place, readSheet, SheetBox} from "../plan/sheet_box";
 import {lengthUnit, list, object, points, type Report, textOf} from "../values";
 import {type Estimate, Estimates, lookOf, LOOKS} from "./estimates";
 
@@ -92,9 +94,7 @@ function makeCurves(report: Report, curves: readonly Place[][], colours: Palette
     const shares = new Map(curve);
     return errors.map((error) => shares.get(error));
   });
-  const options: Omit<uPlot.Options, "width" | "height"> = {
-    legend: {show: false},
-    cursor: {x: false, y: false, points: {show: false}, drag: {x: false, y: false}},
+  const options: PlotOptions = {
     scales: {x: {time: false, range: [0, most]}, y: {distr: 3, range: [LEAST, 1]}},
     axes: [
       axis(colours, `centring error, ${lengthUnit(report)}`, {space: 90}),
@@ -130,10 +130,7 @@ function paintTolerances(plot: uPlot, tolerances: readonly number[], colours: Pa
     context.setLineDash([7, 4].map((long) => long * devicePixelRatio));
     for (const tolerance of tolerances) {
       const x = plot.valToPos(tolerance, "x", true);
-      context.beginPath();
-      context.moveTo(x, plot.bbox.top);
-      context.lineTo(x, plot.bbox.top + plot.bbox.height);
-      context.stroke();
+      strokeLine(context, [x, plot.bbox.top], [x, plot.bbox.top + plot.bbox.height]);
     }
     context.setLineDash([]);
     context.fillStyle = colours.bad;
@@ -164,7 +161,8 @@ export function SettingsSection({report}: OfReport) {
   const means = waysOf(report).flatMap(([way, words]) =>
     settings.map((setting, i) => meanOf(object(setting[way]), `${settingName(report, setting)}, ${words}`, i)),
   );
-  const most = Math.max(1e-9, ...means.map(({high, value}) => high ?? value ?? 0));
+  const title = `mean centring error, ${unit}`,
+    most = Math.max(1e-9, ...means.map(({high, value}) => high ?? value ?? 0));
   const chances = (steps: number): Estimate[] =>
     settings.map((setting, i) => {
       const step = list(object(setting.compensated)?.steps).find((entry) => entry.at_least === steps);
@@ -175,13 +173,7 @@ export function SettingsSection({report}: OfReport) {
       <Lead>The same true arms under every setting. Bars are 95 % bands.</Lead>
       <div class="pair">
         <Card title={`Mean centring error, ${unit}`}>
-          <Estimates
-            label="Mean centring error"
-            rows={means}
-            to={1.05 * most}
-            title={`mean centring error, ${unit}`}
-            write={short}
-          />
+          <Estimates label="Mean centring error" rows={means} to={1.05 * most} title={title} write={short} />
         </Card>
         {stepsOf(report).map((steps) => (
           <Card title={`Probability of ${steps} or more steps, compensated`}>
@@ -231,17 +223,10 @@ function SettingsTable({report}: OfReport) {
         `${settingName(report, setting)}: ${plural(runs, "run")} not scored, ${textOf(reason)} (the first is run ${whole(first)})`,
     ),
   );
+  const inAll = stepsOf(report).map((steps) => `${steps} or more in all of a run`);
   return (
     <Card>
-      <Table
-        heads={[
-          "setting",
-          "runs scored",
-          ...figures,
-          ...stepsOf(report).map((steps) => `${steps} or more in all of a run`),
-        ]}
-        rows={rows}
-      />
+      <Table heads={["setting", "runs scored", ...figures, ...inAll]} rows={rows} />
       {refused.length > 0 ? <Reasons>{refused}</Reasons> : <p class="good">Every run was scored.</p>}
     </Card>
   );
@@ -269,7 +254,7 @@ interface HoleChance {
 }
 
 export function ChanceMapSection({report}: OfReport) {
-  const sheet = useMemo(() => readSheet(report), [report]);
+  const sheet = readSheet(report);
   if (!sheet || list(report.maps).length === 0) return <Missing what="The holes one by one" />;
   return (
     <>
@@ -295,28 +280,15 @@ function ChanceMap({report, sheet}: {sheet: SheetModel} & OfReport) {
   );
   const groups = useMemo(() => {
     const bandOf = ({chance}: HoleChance) => BANDS.findIndex(({least}) => chance >= least);
-    return BANDS.map((band, k) => ({...band, holes: holes.filter((hole) => bandOf(hole) === k)}));
+    return BANDS.map(({mark, name}, k): MarkGroup => {
+      return {mark, name, places: holes.filter((hole) => bandOf(hole) === k).map(({place}) => place)};
+    });
   }, [holes]);
   const tell = useMemo(() => {
     const known = new Map(holes.map((hole) => [`${hole.row} ${hole.column}`, hole]));
     return (row: number, column: number) => tellChance(known.get(`${row} ${column}`), lengthUnit(report));
   }, [holes]);
-  const paint = useCallback(
-    (painter: Painter) => {
-      const radius = markRadius(
-        painter,
-        holes.map(({place}) => place),
-      );
-      for (const {mark, holes: own} of groups)
-        paintMarks(
-          painter,
-          mark,
-          own.map(({place}) => place),
-          radius,
-        );
-    },
-    [groups],
-  );
+  const paint = useCallback((painter: Painter) => paintGroups(painter, groups), [groups]);
   return (
     <>
       <div class="card-head">
@@ -328,30 +300,17 @@ function ChanceMap({report, sheet}: {sheet: SheetModel} & OfReport) {
         />
         <WayChoice report={report} value={way.value} onChoose={(next) => (way.value = next)} />
         {settings.length > 1 ? (
-          <select aria-label="Setting" onChange={(event) => (setting.value = Number(event.currentTarget.value))}>
-            {settings.map((entry, i) => (
-              <option value={i}>{settingName(report, entry)}</option>
-            ))}
-          </select>
+          <Select
+            label="Setting"
+            choices={settings.map((entry, value) => ({value, words: settingName(report, entry)}))}
+            value={setting.value}
+            onChoose={(next) => (setting.value = next)}
+          />
         ) : null}
       </div>
-      <SheetBox
-        report={report}
-        sheet={sheet}
-        label="Probability of the steps over the sheet"
-        tell={tell}
-        paint={paint}
-        isFaint
-      />
+      <SheetBox {...{report, sheet, tell, paint}} label="Probability of the steps over the sheet" isFaint />
       <Legend>
-        {groups.map(({mark, name, holes: own}) => {
-          const words = (
-            <>
-              {name} <b>{whole(own.length)}</b>
-            </>
-          );
-          return [mark, words] as const;
-        })}
+        {groups.map(({mark, name, places}) => [mark, [name, " ", <b>{whole(places.length)}</b>]] as const)}
       </Legend>
     </>
   );
@@ -391,13 +350,12 @@ export function WorstHolesSection({report}: OfReport) {
     <>
       <Lead>The holes with the largest mean error, compensated, of those visited ten times or more.</Lead>
       {list(report.settings).map((setting) => (
-        <Card title={settingName(report, setting)}>
-          {rowsOf(setting).length > 0 ? (
-            <Table heads={heads} rows={rowsOf(setting)} />
-          ) : (
-            <Missing what="Holes visited ten times or more" />
-          )}
-        </Card>
+        <TableCard
+          what="Holes visited ten times or more"
+          title={settingName(report, setting)}
+          heads={heads}
+          rows={rowsOf(setting)}
+        />
       ))}
     </>
   );

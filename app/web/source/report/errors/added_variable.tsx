@@ -4,8 +4,9 @@ import type uPlot from "uplot";
 import {effectTitle, isEnough, keptText, sizeText} from "../../../../drawing/explanations.js";
 import {fixed, isNumber, short} from "../../../../drawing/numbers.js";
 import {rangeOf, symmetric} from "../../../../drawing/scales.js";
+import {strokeLine} from "../../drawing/canvas";
 import {palette, type Palette} from "../../drawing/colours";
-import {axis} from "../../drawing/plot";
+import {axis, type PlotOptions} from "../../drawing/plot";
 import {markPaths} from "../../drawing/plot_marks";
 import {paintWithin} from "../../error/plot_painting";
 import {Card, Lead, type OfReport} from "../parts";
@@ -80,9 +81,7 @@ function AddedVariable({report, plot}: {plot: Report} & OfReport) {
 function makeScatter(points: readonly Report[], slope: unknown, colours: Palette) {
   const [xs, ys] = [1, 2].map((k) => points.map((point) => point[k] as number));
   const data: uPlot.AlignedData = [xs, ys];
-  const options: Omit<uPlot.Options, "width" | "height"> = {
-    legend: {show: false},
-    cursor: {x: false, y: false, points: {show: false}, drag: {x: false, y: false}},
+  const options: PlotOptions = {
     scales: {x: {time: false, range: symmetric(...rangeOf(xs))}, y: {range: symmetric(...rangeOf(ys))}},
     axes: [
       axis(colours, "what the effect would do, noise sigmas"),
@@ -101,11 +100,6 @@ function paintSlope(plot: uPlot, slope: unknown, colours: Palette): void {
   paintWithin(plot, (context) => {
     context.lineWidth = 1.6 * devicePixelRatio;
     context.strokeStyle = colours.ink;
-    context.beginPath();
-    if (isNumber(slope)) {
-      context.moveTo(...at(-far, -slope * far));
-      context.lineTo(...at(far, slope * far));
-    }
-    context.stroke();
+    if (isNumber(slope)) strokeLine(context, at(-far, -slope * far), at(far, slope * far));
   });
 }

@@ -6,9 +6,9 @@ import {barred} from "../../../../drawing/ranking.js";
 import {MarkIcon} from "../../drawing/marks";
 import {ParameterTable} from "../../error/parameter_table";
 import {Chance} from "../../error/ranking_table";
-import {Card, Lead, Missing, type OfReport, Table} from "../parts";
+import {Card, Lead, Missing, type OfReport, Table, TableCard} from "../parts";
 import {lengthUnit, list, object, type Report, textList, textOf} from "../values";
-import {modelCells} from "./ladder";
+import {modelCells, modelHeads} from "./ladder";
 import {LawSection} from "./law";
 import {conditionsText, sizeOf} from "./pairs";
 
@@ -27,18 +27,14 @@ export function PatternsSection({report}: OfReport) {
       isNumber(entry.p_value) ? pValue(entry.p_value) : null,
     ];
   });
-  return (
-    <Card>
-      <Table heads={["the errors depend on", "share explained", "p-value"]} rows={rows} />
-    </Card>
-  );
+  const heads = ["the errors depend on", "share explained", "p-value"];
+  return <TableCard what="What the errors depend on" heads={heads} rows={rows} />;
 }
 
 /** Worst readings as ids, or as {id, error | size, sigmas}. */
 export function WorstSection({report}: OfReport) {
-  if (!Array.isArray(report.worst)) return <Missing what="The worst readings" />;
   const byId = new Map(list(report.readings).map((reading) => [String(reading.id), reading]));
-  const rows = report.worst.map((worst: unknown) => {
+  const rows = (Array.isArray(report.worst) ? report.worst : []).map((worst: unknown) => {
     const entry = object(worst) ?? {id: worst},
       reading = byId.get(textOf(entry.id));
     const size = [entry.error, entry.size, entry.rms, sizeOf(reading?.after ?? reading?.before)].find(isNumber);
@@ -50,11 +46,8 @@ export function WorstSection({report}: OfReport) {
       isNumber(entry.sigmas) ? fixed(entry.sigmas, 1) : null,
     ];
   });
-  return (
-    <Card>
-      <Table heads={["reading", "point", "at", "error", "in sigmas"]} rows={rows} text={[0, 1, 2]} />
-    </Card>
-  );
+  const heads = ["reading", "point", "at", "error", "in sigmas"];
+  return <TableCard what="The worst readings" heads={heads} rows={rows} text={[0, 1, 2]} />;
 }
 
 /** Of each step the verdict, what was added and why, and the errors with the law of it. */
@@ -102,23 +95,12 @@ export function HistorySection({report}: OfReport) {
     const [name, ...errors] = modelCells(entry);
     return [name, textOf(entry.origin, ""), textOf(entry.state, ""), ...errors, textOf(entry.file)];
   });
-  if (rows.length === 0) return <Missing what="The models" />;
-  const heads = [
-    "model",
-    "by",
-    "",
-    `error, ${unit}`,
-    `held-out, ${unit}`,
-    "chi-square per degree of freedom",
-    "p",
-    "file",
-  ];
+  const [model, ...errors] = modelHeads(unit),
+    heads = [model, "by", "", ...errors, "file"];
   return (
     <>
       <Lead>Every model of the project, the first as it was given; errors are refitted, on the readings in use.</Lead>
-      <Card>
-        <Table heads={heads} rows={rows} text={[0, 1, 2, 7]} />
-      </Card>
+      <TableCard what="The models" heads={heads} rows={rows} text={[0, 1, 2, 7]} />
     </>
   );
 }

@@ -3,7 +3,7 @@ import {errorUnit} from "../../../../drawing/error_budget.js";
 import {comparedModels, errorOf, LADDER_WORDS} from "../../../../drawing/ladder.js";
 import {isNumber, percent, plural, pValue, short, whole} from "../../../../drawing/numbers.js";
 import {LadderRows} from "../../error/ladder_rows";
-import {Card, Lead, Missing, type OfReport, Table} from "../parts";
+import {Card, Lead, Missing, type OfReport, TableCard} from "../parts";
 import {StepBars} from "../step_bars";
 import {lengthText, list, numbers, object, type Report, textOf} from "../values";
 
@@ -46,23 +46,16 @@ export function LadderSection({report}: OfReport) {
 export function ModelsSection({report}: OfReport) {
   const unit = errorUnit(report),
     models = modelsOf(report, "models");
-  if (models.length === 0) return <Missing what="The models" />;
-  const heads = [
-    "model",
-    `error, ${unit}`,
-    `held-out, ${unit}`,
-    "chi-square per degree of freedom",
-    "p",
-    "fitted numbers",
-  ];
-  return (
-    <Card>
-      <Table heads={heads} rows={models.map((model) => [...modelCells(model), numberOf(model.numbers, whole)])} />
-    </Card>
-  );
+  const rows = models.map((model) => [...modelCells(model), numberOf(model.numbers, whole)]);
+  return <TableCard what="The models" heads={[...modelHeads(unit), "fitted numbers"]} rows={rows} />;
 }
 
 const numberOf = (value: unknown, write: (value: unknown) => string) => (isNumber(value) ? write(value) : null);
+
+/** What `modelCells` are. */
+export function modelHeads(unit: string): string[] {
+  return ["model", `error, ${unit}`, `held-out, ${unit}`, "chi-square per degree of freedom", "p"];
+}
 
 /** A model's name and errors. */
 export function modelCells(model: Report): (string | null)[] {
@@ -110,12 +103,11 @@ export function LadderStepsSection({report}: OfReport) {
       <Card>
         <StepBars label="Holes by number of inserted steps, for each model" rows={rows} />
       </Card>
-      <Card>
-        <Table
-          heads={["model", ...rows[0].counts.map((_, i) => plural(i, "step"))]}
-          rows={rows.map(({name, counts}) => [name, ...shareCells(counts)])}
-        />
-      </Card>
+      <TableCard
+        what="The models"
+        heads={["model", ...rows[0].counts.map((_, i) => plural(i, "step"))]}
+        rows={rows.map(({name, counts}) => [name, ...shareCells(counts)])}
+      />
     </>
   );
 }

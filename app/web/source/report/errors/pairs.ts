@@ -52,15 +52,8 @@ function errorPairsOf(report: Report): ErrorPair[] {
     const names = joints.map(({name}) => name),
       places = readings.map((reading) => vector(reading.position));
     const after = readings.map((reading) => vector(reading.after));
-    return [
-      errorsOfRefit(
-        readings,
-        places,
-        names,
-        readings.map(({before}) => before),
-        after,
-      ),
-    ];
+    const before = readings.map((reading) => reading.before);
+    return [errorsOfRefit(readings, places, names, before, after)];
   }
   const explanations = reportExplanations(report);
   const whole = readings.map((reading) => ({

@@ -6,7 +6,7 @@ import {MOST_RANKED, rankingRows, triedText} from "../../../../drawing/ranking.j
 import {letterOf} from "../../../../drawing/reading_errors.js";
 import {RankingTable} from "../../error/ranking_table";
 import type {RankedEffect} from "../../server/documents";
-import {Card, Lead, Missing, Named, type OfReport, Reasons, Table} from "../parts";
+import {Card, Lead, Missing, Named, type OfReport, Reasons, Table, TableCard} from "../parts";
 import {lengthUnit, list, object, type Report, textList, textOf, vector} from "../values";
 import {noiseFloorOf} from "./ladder";
 import {conditionsText, reportExplanations, rootMeanSquare} from "./pairs";
@@ -75,9 +75,7 @@ export function AlternativesSection({report}: OfReport) {
           ? "Each of these suffices alone; these readings cannot distinguish between them."
           : "The best of the known effects. None of them reduces the error to the noise floor."}
       </Lead>
-      <Card>
-        <Table heads={heads} rows={rows} text={[0, 1]} />
-      </Card>
+      <TableCard what="The explanations" heads={heads} rows={rows} text={[0, 1]} />
       <div class="pair">
         {explanations.slice(1).map((other, i) => (
           <Card title={`${explanationTitle(explanations[0])}, or ${explanationTitle(other)}`}>
@@ -132,13 +130,7 @@ export function HiddenSection({report}: OfReport) {
         Smallest size that these readings would detect with a power of 80 %. Smaller effects may be present. Marked ▲:
         only a size that no machine has would show, so these readings say nothing about it.
       </Lead>
-      {detectable.length === 0 ? (
-        <Missing what="What could still hide" />
-      ) : (
-        <Card>
-          <DetectableTable detectable={detectable} />
-        </Card>
-      )}
+      <DetectableTable detectable={detectable} />
       <div class="pair">
         <Card title="Not tried">
           {textList(report.not_tried).length > 0 ? (
@@ -190,7 +182,6 @@ function DetectableTable({detectable}: {detectable: Report[]}) {
     ));
     return [<Named name={textOf(effect)} />, plainName(number), unit === "1" ? "" : textOf(unit), places];
   });
-  return (
-    <Table heads={["effect", "number", "unit", "smallest detectable size, by place"]} rows={rows} text={[0, 1, 2, 3]} />
-  );
+  const heads = ["effect", "number", "unit", "smallest detectable size, by place"];
+  return <TableCard what="What could still hide" heads={heads} rows={rows} text={[0, 1, 2, 3]} />;
 }

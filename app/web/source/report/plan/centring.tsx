@@ -9,10 +9,10 @@ import {MarkAt, type Mark} from "../../drawing/marks";
 import {Card, Lead, Missing, type OfReport} from "../parts";
 import {lengthUnit, list, object, tubeName} from "../values";
 import {type CentringError, errorsOf, holeTeller, largestError, type Mode, modesOf} from "./cases";
-import {type Painter, paintArrow, paintMarks, readSheet, SheetBox} from "./sheet_box";
+import {type Painter, paintArrow, paintMarks, type Place, readSheet, SheetBox} from "./sheet_box";
 
 /** The place that an arrow is about. */
-export const PLACE: Mark = {shape: "disc", colour: "muted"};
+const PLACE: Mark = {shape: "disc", colour: "muted"};
 /** The longest arrow's length, in parts of the sheet's width. */
 const ARROW_SHARE = 0.06;
 
@@ -24,7 +24,7 @@ export function magnificationFor(largest: number, sheet: SheetModel): number {
 }
 
 export function CentringSection({report}: OfReport) {
-  const sheet = useMemo(() => readSheet(report), [report]);
+  const sheet = readSheet(report);
   const modes = modesOf(report).filter(({key}) => errorsOf(report, key).length > 0);
   if (!sheet || modes.length === 0)
     return (
@@ -82,12 +82,8 @@ function ArrowMap({report, sheet, mode, shared}: {sheet: SheetModel; mode: Mode;
     (painter: Painter) => {
       const fine = errors.length > 400 ? 0.5 : 1,
         colour = painter.colours[isBefore ? "case0" : "accent"];
-      paintMarks(
-        painter,
-        PLACE,
-        errors.map(({tube}) => [tube.x, tube.y]),
-        1.4 * fine,
-      );
+      const places = errors.map(({tube}): Place => [tube.x, tube.y]);
+      paintMarks(painter, PLACE, places, 1.4 * fine);
       for (const {tube, dx, dy} of errors) {
         const to = painter.at([tube.x + factor * dx, tube.y + factor * dy]);
         paintArrow(painter.context, painter.at([tube.x, tube.y]), to, colour, 1.6 * fine);
@@ -100,14 +96,7 @@ function ArrowMap({report, sheet, mode, shared}: {sheet: SheetModel; mode: Mode;
   const mean = errors.reduce((sum, {error}) => sum + error, 0) / errors.length;
   return (
     <Card title={`${isBefore ? "Before" : "After"}: ${mode.name}`}>
-      <SheetBox
-        report={report}
-        sheet={sheet}
-        label={`Centring-error arrows, ${mode.name}`}
-        tell={tell}
-        paint={paint}
-        isFaint
-      />
+      <SheetBox {...{report, sheet, tell, paint}} label={`Centring-error arrows, ${mode.name}`} isFaint />
       <p class="note">
         <b>
           Arrows magnified {whole(factor)} times{note}.

@@ -5,6 +5,7 @@ import {duration, exact, fixed, isNumber, percent, plural, short, whole} from ".
 import {MARKED} from "../../../../drawing/sigma_text.js";
 import {stepKinds} from "../../../../drawing/steps.js";
 import {palette, type Palette} from "../../drawing/colours";
+import type {PlotOptions} from "../../drawing/plot";
 import {MarkIcon} from "../../drawing/marks";
 import {paintWithin} from "../../error/plot_painting";
 import {clearanceAxes, paintRequired, paintWords, ROOT_SCALE} from "../../plan/clearance_axes";
@@ -122,9 +123,7 @@ function makeClearance(report: Report, curve: readonly [number, number][], colou
   const unit = lengthUnit(report),
     required = isNumber(report.clearance_required) ? report.clearance_required : null;
   const least = curve.reduce((low, point) => (point[1] < low[1] ? point : low));
-  const options: Omit<uPlot.Options, "width" | "height"> = {
-    legend: {show: false},
-    cursor: {x: false, y: false, points: {show: false}, drag: {x: false, y: false}},
+  const options: PlotOptions = {
     scales: {
       x: {time: false},
       y: {...ROOT_SCALE, range: (_plot, _low, high) => [0, 1.08 * Math.max(high, required ?? 0)]},

@@ -17,8 +17,16 @@ export type Place = [number, number];
 
 const signOf = (report: Report) => (object(report.sheet)?.viewed_from === "above" ? 1 : -1);
 
-/** The sheet's model; null without holes. */
+const known = new WeakMap<Report, SheetModel | null>();
+
+/** The sheet's model, made once for all sections; null without holes. */
 export function readSheet(report: Report): SheetModel | null {
+  const made = known.has(report) ? known.get(report)! : makeSheet(report);
+  known.set(report, made);
+  return made;
+}
+
+function makeSheet(report: Report): SheetModel | null {
   const given = object(report.sheet) ?? {},
     sign = signOf(report);
   const holes = (Array.isArray(given.holes) ? given.holes : []).filter(
@@ -29,6 +37,7 @@ export function readSheet(report: Report): SheetModel | null {
     manway = numbers(given.manway, 2),
     of = holes.map((hole) => textOf(hole[4], "open")),
     states = [...new Set(of)];
+  const [row, column, x, y] = [0, 1, 2, 3].map((k) => holes.map((hole) => hole[k] as number));
   return makeSheetModel({
     name: textOf(given.name, ""),
     pitch: given.pitch,
@@ -39,13 +48,9 @@ export function readSheet(report: Report): SheetModel | null {
     view_words: `${textOf(given.view_words, "")} (+x to the ${sign < 0 ? "left" : "right"})`.trim(),
     manway: manway ? {u: sign * manway[0], v: manway[1]} : null,
     holes: {
-      row: holes.map((hole) => hole[0]),
-      column: holes.map((hole) => hole[1]),
-      x: holes.map((hole) => hole[2]),
-      y: holes.map((hole) => hole[3]),
+      ...{row, column, x, y, v: y},
       z: holes.map(() => 0),
-      u: holes.map((hole) => sign * hole[2]),
-      v: holes.map((hole) => hole[3]),
+      u: x.map((across) => sign * across),
       state: of.map((state) => states.indexOf(state)),
       states,
       state_words: states.map((state) => textOf(words[state], state)),
@@ -133,6 +138,22 @@ export function paintMarks(
 ): void {
   context.fillStyle = context.strokeStyle = colours[mark.colour];
   for (const place of places) drawMark(context, mark.shape, ...at(place), radius);
+}
+
+/** Marks of one kind with their name and places. */
+export interface MarkGroup {
+  mark: Mark;
+  name: string;
+  places: Place[];
+}
+
+/** All groups that are not hidden, their marks as large as all of them allow. */
+export function paintGroups(painter: Painter, groups: readonly MarkGroup[], hidden: ReadonlySet<string> = new Set()) {
+  const radius = markRadius(
+    painter,
+    groups.flatMap(({places}) => places),
+  );
+  for (const {mark, name, places} of groups) if (!hidden.has(name)) paintMarks(painter, mark, places, radius);
 }
 
 /** An arrow between two places in pixels, in one colour. */

@@ -10,10 +10,10 @@ import {choicesOf, Segments} from "../../drawing/segments";
 import {Card, Lead, Missing, type OfReport, Reasons} from "../parts";
 import {list, type Report, textOf, tubeName} from "../values";
 import {holeTeller, type Mode, predictedMode, scoredModes} from "./cases";
-import {markRadius, type Painter, paintMarks, type Place, readSheet, SheetBox, stateGroups} from "./sheet_box";
+import {type MarkGroup, type Painter, paintGroups, readSheet, SheetBox, stateGroups} from "./sheet_box";
 
 export function SheetSection({report}: OfReport) {
-  const sheet = useMemo(() => readSheet(report), [report]);
+  const sheet = readSheet(report);
   const {before, after} = useMemo(() => {
     const scored = scoredModes(report),
       isBefore = ({key}: Mode) => key === "none";
@@ -39,23 +39,20 @@ export function SheetSection({report}: OfReport) {
   );
 }
 
-interface Group {
-  mark: Mark;
-  name: string;
-  tubes: Report[];
-}
-
-const placeOf = ({x, y}: Report): Place => [x, y];
-
 /** The groups of marks that a map shows. */
-function groupsOf(report: Report, mode: Mode): Group[] {
+function groupsOf(report: Report, mode: Mode): MarkGroup[] {
   const placed = (tubes: unknown) => list(tubes).filter(({x, y}) => isNumber(x) && isNumber(y));
+  const group = ({mark, name}: {mark: Mark; name: string}, tubes: Report[]): MarkGroup => ({
+    mark,
+    name,
+    places: tubes.map(({x, y}) => [x, y]),
+  });
   const tubes = placed(report.tubes),
-    unscored = tubes.filter((tube) => mode.caseOf(tube) === null);
+    of = (steps: number | null) => tubes.filter((tube) => mode.caseOf(tube) === steps);
   return [
-    ...stepKinds(report).map((kind, k) => ({...kind, tubes: tubes.filter((tube) => mode.caseOf(tube) === k)})),
-    {mark: UNREACHABLE as Mark, name: "cannot be visited", tubes: placed(report.unreachable)},
-    ...(unscored.length > 0 ? [{mark: UNSCORED as Mark, name: "not scored", tubes: unscored}] : []),
+    ...stepKinds(report).map((kind, k) => group(kind, of(k))),
+    group({mark: UNREACHABLE, name: "cannot be visited"}, placed(report.unreachable)),
+    ...(of(null).length > 0 ? [group({mark: UNSCORED, name: "not scored"}, of(null))] : []),
   ];
 }
 
@@ -90,14 +87,11 @@ function SheetMap({report, sheet, heading, modes}: SheetMapProps) {
         ) : null}
       </div>
       <SheetBox
-        report={report}
-        sheet={sheet}
+        {...{report, sheet, tell, paint}}
         label={`Tube sheet, ${sheetWords(sheet)}: ${heading.toLowerCase()}, ${mode.name}`}
-        tell={tell}
-        paint={paint}
       />
       <ul class="legend">
-        {groups.map(({mark, name, tubes}) => (
+        {groups.map(({mark, name, places}) => (
           <li>
             <label>
               <input
@@ -105,7 +99,7 @@ function SheetMap({report, sheet, heading, modes}: SheetMapProps) {
                 checked={!hidden.value.has(name)}
                 onChange={() => (hidden.value = toggled(hidden.value, name))}
               />
-              <MarkIcon mark={mark} /> {name} <b>{whole(tubes.length)}</b>
+              <MarkIcon mark={mark} /> {name} <b>{whole(places.length)}</b>
             </label>
           </li>
         ))}
@@ -119,15 +113,6 @@ function toggled(names: ReadonlySet<string>, name: string): ReadonlySet<string> 
   const next = new Set(names);
   if (!next.delete(name)) next.add(name);
   return next;
-}
-
-function paintGroups(painter: Painter, groups: readonly Group[], hidden: ReadonlySet<string>): void {
-  const radius = markRadius(
-    painter,
-    groups.flatMap(({tubes}) => tubes.map(placeOf)),
-  );
-  for (const {mark, name, tubes} of groups)
-    if (!hidden.has(name)) paintMarks(painter, mark, tubes.map(placeOf), radius);
 }
 
 /** Holes that are not on the list, and those of each state. */

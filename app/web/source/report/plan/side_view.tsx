@@ -4,6 +4,7 @@ import {extentOf} from "../../../../drawing/frames.js";
 import {exact, isNumber, short} from "../../../../drawing/numbers.js";
 import {roundDown125} from "../../../../drawing/scales.js";
 import type {ColourName} from "../../drawing/colours";
+import {Select} from "../../drawing/fields";
 import {MarkAt} from "../../drawing/marks";
 import {choicesOf, Segments} from "../../drawing/segments";
 import {Card, Lead, Legend, Missing, type OfReport} from "../parts";
@@ -32,11 +33,12 @@ export function SideViewSection({report}: OfReport) {
       </Lead>
       <Card title={`Under tube ${textOf(view.label, "")}`}>
         <div class="card-head">
-          <select aria-label="Under tube" onChange={(event) => (chosen.value = Number(event.currentTarget.value))}>
-            {views.map(({label}, i) => (
-              <option value={i}>{textOf(label, `View ${i + 1}`)}</option>
-            ))}
-          </select>
+          <Select
+            label="Under tube"
+            choices={views.map(({label}, value) => ({value, words: textOf(label, `View ${value + 1}`)}))}
+            value={chosen.value}
+            onChoose={(next) => (chosen.value = next)}
+          />
           <Segments
             label="Deflection"
             choices={FACTORS}

@@ -3,6 +3,7 @@ import {useCallback, useMemo} from "preact/hooks";
 import {chance, isNumber, plural, short, whole} from "../../../../drawing/numbers.js";
 import type {SheetModel} from "../../../../drawing/sheet_model.js";
 import {MARKED, TOUCH_SIGMAS} from "../../../../drawing/sigma_text.js";
+import {strokeLine} from "../../drawing/canvas";
 import {BasePose, TouchFigures} from "../../calibrate/base_figures";
 import type {CalibrateDocument} from "../../server/documents";
 import {Card, Lead, Missing, type OfReport} from "../parts";
@@ -12,7 +13,7 @@ import {magnificationFor, paintArrowScale} from "./centring";
 import {type Painter, paintArrow, paintMarks, paintTag, readSheet, SheetBox} from "./sheet_box";
 
 export function TouchesSection({report}: OfReport) {
-  const sheet = useMemo(() => readSheet(report), [report]);
+  const sheet = readSheet(report);
   const touches = list(report.touches),
     distances = list(report.distances),
     calibration = object(report.calibration);
@@ -82,14 +83,7 @@ function TouchMap({report, sheet, touches}: {sheet: SheetModel; touches: Report[
   );
   return (
     <Card title="Touched holes">
-      <SheetBox
-        report={report}
-        sheet={sheet}
-        label="The touched holes with their residuals"
-        tell={tell}
-        paint={paint}
-        isFaint
-      />
+      <SheetBox {...{report, sheet, tell, paint}} label="The touched holes with their residuals" isFaint />
       <p class="note">
         {residuals.length === 0
           ? "Residuals are not recorded."
@@ -104,13 +98,9 @@ function touchName(touch: Report): string {
 }
 
 function paintTriangle({context, at, colours}: Painter, places: readonly [number, number][]): void {
-  context.beginPath();
-  for (const place of places) context.lineTo(...at(place));
-  context.closePath();
-  context.strokeStyle = colours.accent;
+  Object.assign(context, {strokeStyle: colours.accent, lineWidth: 1.2});
   context.setLineDash([5, 4]);
-  context.lineWidth = 1.2;
-  context.stroke();
+  strokeLine(context, ...[...places, places[0]].map(at));
   context.setLineDash([]);
 }
 

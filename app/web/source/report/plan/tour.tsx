@@ -4,6 +4,7 @@ import {useCallback, useEffect, useMemo} from "preact/hooks";
 import {distance} from "../../../../drawing/frames.js";
 import {isNumber, plural} from "../../../../drawing/numbers.js";
 import type {SheetModel} from "../../../../drawing/sheet_model.js";
+import {strokeLine} from "../../drawing/canvas";
 import {Card, Lead, Missing, type OfReport} from "../parts";
 import {list, points, type Report, tubeName} from "../values";
 import {holeTeller, modesOf, predictedMode, visitOf} from "./cases";
@@ -35,7 +36,7 @@ function readTour(report: Report, pitch: number): Tour {
 }
 
 export function TourSection({report}: OfReport) {
-  const sheet = useMemo(() => readSheet(report), [report]);
+  const sheet = readSheet(report);
   if (!sheet || points(report.tour).length < 2) return <Missing what="The tour" />;
   return (
     <>
@@ -68,14 +69,7 @@ function TourMap({report, sheet}: {sheet: SheetModel} & OfReport) {
   );
   return (
     <>
-      <SheetBox
-        report={report}
-        sheet={sheet}
-        label="The tour of the tip over the sheet"
-        tell={tell}
-        paint={paint}
-        isFaint
-      />
+      <SheetBox {...{report, sheet, tell, paint}} label="The tour of the tip over the sheet" isFaint />
       <Walk part={part.value ?? 0} onMove={(next) => (part.value = next)} />
       <p class="note">
         {at === null
@@ -142,10 +136,7 @@ function paintTrace(painter: Painter, {trace, lengths, total}: Tour): void {
       colour = tourColour(lengths[i] / (total || 1));
     context.lineWidth = 1.6;
     context.strokeStyle = colour;
-    context.beginPath();
-    context.moveTo(...from);
-    context.lineTo(...to);
-    context.stroke();
+    strokeLine(context, from, to);
     if (lengths[i] < due) continue;
     due = lengths[i] + BETWEEN_HEADS / scale;
     const long = distance(from, to),

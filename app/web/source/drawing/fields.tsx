@@ -1,0 +1,72 @@
+// Fields of forms: one of several choices, a tick, a text; what is entered goes into a signal or to whoever asks.
+import type {Signal} from "@preact/signals";
+import type {ComponentChildren, ComponentProps} from "preact";
+import type {Choice} from "./segments";
+
+interface SelectProps<T> {
+  label?: string;
+  choices: readonly Choice<T>[];
+  value: T;
+  onChoose: (value: T) => void;
+  /** Before the choices are looked at. */
+  onOpen?: () => void;
+}
+
+export function Select<T extends string | number>({label, choices, value, onChoose, onOpen}: SelectProps<T>) {
+  return (
+    <select
+      aria-label={label}
+      value={value}
+      onFocus={onOpen}
+      onPointerDown={onOpen}
+      onChange={(event) => onChoose(choices[event.currentTarget.selectedIndex].value)}
+    >
+      {choices.map(({value: own, words}) => (
+        <option value={own}>{words}</option>
+      ))}
+    </select>
+  );
+}
+
+interface CheckProps {
+  of: Signal<boolean>;
+  title?: string;
+  kind?: string;
+  children: ComponentChildren;
+}
+
+export function Check({of, title, kind = "check", children}: CheckProps) {
+  return (
+    <label class={kind} title={title}>
+      <input type="checkbox" checked={of.value} onChange={(event) => (of.value = event.currentTarget.checked)} />{" "}
+      {children}
+    </label>
+  );
+}
+
+interface TextProps extends Omit<ComponentProps<"input">, "value" | "onInput"> {
+  of: Signal<string>;
+  /** After every change. */
+  onEdit?: () => void;
+}
+
+export function TextInput({of, onEdit, ...others}: TextProps) {
+  const edit = (text: string) => {
+    of.value = text;
+    onEdit?.();
+  };
+  return <input {...others} value={of.value} spellcheck={false} onInput={(event) => edit(event.currentTarget.value)} />;
+}
+
+/** Does what a form is for, instead of what browsers do with forms. */
+export function submitting(act: (form: HTMLFormElement) => unknown) {
+  return (event: SubmitEvent & {currentTarget: HTMLFormElement}) => {
+    event.preventDefault();
+    void act(event.currentTarget);
+  };
+}
+
+/** A number as it is typed with a point or a comma. */
+export function withPoint(text: string): string {
+  return text.trim().replace("−", "-").replace(",", ".");
+}

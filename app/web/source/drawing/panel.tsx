@@ -1,0 +1,54 @@
+// A panel of a view: its head with what stands at the end of it, and its body; figures as names with their values.
+import type {ComponentChildren} from "preact";
+
+interface PanelProps {
+  title?: ComponentChildren;
+  /** What else stands in the head, after the title and at its end; without title, head and end there is no head. */
+  head?: ComponentChildren;
+  end?: ComponentChildren;
+  /** Further classes of the panel and of its body. */
+  kind?: string;
+  body?: string;
+  /** What the body is to those who do not see it. */
+  role?: "tabpanel";
+  children?: ComponentChildren;
+}
+
+export function Panel({title, head, end, kind = "", body = "", role, children}: PanelProps) {
+  return (
+    <section class={`panel ${kind}`}>
+      {title || head || end ? (
+        <header>
+          {title ? <h2>{title}</h2> : null}
+          {head}
+          {end ? <div class="end">{end}</div> : null}
+        </header>
+      ) : null}
+      <div class={`panel-body ${body}`} role={role}>
+        {children}
+      </div>
+    </section>
+  );
+}
+
+/** Names with their values, as the terms of a list. */
+export function Terms({rows}: {rows: readonly (readonly [ComponentChildren, ComponentChildren])[]}) {
+  return (
+    <>
+      {rows.map(([name, value]) => (
+        <>
+          <dt>{name}</dt>
+          <dd>{value}</dd>
+        </>
+      ))}
+    </>
+  );
+}
+
+export function Figures({rows}: Parameters<typeof Terms>[0]) {
+  return (
+    <dl class="figures">
+      <Terms rows={rows} />
+    </dl>
+  );
+}
