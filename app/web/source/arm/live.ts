@@ -1,7 +1,7 @@
 // A running arm: what its encoders say moves the arm of this browser, as long as it follows.
-import {batch, effect, signal} from "@preact/signals";
+import {effect, signal} from "@preact/signals";
 import {liveNews} from "../server/workbench";
-import {poseRequest} from "./pose_link";
+import {bringArm} from "./pose_link";
 
 /** After so long without a word the arm is taken to stand still, or to be gone [ms]. */
 const SILENCE = 3000;
@@ -23,11 +23,5 @@ effect(() => {
 effect(() => {
   const {joints, load} = liveNews.value ?? {};
   if (!joints || !isFollowing.value) return;
-  batch(() => {
-    poseRequest.hole.value = -1;
-    poseRequest.inverse.value = null;
-    poseRequest.reading.value = null;
-    poseRequest.load.value = load ?? 0;
-    poseRequest.joints.value = joints;
-  });
+  bringArm(joints, load);
 });

@@ -31,14 +31,21 @@ effect(() => {
   const info = cell.peek();
   if (!info) return;
   batch(() => {
-    joints.value = info.joints.map((joint) => joint.home);
-    load.value = 0;
-    hole.value = -1;
     answer.value = null;
-    inverse.value = null;
-    reading.value = null;
+    bringArm(info.joints.map((joint) => joint.home));
   });
 });
+
+/** Brings the arm to a posture that is under no hole, with a load and the reading that was taken there. */
+export function bringArm(posture: number[], loaded = 0, shown: ShownReading | null = null): void {
+  batch(() => {
+    hole.value = -1;
+    inverse.value = null;
+    reading.value = shown;
+    load.value = loaded;
+    joints.value = posture;
+  });
+}
 
 let isAsking = false;
 let isWanted = false;

@@ -2,6 +2,7 @@
 import {signal} from "@preact/signals";
 import {useCallback, useMemo} from "preact/hooks";
 import {drawRings, strokeLine, TYPEFACE} from "../drawing/canvas";
+import type {Palette} from "../drawing/colours";
 import {Check} from "../drawing/fields";
 import {MarkIcon} from "../drawing/marks";
 import {cell, runJob, runningJob} from "../server/workbench";
@@ -13,6 +14,8 @@ import {holeName, type SheetModel} from "../sheet/sheet_model";
 import {SheetPanel} from "../sheet/with_sheet";
 import {suspicionOf} from "./suspicion";
 import {field, holeOf, outcome, proposals, touches} from "./touches";
+
+type Place = readonly [number, number];
 
 const isHeat = signal(true);
 
@@ -32,13 +35,13 @@ export function TouchSheet({model}: {model: SheetModel}) {
     (context, camera, size, colours) => {
       const ring = (hole: number, colour: string, words: string, dash: number[]) => {
         if (hole < 0) return;
-        const [x, y] = toPixel(camera, size, model.u[hole], model.v[hole]);
+        const place = toPixel(camera, size, model.u[hole], model.v[hole]);
         context.setLineDash(dash);
         context.strokeStyle = colour;
         context.lineWidth = 3;
-        drawRings(context, [[x, y]], 12);
+        drawRings(context, [place], 12);
         context.setLineDash([]);
-        label(context, words, x, y, size.width, colours.ink, colours.panel);
+        label(context, words, place, size.width, colours);
       };
       const done = touches.peek().map((touch) => touch.hole);
       suggested.forEach((hole, i) => {
@@ -83,7 +86,7 @@ export function TouchSheet({model}: {model: SheetModel}) {
 }
 
 /** A cross over a ring, in its colour: a touch that is suspected, told apart without colour too. */
-function crossOver(context: CanvasRenderingContext2D, [x, y]: readonly [number, number]): void {
+function crossOver(context: CanvasRenderingContext2D, [x, y]: Place): void {
   const reach = 15;
   for (const side of [-reach, reach]) strokeLine(context, [x - side, y - reach], [x + side, y + reach]);
 }
@@ -109,24 +112,12 @@ function TouchHead() {
   );
 }
 
-function label(
-  context: CanvasRenderingContext2D,
-  words: string,
-  x: number,
-  y: number,
-  width: number,
-  ink: string,
-  ground: string,
-): void {
+function label(context: CanvasRenderingContext2D, words: string, [x, y]: Place, width: number, colours: Palette): void {
   context.font = `600 12px ${TYPEFACE}`;
   const long = context.measureText(words).width;
   const left = x + 18 + long > width - 8 ? x - 18 - long : x + 18;
-  context.textAlign = "left";
-  context.textBaseline = "middle";
-  context.fillStyle = ground;
-  context.globalAlpha = 0.85;
+  Object.assign(context, {textAlign: "left", textBaseline: "middle", fillStyle: colours.panel, globalAlpha: 0.85});
   context.fillRect(left - 4, y - 10, long + 8, 20);
-  context.globalAlpha = 1;
-  context.fillStyle = ink;
+  Object.assign(context, {fillStyle: colours.ink, globalAlpha: 1});
   context.fillText(words, left, y);
 }

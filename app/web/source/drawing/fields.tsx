@@ -58,6 +58,13 @@ export function TextInput({of, onEdit, ...others}: TextProps) {
   return <input {...others} value={of.value} spellcheck={false} onInput={(event) => edit(event.currentTarget.value)} />;
 }
 
+/** A set with one more, or one less where it was there. */
+export function toggled<T>(set: ReadonlySet<T>, entry: T): ReadonlySet<T> {
+  const next = new Set(set);
+  if (!next.delete(entry)) next.add(entry);
+  return next;
+}
+
 /** Does what a form is for, instead of what browsers do with forms. */
 export function submitting(act: (form: HTMLFormElement) => unknown) {
   return (event: SubmitEvent & {currentTarget: HTMLFormElement}) => {

@@ -43,7 +43,8 @@ export function isOverSheet({axes}: Plane): boolean {
 export function drawArrows(canvas: HTMLCanvasElement, look: ArrowsLook, colours: Palette): PlacesOnScreen {
   const {errors, plane: which, unit, sheet: onPlate, picked, only} = look;
   const {clientWidth: width, clientHeight: height} = canvas.parentElement!;
-  const context = clearedContext(canvas, width, height);
+  const context = clearedContext(canvas, width, height),
+    canvasOf = {context, colours, width, height};
   if (!errors || width < 40 || height < 40) return [];
   const places = errors.places.filter((place): place is Vector3 => place !== null);
   if (places.length === 0) return [];
@@ -52,7 +53,7 @@ export function drawArrows(canvas: HTMLCanvasElement, look: ArrowsLook, colours:
   const largest = usualLargest(errors.series[0].errors.map((error) => (error ? Math.hypot(...error) : null)));
   const grow = largest > 0 ? LONG / largest : 0;
   if (onSheet) drawPlate(context, onSheet, frame.camera, frame.size, colours);
-  drawAxes(context, colours, which, frame.sign, height);
+  drawAxes(canvasOf, which, frame.sign);
   const shown = errors.places.map((place) => (place ? frame.at(place) : null));
   const onScreen = (error: Vector3): [number, number] => {
     const [u, v] = inPlane(which, error);
@@ -61,33 +62,30 @@ export function drawArrows(canvas: HTMLCanvasElement, look: ArrowsLook, colours:
   const {readings} = errors;
   const isShown = (i: number) => isInShare(i, readings.length, MOST_ARROWS) || (picked?.has(readings[i].id) ?? false);
   errors.series.forEach((series, k) => {
-    if (only === undefined || only === k) drawSeries(context, series, k === 0, shown, isShown, colours, onScreen);
+    if (only !== undefined && only !== k) return;
+    context.strokeStyle = context.fillStyle = colours[series.mark.colour];
+    context.lineWidth = 1.3;
+    shown.forEach((at, i) => {
+      const error = series.errors[i];
+      if (at && error && isShown(i)) drawError(context, at, onScreen(error), k === 0);
+    });
   });
-  drawScale(context, colours, unit, largest, grow, width, height);
-  drawRuler(context, frame.camera.scale, unit, height);
+  drawScale(canvasOf, unit, largest, grow);
+  drawRuler(canvasOf, frame.camera.scale, unit);
   return shown;
 }
 
-/** Each error of a series as a dot at its place and an arrow from there; hollow before, full after, as marks are. */
-function drawSeries(
+/** An error as a dot at its place and an arrow from there; hollow before, full after, as marks are. */
+function drawError(
   context: CanvasRenderingContext2D,
-  series: ErrorPair["series"][number],
+  at: [number, number],
+  way: [number, number],
   isBefore: boolean,
-  places: PlacesOnScreen,
-  isShown: (reading: number) => boolean,
-  colours: Palette,
-  onScreen: (error: Vector3) => [number, number],
 ): void {
-  context.strokeStyle = context.fillStyle = colours[series.mark.colour];
-  context.lineWidth = 1.3;
-  places.forEach((at, i) => {
-    const error = series.errors[i];
-    if (!at || !error || !isShown(i)) return;
-    context.beginPath();
-    context.arc(...at, 1.5, 0, 2 * Math.PI);
-    context.fill();
-    drawArrow(context, ...at, ...onScreen(error), isBefore);
-  });
+  context.beginPath();
+  context.arc(...at, 1.5, 0, 2 * Math.PI);
+  context.fill();
+  drawArrow(context, ...at, ...way, isBefore);
 }
 
 interface Frame {
@@ -114,13 +112,14 @@ function makeFrame(which: Plane, places: Vector3[], onSheet: SheetModel | null, 
 
 const FONT = `11px ${TYPEFACE}`;
 
-function drawAxes(
-  context: CanvasRenderingContext2D,
-  colours: Palette,
-  which: Plane,
-  sign: number,
-  height: number,
-): void {
+interface Canvas {
+  context: CanvasRenderingContext2D;
+  colours: Palette;
+  width: number;
+  height: number;
+}
+
+function drawAxes({context, colours, height}: Canvas, which: Plane, sign: number): void {
   const x = sign > 0 ? 16 : 46,
     y = height - 14;
   context.strokeStyle = context.fillStyle = colours.muted;
@@ -132,15 +131,7 @@ function drawAxes(
   context.fillText(which.key[1], x - 3, y - 31);
 }
 
-function drawScale(
-  context: CanvasRenderingContext2D,
-  colours: Palette,
-  unit: string,
-  largest: number,
-  grow: number,
-  width: number,
-  height: number,
-): void {
+function drawScale({context, colours, width, height}: Canvas, unit: string, largest: number, grow: number): void {
   if (!(largest > 0)) return;
   const size = roundDown125(largest),
     long = size * grow;
@@ -153,7 +144,7 @@ function drawScale(
 }
 
 /** A round length of the places, beside the axes. */
-function drawRuler(context: CanvasRenderingContext2D, scale: number, unit: string, height: number): void {
+function drawRuler({context, height}: Canvas, scale: number, unit: string): void {
   const length = roundDown125(LONGEST_RULER / scale),
     x = 84,
     y = height - 12;

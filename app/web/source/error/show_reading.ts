@@ -1,6 +1,6 @@
 // A reading in the arm's view: the posture and load it was taken at, with its error as an arrow.
 import {batch} from "@preact/signals";
-import {poseRequest} from "../arm/pose_link";
+import {bringArm} from "../arm/pose_link";
 import {view} from "../shell/page_state";
 import {readingErrors} from "./residuals";
 
@@ -10,16 +10,12 @@ export function showReading(id: string): void {
   if (!errors || index < 0) return;
   const reading = errors.readings[index];
   batch(() => {
-    poseRequest.joints.value = [...reading.joints];
-    poseRequest.load.value = reading.load ?? 0;
-    poseRequest.hole.value = -1;
-    poseRequest.inverse.value = null;
-    poseRequest.reading.value = {
+    bringArm([...reading.joints], reading.load, {
       id,
       place: errors.places[index],
       errors: errors.series.map((series) => ({mark: series.mark, error: series.errors[index] ?? null})),
       words: errors.series.map((series) => series.name),
-    };
+    });
     view.value = "arm";
   });
 }

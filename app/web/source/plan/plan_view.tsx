@@ -13,7 +13,7 @@ import {OtherModel} from "../shell/other_model";
 import {ProblemWords} from "../shell/states";
 import type {SheetModel} from "../sheet/sheet_model";
 import {WithSheet} from "../sheet/with_sheet";
-import {isFollowed, plan, wantPath} from "./playback";
+import {isFollowed, plan} from "./playback";
 import {PlanSheet} from "./plan_sheet";
 import {tour} from "./tour";
 import {TourPlot} from "./tour_plot";
@@ -34,7 +34,6 @@ export default function PlanView() {
     isFollowed.value = true;
     return () => void (isFollowed.value = false);
   }, []);
-  wantPath();
   return (
     <WithSheet without={<p>There is nothing to visit. Open a cell with a sheet.</p>}>
       {(model) => <Plan model={model} />}

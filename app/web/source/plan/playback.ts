@@ -1,13 +1,13 @@
 // Playing a plan: a clock that runs along the path, and the joints at any time of it.
 import {computed, effect, signal} from "@preact/signals";
 import type {PathClearances, PathDocument, PlanDocument} from "../server/documents";
+import {answerTo} from "../server/answers";
 import {get, isMissing} from "../server/requests";
 import {report, result, state} from "../server/workbench";
 import {poseRequest} from "../arm/pose_link";
 import {jointsAt, sampleAt} from "./sampling";
 
 export const plan = result<PlanDocument>("plan");
-export const path = signal<PathDocument | null>(null);
 /** The distance to what is nearest at the path's samples, as far as it has been asked for; null where nothing is near. */
 export const clearances = signal<(number | null)[]>([]);
 export const time = signal(0);
@@ -16,33 +16,26 @@ export const isPlaying = signal(false);
 /** Set while a view shows the plan, so that the sliders of the arm are left alone otherwise. */
 export const isFollowed = signal(false);
 
-export const endTime = computed(() => path.value?.time.at(-1) ?? 0);
-
 // ---- the path belongs to the plan: fetched when the plan is
 
 const planMark = computed(() => state.value?.results.plan?.revision ?? -1);
-let fetchedMark = -1;
+const found = answerTo<PathDocument>({
+  key: () => (!isFollowed.value ? null : planMark.value < 0 ? "" : String(planMark.value)),
+  path: () => "/api/plan/path",
+  keeps: true,
+  onProblem: (error) => report("The path of the plan", error),
+});
+const foundPath = computed(() => found.value.document);
+export const path = computed(() => (foundPath.value ? perSample(foundPath.value) : null));
 
-/** Called by the views that need the path. */
-export function wantPath(): void {
-  const mark = planMark.value;
-  if (mark < 0 || mark === fetchedMark) return;
-  fetchedMark = mark;
+// Another path is played from its beginning.
+effect(() => {
+  const document = path.value;
   isPlaying.value = false;
   clearances.value = [];
-  get<PathDocument>("/api/plan/path").then(
-    (found) => {
-      if (planMark.peek() !== mark) return;
-      path.value = {...found, clearance: perSample(found)};
-      time.value = 0;
-      void askClearances(mark, found.time.length);
-    },
-    (error) => {
-      path.value = null;
-      if (!isMissing(error)) report("The path of the plan", error);
-    },
-  );
-}
+  time.value = 0;
+  if (document) void askClearances(planMark.peek(), document.time.length);
+});
 
 const AT_ONCE = 500;
 
@@ -61,11 +54,13 @@ async function askClearances(mark: number, samples: number): Promise<void> {
 }
 
 /** Clearance is proved of whole segments: each sample has that of its own. */
-function perSample(document: PathDocument): PathDocument["clearance"] {
+function perSample(document: PathDocument): PathDocument {
   const {clearance, segment, time: times} = document;
-  if (!clearance || clearance.length === times.length) return clearance;
-  return segment.map((index) => clearance[index] ?? null);
+  if (!clearance || clearance.length === times.length) return document;
+  return {...document, clearance: segment.map((index) => clearance[index] ?? null)};
 }
+
+export const endTime = computed(() => path.value?.time.at(-1) ?? 0);
 
 // ---- where in the path a time is
 

@@ -1,5 +1,6 @@
 // The legend of a colouring: what the marks mean, how many holes have each, and which are shown.
 import {effect, signal} from "@preact/signals";
+import {toggled} from "../drawing/fields";
 import {MarkIcon} from "../drawing/marks";
 import {whole} from "../../../drawing/numbers.js";
 import {select} from "../shell/page_state";
@@ -18,12 +19,6 @@ effect(() => {
   hiddenKinds.value = new Set();
 });
 
-function toggleKind(kind: number): void {
-  const next = new Set(hiddenKinds.value);
-  if (!next.delete(kind)) next.add(kind);
-  hiddenKinds.value = next;
-}
-
 export function LegendPanel({colouring: shown, isReady}: {colouring: Colouring; isReady: boolean}) {
   return (
     <section class="panel">
@@ -38,7 +33,11 @@ export function LegendPanel({colouring: shown, isReady}: {colouring: Colouring; 
           shown.counts[index] === 0 && shown.kinds.length > 6 ? null : (
             <li key={kind.name}>
               <label>
-                <input type="checkbox" checked={!hiddenKinds.value.has(index)} onChange={() => toggleKind(index)} />
+                <input
+                  type="checkbox"
+                  checked={!hiddenKinds.value.has(index)}
+                  onChange={() => (hiddenKinds.value = toggled(hiddenKinds.value, index))}
+                />
                 <MarkIcon mark={kind.mark} />
                 <span>{kind.name}</span>
                 <b>{whole(shown.counts[index])}</b>

@@ -1,6 +1,7 @@
 // What belongs to this browser alone: the view, the hole pointed out, the holes selected, dialogs. Kept over a reload.
 import {computed, effect, signal} from "@preact/signals";
 import {sheetDocument, state} from "../server/workbench";
+import {toggled} from "../drawing/fields";
 import {makeSheetModel} from "../../../drawing/sheet_model.js";
 
 export const VIEWS = ["sheet", "arm", "error", "plan", "calibrate", "effects"] as const;
@@ -89,9 +90,7 @@ function forgetHoles(): void {
 }
 
 export function toggleSelected(hole: number): void {
-  const next = new Set(selection.value);
-  if (!next.delete(hole)) next.add(hole);
-  selection.value = next;
+  selection.value = toggled(selection.value, hole);
 }
 
 export function select(holes: Iterable<number>, isMore = false): void {

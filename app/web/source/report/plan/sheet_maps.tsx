@@ -5,6 +5,7 @@ import {stateMark, UNREACHABLE, UNSCORED} from "../../../../drawing/kinds.js";
 import {isNumber, plural, whole} from "../../../../drawing/numbers.js";
 import {sheetWords, type SheetModel} from "../../../../drawing/sheet_model.js";
 import {stepKinds} from "../../../../drawing/steps.js";
+import {toggled} from "../../drawing/fields";
 import {MarkIcon, type Mark} from "../../drawing/marks";
 import {choicesOf, Segments} from "../../drawing/segments";
 import {Card, Lead, Missing, type OfReport, Reasons} from "../parts";
@@ -107,12 +108,6 @@ function SheetMap({report, sheet, heading, modes}: SheetMapProps) {
       </ul>
     </Card>
   );
-}
-
-function toggled(names: ReadonlySet<string>, name: string): ReadonlySet<string> {
-  const next = new Set(names);
-  if (!next.delete(name)) next.add(name);
-  return next;
 }
 
 /** Holes that are not on the list, and those of each state. */
