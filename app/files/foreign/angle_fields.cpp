@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "app/files/foreign/foreign_heading.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
-#include "tubesheets/text_table.hpp"
 
 namespace tubeplan::app {
 
@@ -24,6 +24,26 @@ const ForeignRow* firstRowWith(const ForeignTable& table, std::size_t column) {
 bool isOfAnotherForm(std::string_view field, const std::optional<SixtiethForm>& form) {
   if (const auto angle = parseSexagesimal(field)) return form != angle->form;
   return form && signedNumber(field);
+}
+
+struct NumberRange {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+};
+
+/// The numbers of a column that is called an hour angle or a right ascension; nothing of another, and where it has none
+/// or anything else.
+std::optional<NumberRange> rangeOfHourAngle(const ForeignTable& table, std::size_t column) {
+  constexpr std::array<std::string_view, 5> kHourNames{"ha", "hourangle", "hourang", "ra", "rightascension"};
+  const std::string name = parseHeading(table.columns[column]).name;
+  if (std::ranges::find(kHourNames, name) == kHourNames.end()) return std::nullopt;
+  NumberRange range;
+  for (const auto& row : table.rows) {
+    if (isBlankField(row.fields[column])) continue;
+    const auto number = signedNumber(row.fields[column]);
+    if (!number) return std::nullopt;
+    range = {std::min(range.least, *number), std::max(range.most, *number)};
+  }
+  return range.least <= range.most ? std::optional(range) : std::nullopt;
 }
 
 }  // namespace
@@ -63,21 +83,21 @@ void requireOneForm(const ForeignTable& table, std::size_t column, bool is_state
 }
 
 bool mayBeHours(const ForeignTable& table, std::size_t column) {
-  constexpr std::array<std::string_view, 5> kHourNames{"ha", "hourangle", "hourang", "ra", "rightascension"};
-  constexpr double kLeastHour = -12, kMostHour = 24;
-  constexpr int kFewest = 3;
-  const auto isUnit = [](std::string_view word) { return findUnitWord(word) != nullptr; };
-  if (std::ranges::find(kHourNames, tubesheets::splitHeading(table.columns[column], isUnit).name) == kHourNames.end())
-    return false;
-  int numbers = 0;
-  for (const auto& row : table.rows) {
-    const std::string& field = row.fields[column];
-    if (isBlankField(field)) continue;
-    const auto number = signedNumber(field);
-    if (!number || *number < kLeastHour || *number > kMostHour) return false;
-    ++numbers;
-  }
-  return numbers >= kFewest;
+  const auto numbers = rangeOfHourAngle(table, column);
+  constexpr double kHalfDay = 12;
+  return numbers && ((numbers->least >= -kHalfDay && numbers->most <= kHalfDay) ||
+                     (numbers->least >= 0 && numbers->most <= 2 * kHalfDay));
+}
+
+void refuseDoubtfulDegrees(const ForeignTable& table, std::size_t column, const std::string& quantity) {
+  if (!mayBeHours(table, column)) return;
+  const auto [least, most] = *rangeOfHourAngle(table, column);
+  const std::string theirs = inQuotes(table.columns[column]);
+  throw InputError(
+      fmt::format("the column {} of {}", theirs, table.file),
+      fmt::format("{0:.6g} to {1:.6g}, which may be hours ({2:.6g} to {3:.6g} deg) or degrees ({0:.6g} to {1:.6g} deg)",
+                  least, most, least * kDegreesPerHour, most * kDegreesPerHour),
+      "one of them", fmt::format("write --column {0}_h={1} or --column {0}_deg={1}", quantity, theirs));
 }
 
 std::optional<double> numberIn(std::string_view field, const Unit* unit) {

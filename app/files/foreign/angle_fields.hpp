@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "app/files/foreign/foreign_table.hpp"
@@ -19,9 +20,12 @@ namespace tubeplan::app {
 /// `is_stated` where its heading or the user does.
 void requireOneForm(const ForeignTable& table, std::size_t column, bool is_stated);
 
-/// Returns whether a column is called an hour angle or a right ascension and all its numbers, three at least, are such
-/// as hours have, so that its degrees may be hours.
+/// Returns whether a column is called an hour angle or a right ascension and all its numbers are such as hours have,
+/// from -12 to 12 or from 0 to 24, so that its degrees may be hours.
 [[nodiscard]] bool mayBeHours(const ForeignTable& table, std::size_t column);
+
+/// Throws InputError, with both readings, for a column whose degrees may be hours; `quantity` is what it is taken for.
+void refuseDoubtfulDegrees(const ForeignTable& table, std::size_t column, const std::string& quantity);
 
 /// Returns the number of a field in the unit of its column, of an angle in sixtieths too; nothing where it is none or
 /// contradicts the unit.

@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "app/files/foreign/angle_fields.hpp"
 #include "app/files/foreign/column_names.hpp"
 #include "app/files/foreign/foreign_columns.hpp"
 #include "app/files/foreign/form_columns.hpp"
@@ -66,8 +67,12 @@ std::vector<std::optional<ColumnGuess>> guessColumns(const std::vector<ForeignTa
       for (std::size_t c = 0; c < headings[t].size() && !guesses[k]; ++c)
         if (fits(targets[k], headings[t][c]) && used.emplace(t, c).second) guesses[k] = {t, c};
   for (std::size_t k = 0; k < targets.size(); ++k)
-    if (auto& guess = guesses[k]; guess && targets[k].unit)
+    if (auto& guess = guesses[k]; guess && targets[k].unit) {
       guess->unit = unitOf(tables[guess->table], headings[guess->table][guess->column], *targets[k].unit, choice.units);
+      if (targets[k].is_joint && guess->unit && guess->unit->name == "deg" &&
+          mayBeHours(tables[guess->table], guess->column))
+        guess->unit = nullptr;
+    }
   return guesses;
 }
 

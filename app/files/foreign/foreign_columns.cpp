@@ -179,6 +179,8 @@ class ColumnTaker {
       unit = stated ? stated : neededUnit(wanted.quantity, *wanted.unit, table, column);
       const bool is_stated = stated || factor != 1 || headings_[table][column].unit;
       if (wanted.is_joint && !is_stated) refusePulses(wanted, table, column, *unit);
+      if (wanted.is_joint && !stated && std::abs(factor) == 1 && unit->name == "deg")
+        refuseDoubtfulDegrees(tables_[table], column, wanted.quantity);
       name += "_" + std::string(ownUnitOf(*unit).unit->name);
       factor *= ownUnitOf(*unit).factor;
     }

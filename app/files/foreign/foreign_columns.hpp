@@ -68,7 +68,8 @@ struct ColumnChoice {
 /// The column with the names of a table's rows: its points, else its ids, by its headings or, without these, its shape.
 [[nodiscard]] std::optional<std::size_t> findNames(const ForeignTable& table, const std::vector<ColumnTarget>& targets);
 
-/// What a column seems to be by its heading; its unit is null where the heading states none.
+/// What a column seems to be by its heading; its unit is null where the heading states none, and where its degrees may
+/// be hours.
 struct ColumnGuess {
   std::size_t table = 0, column = 0;
   const Unit* unit = nullptr;
@@ -85,7 +86,8 @@ struct ColumnGuess {
 /// Those chosen, and of the rest those whose headings say what they are; tables without headings by how many columns
 /// they have. Where the readings need a turn or a place that no column is, those of the one form that states it. Throws
 /// InputError for a choice of a column that is not there, for a quantity that two columns could be or a turn that two
-/// forms could mean, for a joint without a column and for a number without a unit.
+/// forms could mean, for a joint without a column, for a number without a unit and for a joint's degrees that may be
+/// hours.
 [[nodiscard]] std::vector<TakenColumn> takeColumns(const std::vector<ForeignTable>& tables,
                                                    const std::vector<ColumnTarget>& targets, const ColumnChoice& choice,
                                                    const std::string& kind = {});

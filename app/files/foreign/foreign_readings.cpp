@@ -127,18 +127,8 @@ class ForeignReader {
                          is_explained ? fmt::format(" (their numbers are {})", column.form->why) : "");
     }
     const std::string factor = column.factor == 1 ? "" : fmt::format(" times {}", formatNumber(column.factor));
-    return fmt::format("{} of {}{}{}", inQuotes(table(column.table).columns[column.column]), table(column.table).file,
-                       factor, hoursText(column));
-  }
-
-  /// Asks whether the degrees of an hour angle are hours; empty where they cannot be, and where the user said so.
-  [[nodiscard]] std::string hoursText(const TakenColumn& column) const {
-    const auto isSaid = [&](const std::string& chosen) { return chosen.starts_with(column.name + "="); };
-    if (!targets_[column.target].is_joint || !column.unit || column.unit->name != "deg" || column.factor != 1 ||
-        std::ranges::any_of(request_.choice.columns, isSaid) || !mayBeHours(table(column.table), column.column))
-      return "";
-    return fmt::format(", in degrees, though all are such as hours have: if they are hours, write --column {}_h={}",
-                       targets_[column.target].quantity, inQuotes(table(column.table).columns[column.column]));
+    return fmt::format("{} of {}{}", inQuotes(table(column.table).columns[column.column]), table(column.table).file,
+                       factor);
   }
 
   /// What looks like a turn, where none is read.

@@ -102,29 +102,67 @@ TEST_F(SixtiethColumns, AreHoursOrDegreesAsHeadingOrSignsSay) {
   }
 }
 
-/// A mount's first joint is its hour angle: degrees that are all such as hours have are asked about.
-TEST_F(SixtiethColumns, DegreesOfAnHourAngleThatMayBeHoursAreAskedAbout) {
+/// A mount: its first joint is the hour angle.
+struct HourAngles : SixtiethColumns {
   deflection::Arm mount = cell.arm;
-  for (auto& row : mount.rows)
-    if (row.joint.name == "theta1") row.joint.name = "ha";
-  const auto asks = [&](const std::string& heading, const std::vector<std::string>& fields,
-                        const std::vector<std::string>& columns = {}) {
+  HourAngles() {
+    for (auto& row : mount.rows)
+      if (row.joint.name == "theta1") row.joint.name = "ha";
+  }
+
+  [[nodiscard]] static ForeignRequest request(const std::string& heading, const std::vector<std::string>& fields,
+                                              const std::vector<std::string>& columns = {}) {
     std::string text = "id;" + heading + ";theta2_deg;theta3_deg;theta4_deg;x_mm;y_mm;z_mm\n";
     for (std::size_t k = 0; k < fields.size(); ++k) text += fmt::format("P{};{};0;45;-35;1;2;3\n", k + 1, fields[k]);
-    ForeignRequest request{
-        {parseForeignTable(text, "log.csv")}, {columns, {{UnitKind::kAngle, findUnitWord("deg")}}}, ""};
-    const ForeignReadings found = readForeign(request, mount);
-    return std::ranges::any_of(found.taken,
-                               [](const auto& t) { return t.find("--column ha_h=") != std::string::npos; });
+    return {{parseForeignTable(text, "log.csv")}, {columns, {{UnitKind::kAngle, findUnitWord("deg")}}}, ""};
+  }
+  [[nodiscard]] double lastDegrees(const ForeignRequest& asked) const {
+    const auto table = parseMeasurementTable(readForeign(asked, mount).text, "t", mount, nullptr);
+    return table.readings.back().q[0] * 180 / std::numbers::pi;
+  }
+};
+
+// Degrees of an hour angle that are all such as hours have are refused with both readings, and either option decides.
+TEST_F(HourAngles, AreRefusedWhereTheirDegreesMayBeHours) {
+  const std::vector<std::vector<std::string>> all_fields{
+      {"1.5", "-2.25", "11"}, {"0.5", "23.75"}, {"-11.9", "0", "+3.5"}, {"6.25"}, {"-12", "12"}};
+  for (const char* heading : {"ha", "ha_deg", "ha [deg]", "HA (degrees)"})
+    for (const auto& fields : all_fields) {
+      SCOPED_TRACE(testing::Message() << heading << " " << fields.front());
+      const auto message = messageOf([&] { (void)readForeign(request(heading, fields), mount); });
+      for (const std::string& part : {fmt::format("--column ha_h='{}'", heading),
+                                      fmt::format("--column ha_deg='{}'", heading), std::string("hours")})
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+      const double last = std::stod(fields.back());
+      EXPECT_NEAR(lastDegrees(request(heading, fields, {std::string("ha_h=") + heading})), 15 * last, 1e-9);
+      EXPECT_NEAR(lastDegrees(request(heading, fields, {std::string("ha_deg=") + heading})), last, 1e-9);
+      const auto guesses = guessColumns(request(heading, fields).tables, columnTargets(mount),
+                                        {{}, {{UnitKind::kAngle, findUnitWord("deg")}}});
+      EXPECT_TRUE(
+          std::ranges::none_of(guesses, [](const auto& guess) { return guess && guess->column == 1 && guess->unit; }));
+    }
+}
+
+TEST_F(HourAngles, AreTakenWhereTheyCanOnlyBeOne) {
+  struct Row {
+    const char* heading;
+    std::vector<std::string> fields, columns;
+    double last;  // deg
   };
-  const std::vector<std::string> small{"1.5", "-2.25", "11"}, large{"1.5", "-2.25", "37.5"};
-  EXPECT_TRUE(asks("ha_deg", small));
-  EXPECT_TRUE(asks("ha", small));
-  EXPECT_FALSE(asks("ha_deg", large));
-  EXPECT_FALSE(asks("ha_h", small));
-  EXPECT_FALSE(asks("ha_hours", small));
-  EXPECT_FALSE(asks("ha_deg", small, {"ha_deg=ha_deg"}));
-  EXPECT_FALSE(asks("ha_deg", {"1.5", "2.5"}));
+  for (const Row& row :
+       {Row{"ha_deg", {"1.5", "-2.25", "37.5"}, {}, 37.5}, Row{"ha_deg", {"-3", "20"}, {}, 20},
+        Row{"ha_deg", {"-12.5", "3"}, {}, 3}, Row{"ha_h", {"1.5", "11"}, {}, 165},
+        Row{"ha (hours)", {"1.5", "11"}, {}, 165}, Row{"ha_rad", {"1.5", "0.5"}, {}, 90 / std::numbers::pi},
+        Row{"ha_deg", {"1.5", "11"}, {"ha=ha_deg*15"}, 165}}) {
+    SCOPED_TRACE(testing::Message() << row.heading << " " << row.fields.front());
+    EXPECT_NEAR(lastDegrees(request(row.heading, row.fields, row.columns)), row.last, 1e-9);
+  }
+}
+
+// A sign says nothing of the unit.
+TEST_F(HourAngles, AreRefusedWithAnotherSignToo) {
+  const auto turned = request("ha_deg", {"1.5", "11"}, {"ha=ha_deg*-1"});
+  EXPECT_NE(messageOf([&] { (void)readForeign(turned, mount); }).find("--column ha_h="), std::string::npos);
 }
 
 TEST_F(SixtiethColumns, AreRefusedWhereNothingSaysOfWhat) {
