@@ -201,6 +201,7 @@ void configureCentring(CLI::App& cli, CampaignRequest& request) {
   cli.add_option("--truth", request.truth, "the cell about which true arms are drawn (default: CELL)")->group(group);
   cli.add_option("--tubes", request.tubes, "the tubes whose holes may be visited, as for plan (spread:80)")
       ->group(group);
+  addListColumns(cli, request.columns)->group(group);
   cli.add_option("--holes", request.holes, "how many of them each run visits")->capture_default_str()->group(group);
   cli.add_option("--touches", request.touches, "number of touched holes; a list compares several: 3,4,6,12")
       ->delimiter(',')

@@ -7,7 +7,9 @@
 #include "app/cli/browser.hpp"
 #include "app/files/assumptions.hpp"
 #include "app/files/atomic_file.hpp"
+#include "app/files/suggestion.hpp"
 #include "tubesheets/csv_table.hpp"
+#include "tubesheets/tube_columns.hpp"
 
 namespace tubeplan::app {
 
@@ -56,6 +58,21 @@ void addAssumeOption(CLI::App& cli, std::vector<std::string>& assume) {
                  "NAME=VALUE: interpret the readings so, without changing their file: " + assumptionsText() +
                      "; as-is: continue despite all warnings")
       ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+CLI::Option* addListColumns(CLI::App& cli, std::vector<std::string>& columns) {
+  std::vector<std::string> names;
+  for (const auto& quantity : tubesheets::tubeQuantities()) {
+    names.emplace_back(quantity.name);
+    if (!quantity.units.empty()) names.back().append("_").append(quantity.units.front());
+  }
+  return cli
+      .add_option(
+          "--column", columns,
+          "NAME=COLUMN: what a column of the work list is, whatever its heading; columns that are not named are "
+          "then left out. NAME: " +
+              alternatives(names))
       ->allow_extra_args(false);
 }
 

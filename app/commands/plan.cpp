@@ -120,6 +120,7 @@ Run configurePlan(CLI::App& cli) {
                  "which tubes: all, R10C20, R1-10C5-9, outer:2, every:10, spread:60, or a CSV work list; plugged, "
                  "stabilised, inaccessible and unresolved ones only by state or by name: all,plugged")
       ->capture_default_str();
+  addListColumns(cli, request.conditions.columns);
   cli.add_option("--touches", request.touches,
                  "touched holes (CSV) to calibrate the base with, or auto: the true arm touches three");
   cli.add_option("--truth", request.truth, "the cell of the true arm, to touch with and to score against");

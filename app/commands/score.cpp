@@ -36,6 +36,7 @@ namespace {
 
 struct ScoreOptions {
   std::string cell, truth, tubes, json;
+  std::vector<std::string> columns;
   int runs = 0;
   double unmodelled = -1, stiffness = -1;
   std::uint64_t seed = 1;
@@ -226,7 +227,8 @@ int run(const ScoreOptions& options) {
     throw InputError(options.truth, "another tube sheet", "the cell's, fingerprint " + model.sheet.fingerprint());
   checkJsonTarget(options.json);
   const std::size_t spread = options.runs > 0 ? kTubesOfRuns : kTubes;
-  const auto selection = readTubes(tubesOrSpread(options.tubes, model.sheet, spread), model.sheet);
+  requireWorkList(options.columns, {options.tubes});
+  const auto selection = readTubes(tubesOrSpread(options.tubes, model.sheet, spread), model.sheet, options.columns);
   const auto& tubes = selection.tube_indices;
   for (const auto& note : listNotes(selection)) fmt::print(stderr, "note: {}\n", note);
   if (options.runs > 0) return runExperiment(options, tubes, model, truth, cell);
@@ -250,6 +252,7 @@ Run configureScore(CLI::App& cli) {
       "--tubes", options->tubes,
       fmt::format("which tubes, as for plan (spread:{}; with --runs, each of which draws from them, spread:{})", kTubes,
                   kTubesOfRuns));
+  addListColumns(cli, options->columns);
   auto* runs = cli.add_option("--runs", options->runs,
                               "repeat the thesis's experiment N times, each with a true arm drawn about the given one")
                    ->check(CLI::Range(0, 1000000));

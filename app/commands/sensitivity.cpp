@@ -30,7 +30,7 @@ constexpr int kWorkedPostures = 60, kTouchable = 40, kChosenTouches = 3;
 
 struct SensitivityOptions {
   std::string cell, tubes, readings, json;
-  std::vector<std::string> assume;
+  std::vector<std::string> assume, columns;
   double load = 0;
   int postures = kWorkedPostures;
   std::uint64_t seed = 1;
@@ -69,7 +69,7 @@ void findSheetWork(const Cell& cell, const SensitivityOptions& options, Sensitiv
                    calibration::SensitivityTask& task) {
   planner::Workcell work = workcellOf(cell, "work at its holes");
   work.load = task.load;
-  const auto selection = readTubes(tubesOrSpread(options.tubes, work.sheet, 60), work.sheet);
+  const auto selection = readTubes(tubesOrSpread(options.tubes, work.sheet, 60), work.sheet, options.columns);
   const auto& tubes = selection.tube_indices;
   for (const auto& note : listNotes(selection)) fmt::print(stderr, "note: {}\n", note);
   for (const auto& hole : reachHoles(work, tubes, false)) task.work.push_back(hole.q);
@@ -98,6 +98,7 @@ int run(const SensitivityOptions& options) {
   Cell cell = readCell(options.cell);
   checkJsonTarget(options.json);
   if (!options.tubes.empty()) (void)requireSheet(cell, "choose --tubes");
+  requireWorkList(options.columns, {options.tubes});
   SensitivityReport report;
   calibration::SensitivityTask task;
   calibration::MeasurementChecks checks;
@@ -139,6 +140,7 @@ Run configureSensitivity(CLI::App& cli) {
   const auto options = std::make_shared<SensitivityOptions>();
   addCell(cli, options->cell);
   cli.add_option("--tubes", options->tubes, "tubes at which the accuracy is wanted, as for plan (spread:60)");
+  addListColumns(cli, options->columns);
   cli.add_option("--load", options->load, "load hung on the tip at work, in the cell's unit of force");
   cli.add_option("--readings", options->readings,
                  "readings (CSV) that determine the parameters listed under `identify`: errors are then those of one "

@@ -80,6 +80,7 @@ Run configureTouches(CLI::App& cli) {
                  "the cell allows")
       ->check(CLI::IsMember({"base", "parameters", "both"}));
   cli.add_option("--tubes", request.tubes, "tubes at which the tip position must be known, as for plan (spread:60)");
+  addListColumns(cli, request.columns);
   cli.add_option("--count", request.count, "readings to propose for each goal (3 touches, 10 readings)")
       ->check(CLI::Range(1, 500));
   cli.add_option("--loads", request.loads,

@@ -26,6 +26,7 @@ struct TouchRequest {
   std::vector<double> loads;  ///< in the cell's unit of force; empty: those of the readings, else none
   double sigma = 0;           ///< of a coordinate, in the cell's unit of length; 0: as the readings or the tool
   std::uint64_t seed = 1;
+  std::vector<std::string> columns = {};  ///< what those of the work list are
 };
 
 /// What a reading to come is taken to be off by, and what says so.

@@ -24,7 +24,7 @@ ChosenTubeColumn quantityOf(const std::string& name) {
       if (name == fmt::format("{}_{}", quantity.name, unit))
         return {quantity.column, 0, tubesheets::findLengthUnit(unit)};
   }
-  throw InputError("columns", inQuotes(name), "a column of a work list, lengths with their unit (x_mm)",
+  throw InputError("--column", inQuotes(name), "a column of a work list, lengths with their unit (x_mm)",
                    suggestion(name, known));
 }
 
@@ -33,7 +33,7 @@ std::size_t placeOfChosen(const std::string& theirs, const std::vector<std::stri
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (theirs == columns[c] || theirs == file + ":" + columns[c]) found.push_back(c);
   if (found.size() == 1) return found.front();
-  throw InputError("columns", fmt::format("{} columns {}", found.size(), inQuotes(theirs)), "one",
+  throw InputError("--column", fmt::format("{} columns {}", found.size(), inQuotes(theirs)), "one",
                    found.empty() ? suggestion(theirs, columns) : "give each column a name of its own");
 }
 
@@ -46,7 +46,7 @@ tubesheets::TubeTable tubeTableBy(const std::vector<std::string>& columns, const
   std::vector<ChosenTubeColumn> chosen;
   for (const std::string& column : columns) {
     const std::size_t equals = column.find('=');
-    if (equals == std::string::npos) throw InputError("columns", inQuotes(column), "NAME=COLUMN, such as row=Reihe");
+    if (equals == std::string::npos) throw InputError("--column", inQuotes(column), "NAME=COLUMN, such as row=Reihe");
     chosen.push_back(quantityOf(column.substr(0, equals)));
     chosen.back().place = placeOfChosen(column.substr(equals + 1), table.columns, file);
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -45,6 +46,15 @@ double parseJoint(const std::string& text, const deflection::Joint<double>& join
 
 bool namesCsvFile(const std::string& request) {
   return lowerCase(std::filesystem::path(request).extension().string()) == ".csv";
+}
+
+/// Those of the chosen columns that do not name another list.
+std::vector<std::string> columnsOfList(std::vector<std::string> columns, const std::string& list) {
+  std::erase_if(columns, [&](const std::string& column) {
+    const std::string theirs = column.substr(std::min(column.find('='), column.size() - 1) + 1);
+    return lowerCase(theirs).find(".csv:") != std::string::npos && !theirs.starts_with(list + ":");
+  });
+  return columns;
 }
 
 tubesheets::Selection selectedOrRefused(tubesheets::Selection selection, const std::string& request,
@@ -94,9 +104,17 @@ tubesheets::Selection readWorkList(const std::string& text, const std::string& n
   return selectedOrRefused(tubesheets::selectTubes(sheet, std::move(list)), name, option);
 }
 
-tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet, const std::string& option) {
-  if (namesCsvFile(request)) return readWorkList(readTextFile(request), request, sheet, option);
+tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet,
+                                const std::vector<std::string>& columns, const std::string& option) {
+  if (namesCsvFile(request))
+    return readWorkList(readTextFile(request), request, sheet, option, columnsOfList(columns, request));
   return selectedOrRefused(tubesheets::selectTubes(sheet, request), request, option);
+}
+
+void requireWorkList(const std::vector<std::string>& columns, const std::vector<std::string>& requests) {
+  if (!columns.empty() && std::ranges::none_of(requests, namesCsvFile))
+    throw InputError("--column", inQuotes(columns.front()) + " without a work list", "--tubes LIST.csv with it",
+                     "leave --column out, or name the list");
 }
 
 std::vector<std::string> listNotes(const tubesheets::Selection& selection) {

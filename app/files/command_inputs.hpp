@@ -31,9 +31,14 @@ namespace tubeplan::app {
 [[nodiscard]] std::string tubesOrSpread(const std::string& request, const tubesheets::Sheet& sheet, std::size_t count);
 
 /// The tubes that --tubes asks for: the selection language of tubesheets/work_list.hpp, or the name of a work list in a
-/// .csv file. Throws InputError for what either refuses; `option` is where they are asked for.
+/// .csv file. `columns` as of readWorkList(); one that names another list ("row=zone.csv:Reihe") counts for that alone.
+/// Throws InputError for what either refuses; `option` is where they are asked for.
 [[nodiscard]] tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sheet& sheet,
+                                              const std::vector<std::string>& columns = {},
                                               const std::string& option = "--tubes");
+
+/// Throws InputError for columns that are chosen where none of the requests names a work list.
+void requireWorkList(const std::vector<std::string>& columns, const std::vector<std::string>& requests);
 
 /// Returns the tubes that the text of a work list names; `name` is its file's, for messages. `columns` say what its
 /// columns are where their headings do not (chosen_tube_columns.hpp). Throws InputError.

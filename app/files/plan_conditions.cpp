@@ -37,7 +37,8 @@ planner::VisitConditions conditionsOf(const ConditionsRequest& request, const Ce
   conditions.start = postureOf(request.start, "--start", cell);
   conditions.end = postureOf(request.end, "--end", cell);
   const auto& sheet = requireSheet(cell, "plan tube visits");
-  for (const auto& zone : request.first) conditions.zones.push_back(readTubes(zone, sheet, "--first").tube_indices);
+  for (const auto& zone : request.first)
+    conditions.zones.push_back(readTubes(zone, sheet, request.columns, "--first").tube_indices);
   if (!(request.dwell >= 0 && request.dwell <= tubesheets::kLongestStay))
     throw InputError("--dwell", fmt::format("{}", request.dwell), "seconds from 0 to a day");
   conditions.dwell = request.dwell;

@@ -12,9 +12,10 @@
 namespace tubeplan::app {
 
 struct ConditionsRequest {
-  std::string start, end;          ///< `park` (the cell's), joint readings "A,B,...", or empty: anywhere
-  std::vector<std::string> first;  ///< zones, each a selection of tubes or a CSV file, before all other tubes
-  double dwell = 0;                ///< s at each hole, where the work list does not say
+  std::string start, end;                 ///< `park` (the cell's), joint readings "A,B,...", or empty: anywhere
+  std::vector<std::string> first;         ///< zones, each a selection of tubes or a CSV file, before all other tubes
+  double dwell = 0;                       ///< s at each hole, where the work list does not say
+  std::vector<std::string> columns = {};  ///< what those of work lists are, of the tubes and of zones
 };
 
 /// Throws InputError for postures that the arm cannot take, a park posture that the cell lacks, tubes that the sheet

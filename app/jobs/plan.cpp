@@ -191,7 +191,10 @@ PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, Pla
   Cell cell = readCell(request.cell);
   if (!request.touches.empty()) forgetTouches(cell);
   PlanOutcome outcome = begun(cell, request);
-  const auto selection = readTubes(request.tubes, outcome.nominal.sheet);
+  std::vector<std::string> lists = request.conditions.first;
+  lists.push_back(request.tubes);
+  requireWorkList(request.conditions.columns, lists);
+  const auto selection = readTubes(request.tubes, outcome.nominal.sheet, request.conditions.columns);
   addConditions(request, selection, outcome);
   if (!request.touches.empty() && !placeBase(outcome, touchesFor(request, outcome))) return outcome;
   plan(request, selection.tube_indices, std::move(hooks), &checkpoint, outcome);

@@ -110,6 +110,7 @@ TouchRequest completed(TouchRequest request, const Cell& cell) {
                      "`tubeplan touches --help` says what may be freed");
   if (request.goal != "parameters") (void)requireSheet(cell, "choose holes to touch for the base");
   if (!request.tubes.empty()) (void)requireSheet(cell, "choose --tubes");
+  requireWorkList(request.columns, {request.tubes});
   return request;
 }
 
@@ -141,7 +142,7 @@ void settleTask(const TouchRequest& request, TouchTask& task, TouchOutcome& outc
   }
   task.under_sheet = workcellOf(outcome.cell, "find holes to touch");
   const auto& sheet = task.under_sheet->sheet;
-  auto selection = readTubes(tubesOrSpread(request.tubes, sheet, 60), sheet);
+  auto selection = readTubes(tubesOrSpread(request.tubes, sheet, 60), sheet, request.columns);
   for (auto& note : listNotes(selection)) outcome.notes.push_back(std::move(note));
   task.tubes = std::move(selection.tube_indices);
 }

@@ -22,7 +22,8 @@ struct CampaignRequest {
   std::uint64_t seed = 1;
 
   // centre
-  std::string tubes;  ///< empty: spread:80
+  std::string tubes;                 ///< empty: spread:80
+  std::vector<std::string> columns;  ///< what those of a work list are
   int holes = 10;
   std::vector<int> touches = {3};
   std::vector<std::string> choices = {"best"};

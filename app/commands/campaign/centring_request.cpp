@@ -109,7 +109,8 @@ constexpr std::size_t kTubes = 80;
 /// The tubes to visit, without those whose state keeps the tool out.
 void findHoles(const CampaignRequest& request, CentringTask& task) {
   const std::string tubes = tubesOrSpread(request.tubes, task.model.sheet, kTubes);
-  const auto selection = readTubes(tubes, task.model.sheet);
+  requireWorkList(request.columns, {tubes});
+  const auto selection = readTubes(tubes, task.model.sheet, request.columns);
   for (const auto& note : listNotes(selection)) fmt::print(stderr, "note: {}\n", note);
   task.tubes = static_cast<int>(selection.tube_indices.size());
   task.holes.visited = touchCandidates(task.model, selection.tube_indices);

@@ -100,6 +100,21 @@ TEST_F(Program, refusesZonesOfOtherTubesAndFoldersWithoutAName) {
   expectRefused("plan " + shipped("mockup.yaml") + " --tubes R10C20 --out ''", {"--out", "folder"});
 }
 
+/// Every command that takes a work list takes what its columns are, and says so where they are none.
+TEST_F(Program, refusesColumnsThatAWorkListHasNot) {
+  (void)write("list.csv", "Reihe,Spalte\n20,40\n22,44\n");
+  const std::string mockup = shipped("mockup.yaml");
+  for (const std::string& command :
+       {"plan " + mockup + " --out plan", "touches " + mockup, "sensitivity " + mockup,
+        "score " + mockup + " --truth " + shipped("mockup-true.yaml"), "campaign " + mockup + " --runs 2"}) {
+    expectRefused(command + " --tubes list.csv --column row=Reihen --column column=Spalte",
+                  {"--column", "'Reihen'", "did you mean 'Reihe'?"});
+    expectRefused(command + " --tubes list.csv --column rows=Reihe", {"--column", "'rows'"});
+    expectRefused(command + " --tubes list.csv", {"list.csv"});
+    expectRefused(command + " --tubes R20C40 --column row=Reihe", {"--column", "without a work list"});
+  }
+}
+
 TEST_F(Program, refusesSeedsThatAreNone) {
   for (const char* seed : {"-1", "18446744073709551616", "1.5", "''", "0x10"})
     expectRefused("simulate " + shipped("bench.yaml") + " --design bench --readings 5 --out set --seed " + seed,

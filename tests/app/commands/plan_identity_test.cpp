@@ -49,6 +49,28 @@ TEST_F(PlanIdentity, EveryTubeAndPathRowNamesLegRowAndColumn) {
   EXPECT_EQ(run("verify mockup.yaml made").exit_code, 0);
 }
 
+/// A list with headings of somebody's own, by columns that are named: the same plan as by headings that are known.
+TEST_F(PlanIdentity, AWorkListIsReadByTheColumnsThatAreNamed) {
+  (void)write("known.csv", "row,column,dwell_s,status\n20,40,25,\n22,44,,\n22,45,,plugged\n");
+  (void)write("own.csv", "Reihe,Spalte,Dauer,Befund,x\n20,40,25,,1\n22,44,,,2\n22,45,,plugged,3\n");
+  (void)write("own-zone.csv", "Zeile,Kolonne\n22,44\n");
+  const std::string columns =
+      " --column row=Reihe --column column=own.csv:Spalte --column dwell_s=Dauer --column state=Befund";
+  const std::string zone = " --first own-zone.csv --column row=own-zone.csv:Zeile --column column=own-zone.csv:Kolonne";
+  EXPECT_EQ(run("plan mockup.yaml --tubes own.csv --out guessed").exit_code, 2);
+  ASSERT_EQ(run("plan mockup.yaml --tubes known.csv --first R22C44 --out known").exit_code, 0);
+  const Outcome own = run("plan mockup.yaml --tubes own.csv --first R22C44 --out own" + columns);
+  ASSERT_EQ(own.exit_code, 0) << own.err;
+  expectSays(own.out, "1 plugged according to the list left out");
+  EXPECT_EQ(contentOf(folder / "own/path.csv"), contentOf(folder / "known/path.csv"));
+  const json tubes = json::parse(contentOf(folder / "own/plan.json"))["tubes"];
+  EXPECT_EQ(std::ranges::count_if(tubes, [](const json& tube) { return tube.value("dwell_s", 0.) == 25; }), 1);
+  (void)write("own.csv", "Reihe,Spalte\n20,40\n22,44\n");
+  (void)write("known.csv", "row,column\n20,40\n22,44\n");
+  const Outcome zoned = run("plan mockup.yaml --tubes known.csv --out zoned" + zone);
+  EXPECT_EQ(zoned.exit_code, 0) << zoned.err;
+}
+
 TEST_F(PlanIdentity, ATubeOfDoubtfulStateIsPlannedWhereItIsNamedAndBothAreSaid) {
   (void)write("list.csv", "row,column,state\n20,40,inaccessible\n22,44,\n22,45,plugged\n");
   const Outcome named = run("plan mockup.yaml --tubes list.csv --out named");

@@ -55,6 +55,28 @@ TEST_F(CommandInputs, readTubesFromWordsAndFiles) {
   expectSays(tubesRefusal((folder / "none.csv").string()), "no such file");
 }
 
+TEST_F(CommandInputs, readWorkListsByChosenColumns) {
+  const std::string list = write("reihen.csv", "Reihe;Spalte;Dauer\n1;57;20\n10;20;\n");
+  const std::string zone = (folder / "zone.csv").string();
+  const std::vector<std::string> columns{"row=Reihe", "column=" + list + ":Spalte", "dwell_s=Dauer"};
+  expectSays(tubesRefusal(list), "reihen.csv");
+  const auto found = readTubes(list, *cell.sheet, columns);
+  EXPECT_EQ(found.tube_indices.size(), 2u);
+  EXPECT_EQ(found.dwell.size(), 1u);
+  std::vector<std::string> beside = columns;
+  beside.push_back("row=" + zone + ":Zeile");
+  EXPECT_EQ(readTubes(list, *cell.sheet, beside).tube_indices, found.tube_indices) << "another list's is left out";
+  for (const char* wrong : {"row=Reihen", "rows=Reihe", "Reihe", "dwell=Dauer", "row="})
+    expectSays(messageOf([&] { (void)readTubes(list, *cell.sheet, {wrong, "column=Spalte"}); }), "--column");
+}
+
+TEST_F(CommandInputs, refuseColumnsWithoutAWorkList) {
+  EXPECT_NO_THROW(requireWorkList({}, {"all"}));
+  EXPECT_NO_THROW(requireWorkList({"row=Reihe"}, {"all", "zone.csv"}));
+  for (const char* request : {"all", "R10C20", ""})
+    expectSays(messageOf([&] { requireWorkList({"row=Reihe"}, {request}); }), "--column");
+}
+
 TEST_F(CommandInputs, writeJsonWithUnits) {
   const nlohmann::json json{{"units", unitsJson(cell.units)},
                             {"p", vectorJson(Eigen::Vector3d(0.0254, 0, -0.0127), cell.units, dimension::kLength)}};
