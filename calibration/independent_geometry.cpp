@@ -22,7 +22,6 @@ constexpr double kNothingNew = 1e-6;  // length of a column's remainder, as a sh
 constexpr double kNearlyAsNew = 0.3;  // share of the newest column's remainder: the first in order above it is taken
 constexpr std::uint64_t kPosturesSeed = 7;
 constexpr int kRanks = 5;
-constexpr std::string_view kShiftAlongY = ".dh.b";
 
 bool isToolTurn(const std::string& name) { return name.starts_with("tool.turn."); }
 
@@ -95,7 +94,7 @@ std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   if (isToolTurn(number.name) && !placed.shows_tool_turn) return std::nullopt;
   if (number.path.row < 0) return 1;
   if (number.name.ends_with(".joint.offset")) return 0;
-  if (number.name.ends_with(kShiftAlongY)) return kRanks - 1;
+  if (isShiftOfFirstAxis(number.name)) return kRanks - 1;
   return moves(placed.arm.rows[static_cast<std::size_t>(number.path.row)].joint) ? 2 : 3;
 }
 
@@ -151,9 +150,12 @@ bool placesEveryBase(const PlacedArm& placed, const std::vector<Unknown>& free) 
 }  // namespace
 
 bool isGeometry(const std::string& name) {
-  return name.find(".dh.") != std::string::npos || name.find(".origin.") != std::string::npos ||
-         name.ends_with(".joint.offset") || name.starts_with("tool.tip.") || isToolTurn(name);
+  const auto has = [&](std::string_view map) { return name.find(map) != std::string::npos; };
+  return has(".dh.") || has(".axis.") || has(".origin.") || name.ends_with(".joint.offset") ||
+         name.starts_with("tool.tip.") || isToolTurn(name);
 }
+
+bool isShiftOfFirstAxis(const std::string& name) { return name.ends_with(".dh.b") || name.ends_with(".axis.b"); }
 
 std::vector<IndependentNumber> independentGeometry(const PlacedArm& placed, const std::vector<Unknown>& free) {
   const Arm mechanism = mechanismOf(placed.arm);

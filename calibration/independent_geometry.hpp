@@ -13,6 +13,9 @@ namespace tubeplan::calibration {
 /// rotation.
 [[nodiscard]] bool isGeometry(const std::string& name);
 
+/// Returns whether a parameter of that name shifts the first axis along its own y, as a free base does.
+[[nodiscard]] bool isShiftOfFirstAxis(const std::string& name);
+
 /// A number of such a set.
 struct IndependentNumber {
   std::string name;

@@ -170,7 +170,7 @@ std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::stri
   // Without a known base, the base's pose replaces the shift of the first axis.
   const auto isPartOf = [&](const Parameter& parameter) {
     return is_part && parameter.name.starts_with(name + ".") &&
-           !(parameter.name.ends_with(".dh.b") && parameter.value == 0);
+           !(isShiftOfFirstAxis(parameter.name) && parameter.value == 0);
   };
   std::vector<std::string> names;
   for (const auto& parameter : deflection::parametersOf(arm))

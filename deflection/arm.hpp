@@ -134,8 +134,9 @@ struct Row {
   std::optional<Beam<S>> beam;
   Weight<S> weight;
   std::optional<EffectTerms<S>> effect_terms;
-  /// Name of the row that states this row's alpha, a and beta in the file and in fits, if it is another: the row before
-  /// in the standard convention. Empty: no row states them, and they are no parameters.
+  /// The map that has this one's alpha, a, beta and b in its file and in fits, where that is not its own `dh`: by the
+  /// standard convention "NAME.dh" of the row before, and "NAME.axis" of a first row. Empty: none has, and they are no
+  /// parameters.
   std::optional<std::string> placed_by;
   /// False for the added end of a last link in the standard convention, which the file does not have.
   bool is_written = true;

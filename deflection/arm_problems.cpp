@@ -28,7 +28,7 @@ void checkNumbers(const Row<double>& row, std::vector<ArmProblem>& out) {
     for (int lump = 0; lump < lumps; ++lump) {
       const double* number = findNumber(copy, field, lump);
       if (!number) continue;
-      const std::string path = std::string(rowInFile(row, field.name)) + "." + std::string(field.name);
+      const std::string path = nameInFile(row, field.name);
       const bool may_be_rigid = isStiffness(field.quantity);
       if (std::isnan(*number) || (std::isinf(*number) && !may_be_rigid))
         out.push_back({path, text(*number), "a finite number"});

@@ -141,7 +141,7 @@ Row<To> castRow(const Row<From>& row) {
 Parameter makeParameter(Arm& arm, const ParameterPath& path) {
   const ParameterField& f = parameterFields()[path.field];
   Row<double>* row = f.of_tool ? nullptr : &rowsOf(arm, path.side_chain)[path.row];
-  std::string name = std::string(row ? rowInFile(*row, f.name) : "tool") + "." + std::string(f.name);
+  std::string name = row ? nameInFile(*row, f.name) : "tool." + std::string(f.name);
   if (f.of_lump) name.append(".").append(std::to_string(path.lump + 1));
   const Quantity quantity = row ? findIn(*row, f, path.lump).second : f.quantity;
   return {name, quantity, path, locateIn(arm, path), f.lower, f.upper};
@@ -151,7 +151,7 @@ void appendRowParameters(Arm& arm, int side_chain, int index, std::vector<Parame
   const auto& fields = parameterFields();
   Row<double>& row = rowsOf(arm, side_chain)[index];
   for (int f = 0; f < static_cast<int>(fields.size()); ++f) {
-    if (fields[f].of_tool || rowInFile(row, fields[f].name).empty()) continue;
+    if (fields[f].of_tool || nameInFile(row, fields[f].name).empty()) continue;
     if (fields[f].name == kShiftOfFirstAxis && (index > 0 || side_chain >= 0)) continue;
     const int lumps = static_cast<int>(row.weight.lumps.size());
     for (int lump = fields[f].of_lump ? 0 : -1; lump < (fields[f].of_lump ? lumps : 0); ++lump) {

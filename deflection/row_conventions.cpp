@@ -171,8 +171,8 @@ bool leadsAnywhere(const CraigNumbers& dh) { return dh.alpha != 0 || dh.a != 0 |
 /// Renames Craig's rows as in a file of the standard convention.
 void nameAsStandard(Arm& arm) {
   if (leadsAnywhere(std::get<CraigNumbers>(arm.rows.front().placement))) putFirst({}, arm);
-  arm.rows.front().placed_by = "";
-  for (std::size_t k = 1; k < arm.rows.size(); ++k) arm.rows[k].placed_by = arm.rows[k - 1].name;
+  arm.rows.front().placed_by = arm.rows.front().name + ".axis";
+  for (std::size_t k = 1; k < arm.rows.size(); ++k) arm.rows[k].placed_by = arm.rows[k - 1].name + ".dh";
 }
 
 void nameAsOwn(std::vector<Row<double>>& rows) {
@@ -186,20 +186,25 @@ void nameAsOwn(std::vector<Row<double>>& rows) {
 
 void readAsStandard(std::vector<Row<double>>& rows) {
   CraigNumbers before;
-  std::string of;
+  std::string last, of;
   for (auto& row : rows) {
+    if (&row == &rows.front()) of = row.name + ".axis";
     auto* dh = std::get_if<CraigNumbers>(&row.placement);
-    if (!dh) continue;
+    if (!dh) {
+      of.clear();
+      continue;
+    }
     std::swap(*dh, before);
     std::swap(dh->theta, before.theta);
     std::swap(dh->d, before.d);
     row.placed_by = of;
-    of = row.name;
+    last = row.name;
+    of = last + ".dh";
   }
   if (!leadsAnywhere(before)) return;
   before.theta = before.d = 0;
   Row<double>& end = rows.emplace_back();
-  end.name = of + "-end";
+  end.name = last + "-end";
   end.placement = before;
   end.placed_by = of;
   end.is_written = false;

@@ -43,9 +43,10 @@ struct ConvertedArm {
 /// would change in such a frame is refused.
 [[nodiscard]] ConvertedArm convertRows(const Arm& arm, RowConvention convention, const ConversionOptions& options = {});
 
-/// Converts rows with standard Denavit-Hartenberg numbers to Craig's, whose alpha, a and beta are those of the row
-/// before. Names of parameters stay those of the file (Row::placed_by). If the last row has any of the three, a row
-/// NAME-end without a joint takes them. Rows by origin, if any, come first.
+/// Rows whose Denavit-Hartenberg numbers are the standard ones, each its own, become Craig's, which have alpha, a and
+/// beta of the row before; the names of parameters stay those of the file (Row::placed_by). Where the last row has any
+/// of the three, a row NAME-end without a joint has them. Rows by origin, if any, come first; a first row by these
+/// numbers has its axis at the base's z, and may be led elsewhere by its own alpha, a, beta and b as Craig's row.
 void readAsStandard(std::vector<Row<double>>& rows);
 
 /// Returns true if rows were converted by readAsStandard().

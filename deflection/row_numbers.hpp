@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -46,11 +47,12 @@ inline bool leadsToAxis(std::string_view number) {
   return number == "dh.alpha" || number == "dh.a" || number == "dh.beta" || number == kShiftOfFirstAxis;
 }
 
-/// Returns the name of the row that states a number of this one in its file and in fits; empty if none does.
+/// The name of a row's number in its file and in fits, "forearm.dh.a"; empty where the file has none.
 template <class S>
-std::string_view rowInFile(const Row<S>& row, std::string_view number) {
-  if (row.placed_by && leadsToAxis(number)) return *row.placed_by;
-  return row.is_written ? std::string_view(row.name) : std::string_view();
+std::string nameInFile(const Row<S>& row, std::string_view number) {
+  if (row.placed_by && leadsToAxis(number))
+    return row.placed_by->empty() ? "" : *row.placed_by + std::string(number.substr(std::string_view("dh").size()));
+  return row.is_written ? row.name + "." + std::string(number) : "";
 }
 
 template <class R>

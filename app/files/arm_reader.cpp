@@ -138,7 +138,7 @@ void readWeight(const YamlNode& node, const Units& units, ArmRow& row) {
 }
 
 ArmRow readRow(const YamlNode& node, const Units& units) {
-  node.expectKeys({"name"}, {"dh", "origin", "joint", "joint_stiffness", "beam", "weight"});
+  node.expectKeys({"name"}, {"dh", "axis", "origin", "joint", "joint_stiffness", "beam", "weight"});
   ArmRow row;
   row.name = node.at("name").text();
   if (row.name.find_first_of(".[] ") != std::string::npos)
@@ -206,12 +206,30 @@ void requireOriginsFirst(const YamlNode& links) {
   }
 }
 
-void takeAsStandard(const YamlNode& node, Arm& arm) {
-  requireOriginsFirst(node.at("links"));
-  deflection::readAsStandard(arm.rows);
-  for (std::size_t k = 0; k < arm.side_chains.size(); ++k) {
-    requireOriginsFirst(node.at("side_chains").items[k].at("links"));
-    deflection::readAsStandard(arm.side_chains[k].rows);
+/// Where the first axis is by the frame before, which no number of a standard table says.
+void readAxis(const YamlNode& node, const Units& units, deflection::DenavitHartenberg<double>& dh) {
+  node.expectKeys({}, {"alpha", "a", "beta", "b"});
+  dh.alpha = readQuantityOr(node, "alpha", units, dimension::kAngle, 0);
+  dh.a = readQuantityOr(node, "a", units, dimension::kLength, 0);
+  dh.beta = readQuantityOr(node, "beta", units, dimension::kAngle, 0);
+  dh.b = readQuantityOr(node, "b", units, dimension::kLength, 0);
+}
+
+/// Rows of an arm or a side chain by the convention that the file states.
+void takeRows(const YamlNode& links, RowConvention convention, const Units& units, std::vector<ArmRow>& rows) {
+  const bool is_standard = convention == RowConvention::kStandard;
+  if (is_standard) {
+    requireOriginsFirst(links);
+    deflection::readAsStandard(rows);
+  }
+  for (std::size_t k = 0; k < links.items.size(); ++k) {
+    const YamlNode* axis = links.items[k].find("axis");
+    if (!axis) continue;
+    auto* dh = is_standard && k == 0 ? deflection::dhOf(rows[k]) : nullptr;
+    if (!dh)
+      axis->fail("an axis of a link that has it by its other numbers", "one of a first link by dh alone",
+                 "`axis` belongs to `convention: standard`");
+    readAxis(*axis, units, *dh);
   }
 }
 
@@ -303,7 +321,10 @@ ArmSource readArm(const YamlNode& node) {
   }
   if (const YamlNode* chains = node.find("side_chains"))
     for (const YamlNode& chain : chains->list()) arm.side_chains.push_back(readSideChain(chain, source.units, arm));
-  if (readConvention(node) == RowConvention::kStandard) takeAsStandard(node, arm);
+  const RowConvention convention = readConvention(node);
+  takeRows(node.at("links"), convention, source.units, arm.rows);
+  for (std::size_t k = 0; k < arm.side_chains.size(); ++k)
+    takeRows(node.at("side_chains").items[k].at("links"), convention, source.units, arm.side_chains[k].rows);
   readTool(node.at("tool"), source);
   checkArm(node, arm);
   return source;

@@ -143,11 +143,26 @@ std::string rowText(const Arm& arm, const ArmRow& row, const Units& units, const
   return text;
 }
 
+/// Where the first axis of rows by the standard convention is; empty where it is the z before.
+std::string axisText(const std::vector<ArmRow>& rows, const Units& units) {
+  const auto* dh = deflection::isStandard(rows) ? deflection::dhOf(rows.front()) : nullptr;
+  if (!dh) return "";
+  FlowMap map(units);
+  map.addUnless(0, "alpha", dh->alpha, dimension::kAngle);
+  map.addUnless(0, "a", dh->a, dimension::kLength);
+  map.addUnless(0, "beta", dh->beta, dimension::kAngle);
+  map.addUnless(0, "b", dh->b, dimension::kLength);
+  return map.empty() ? "" : map.text();
+}
+
 /// Those that the file has.
 std::string rowsText(const Arm& arm, const std::vector<ArmRow>& rows, const Units& units, const char* margin) {
   std::string text;
-  for (std::size_t k = 0; k < rows.size(); ++k)
+  for (std::size_t k = 0; k < rows.size(); ++k) {
     if (rows[k].is_written) text += rowText(arm, rowAsWritten(rows, k), units, margin);
+    if (const auto axis = k == 0 ? axisText(rows, units) : ""; !axis.empty())
+      text += fmt::format("{}  axis: {}\n", margin, axis);
+  }
   return text;
 }
 

@@ -70,7 +70,7 @@ std::optional<MeasurementCheck> negatedTwists(const MistakeTrials& trials) {
     deflection::dhOf(all[k])->alpha = -dh->alpha;
     Rows one = written;
     deflection::dhOf(one[k])->alpha = -dh->alpha;
-    tryRows(std::move(one), "alpha of " + std::string(deflection::rowInFile(written[k], "dh.alpha")));
+    tryRows(std::move(one), deflection::nameInFile(written[k], "dh.alpha"));
   }
   if (twisted > 1) tryRows(std::move(all), "every alpha");
   if (name.empty()) return std::nullopt;

@@ -76,6 +76,31 @@ TEST(IndependentGeometry, IsCompleteAndNotRedundantHoweverRowsAreWritten) {
   }
 }
 
+// Origins with six numbers a row reach every motion of geometry; rows by either table reach as many beside a known
+// base.
+TEST(IndependentGeometry, IsCompleteBesideAKnownBaseByEitherTable) {
+  int counted = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    PlacedArm drawn = mechanism(seed);
+    drawn.base_poses[0].is_known = true;
+    drawn.shows_tool_turn = seed % 2 == 0;
+    int turns = 0, slides = 0;
+    for (const auto& joint : drawn.arm.joints()) ++(joint.type == deflection::JointType::kPrismatic ? slides : turns);
+    for (const PlacedArm& placed : {drawn, byStandardTable(drawn)}) {
+      const bool is_standard = deflection::isStandard(placed.arm.rows);
+      const auto names = chosen(placed);
+      const Eigen::Index rank = rankOf(motions(placed, names));
+      EXPECT_EQ(rank, static_cast<Eigen::Index>(names.size())) << seed << " " << is_standard << ": redundant";
+      const PlacedArm all = byOrigins(placed);
+      EXPECT_EQ(rank, rankOf(motions(all, allGeometry(all)))) << seed << " " << is_standard << ": not complete";
+      if (slides > 0 || !placed.shows_tool_turn) continue;
+      ++counted;
+      EXPECT_EQ(rank, 4 * turns + 6) << seed << " " << is_standard;
+    }
+  }
+  EXPECT_GT(counted, 10);
+}
+
 TEST(IndependentGeometry, HoldsAsManyNumbersAsMechanismsHave) {
   int open = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {

@@ -6,6 +6,7 @@
 #include "calibration/placed_arm.hpp"
 #include "calibration/random_stream.hpp"
 #include "deflection/chain.hpp"
+#include "deflection/row_conventions.hpp"
 
 namespace tubeplan::calibration {
 
@@ -47,7 +48,15 @@ inline PlacedArm byOrigins(PlacedArm placed) {
     const Eigen::Vector3d p = deflection::offsetInPreviousAxes<double>(row);
     row.placement =
         deflection::Origin<double>{p, deflection::fixedAnglesOf(deflection::rotationFromPrevious<double>(row))};
+    row.placed_by.reset();
+    row.is_written = true;
   }
+  return placed;
+}
+
+/// The arm that has these numbers for its standard table.
+inline PlacedArm byStandardTable(PlacedArm placed) {
+  deflection::readAsStandard(placed.arm.rows);
   return placed;
 }
 

@@ -90,13 +90,16 @@ TEST(RowConventions, parametersStandWhereTheStandardFileHasThem) {
   EXPECT_EQ(first->path.row, 1);
   EXPECT_EQ(findParameter(arm, "row0.dh.d")->path.row, 0);
   EXPECT_EQ(findParameter(arm, "row2.dh.alpha")->path.row, 3);
-  int placements = 0;
+  EXPECT_EQ(findParameter(arm, "row0.axis.alpha")->path.row, 0);
+  int placements = 0, of_first_axis = 0;
   for (const auto& parameter : parametersOf(arm)) {
     EXPECT_FALSE(parameter.name.starts_with(".")) << parameter.name;
     EXPECT_FALSE(parameter.name.starts_with("row2-end")) << parameter.name;
     placements += parameter.name.find(".dh.") != std::string::npos;
+    of_first_axis += parameter.name.starts_with("row0.axis.");
   }
   EXPECT_EQ(placements, 3 * 4);  // alpha, a, beta and d of each: the joints stand for theta
+  EXPECT_EQ(of_first_axis, 4);   // alpha, a, beta and b
   const Arm copy = castArm<double>(castArm<Dual>(arm));
   EXPECT_TRUE(findParameter(copy, "row2.dh.alpha").has_value());
 }

@@ -93,7 +93,8 @@ TEST(StandardRows, everyParameterIsWrittenBackWhereItStands) {
     const YamlNode root = parseYaml(text, "arm.yaml");
     const ArmSource source = readArm(root);
     for (const auto& parameter : deflection::parametersOf(source.arm)) {
-      if (parameter.name.find(".dh.") == std::string::npos) continue;
+      if (parameter.name.find(".dh.") == std::string::npos && parameter.name.find(".axis.") == std::string::npos)
+        continue;
       const double value = parameter.value + 0.01;
       const std::string changed_text = withArmParameters(text, root, source, {{parameter.name, value}});
       const ArmSource again = armOfText(changed_text);
@@ -106,6 +107,34 @@ TEST(StandardRows, everyParameterIsWrittenBackWhereItStands) {
       EXPECT_EQ(occurrences(changed_text, "convention: standard"), 1u);
     }
   }
+}
+
+/// A first axis that the base's z is not: as the first row of Craig's table has it, and written as it was read.
+TEST(StandardRows, aFirstAxisMayStandElsewhere) {
+  const std::string axis = "axis: {alpha: 0.4, a: 0.003, beta: -0.2, b: -0.002}";
+  for (const auto& [name, standard, modified] : kTables) {
+    const std::string first_of_standard = standard, first_of_modified = modified;
+    const std::string text =
+        standardFile(changed(first_of_standard, "joint: {name: q1,", axis + ", joint: {name: q1,"));
+    const std::string craigs =
+        fileOf(changed(first_of_modified, "dh: {alpha: 0, a: 0,", "dh: {alpha: 0.4, a: 0.003, beta: -0.2, b: -0.002,"));
+    const ArmSource source = armOfText(text);
+    EXPECT_LE(tipsApart(source.arm, armOfText(craigs).arm), 1e-12) << name;
+    const std::string again = armYaml(source.arm, source.units);
+    EXPECT_EQ(occurrences(again, "axis: {"), 1u) << again;
+    EXPECT_LE(tipsApart(source.arm, armOfText(again).arm), 1e-12) << name;
+  }
+}
+
+TEST(StandardRows, anAxisOfOtherLinksIsRefused) {
+  const std::string rows = kTables[0].standard, axis = "axis: {a: 0.1}, joint: {name: ";
+  const auto refusal = [](const std::string& text) { return messageOf([&] { (void)armOfText(text); }); };
+  const std::string first = changed(rows, "joint: {name: q1", axis + "q1");
+  const std::string second = changed(rows, "joint: {name: q2", axis + "q2");
+  const std::string foot = "- {name: foot, origin: {position: [0, 0, 1], rpy: [0, 0, 90]}}\n";
+  for (const std::string& text : {fileOf(first), standardFile(second), fileOf(second), standardFile(foot + first)})
+    expectSays(refusal(text), "`axis` belongs to `convention: standard`");
+  expectSays(refusal(standardFile(changed(first, "axis: {a: 0.1}", "axis: {d: 0.1}"))), "the unknown key 'd'");
 }
 
 TEST(StandardRows, whatTheyCannotBeIsRefused) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/identification.hpp"
+#include "calibration/independent_geometry.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "tests/calibration/estimation/freeing.hpp"
 #include "tests/calibration/random_mechanisms.hpp"
@@ -36,35 +37,39 @@ std::vector<Measurement> exactPositions(const deflection::Arm& arm, RandomStream
 }
 
 TEST(KnownBase, LeavesNothingOfARandomArmsGeometryUnexplained) {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    PlacedArm drawn = mechanism(seed);
-    drawn.base_poses[0].is_known = true;
-    RandomStream random(100 + seed);
-    const auto readings = exactPositions(builtFrom(drawn, random), random);
-    const Identification found = identify(drawn, readings, freeing({"geometry"}));
-    ASSERT_EQ(found.status, IdentificationStatus::kDone) << seed << ": " << found.reason;
-    EXPECT_GT(found.before.rms, 10 * kTrackerSigma) << seed;
-    EXPECT_LT(found.after.rms, 0.1 * kTrackerSigma) << seed;
-  }
+  for (std::uint64_t seed = 1; seed <= 8; ++seed)
+    for (PlacedArm drawn : {mechanism(seed), byStandardTable(mechanism(seed))}) {
+      SCOPED_TRACE(testing::Message() << seed << (deflection::isStandard(drawn.arm.rows) ? " standard" : " modified"));
+      drawn.base_poses[0].is_known = true;
+      RandomStream random(100 + seed);
+      const auto readings = exactPositions(builtFrom(drawn, random), random);
+      const Identification found = identify(drawn, readings, freeing({"geometry"}));
+      ASSERT_EQ(found.status, IdentificationStatus::kDone) << found.reason;
+      EXPECT_GT(found.before.rms, 10 * kTrackerSigma);
+      EXPECT_LT(found.after.rms, 0.1 * kTrackerSigma);
+    }
 }
 
 TEST(KnownBase, FreesTheShiftOfTheFirstAxisAndAFreeBaseDoesNot) {
   int turning = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed)
-    for (const bool is_known : {true, false}) {
-      PlacedArm drawn = mechanism(seed);
-      if (drawn.arm.joint(0).type != deflection::JointType::kRevolute) continue;
-      ++turning;
-      drawn.base_poses[0].is_known = is_known;
-      int shifts = 0;
-      for (const auto& unknown : chooseUnknowns(drawn, {{"geometry"}, true}).list)
-        shifts += unknown.name.ends_with(".dh.b");
-      EXPECT_EQ(shifts, is_known ? 1 : 0) << seed;
-    }
-  EXPECT_GT(turning, 30);
-  const PlacedArm drawn = mechanism(3);
+    for (const bool is_known : {true, false})
+      for (PlacedArm drawn : {mechanism(seed), byStandardTable(mechanism(seed))}) {
+        if (drawn.arm.joint(0).type != deflection::JointType::kRevolute) continue;
+        ++turning;
+        drawn.base_poses[0].is_known = is_known;
+        int shifts = 0;
+        for (const auto& unknown : chooseUnknowns(drawn, {{"geometry"}, true}).list)
+          shifts += isShiftOfFirstAxis(unknown.name);
+        EXPECT_EQ(shifts, is_known ? 1 : 0) << seed;
+      }
+  EXPECT_GT(turning, 60);
+  const PlacedArm drawn = mechanism(3), standard = byStandardTable(drawn);
   for (const auto& name : namesBehind(drawn.arm, "link1.dh")) EXPECT_NE(name, "link1.dh.b");
+  for (const auto& name : namesBehind(standard.arm, "link1.axis")) EXPECT_NE(name, "link1.axis.b");
   EXPECT_FALSE(deflection::findParameter(drawn.arm, "link2.dh.b"));
+  EXPECT_FALSE(deflection::findParameter(standard.arm, "link1.dh.b"));
+  EXPECT_TRUE(deflection::findParameter(standard.arm, "link1.axis.b"));
 }
 
 }  // namespace
