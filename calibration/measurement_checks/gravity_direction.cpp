@@ -25,13 +25,16 @@ constexpr double kFirstLean = 0.35, kLastLean = 0.004, kAway = 0.3;  // rad
 struct TriedDirection {
   Vector3d gravity_W = Vector3d::Zero();
   double error = std::numeric_limits<double>::infinity();  // m
+  Trial trial = {};
 };
 
 TriedDirection triedAlong(const MistakeTrials& trials, const Vector3d& direction) {
   goOn(trials.options().stop);
   PlacedArm start = trials.checked().start;
   start.arm.gravity_W = direction.normalized();
-  return {start.arm.gravity_W, trials.errorBy(std::move(start))};
+  const Vector3d gravity_W = start.arm.gravity_W;
+  Trial trial = trials.triedBy(std::move(start));
+  return {gravity_W, trial.error, std::move(trial)};
 }
 
 bool isWritten(const MistakeTrials& trials, const Vector3d& gravity_W) {
@@ -83,7 +86,7 @@ TriedDirection settled(const MistakeTrials& trials, TriedDirection best) {
 
 }  // namespace
 
-std::optional<MeasurementCheck> gravityElsewhere(const MistakeTrials& trials) {
+std::optional<FoundMistake> gravityElsewhere(const MistakeTrials& trials) {
   const Trial& as_is = trials.asIs();
   if (!as_is.ok || as_is.error < kAboveNoise * trials.noise({})) return std::nullopt;
   auto best = bestOfFew(trials);
@@ -93,7 +96,7 @@ std::optional<MeasurementCheck> gravityElsewhere(const MistakeTrials& trials) {
   if (!(best.error * kClear < leastAround(trials, best, kAway).error)) return std::nullopt;
   const Vector3d gravity_W = ((best.gravity_W * 1e3).array().round() / 1e3 + 0.).matrix();
   const double turn = std::acos(std::clamp(best.gravity_W.dot(trials.checked().start.arm.gravity_W), -1., 1.));
-  return MeasurementCheck{
+  MeasurementCheck check{
       "gravity",
       CheckSeverity::kMistake,
       fmt::format("gravity points along {0:g}, {1:g}, {2:g} of the world in these readings, {3:.0f} deg from where the "
@@ -103,6 +106,7 @@ std::optional<MeasurementCheck> gravityElsewhere(const MistakeTrials& trials) {
       best.error,
       "",
       {}};
+  return FoundMistake{std::move(check), std::move(best.trial)};
 }
 
 }  // namespace tubeplan::calibration

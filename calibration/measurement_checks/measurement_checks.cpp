@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
 
 #include "calibration/measurement_checks/clock.hpp"
 #include "calibration/measurement_checks/gravity_direction.hpp"
@@ -118,6 +121,42 @@ void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& check
   checks.push_back(std::move(check));
 }
 
+/// Whether a mistake leaves no more than a few times the noise, the base where it is said to be.
+bool leavesNothing(const MistakeTrials& trials, const FoundMistake& mistake) {
+  constexpr double kAboveNoise = 5;
+  return mistake.drawn.error < kAboveNoise * trials.noise({}) && !trials.isBaseFar(mistake.drawn);
+}
+
+/// Of a mistake and gravity elsewhere, the one by which the readings fit. Both may be: exchanged axes turn a base that
+/// is not known, and gravity with it as the base sees it. Then the one that leaves the base at its nominal place is
+/// named, with the other.
+MeasurementCheck likelier(const MistakeTrials& trials, FoundMistake mistake, FoundMistake gravity) {
+  constexpr double kClearly = 2;
+  if (mistake.drawn.error > kClearly * gravity.drawn.error) return std::move(gravity.check);
+  if (gravity.drawn.error > kClearly * mistake.drawn.error) return std::move(mistake.check);
+  const bool is_gravity = trials.isBaseFar(mistake.drawn) && !trials.isBaseFar(gravity.drawn);
+  if (is_gravity) gravity.check.equally.push_back(mistake.check.assume);
+  FoundMistake &named = is_gravity ? gravity : mistake, &other = is_gravity ? mistake : gravity;
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  named.check.sentence += fmt::format(
+      ", with the base turned by {:.2g} deg from its nominal place; or {}, with the base turned by {:.2g} deg",
+      named.drawn.base_turn * kDegrees, other.check.sentence, other.drawn.base_turn * kDegrees);
+  return std::move(named.check);
+}
+
+/// What is wrong with all readings alike, if anything is.
+std::optional<MeasurementCheck> mistakeOrGravity(const MistakeTrials& trials) {
+  auto found = findMistake(trials);
+  const bool is_mistake = found && found->check.severity == CheckSeverity::kMistake;
+  if (is_mistake && leavesNothing(trials, *found)) return std::move(found->check);
+  if (!is_mistake)
+    if (auto twist = negatedTwists(trials)) return twist;
+  auto gravity = gravityElsewhere(trials);
+  if (is_mistake && gravity) return likelier(trials, std::move(*found), std::move(*gravity));
+  if (gravity) return std::move(gravity->check);
+  return found ? std::optional(std::move(found->check)) : std::nullopt;
+}
+
 }  // namespace
 
 MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckOptions& options) {
@@ -130,11 +169,7 @@ MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckO
   result.base_turn = as_is.base_turn;
   if (as_is.ok) checkSigma(trials, result.checks);
   auto mistake = standardRows(trials);
-  if (!mistake) mistake = findMistake(trials);
-  if (!mistake || mistake->severity != CheckSeverity::kMistake)
-    if (auto twist = negatedTwists(trials)) mistake = std::move(twist);
-  if (!mistake || mistake->severity != CheckSeverity::kMistake)
-    if (auto gravity = gravityElsewhere(trials)) mistake = std::move(gravity);
+  if (!mistake) mistake = mistakeOrGravity(trials);
   if (mistake) result.checks.push_back(std::move(*mistake));
   if (as_is.ok && !grossMistake(result)) {
     checkBase(trials, result.checks);

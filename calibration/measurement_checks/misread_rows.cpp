@@ -31,7 +31,7 @@ double errorBy(const MistakeTrials& trials, Rows rows) {
   PlacedArm start = trials.checked().start;
   start.arm.rows = std::move(rows);
   if (!deflection::findProblems(start.arm).empty()) return std::numeric_limits<double>::infinity();
-  return trials.errorBy(std::move(start));
+  return trials.triedBy(std::move(start)).error;
 }
 
 std::optional<MeasurementCheck> mistakeOf(const MistakeTrials& trials, const char* name, double error,

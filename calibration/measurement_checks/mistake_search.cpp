@@ -23,7 +23,7 @@ class MistakeSearch {
  public:
   explicit MistakeSearch(const MistakeTrials& trials) : trials_(trials), judgement_(trials) {}
 
-  [[nodiscard]] std::optional<MeasurementCheck> find() const {
+  [[nodiscard]] std::optional<FoundMistake> find() const {
     if (!judgement_.asksForMistakes() && !judgement_.asksForSteps()) return std::nullopt;
     auto suspects = judgement_.asksForMistakes() ? examined(screened()) : std::vector<Suspect>{};
     const auto tried = suspects;
@@ -79,7 +79,7 @@ class MistakeSearch {
   }
 
   /// The best of them, with those that explain the readings as well.
-  MeasurementCheck checkOf(std::vector<Suspect> suspects) const {
+  FoundMistake checkOf(std::vector<Suspect> suspects) const {
     Suspect& best = suspects.front();
     MeasurementCheck check;
     check.name = best.mend.mistake;
@@ -94,7 +94,7 @@ class MistakeSearch {
     for (std::size_t k = 1; k < suspects.size(); ++k)
       if (judgement_.isAsGood(suspects[k], best))
         check.equally.push_back(suspects[k].mend.mistake + "=" + suspects[k].mend.value);
-    return check;
+    return {std::move(check), std::move(best.drawn)};
   }
 
   /// Noise whose column says the same wrong unit is mended with the rest, unless the readings agree better with it as
@@ -215,7 +215,7 @@ class MistakeSearch {
 
 }  // namespace
 
-std::optional<MeasurementCheck> findMistake(const MistakeTrials& trials) { return MistakeSearch(trials).find(); }
+std::optional<FoundMistake> findMistake(const MistakeTrials& trials) { return MistakeSearch(trials).find(); }
 
 std::string baseText(const MistakeTrials& trials) {
   const CheckedReadings& checked = trials.checked();

@@ -9,9 +9,15 @@
 
 namespace tubeplan::calibration {
 
+/// A mistake and the readings without it, by the drawing.
+struct FoundMistake {
+  MeasurementCheck check;
+  Trial drawn;
+};
+
 /// The mistake that explains most, with those that explain as much; nothing where there is no error to be explained, or
 /// none explains it. Unwinds where it was stopped.
-[[nodiscard]] std::optional<MeasurementCheck> findMistake(const MistakeTrials& trials);
+[[nodiscard]] std::optional<FoundMistake> findMistake(const MistakeTrials& trials);
 
 /// How far the base is from its nominal place: "12 in (8.0 pitches) and 3 deg".
 [[nodiscard]] std::string baseText(const MistakeTrials& trials);

@@ -232,12 +232,12 @@ RobustFit MistakeTrials::fitZeros(const Mend& mend, PlacedArm start, const std::
   return fit(std::move(start), mended(mend, TrialDepth::kDrawn), TrialDepth::kHeld, zeros);
 }
 
-double MistakeTrials::errorBy(PlacedArm drawing) const {
+Trial MistakeTrials::triedBy(PlacedArm drawing) const {
   RobustFitOptions options;
   options.free = drawn_;
   options.stop = options_.stop;
-  const RobustFit fit = fitRobustly(std::move(drawing), only(pool_.readings, pool_.counted), options);
-  return fit.ok ? fit.error : std::numeric_limits<double>::infinity();
+  const auto readings = only(pool_.readings, pool_.counted);
+  return judged(fitRobustly(std::move(drawing), readings, options), checked_.start, readings);
 }
 
 int MistakeTrials::freedom(const Mend& mend, TrialDepth depth) const {

@@ -55,9 +55,8 @@ class MistakeTrials {
   [[nodiscard]] PlacedArm startOf(const Mend& mend) const;
   /// The readings that count, as a mistake would have them; fewer of them but for the deepest trial.
   [[nodiscard]] std::vector<Measurement> mended(const Mend& mend, TrialDepth depth) const;
-  /// Error [m] of the readings that count by an arm of another drawing, base and tip free; infinite where the fit
-  /// fails.
-  [[nodiscard]] double errorBy(PlacedArm drawing) const;
+  /// The readings that count as they are, by an arm of another drawing, base and tip free.
+  [[nodiscard]] Trial triedBy(PlacedArm drawing) const;
   /// All that the drawing leaves open.
   [[nodiscard]] const FreeChoice& open() const { return open_; }
 

@@ -71,9 +71,9 @@ std::vector<JoinedMends> likelyBesideTurns(const MistakeTrials& trials) {
   places.readings = placesOfPoses(checked.readings);
   if (places.readings.size() < kFewestPoses) return likely;
   const MistakeTrials of_places(places, trials.options());
-  const auto check = findMistake(of_places);
-  if (check) {
-    const auto mends = mendsOf(checked, check->assume);
+  const auto found = findMistake(of_places);
+  if (found) {
+    const auto mends = mendsOf(checked, found->check.assume);
     return mends.empty() ? likely : withTurns(checked, mends);
   }
   for (const auto& first : withTurns(checked, {}))
