@@ -4,10 +4,10 @@
 #include <tbb/global_control.h>
 
 #include "benchmarks/run_benchmarks.hpp"
+#include "calibration/diagnosis/causes/signatures.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
-#include "calibration/diagnosis/explanation_model.hpp"
-#include "calibration/diagnosis/linear_evidence.hpp"
-#include "calibration/diagnosis/signatures.hpp"
+#include "calibration/diagnosis/evidence/linear_evidence.hpp"
+#include "calibration/diagnosis/explanations/explanation_model.hpp"
 #include "calibration/measurements/reading_placement.hpp"
 #include "tests/calibration/bench_readings.hpp"
 

@@ -20,7 +20,7 @@
 #include "app/files/cell_places.hpp"
 #include "app/files/cell_writer.hpp"
 #include "app/jobs/identification.hpp"
-#include "calibration/diagnosis/verdict.hpp"
+#include "calibration/diagnosis/judgement/verdict.hpp"
 
 namespace tubeplan::app {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/files/units.hpp"
-#include "calibration/diagnosis/discriminating_measurements.hpp"
+#include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"
 
 namespace tubeplan::app {
 

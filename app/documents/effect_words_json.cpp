@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "calibration/diagnosis/cause.hpp"
+#include "calibration/diagnosis/causes/cause.hpp"
 
 namespace tubeplan::app {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "calibration/diagnosis/formula_overlap.hpp"
+#include "calibration/diagnosis/causes/formula_overlap.hpp"
 
 namespace tubeplan::app {
 

@@ -10,7 +10,7 @@
 #include "app/files/reading_input.hpp"
 #include "app/studies/job_steps.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
-#include "calibration/diagnosis/discriminating_measurements.hpp"
+#include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"
 #include "calibration/diagnosis/effect_warnings.hpp"
 
 namespace tubeplan::app {

@@ -11,8 +11,8 @@
 #include "app/files/input_error.hpp"
 #include "app/files/suggestion.hpp"
 #include "app/studies/model/cell_fit.hpp"
-#include "calibration/diagnosis/cause.hpp"
-#include "calibration/diagnosis/formula_overlap.hpp"
+#include "calibration/diagnosis/causes/cause.hpp"
+#include "calibration/diagnosis/causes/formula_overlap.hpp"
 
 namespace tubeplan::app {
 

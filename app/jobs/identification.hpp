@@ -10,8 +10,8 @@
 #include "app/files/reading_input.hpp"
 #include "app/studies/job_steps.hpp"
 #include "app/studies/positioning/predicted_centring.hpp"
+#include "calibration/diagnosis/causes/formula_overlap.hpp"
 #include "calibration/diagnosis/effect_warnings.hpp"
-#include "calibration/diagnosis/formula_overlap.hpp"
 #include "calibration/estimation/identification.hpp"
 #include "calibration/patterns/comparison.hpp"
 

@@ -9,7 +9,7 @@
 #include "app/workbench/request_numbers.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
-#include "calibration/diagnosis/confounding.hpp"
+#include "calibration/diagnosis/causes/confounding.hpp"
 #include "deflection/weights.hpp"
 
 namespace tubeplan::app {

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "calibration/diagnosis/cause.hpp"
-#include "calibration/diagnosis/diagnosis_views.hpp"
-#include "calibration/diagnosis/verdict.hpp"
+#include "calibration/diagnosis/causes/cause.hpp"
+#include "calibration/diagnosis/judgement/diagnosis_views.hpp"
+#include "calibration/diagnosis/judgement/verdict.hpp"
 #include "calibration/estimation/identification.hpp"
 #include "calibration/estimation/repeats.hpp"
 

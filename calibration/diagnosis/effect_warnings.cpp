@@ -6,7 +6,7 @@
 #include <numeric>
 #include <optional>
 
-#include "calibration/diagnosis/explanation_model.hpp"
+#include "calibration/diagnosis/explanations/explanation_model.hpp"
 #include "calibration/estimation/held_out.hpp"
 #include "calibration/statistics.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "app/studies/measurements/discrimination_candidates.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
-#include "calibration/diagnosis/discriminating_measurements.hpp"
+#include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"
 #include "calibration/diagnosis/effect_warnings.hpp"
 #include "calibration/patterns/comparison.hpp"
 #include "tests/calibration/bench_readings.hpp"

@@ -64,8 +64,9 @@ PARTS = [
              "calibration/measurements/reading_prediction.cpp"),
          [(CALIBRATION_TEST, "*")]),
     Part("evidence", "calibration",
-         own(*(f"calibration/diagnosis/{name}.cpp"
-               for name in ("linear_evidence", "claims", "posterior", "decision", "ranking", "remainder"))),
+         own("calibration/diagnosis/evidence/linear_evidence.cpp",
+             *(f"calibration/diagnosis/judgement/{name}.cpp"
+               for name in ("claims", "posterior", "decision", "ranking", "remainder"))),
          [(CALIBRATION_TEST, "*Evidence*:LogSum.*"), (CALIBRATION_TEST, "Decide.*:*Diagnos*"), (CALIBRATION_TEST, "*")]),
     Part("bound", "planner", own("planner/order/one_tree_bound.cpp", "planner/order/priced_tree.cpp"),
          [("planner/planner_test", "*")]),

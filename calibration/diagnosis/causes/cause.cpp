@@ -1,0 +1,280 @@
+#include "calibration/diagnosis/causes/cause.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "calibration/independent_geometry.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+using deflection::EffectKind, deflection::PlaceRule, deflection::Quantity;
+
+namespace {
+
+constexpr double kFreedOdds = 2;     // of all held stiffnesses together: drawings seldom state them well; of all
+                                     // zeros of joints that follow others too, which no reading has
+constexpr double kGeometryOdds = 2;  // of the drawing's geometry as a whole
+constexpr double kAlikeShare = 0.3;  // of a kind's odds: that it acts at all joints rather than at one
+
+bool hasWeights(const deflection::Arm& arm) {
+  const auto weighs = [](const auto& row) {
+    return row.weight.distributed > 0 || row.weight.end > 0 || !row.weight.lumps.empty();
+  };
+  return std::any_of(arm.rows.begin(), arm.rows.end(), weighs) || !arm.side_chains.empty();
+}
+
+/// What the readings and the arm lack for an effect to be seen; empty where nothing.
+std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings) {
+  const deflection::Arm& arm = placed.arm;
+  const auto any = [&](auto&& holds) { return std::any_of(readings.begin(), readings.end(), holds); };
+  const bool has_load = any([](const Measurement& m) { return m.load > 0; });
+  const bool is_loaded = has_load || any([](const Measurement& m) { return m.wrench.has_value(); });
+  if (kind.needs.approach_directions && !any([](const Measurement& m) {
+        return std::any_of(m.approach_directions.begin(), m.approach_directions.end(), [](int s) { return s != 0; });
+      }))
+    return "the readings do not state the direction of the joints' last motion (<joint>_dir)";
+  for (const auto condition : conditionsOf(kind))
+    if (!any([&](const Measurement& m) { return m.conditions.states(condition); }))
+      return std::string("the readings do not state the ") + deflection::kindOf(condition).name;
+  if (kind.needs.load && !has_load) return "no reading is under a load";
+  if (kind.needs.moments && !is_loaded && !hasWeights(arm))
+    return "the arm file states no weights and no reading is under a load";
+  if (kind.needs.no_weights && hasWeights(arm)) return "the arm file states weights: compliances cover it";
+  if (kind.needs.tool_turn && !placed.shows_tool_turn)
+    return "no reading states the tool's turn, or a point beside its tip";
+  if (*kind.place_needs && kind.places(arm).empty()) return deflection::lackOfPlace(kind);
+  return "";
+}
+
+/// Evenly spread quantiles of the inner part of a sample, doubles once.
+std::vector<double> quantiles(std::vector<double> sample, int count, double from, double to) {
+  if (sample.empty()) return {};
+  std::sort(sample.begin(), sample.end());
+  std::set<double> levels;
+  for (int k = 0; k < count; ++k) {
+    const double share = from + (to - from) * (count > 1 ? static_cast<double>(k) / (count - 1) : 0.5);
+    levels.insert(sample[static_cast<std::size_t>(share * static_cast<double>(sample.size() - 1))]);
+  }
+  return {levels.begin(), levels.end()};
+}
+
+/// Moments about an axis at readings evenly spread over all [N m].
+std::vector<double> momentsAt(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                              const deflection::Place& place) {
+  constexpr std::size_t kMost = 200;
+  const std::size_t step = std::max<std::size_t>(1, readings.size() / kMost);
+  std::vector<double> moments;
+  for (std::size_t k = 0; k < readings.size(); k += step) {
+    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, readings[k]))].X_WB;
+    const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(readings[k], placed.arm, X_WB));
+    if (shape.status == deflection::KinematicsStatus::kConverged)
+      moments.push_back(std::abs(shape.rows[static_cast<std::size_t>(place.row)].moment_L[place.axis]));
+  }
+  return moments;
+}
+
+/// Midpoints between the times of readings: a step between two readings looks the same wherever it is.
+std::vector<double> timesBetween(const std::vector<Measurement>& readings) {
+  std::set<double> times;
+  for (const auto& reading : readings)
+    if (reading.conditions.states(Condition::kTime)) times.insert(reading.conditions[Condition::kTime]);
+  std::vector<double> between;
+  for (auto at = times.begin(); at != times.end() && std::next(at) != times.end(); ++at)
+    between.push_back((*at + *std::next(at)) / 2);
+  return between;
+}
+
+std::vector<double> levelsOf(const Cause& cause, const PlacedArm& placed, const std::vector<Measurement>& readings,
+                             const CauseOptions& options) {
+  if (cause.shape < 0) return {0};
+  const auto& parameter = kindOf(cause.effects.front()).parameters[static_cast<std::size_t>(cause.shape)];
+  if (parameter.quantity == Quantity::kTorque)
+    return quantiles(momentsAt(placed, readings, cause.effects.front().place), options.knee_levels, 0.04, 0.9);
+  if (parameter.quantity == Quantity::kTime) return quantiles(timesBetween(readings), options.time_levels, 0.05, 0.95);
+  return {parameter.neutral};
+}
+
+bool isThereAlready(const deflection::Arm& arm, const deflection::Effect& effect) {
+  return std::any_of(arm.effects.begin(), arm.effects.end(), [&](const deflection::Effect& present) {
+    return present.kind == effect.kind && present.place == effect.place;
+  });
+}
+
+std::vector<std::string> placesOf(const EffectKind& kind, const PlacedArm& placed) {
+  if (kind.at != PlaceRule::kSetup) return deflection::placeTexts(placed.arm, kind);
+  std::vector<std::string> setups;
+  for (std::size_t p = 1; p < placed.base_poses.size(); ++p) setups.push_back(placed.base_poses[p].setup);
+  return setups;
+}
+
+int shapeOf(const EffectKind& kind) {
+  for (std::size_t v = 0; v < kind.parameters.size(); ++v)
+    if (kind.parameters[v].is_shape) return static_cast<int>(v);
+  return -1;
+}
+
+bool mayActAlike(const EffectKind& kind) {
+  if (shapeOf(kind) >= 0) return false;
+  if (kind.at == PlaceRule::kJoint)
+    return kind.stage == deflection::EffectStage::kFlexibility || kind.needs.approach_directions;
+  return kind.at == PlaceRule::kRowAxis && kind.stage == deflection::EffectStage::kFlexibility &&
+         kind.parameters.size() == 1;
+}
+
+/// Adds a kind's causes, its odds shared out.
+void addKind(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings,
+             const CauseOptions& options, CauseList& list) {
+  std::vector<Cause> at_places;
+  for (const std::string& at : placesOf(kind, placed)) {
+    const auto made = deflection::makeEffect(placed.arm, kind.name, at);
+    if (isThereAlready(placed.arm, made.effect)) continue;
+    Cause cause{kind.name, at, {made.effect}, {}, shapeOf(kind)};
+    cause.levels = levelsOf(cause, placed, readings, options);
+    if (!cause.levels.empty()) at_places.push_back(std::move(cause));
+  }
+  if (at_places.empty()) return;
+  Cause alike{kind.name, kAllJoints, effectsAtAllJoints(placed.arm, kind.name), {}};
+  const bool has_alike = alike.effects.size() > 1;
+  for (Cause& cause : at_places)
+    cause.prior = kind.odds * (has_alike ? 1 - kAlikeShare : 1) / static_cast<double>(at_places.size());
+  list.causes.insert(list.causes.end(), at_places.begin(), at_places.end());
+  if (!has_alike) return;
+  alike.prior = kind.odds * kAlikeShare;
+  list.causes.push_back(std::move(alike));
+}
+
+bool isFree(const std::vector<Unknown>& free, const std::string& name) {
+  return std::any_of(free.begin(), free.end(), [&](const Unknown& unknown) { return unknown.name == name; });
+}
+
+/// Numbers of the arm's file that the fit holds: each stiffness, each zero of a joint that follows others, and the
+/// drawing's geometry as a whole.
+void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, CauseList& list) {
+  std::vector<Cause> stiffnesses;
+  Cause geometry{kFreedNumbers, "geometry", {}, {}};
+  for (const auto& number : independentGeometry(placed, free)) geometry.frees.push_back(number.name);
+  for (const auto& parameter : deflection::parametersOf(placed.arm)) {
+    if (parameter.path.effect >= 0 || isFree(free, parameter.name)) continue;
+    if (deflection::isStiffness(parameter.quantity))
+      stiffnesses.push_back({kFreedNumbers, parameter.name, {}, {parameter.name}});
+  }
+  std::vector<Cause> zeros;
+  for (const auto& row : placed.arm.rows) {
+    const std::string name = row.name + ".joint.offset";
+    if (!row.joint.follows.empty() && !isFree(free, name)) zeros.push_back({kFreedNumbers, name, {}, {name}});
+  }
+  const auto addAll = [&](std::vector<Cause>& causes) {
+    for (Cause& cause : causes) cause.prior = kFreedOdds / static_cast<double>(causes.size());
+    list.causes.insert(list.causes.end(), causes.begin(), causes.end());
+  };
+  addAll(stiffnesses);
+  addAll(zeros);
+  if (geometry.frees.size() < 2) return;
+  geometry.prior = kGeometryOdds;
+  list.causes.push_back(std::move(geometry));
+}
+
+}  // namespace
+
+const char* causeWords(const std::string& effect) {
+  if (effect == kFreedNumbers) return "a number of the arm's file is off";
+  const auto kind = deflection::findEffectKind(effect);
+  return kind ? deflection::effectKinds().at(static_cast<std::size_t>(*kind)).words : "";
+}
+
+std::vector<std::string> causeVariables(const std::string& effect) {
+  std::vector<std::string> names;
+  if (const auto kind = deflection::findEffectKind(effect))
+    for (const auto variable : deflection::effectKinds().at(static_cast<std::size_t>(*kind)).varies_with)
+      names.emplace_back(deflection::nameOf(variable));
+  return names;
+}
+
+std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, const std::string& effect) {
+  std::vector<deflection::Effect> effects;
+  for (const EffectKind& kind : deflection::effectKinds()) {
+    if (kind.name != effect || !mayActAlike(kind)) continue;
+    // About the axis that each joint turns about, where places are axes.
+    for (const std::string& at : deflection::placeTexts(arm, kind)) {
+      const auto made = deflection::makeEffect(arm, kind.name, at);
+      const auto& place = made.effect.place;
+      const bool turns = arm.rows[static_cast<std::size_t>(place.row)].joint.type == deflection::JointType::kRevolute;
+      if (turns && (kind.at == PlaceRule::kJoint || place.axis == 2) && !isThereAlready(arm, made.effect))
+        effects.push_back(made.effect);
+    }
+  }
+  return effects;
+}
+
+bool overlap(const Cause& a, const Cause& b) {
+  for (const auto& mine : a.effects)
+    for (const auto& theirs : b.effects)
+      if (mine.kind == theirs.kind && mine.place == theirs.place) return true;
+  return std::any_of(a.frees.begin(), a.frees.end(), [&](const std::string& name) {
+    return std::find(b.frees.begin(), b.frees.end(), name) != b.frees.end();
+  });
+}
+
+bool isStep(const Cause& cause) {
+  return cause.shape >= 0 &&
+         kindOf(cause.effects.front()).parameters[static_cast<std::size_t>(cause.shape)].quantity == Quantity::kTime;
+}
+
+Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
+  const auto& placed = arm.effects[static_cast<std::size_t>(effect)];
+  const auto& parameter = kindOf(placed).parameters[static_cast<std::size_t>(value)];
+  const auto number = deflection::numberOf(arm, placed, value);
+  Unknown unknown;
+  unknown.name = deflection::textOf(arm, placed) + "." + parameter.name;
+  unknown.quantity = number.quantity;
+  unknown.path.effect = effect;
+  unknown.path.value = value;
+  unknown.start = placed.values[static_cast<std::size_t>(value)];
+  unknown.typical = parameter.plausible;
+  unknown.lower = number.lower - unknown.start;
+  unknown.upper = number.upper - unknown.start;
+  takeSizePrior(parameter, unknown);
+  if (parameter.is_shape) unknown.prior_mean = 0;  // a shape has no size that is none
+  return unknown;
+}
+
+std::vector<Unknown> placeCause(PlacedArm& placed, const Cause& cause, double level) {
+  if (!cause.frees.empty()) return chooseUnknowns(placed, {cause.frees, false, placed.priors}).list;
+  std::vector<Unknown> unknowns;
+  for (const auto& neutral : cause.effects) {
+    placed.arm.effects.push_back(neutral);
+    if (cause.shape >= 0) placed.arm.effects.back().values[static_cast<std::size_t>(cause.shape)] = level;
+    const int effect = static_cast<int>(placed.arm.effects.size()) - 1;
+    for (int value = 0; value < static_cast<int>(neutral.values.size()); ++value)
+      if (value != cause.shape) unknowns.push_back(numberUnknown(placed.arm, effect, value));
+  }
+  return unknowns;
+}
+
+Unknown shapeUnknown(const deflection::Arm& arm, const Cause& cause, int effect, double level) {
+  Unknown unknown = numberUnknown(arm, effect, cause.shape);
+  unknown.typical = std::max(1e-3, 0.3 * std::abs(level));
+  return unknown;
+}
+
+CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                     const std::vector<Unknown>& free, const CauseOptions& options, const WorkHooks& hooks) {
+  CauseList list;
+  for (const auto& kind : deflection::effectKinds()) {
+    goOn(hooks.stop);
+    if (kind.odds <= 0) continue;
+    if (const std::string lack = lackOf(kind, placed, readings); !lack.empty())
+      list.not_tried.push_back(std::string(kind.name) + ": " + lack);
+    else
+      addKind(kind, placed, readings, options, list);
+  }
+  addHeldNumbers(placed, free, list);
+  double total = 0;
+  for (const Cause& cause : list.causes) total += cause.prior;
+  for (Cause& cause : list.causes) cause.prior /= total;
+  return list;
+}
+
+}  // namespace tubeplan::calibration

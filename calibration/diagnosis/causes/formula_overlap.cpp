@@ -1,0 +1,124 @@
+#include "calibration/diagnosis/causes/formula_overlap.hpp"
+
+#include <algorithm>
+
+#include "calibration/diagnosis/causes/signatures.hpp"
+#include "calibration/estimation/span.hpp"
+#include "deflection/effects/formula.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double kLeastOverlap = 0.05;
+constexpr double kLeastKept = 1e-4;  // kept length of a signature below which nothing is left of it
+
+std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
+  std::vector<Unknown> unknowns;
+  for (const auto& parameter : deflection::parametersOf(placed.arm)) {
+    if (parameter.path.effect != effect) continue;
+    Unknown unknown;
+    unknown.name = parameter.name;
+    unknown.quantity = parameter.quantity;
+    unknown.path = parameter.path;
+    unknown.start = parameter.value;
+    unknowns.push_back(unknown);
+  }
+  return unknowns;
+}
+
+/// What a formula does to the readings: by its sizes as they stand together, each by itself where all of them are zero.
+MatrixXd signatureOf(const deflection::Effect& effect, const MatrixXd& columns) {
+  const auto& parameters = deflection::numbersOf(effect);
+  VectorXd sizes = VectorXd::Zero(columns.cols());
+  MatrixXd each(columns.rows(), 0);
+  for (Index k = 0; k < columns.cols(); ++k) {
+    if (parameters[static_cast<std::size_t>(k)].is_shape) continue;
+    sizes[k] = effect.values[static_cast<std::size_t>(k)];
+    each.conservativeResize(Eigen::NoChange, each.cols() + 1);
+    each.rightCols<1>() = columns.col(k).stableNormalized();
+  }
+  return sizes.isZero(0) ? each : MatrixXd((columns * sizes).stableNormalized());
+}
+
+/// The catalogue at the fit, and how to linearise a formula there.
+struct Setting {
+  const PlacedArm& placed;
+  const std::vector<Measurement>& readings;
+  const ReadingWeights& weights;
+  const std::vector<Unknown>& fitted;
+  const std::vector<Cause>& causes;
+  const Signatures& signatures;
+  const MatrixXd& columns;  ///< of the signatures
+
+  [[nodiscard]] MatrixXd jacobianBy(const std::vector<Unknown>& unknowns) const {
+    const VectorXd zero = VectorXd::Zero(static_cast<Index>(unknowns.size()));
+    return whitenedResidual(placed, unknowns, readings, weights, zero, true).jacobian;
+  }
+};
+
+std::vector<EffectShare> sharesOf(const Setting& at, const MatrixXd& others, const MatrixXd& left) {
+  std::vector<EffectShare> shares;
+  for (std::size_t c = 0; c < at.causes.size(); ++c) {
+    const Cause& cause = at.causes[c];
+    for (int level = 0; level < static_cast<int>(cause.levels.size()); ++level) {
+      const MatrixXd own = at.columns(Eigen::all, at.signatures.columnsOf(static_cast<int>(c), level));
+      const MatrixXd columns = without(others, own);
+      if (!(columns.norm() > kLeastKept * own.norm())) continue;
+      const double share = (spanOf(columns).transpose() * left).squaredNorm() / left.squaredNorm();
+      const auto same = std::find_if(shares.begin(), shares.end(), [&](const EffectShare& s) {
+        return s.effect == cause.effect && s.at == cause.at;
+      });
+      if (same != shares.end())
+        same->share = std::max(same->share, share);
+      else if (share > kLeastOverlap)
+        shares.push_back({cause.effect, cause.at, share});
+    }
+  }
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const EffectShare& a, const EffectShare& b) { return a.share > b.share; });
+  return shares;
+}
+
+FormulaOverlap overlapOf(const Setting& at, int effect) {
+  const deflection::Effect& formula = at.placed.arm.effects[static_cast<std::size_t>(effect)];
+  FormulaOverlap overlap;
+  overlap.formula = deflection::textOf(at.placed.arm, formula);
+  std::vector<Unknown> others = at.fitted;
+  std::erase_if(others, [&](const Unknown& u) { return u.path.effect == effect; });
+  const MatrixXd Q = others.empty() ? MatrixXd() : spanOf(at.jacobianBy(others));
+  const MatrixXd signature = signatureOf(formula, at.jacobianBy(numbersOf(at.placed, effect)));
+  if (signature.cols() == 0 || signature.norm() == 0) return overlap;
+  const MatrixXd left = without(Q, signature);
+  overlap.absorbed = std::clamp(1 - left.squaredNorm() / signature.squaredNorm(), 0., 1.);
+  if (left.norm() > kLeastKept * signature.norm()) overlap.shares = sharesOf(at, Q, left);
+  return overlap;
+}
+
+}  // namespace
+
+std::vector<FormulaOverlap> findFormulaOverlaps(const Identification& result,
+                                                const std::vector<Measurement>& readings) {
+  const auto& effects = result.fitted.arm.effects;
+  const bool has_any = std::any_of(effects.begin(), effects.end(), [](const auto& e) { return e.formula != nullptr; });
+  if (result.status != IdentificationStatus::kDone || !has_any) return {};
+  std::vector<Measurement> used;
+  for (const int k : result.used) used.push_back(readings.at(static_cast<std::size_t>(k)));
+  const auto weights = weighReadings(result.fitted, used);
+  if (!weights) return {};
+  const auto fitted = fittedUnknowns(result);
+  auto causes = listCauses(result.fitted, used, fitted).causes;
+  std::erase_if(causes, [](const Cause& cause) { return cause.effects.size() != 1; });
+  const Signatures signatures(result.fitted, causes);
+  const MatrixXd columns = signatures.columnsAt(used, *weights);
+  if (columns.rows() != weights->rows) return {};
+  std::vector<FormulaOverlap> overlaps;
+  for (int k = 0; k < static_cast<int>(effects.size()); ++k)
+    if (effects[static_cast<std::size_t>(k)].formula)
+      overlaps.push_back(overlapOf({result.fitted, used, *weights, fitted, causes, signatures, columns}, k));
+  return overlaps;
+}
+
+}  // namespace tubeplan::calibration

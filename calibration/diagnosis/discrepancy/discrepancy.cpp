@@ -1,0 +1,324 @@
+#include "calibration/diagnosis/discrepancy/discrepancy.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "calibration/diagnosis/discrepancy/discrepancy_motion.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+using Function = std::function<double(const Measurement&)>;
+
+namespace {
+
+constexpr int kWaves = 3;
+constexpr int kBumps = 10;
+constexpr int kSlowWaves = 4;
+constexpr int kManyJoints = 5;                  // from which only neighbouring joints are multiplied
+constexpr std::size_t kReadingsForScale = 300;  // that a term's root mean square is taken over
+// Amplitudes against that of the first wave of a joint: rough functions are smaller.
+constexpr double kBump = 0.5, kProduct = 0.5, kShift = 0.7, kTurn = 0.5, kMinor = 0.5;
+constexpr std::size_t kWeighingJoints = 3;  // that move most of the arm's weight
+
+/// A named function of readings.
+struct Feature {
+  std::string follows;
+  Function function;
+  double amplitude = 1;
+};
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+
+  void take(double value) {
+    if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+  }
+  [[nodiscard]] bool isWide() const { return high > low; }
+};
+
+Range rangeOf(const std::vector<Measurement>& readings, const Function& value) {
+  Range range;
+  for (const auto& reading : readings) range.take(value(reading));
+  return range;
+}
+
+/// Features of one joint's reading: waves over a turn, of a slide over its range.
+class JointFeatures {
+ public:
+  JointFeatures(const deflection::Joint<double>& joint, Index index, const std::vector<Measurement>& readings)
+      : name_(joint.name),
+        index_(index),
+        range_(rangeOf(readings, [index](const Measurement& m) { return m.q[index]; })) {
+    const bool turns = joint.type == deflection::JointType::kRevolute;
+    rate_ = turns ? 1 : std::numbers::pi / std::max(1e-9, range_.high - range_.low);
+  }
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] bool moves() const { return range_.isWide(); }
+
+  [[nodiscard]] Function sine(int k) const {
+    return [i = index_, w = rate_ * k](const Measurement& m) { return std::sin(w * m.q[i]); };
+  }
+  [[nodiscard]] Function cosine(int k) const {
+    return [i = index_, w = rate_ * k](const Measurement& m) { return std::cos(w * m.q[i]); };
+  }
+
+  [[nodiscard]] std::vector<Feature> waves(int most) const {
+    std::vector<Feature> features;
+    for (int k = 1; k <= most; ++k) {
+      features.push_back({name_, sine(k), 1. / k});
+      features.push_back({name_, cosine(k), 1. / k});
+    }
+    return features;
+  }
+
+  /// An error near one angle only, as a worn tooth makes.
+  [[nodiscard]] std::vector<Feature> bumps() const {
+    std::vector<Feature> features;
+    const double width = (range_.high - range_.low) / kBumps;
+    for (int k = 0; k < kBumps; ++k) {
+      const double centre = range_.low + (k + 0.5) * width;
+      features.push_back({name_,
+                          [i = index_, centre, width](const Measurement& m) {
+                            const double away = (m.q[i] - centre) / width;
+                            return std::exp(-away * away / 2);
+                          },
+                          kBump});
+    }
+    return features;
+  }
+
+  [[nodiscard]] std::vector<Feature> direction() const {
+    const auto approach_direction = [i = index_](const Measurement& m) {
+      return m.approach_directions.empty() ? 0.
+                                           : static_cast<double>(m.approach_directions[static_cast<std::size_t>(i)]);
+    };
+    const std::string follows = "direction of " + name_;
+    return {
+        {follows, approach_direction, 1},
+        {follows, [approach_direction, f = sine(1)](const Measurement& m) { return approach_direction(m) * f(m); },
+         kMinor},
+        {follows, [approach_direction, f = cosine(1)](const Measurement& m) { return approach_direction(m) * f(m); },
+         kMinor}};
+  }
+
+ private:
+  std::string name_;
+  Index index_;
+  Range range_;
+  double rate_ = 1;
+};
+
+Function product(const Function& a, const Function& b) {
+  return [a, b](const Measurement& m) { return a(m) * b(m); };
+}
+
+std::vector<Feature> productsOf(const JointFeatures& a, const JointFeatures& b) {
+  const std::string follows = a.name() + " and " + b.name();
+  std::vector<Feature> features;
+  for (const auto& f : {a.sine(1), a.cosine(1)})
+    for (const auto& g : {b.sine(1), b.cosine(1)}) features.push_back({follows, product(f, g), kProduct});
+  return features;
+}
+
+/// Everything that the readings differ in beside the joints.
+struct Conditions {
+  std::vector<Feature> load;
+  deflection::OfEachCondition<std::vector<Feature>> stated;
+
+  explicit Conditions(const std::vector<Measurement>& readings) {
+    const Range loads = rangeOf(readings, [](const Measurement& m) { return m.load; });
+    if (loads.isWide()) {
+      const auto share = [most = loads.high](const Measurement& m) { return m.load / most; };
+      load = {{"load", share, 1}, {"load", product(share, share), 1}};
+    }
+    for (const auto& kind : deflection::kConditionKinds) stated[kind.condition] = featuresOf(kind, readings);
+  }
+
+ private:
+  /// From -1 to 1, or waves over the range; nothing at a reading that does not state the condition.
+  static std::vector<Feature> featuresOf(const deflection::ConditionKind& kind,
+                                         const std::vector<Measurement>& readings) {
+    const auto value = [of = kind.condition](const Measurement& m) { return m.conditions[of]; };
+    const Range range = rangeOf(readings, value);
+    if (!range.isWide()) return {};
+    const auto share = [value, range](const Measurement& m) {
+      return (value(m) - range.low) / (range.high - range.low);
+    };
+    const auto orNothing = [](double x) { return std::isfinite(x) ? x : 0.; };
+    if (kind.course == deflection::Course::kProportional)
+      return {{kind.name, [=](const Measurement& m) { return orNothing(2 * share(m) - 1); }, 1}};
+    std::vector<Feature> waves;
+    for (int k = 1; k <= kSlowWaves; ++k)
+      waves.push_back({kind.name,
+                       [=](const Measurement& m) { return orNothing(std::cos(k * std::numbers::pi * share(m))); },
+                       1. / k});
+    return waves;
+  }
+};
+
+/// The terms of a process, channel by channel.
+class TermMaker {
+ public:
+  TermMaker(const deflection::Arm& arm, const std::vector<Measurement>& readings) : conditions_(readings) {
+    Index index = 0;
+    for (const auto& joint : arm.joints()) joints_.emplace_back(joint, index++, readings);
+    has_directions_ = std::any_of(readings.begin(), readings.end(),
+                                  [](const Measurement& m) { return !m.approach_directions.empty(); });
+  }
+
+  [[nodiscard]] std::vector<DiscrepancyTerm> make() {
+    for (std::size_t j = 0; j < joints_.size(); ++j) addJointError(j);
+    const int tool = static_cast<int>(joints_.size()), base = tool + 3;
+    for (int axis = 0; axis < 3; ++axis) {
+      addToolShift(tool + axis);
+      addBaseShift(base + axis);
+      addBaseTurn(base + 3 + axis);
+    }
+    return std::move(terms_);
+  }
+
+ private:
+  /// `place`: what errs; features of one place that follow the same, and of the same kind, are one source.
+  void add(const std::string& place, int channel, const std::vector<Feature>& features, double amplitude = 1) {
+    for (const Feature& feature : features) {
+      const auto source = sources_.try_emplace(place + " " + feature.follows, static_cast<int>(sources_.size())).first;
+      terms_.push_back({feature.follows, channel, source->second, feature.function, feature.amplitude * amplitude});
+    }
+  }
+
+  void addConditions(const std::string& place, int channel, double amplitude) {
+    for (const auto& features : conditions_.stated.all) add(place, channel, features, amplitude);
+  }
+
+  void addJointError(std::size_t j) {
+    const int channel = static_cast<int>(j);
+    const std::string& place = joints_[j].name();
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (!joints_[i].moves()) continue;
+      add(place, channel, joints_[i].waves(i == j ? kWaves : 2));
+      if (i == j) add(place + " near", channel, joints_[i].bumps());
+      for (std::size_t l = i + 1; l < joints_.size(); ++l) {
+        const bool is_near = joints_.size() <= kManyJoints || i == j || l == j || l == i + 1;
+        if (is_near && joints_[l].moves()) add(place, channel, productsOf(joints_[i], joints_[l]));
+      }
+    }
+    if (has_directions_) add(place, channel, joints_[j].direction());
+    add(place, channel, conditions_.load);
+    for (const Feature& load : conditions_.load)
+      for (const auto& f : {joints_[j].sine(1), joints_[j].cosine(1)})
+        add(place, channel, {{"load", product(load.function, f), kMinor}});
+    addConditions(place, channel, kMinor);
+  }
+
+  void addToolShift(int channel) {
+    for (const JointFeatures& joint : joints_)
+      if (joint.moves()) add("tool", channel, joint.waves(kWaves), kShift);
+    for (const JointFeatures& joint : joints_)
+      if (has_directions_) add("tool", channel, {joint.direction().front()}, kShift);
+    add("tool", channel, conditions_.load, kShift);
+    for (const auto& kind : deflection::kConditionKinds)
+      if (kind.moves_tool) add("tool", channel, conditions_.stated[kind.condition], kShift);
+  }
+
+  void addBaseShift(int channel) {
+    if (!joints_.empty() && joints_.front().moves()) add("base", channel, joints_.front().waves(2), kShift);
+    add("base", channel, conditions_.load, kShift);
+    addConditions("base", channel, kShift);
+  }
+
+  /// What the arm stands on gives way by the arm's weight, which follows the joints.
+  void addBaseTurn(int channel) {
+    for (std::size_t j = 0; j < std::min(joints_.size(), kWeighingJoints); ++j) {
+      if (!joints_[j].moves()) continue;
+      add("base's turn", channel, joints_[j].waves(2), kTurn);
+      if (j > 0 && joints_.front().moves()) add("base's turn", channel, productsOf(joints_.front(), joints_[j]), kTurn);
+    }
+    add("base's turn", channel, conditions_.load, kTurn);
+    addConditions("base's turn", channel, kTurn);
+  }
+
+  Conditions conditions_;
+  std::vector<JointFeatures> joints_;
+  bool has_directions_ = false;
+  std::map<std::string, int> sources_;
+  std::vector<DiscrepancyTerm> terms_;
+};
+
+/// What a term of size 1 makes of the reading's rows [m].
+VectorXd columnOf(const std::vector<Motion>& motions, const DiscrepancyTerm& term) {
+  VectorXd column = motions.front().displacements.col(term.channel) * term.function(motions.front().at);
+  for (std::size_t k = 1; k < motions.size(); ++k)
+    column += motions[k].displacements.col(term.channel) * term.function(motions[k].at);
+  return column;
+}
+
+/// Scales every term to its share of an error of 1 m.
+void scaleTerms(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                std::vector<DiscrepancyTerm>& terms) {
+  VectorXd squares = VectorXd::Zero(static_cast<Index>(terms.size()));
+  double count = 0;
+  ReadingPredictor predictor(placed.arm);
+  const std::size_t step = std::max<std::size_t>(1, readings.size() / kReadingsForScale);
+  for (std::size_t k = 0; k < readings.size(); k += step) {
+    const auto motions = motionsOf(predictor, placed, readings[k]);
+    if (motions.empty()) continue;
+    ++count;
+    for (std::size_t t = 0; t < terms.size(); ++t)
+      squares[static_cast<Index>(t)] += columnOf(motions, terms[t]).squaredNorm();
+  }
+  double total = 0;
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    if (squares[static_cast<Index>(t)] > 0) total += terms[t].scale * terms[t].scale;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const double rms = std::sqrt(squares[static_cast<Index>(t)] / std::max(1., count));
+    terms[t].share = terms[t].scale * terms[t].scale / total;
+    terms[t].scale = rms > 0 ? terms[t].scale / std::sqrt(total) / rms : 0;
+  }
+  std::erase_if(terms, [](const DiscrepancyTerm& term) { return !(term.scale > 0); });
+}
+
+}  // namespace
+
+Discrepancy::Discrepancy(const PlacedArm& placed, const std::vector<Measurement>& readings)
+    : placed_(placed), terms_(TermMaker(placed.arm, readings).make()) {
+  scaleTerms(placed_, readings, terms_);
+}
+
+std::vector<std::vector<int>> Discrepancy::sources() const {
+  std::map<int, std::vector<int>> sources;
+  for (std::size_t t = 0; t < terms_.size(); ++t) sources[terms_[t].source].push_back(static_cast<int>(t));
+  std::vector<std::vector<int>> lists;
+  for (auto& [source, terms] : sources) lists.push_back(std::move(terms));
+  return lists;
+}
+
+MatrixXd Discrepancy::columnsAt(const std::vector<Measurement>& readings, const ReadingWeights& weights) const {
+  MatrixXd columns(weights.rows, static_cast<Index>(terms_.size()));
+  std::atomic<bool> ok = true;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, readings.size(), 16), [&](const auto& range) {
+    ReadingPredictor predictor(placed_.arm);
+    for (std::size_t k = range.begin(); k != range.end(); ++k) {
+      auto motions = motionsOf(predictor, placed_, readings[k]);
+      if (motions.empty()) {
+        ok = false;
+        return;
+      }
+      for (Motion& motion : motions) motion.displacements = (weights.whitener[k] * motion.displacements).eval();
+      auto rows = columns.middleRows(weights.first_row[k], motions.front().displacements.rows());
+      for (std::size_t t = 0; t < terms_.size(); ++t)
+        rows.col(static_cast<Index>(t)) = terms_[t].scale * columnOf(motions, terms_[t]);
+    }
+  });
+  if (!ok) return {};
+  takeSharedOff(weights, columns);
+  return columns;
+}
+
+}  // namespace tubeplan::calibration

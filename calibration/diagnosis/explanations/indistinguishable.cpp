@@ -1,0 +1,111 @@
+#include "calibration/diagnosis/explanations/indistinguishable.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "calibration/estimation/prior.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/random_stream.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr int kPostures = 48;
+constexpr double kHardly = 9;  // of chi-square, by all these readings together
+
+double medianSigma(const std::vector<Measurement>& readings) {
+  std::vector<double> sigmas;
+  for (const auto& reading : readings) sigmas.push_back(reading.sigma);
+  return median(std::move(sigmas));
+}
+
+}  // namespace
+
+std::vector<Measurement> readingsOverRange(const FittedBasis& basis, std::uint64_t seed) {
+  RandomStream random(seed);
+  const auto& arm = basis.fitted.arm;
+  double heaviest = 0;
+  for (const auto& reading : basis.readings) heaviest = std::max(heaviest, reading.load);
+  std::vector<Measurement> all;
+  for (int posture = 0; posture < kPostures; ++posture) {
+    Measurement m =
+        basis.readings[static_cast<std::size_t>(random.uniform(0, 1) * static_cast<double>(basis.readings.size()))];
+    m.kind = MeasurementKind::kPosition;
+    m.p_W = Eigen::Vector3d::Zero();
+    m.row.reset();
+    m.sigma = medianSigma(basis.readings);
+    m.sigma_W.reset();
+    m.correlation_W.reset();
+    for (Eigen::Index j = 0; j < arm.jointCount(); ++j) {
+      const auto& joint = arm.joint(j);
+      const double low = std::isfinite(joint.lower) ? joint.lower : -std::numbers::pi;
+      const double high = std::isfinite(joint.upper) ? joint.upper : std::numbers::pi;
+      m.q[j] = random.uniform(low, high);
+      if (!m.approach_directions.empty()) m.approach_directions[j] = random.uniform(0, 1) < 0.5 ? -1 : 1;
+    }
+    m.load = 0;
+    all.push_back(m);
+    m.load = heaviest;
+    if (heaviest > 0) all.push_back(m);
+  }
+  std::erase_if(all, [&](const Measurement& m) {
+    const auto& X_WB = basis.fitted.base_poses[static_cast<std::size_t>(basePoseOf(basis.fitted, m))].X_WB;
+    return !predictReading(arm, X_WB, m).ok;
+  });
+  return all;
+}
+
+RangeViews::RangeViews(const FittedBasis& basis, std::uint64_t seed)
+    : basis_(basis), readings_(readingsOverRange(basis, seed)) {
+  if (auto weights = weighReadings(basis.fitted, readings_)) weights_ = std::move(*weights);
+}
+
+RangeView RangeViews::of(const Explanation& explanation) const {
+  RangeView view;
+  if (weights_.rows == 0) return view;
+  const ExplanationModel model = modelOf(basis_, explanation);
+  const VectorXd zero = VectorXd::Zero(static_cast<Index>(model.unknowns.size()));
+  auto there = whitenedResidual(model.placed, model.unknowns, readings_, weights_, zero, true, basis_.stop);
+  auto here = whitenedResidual(model.placed, model.unknowns, basis_.readings, basis_.weights, zero, true, basis_.stop);
+  view.ok = there.ok && here.ok;
+  if (!view.ok) return view;
+  VectorXd typical(zero.size());
+  for (Index k = 0; k < zero.size(); ++k) typical[k] = model.unknowns[static_cast<std::size_t>(k)].typical;
+  view.value = there.r;
+  view.sensitivity = there.jacobian * typical.asDiagonal();
+  const MatrixXd by_readings = here.jacobian * typical.asDiagonal();
+  view.information = by_readings.transpose() * by_readings;
+  view.information.diagonal() += typical.cwiseProduct(priorSlopes(model.unknowns)).cwiseAbs2();
+  return view;
+}
+
+VectorXd RangeViews::tipsBy(const Explanation& explanation) const {
+  VectorXd tips(3 * static_cast<Index>(readings_.size()));
+  for (std::size_t k = 0; k < readings_.size(); ++k) {
+    const auto& X_WB =
+        explanation.fitted.base_poses[static_cast<std::size_t>(basePoseOf(explanation.fitted, readings_[k]))].X_WB;
+    const auto tip = predictReading(explanation.fitted.arm, X_WB, readings_[k]);
+    if (!tip.ok) return {};
+    tips.segment<3>(3 * static_cast<Index>(k)) = tip.value;
+  }
+  return tips;
+}
+
+bool areTheSame(const RangeView& a, const RangeView& b) {
+  if (!a.ok || !b.ok) return false;
+  const VectorXd apart = a.value - b.value;
+  const auto rise = [&](const RangeView& model) {
+    const MatrixXd information = model.information + model.sensitivity.transpose() * model.sensitivity;
+    const VectorXd pull = model.sensitivity.transpose() * apart;
+    return apart.squaredNorm() - pull.dot(information.ldlt().solve(pull));
+  };
+  return rise(a) < kHardly && rise(b) < kHardly;
+}
+
+}  // namespace tubeplan::calibration

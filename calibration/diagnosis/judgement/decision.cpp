@@ -1,0 +1,80 @@
+#include "calibration/diagnosis/judgement/decision.hpp"
+
+#include <algorithm>
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr std::size_t kMostAlternatives = 8;
+constexpr double kCredible = 0.95;  // of what is missing, that the alternatives hold together
+constexpr double kRemains = 0.5;
+
+/// Causes beyond those of a more probable class are not sure: they count to it.
+std::vector<ModelClass> withoutUnsureAdditions(const Posterior& posterior) {
+  std::vector<ModelClass> kept, all = posterior.classes;
+  all.insert(all.end(), posterior.others.begin(), posterior.others.end());
+  for (const ModelClass& one : all) {
+    const auto part = std::find_if(kept.begin(), kept.end(), [&](const ModelClass& k) {
+      return std::includes(one.causes.begin(), one.causes.end(), k.causes.begin(), k.causes.end());
+    });
+    if (part == kept.end()) {
+      if (one.model) kept.push_back(one);
+      continue;
+    }
+    // What the further cause would explain is a remainder to the class without it.
+    ModelClass further = one;
+    further.remainder_probability = 1;
+    further.scatter_probability = 0;
+    mixIn(further, *part);
+  }
+  std::stable_sort(kept.begin(), kept.end(),
+                   [](const ModelClass& a, const ModelClass& b) { return a.probability > b.probability; });
+  return kept;
+}
+
+}  // namespace
+
+void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnosis& result) {
+  result.nothing_probability = posterior.nothing;
+  result.unknown_probability = posterior.unknown;
+  result.scatter_probability = posterior.scatter;
+  if (posterior.nothing > 1 - options.sure) {
+    result.verdict = posterior.nothing >= options.nothing ? Verdict::kAdequate : Verdict::kInconclusive;
+    return;
+  }
+  const double missing = 1 - posterior.nothing;
+  const auto classes = withoutUnsureAdditions(posterior);
+  double named = 0, remains = 0;
+  for (const ModelClass& one : classes) {
+    named += one.probability / missing;
+    remains += one.probability / missing * one.remainder_probability;
+  }
+  if (classes.empty() || named < options.likely || remains > kRemains * named) {
+    const bool is_sure = !posterior.sure.causes.empty();
+    result.verdict = is_sure ? Verdict::kPartlyExplained : Verdict::kUnexplained;
+    if (is_sure) result.alternatives = {posterior.sure.explanation};
+    return;
+  }
+  const bool is_single = classes.front().probability / missing >= options.sure;
+  double together = 0;
+  for (const ModelClass& one : classes) {
+    const bool is_needed = together < kCredible * named && one.probability > kLeastLikely * classes.front().probability;
+    if (result.alternatives.size() == (is_single ? 1 : kMostAlternatives) || !is_needed) break;
+    result.alternatives.push_back(one.explanation);
+    together += one.probability / missing;
+  }
+  const bool is_ambiguous = result.alternatives.size() > 1 || named < options.sure;
+  // Where only something unknown competes, the next best stands beside the most likely.
+  if (is_ambiguous && result.alternatives.size() == 1 && classes.size() > 1)
+    result.alternatives.push_back(classes[1].explanation);
+  if (is_ambiguous)
+    result.verdict = Verdict::kAmbiguous;
+  else
+    result.verdict = classes.front().scatter_probability > kRemains ? Verdict::kPartlyExplained : Verdict::kExplained;
+  if (result.alternatives.size() > 1 && !posterior.sure.causes.empty() &&
+      posterior.sure.causes.size() < classes.front().causes.size())
+    result.agreed = posterior.sure.explanation;
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,160 @@
+#include "calibration/diagnosis/judgement/diagnosis_views.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "calibration/diagnosis/explanations/explanation_model.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
+
+namespace {
+
+constexpr std::size_t kMostShown = 4;
+
+/// Indices of the readings that were neither kept out nor set aside.
+std::vector<int> fittedOf(const std::vector<Measurement>& readings, const std::vector<int>& set_aside) {
+  std::vector<int> fitted;
+  for (int k = 0; k < static_cast<int>(readings.size()); ++k)
+    if (!readings[static_cast<std::size_t>(k)].is_held_out &&
+        !std::binary_search(set_aside.begin(), set_aside.end(), k))
+      fitted.push_back(k);
+  return fitted;
+}
+
+WhitenedResidual residualOf(const FittedBasis& basis, const PlacedArm& placed) {
+  return whitenedResidual(placed, {}, basis.readings, basis.weights, VectorXd(0), false);
+}
+
+std::optional<ToolPose> predictedTool(const FittedBasis& basis, const Measurement& reading) {
+  const auto base_pose = static_cast<std::size_t>(basePoseOf(basis.fitted, reading));
+  return toolAt(basis.fitted.arm, basis.fitted.base_poses[base_pose].X_WB, reading);
+}
+
+/// Measured less predicted as a vector.
+Vector3d missAt(const FittedBasis& basis, std::size_t k, const std::optional<ToolPose>& tool,
+                const WhitenedResidual& residual) {
+  if (!residual.ok || !tool) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  const Measurement& reading = basis.readings[k];
+  ToolPose seen = *tool;
+  if (const Measurement* reference = referenceOf(reading))
+    if (const auto from = predictedTool(basis, *reference)) seen.p_W -= from->p_W;
+  const Index row = basis.weights.first_row[k];
+  return -predictedSlope(reading, seen).by_place.transpose() * residual.error.segment(row, rowsOf(reading));
+}
+
+double turnAt(const FittedBasis& basis, std::size_t k, const WhitenedResidual& residual) {
+  if (!residual.ok) return std::numeric_limits<double>::quiet_NaN();
+  const Measurement& reading = basis.readings[k];
+  return turnError(reading, residual.error.segment(basis.weights.first_row[k], rowsOf(reading)));
+}
+
+std::vector<ReadingView> readingViews(const FittedBasis& basis, const std::vector<Explanation>& shown,
+                                      const std::vector<int>& given) {
+  std::vector<WhitenedResidual> after;
+  for (const auto& explanation : shown) after.push_back(residualOf(basis, explanation.fitted));
+  std::vector<ReadingView> views;
+  for (std::size_t k = 0; k < basis.readings.size(); ++k) {
+    ReadingView view;
+    view.reading = given[k];
+    const auto tool = predictedTool(basis, basis.readings[k]);
+    view.p_WT = tool ? tool->p_W : Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    view.before = missAt(basis, k, tool, basis.residual);
+    view.turn_before = turnAt(basis, k, basis.residual);
+    for (const auto& residual : after) {
+      view.after.push_back(missAt(basis, k, tool, residual));
+      view.turn_after.push_back(turnAt(basis, k, residual));
+    }
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+/// What an effect at its found size would do to the whitened readings of the model without any.
+VectorXd signatureOf(const FittedBasis& basis, const FoundEffect& found, const PlacedArm& fitted) {
+  PlacedArm with = basis.fitted;
+  if (found.frees.empty()) with.arm.effects.push_back(found.fitted);
+  for (const auto& name : found.frees)
+    if (const auto freed = deflection::findParameter(fitted.arm, name))
+      deflection::locate(with.arm, freed->path) = freed->value;
+  const WhitenedResidual residual = residualOf(basis, with);
+  return residual.ok ? VectorXd(residual.r - basis.residual.r) : VectorXd();
+}
+
+/// v with the part that the columns can make taken off.
+VectorXd projectedOff(const MatrixXd& columns, const VectorXd& v) {
+  if (columns.cols() == 0) return v;
+  return v - columns * columns.completeOrthogonalDecomposition().solve(v);
+}
+
+/// Whether a reading is kept when only a share of them is: evenly spread, in step with no pattern of the readings.
+bool isKept(std::size_t k, double share) {
+  constexpr double kGolden = 0.6180339887498949;
+  const double turn = kGolden * static_cast<double>(k);
+  return turn - std::floor(turn) < share;
+}
+
+std::vector<AddedVariablePoint> addedPointsOf(const FittedBasis& basis, const std::vector<int>& given,
+                                              const VectorXd& signature, const VectorXd& left, int most_points) {
+  // A little fewer than allowed: the even spread is exact to a few readings only.
+  const bool is_thinned = signature.size() > most_points;
+  const double share = is_thinned ? 0.99 * most_points / static_cast<double>(signature.size()) : 1;
+  std::vector<AddedVariablePoint> points;
+  for (std::size_t k = 0; k < basis.readings.size(); ++k) {
+    if (!isKept(k, share)) continue;
+    const Index first = basis.weights.first_row[k];
+    for (Index row = first; row < first + rowsOf(basis.readings[k]); ++row)
+      points.push_back({given[k], signature[row], left[row]});
+  }
+  return points;
+}
+
+void addVariables(const FittedBasis& basis, const Explanation& explanation, int index, const std::vector<int>& given,
+                  int most_points, std::vector<AddedVariable>& added) {
+  std::vector<VectorXd> signatures;
+  for (const auto& effect : explanation.effects) signatures.push_back(signatureOf(basis, effect, explanation.fitted));
+  for (std::size_t e = 0; e < signatures.size(); ++e) {
+    if (signatures[e].size() == 0) continue;
+    MatrixXd columns = basis.residual.jacobian;
+    for (std::size_t other = 0; other < signatures.size(); ++other) {
+      if (other == e || signatures[other].size() == 0) continue;
+      columns.conservativeResize(columns.rows(), columns.cols() + 1);
+      columns.rightCols<1>() = signatures[other];
+    }
+    const VectorXd signature = projectedOff(columns, signatures[e]);
+    const VectorXd left = projectedOff(columns, -basis.residual.r);
+    AddedVariable variable;
+    variable.explanation = index;
+    variable.effect = static_cast<int>(e);
+    variable.length = signature.norm();
+    variable.kept_fraction = variable.length / std::max(1e-300, signatures[e].norm());
+    if (variable.length > 0) variable.slope = signature.dot(left) / signature.squaredNorm();
+    variable.points = addedPointsOf(basis, given, signature, left, most_points);
+    added.push_back(std::move(variable));
+  }
+}
+
+}  // namespace
+
+std::vector<Explanation> explanationsShown(const Diagnosis& result) {
+  if (result.verdict == Verdict::kAdequate) return {};
+  const auto& all = result.alternatives.empty() ? result.closest : result.alternatives;
+  return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kMostShown))};
+}
+
+DiagnosisViews viewsOf(const FittedBasis& basis, const Diagnosis& result, const std::vector<Measurement>& readings,
+                       int most_points) {
+  const auto given = fittedOf(readings, result.set_aside);
+  assert(given.size() == basis.readings.size());
+  const auto shown = explanationsShown(result);
+  DiagnosisViews views{readingViews(basis, shown, given), {}};
+  for (std::size_t x = 0; x < shown.size(); ++x)
+    addVariables(basis, shown[x], static_cast<int>(x), given, most_points, views.added);
+  return views;
+}
+
+}  // namespace tubeplan::calibration

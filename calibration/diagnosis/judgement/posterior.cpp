@@ -1,0 +1,187 @@
+#include "calibration/diagnosis/judgement/posterior.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "calibration/diagnosis/explanations/indistinguishable.hpp"
+#include "calibration/diagnosis/judgement/claims.hpp"
+#include "calibration/diagnosis/judgement/remainder.hpp"
+#include "calibration/diagnosis/model_selection/model_fit.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr std::size_t kMostCompared = 12;  // classes that are held to be the same or not
+
+/// The one cause that each has and the other has not; nothing where they differ in more.
+std::optional<std::pair<int, int>> difference(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> only_a, only_b;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only_a));
+  std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(only_b));
+  if (only_a.size() != 1 || only_b.size() != 1) return std::nullopt;
+  return std::pair{only_a.front(), only_b.front()};
+}
+
+/// Puts the other name of a cause beside the name that its class has.
+void addName(const DiagnosisWork& work, int cause, int same, Explanation& explanation) {
+  const Cause& known = work.cause(cause);
+  const Cause& other = work.cause(same);
+  for (FoundEffect& found : explanation.effects) {
+    if (found.effect != known.effect || (found.at != known.at && known.effects.size() < 2)) continue;
+    const std::pair name{other.effect, other.at};
+    if (std::find(found.also.begin(), found.also.end(), name) == found.also.end()) found.also.push_back(name);
+    return;
+  }
+}
+
+/// Joins classes that differ in one cause and predict the same all over the arm's range.
+void joinSame(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
+  if (classes.size() < 2) return;
+  const RangeViews views(work.basis, work.options.seed);
+  std::vector<RangeView> seen;
+  for (std::size_t k = 0; k < std::min(classes.size(), kMostCompared); ++k) {
+    if (classes[k].probability < kLeastLikely * classes.front().probability) break;
+    seen.push_back(views.of(classes[k].explanation));
+  }
+  std::set<std::size_t> gone;
+  for (std::size_t a = 0; a < seen.size(); ++a)
+    for (std::size_t b = a + 1; b < seen.size(); ++b) {
+      if (gone.contains(a) || gone.contains(b)) continue;
+      const auto apart = difference(classes[a].causes, classes[b].causes);
+      if (!apart || !areTheSame(seen[a], seen[b])) continue;
+      addName(work, apart->first, apart->second, classes[a].explanation);
+      mixIn(classes[b], classes[a]);
+      gone.insert(b);
+    }
+  std::size_t index = 0;
+  std::erase_if(classes, [&](const ModelClass&) { return gone.contains(index++); });
+  std::stable_sort(classes.begin(), classes.end(),
+                   [](const ModelClass& a, const ModelClass& b) { return a.probability > b.probability; });
+}
+
+bool holds(const std::vector<int>& all, const std::vector<int>& some) {
+  return std::includes(all.begin(), all.end(), some.begin(), some.end());
+}
+
+/// Causes that a class says: its own, and of one at all joints alike that at each joint.
+std::set<int> impliedBy(const DiagnosisWork& work, const std::vector<int>& causes) {
+  std::set<int> implied(causes.begin(), causes.end());
+  for (const int all : causes) {
+    if (work.cause(all).effects.size() < 2) continue;
+    for (int one = 0; one < static_cast<int>(work.causes.causes.size()); ++one)
+      if (work.cause(one).effects.size() == 1 && overlap(work.cause(one), work.cause(all))) implied.insert(one);
+  }
+  return implied;
+}
+
+/// The causes that most of what is missing agrees on, without those that others of them imply.
+std::vector<int> sureCauses(const DiagnosisWork& work, const Posterior& posterior) {
+  std::map<int, double> probability;
+  for (const auto* classes : {&posterior.classes, &posterior.others})
+    for (const ModelClass& one : *classes)
+      for (const int cause : impliedBy(work, one.causes)) probability[cause] += one.probability;
+  std::vector<int> sure;
+  for (const auto& [cause, p] : probability)
+    if (p >= work.options.sure * (1 - posterior.nothing)) sure.push_back(cause);
+  std::vector<int> own;
+  for (const int cause : sure)
+    if (std::none_of(sure.begin(), sure.end(), [&](int all) {
+          return all != cause && work.cause(all).effects.size() > 1 && impliedBy(work, {all}).contains(cause);
+        }))
+      own.push_back(cause);
+  return own;
+}
+
+/// The model of these causes alone: one that competes, or the first that holds them without its other causes.
+CompetingModel competingModelOf(const DiagnosisWork& work, const std::vector<int>& causes) {
+  const CompetingModel* found = nullptr;
+  for (const CompetingModel& model : work.models) {
+    const bool is_exact = causesOf(model.terms) == causes;
+    if (is_exact || (!found && holds(causesOf(model.terms), causes))) found = &model;
+    if (is_exact) break;
+  }
+  if (!found) return {};
+  CompetingModel model = *found;
+  if (causesOf(model.terms) == causes && model.is_fitted) return model;
+  std::erase_if(model.terms, [&](const ModelTerm& term) {
+    return std::find(causes.begin(), causes.end(), term.cause) == causes.end();
+  });
+  model.sizes.resize(0);
+  model.fit = {};
+  fitModel(work, model);
+  return model;
+}
+
+void findSure(const DiagnosisWork& work, Posterior& posterior) {
+  const auto causes = sureCauses(work, posterior);
+  if (causes.empty()) return;
+  posterior.sure_model = competingModelOf(work, causes);
+  if (!posterior.sure_model.is_fitted || !std::isfinite(posterior.sure_model.log_evidence)) return;
+  ModelClass& sure = posterior.sure;
+  sure.causes = causes;
+  sure.explanation = posterior.sure_model.fit;
+  double alone = 0;
+  for (const auto* classes : {&posterior.classes, &posterior.others})
+    for (const ModelClass& one : *classes) {
+      const auto implied = impliedBy(work, one.causes);
+      if (!std::all_of(causes.begin(), causes.end(), [&](int cause) { return implied.contains(cause); })) continue;
+      sure.probability += one.probability;
+      if (one.causes == causes) alone += one.probability * (1 - one.remainder_probability);
+    }
+  sure.remainder_probability = sure.probability > 0 ? 1 - alone / sure.probability : 1;
+  sure.explanation.probability = sure.probability;
+  sure.explanation.remainder_probability = sure.remainder_probability;
+}
+
+}  // namespace
+
+void mixIn(const ModelClass& one, ModelClass& to) {
+  const double both = to.probability + one.probability;
+  if (!(both > 0)) return;
+  const auto mixed = [&](double a, double b) { return (to.probability * a + one.probability * b) / both; };
+  to.remainder_probability = mixed(to.remainder_probability, one.remainder_probability);
+  to.scatter_probability = mixed(to.scatter_probability, one.scatter_probability);
+  to.probability = both;
+}
+
+Posterior posteriorOf(const DiagnosisWork& work) {
+  Posterior posterior{};
+  const bool repeats = samePostureBy(work, {}).isSure();
+  std::map<std::vector<int>, ModelClass> classes;
+  for (const Claim& claim : claimsOf(work)) {
+    if (claim.causes.empty()) {
+      const double scatter = claim.probability * claim.scatter_probability;
+      (repeats ? posterior.unknown : posterior.scatter) += scatter;
+      posterior.nothing += std::max(0., claim.probability * (1 - claim.remainder_probability) - scatter);
+      posterior.unknown += claim.probability * claim.remainder_probability;
+      continue;
+    }
+    ModelClass& one = classes[claim.causes];
+    ModelClass more;
+    more.probability = claim.probability;
+    more.remainder_probability = claim.remainder_probability;
+    more.scatter_probability = claim.scatter_probability;
+    mixIn(more, one);
+    const CompetingModel* model = claim.model;
+    if (model && hasFit(*model) && (!one.model || model->logWeight() > one.model->logWeight())) one.model = model;
+  }
+  for (auto& [causes, one] : classes) {
+    one.causes = causes;
+    if (one.model) one.explanation = one.model->fit;
+    (one.model ? posterior.classes : posterior.others).push_back(std::move(one));
+  }
+  std::stable_sort(posterior.classes.begin(), posterior.classes.end(),
+                   [](const ModelClass& a, const ModelClass& b) { return a.probability > b.probability; });
+  joinSame(work, posterior.classes);
+  for (ModelClass& one : posterior.classes) {
+    one.explanation.probability = one.probability;
+    one.explanation.remainder_probability = one.remainder_probability;
+  }
+  findSure(work, posterior);
+  return posterior;
+}
+
+}  // namespace tubeplan::calibration

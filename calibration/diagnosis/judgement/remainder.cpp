@@ -1,0 +1,119 @@
+#include "calibration/diagnosis/judgement/remainder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "calibration/diagnosis/explanations/explanation_model.hpp"
+#include "calibration/diagnosis/judgement/claims.hpp"
+#include "calibration/estimation/fit.hpp"
+#include "calibration/estimation/prior.hpp"
+#include "calibration/patterns/pattern_search.hpp"
+#include "calibration/patterns/variable_words.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::VectorXd;
+
+namespace {
+
+/// What a model leaves, with the columns of all that is fitted.
+struct Left {
+  PlacedArm placed;
+  WhitenedResidual residual;
+  int freedom = 0;
+};
+
+std::optional<Left> leftBy(const DiagnosisWork& work, const CompetingModel& model) {
+  const FittedBasis& basis = work.basis;
+  ExplanationModel fitted{basis.fitted, basis.unknowns};
+  if (!model.terms.empty() && hasFit(model)) fitted = modelOf(basis, model.fit);
+  Left left{fitted.placed, {}, 0};
+  left.residual = whitenedResidual(fitted.placed, fitted.unknowns, basis.readings, basis.weights,
+                                   zerosOf(fitted.unknowns), true, basis.stop);
+  if (!left.residual.ok) return std::nullopt;
+  left.freedom = basis.weights.degrees_of_freedom -
+                 numbersDetermined(posteriorCovariance(left.residual.jacobian, fitted.unknowns), fitted.unknowns);
+  return left;
+}
+
+/// What a comparison of the model with the readings finds that its errors follow, and the share of chi-square.
+std::vector<std::pair<std::string, double>> patternsLeftBy(const DiagnosisWork& work, const CompetingModel& model) {
+  const auto left = leftBy(work, model);
+  if (!left) return {};
+  const ReadingScene scene = observe(left->placed, work.basis.readings);
+  if (!scene.ok) return {};
+  const PatternSearch patterns =
+      searchPatterns(scene, work.basis.weights, left->residual, kPatternLevel, withoutProgress(work.options.hooks));
+  std::vector<std::pair<std::string, double>> followed;
+  for (const auto& finding : patterns.findings)
+    if (finding.trend.size() > 1) followed.emplace_back(variableWords(finding.variable), finding.share);
+  return followed;
+}
+
+/// A process whose terms all take a little says of no variable that the error follows it: there a pattern goes before.
+void preferPatterns(const DiagnosisWork& work, const CompetingModel& model, Remainder& remainder) {
+  double first_two = 0;
+  for (std::size_t k = 0; k < std::min<std::size_t>(2, remainder.follows.size()); ++k)
+    first_two += remainder.follows[k].second;
+  if (first_two >= 0.5) return;
+  if (auto patterns = patternsLeftBy(work, model); !patterns.empty()) remainder.follows = std::move(patterns);
+}
+
+}  // namespace
+
+Repeats repeatsBy(const DiagnosisWork& work, const CompetingModel& model) {
+  const auto left = leftBy(work, model);
+  if (!left) return {};
+  return judgeRepeats(work.basis.readings, work.basis.weights, left->residual.error, left->residual.r.squaredNorm(),
+                      left->freedom);
+}
+
+SamePosture samePostureBy(const DiagnosisWork& work, const CompetingModel& model) {
+  const FittedBasis& basis = work.basis;
+  if (model.terms.empty() || !hasFit(model)) return judgeSamePosture(basis.readings, basis.weights, basis.residual.r);
+  const auto residual = whitenedResidual(model.fit.fitted, {}, basis.readings, basis.weights, {}, false);
+  return residual.ok ? judgeSamePosture(basis.readings, basis.weights, residual.r) : SamePosture{};
+}
+
+Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
+  Remainder remainder;
+  remainder.probability = model.discrepancy_probability + model.scatter_probability;
+  const double noise_floor = noiseFloor(work.basis.readings, work.basis.weights);
+  const double scatter = lengthOfRows(work.basis.readings) * model.model_error;
+  if (model.remainder.size() == 0) {  // what follows nothing is all there is
+    remainder.floor = noise_floor;
+    if (scatter > 0) remainder.size = scatter;
+    if (const SamePosture same = samePostureBy(work, model); same.isSure())
+      remainder.follows.emplace_back("posture", same.share);
+    else
+      remainder.follows = patternsLeftBy(work, model);
+    return remainder;
+  }
+  remainder.floor = std::hypot(noise_floor, scatter);
+  const NoiseHypothesis& noise = work.noise[likelyNoise(work, model)];
+  double squares = 0;
+  for (std::size_t k = 0; k < work.basis.readings.size(); ++k) {
+    const auto& whitener = noise.weights.whitener[k];
+    const VectorXd whitened = model.remainder_left.segment(noise.weights.first_row[k], whitener.rows());
+    squares += (whitener.inverse() * whitened).squaredNorm();
+  }
+  remainder.size = std::sqrt(squares / static_cast<double>(work.basis.readings.size()));
+  std::map<std::string, double> shares;
+  double whole = 0;
+  for (std::size_t t = 0; t < work.discrepancy->terms().size(); ++t) {
+    const auto& term = work.discrepancy->terms()[t];
+    const double weight = model.remainder_terms[static_cast<Index>(t)];
+    shares[term.follows] += weight * weight * term.share;
+    whole += weight * weight * term.share;
+  }
+  for (const auto& [follows, share] : shares)
+    if (share > 0.05 * whole) remainder.follows.emplace_back(follows, share / whole);
+  std::stable_sort(remainder.follows.begin(), remainder.follows.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  preferPatterns(work, model, remainder);
+  return remainder;
+}
+
+}  // namespace tubeplan::calibration

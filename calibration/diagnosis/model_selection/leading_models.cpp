@@ -1,0 +1,157 @@
+#include "calibration/diagnosis/model_selection/leading_models.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "calibration/diagnosis/model_selection/model_evidence.hpp"
+#include "calibration/diagnosis/model_selection/model_fit.hpp"
+#include "calibration/diagnosis/model_selection/model_search.hpp"
+#include "calibration/diagnosis/model_selection/model_terms.hpp"
+#include "calibration/diagnosis/model_selection/noise_hypotheses.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::VectorXd;
+
+namespace {
+
+constexpr std::size_t kFitsAtOnce = 6;  // side by side
+constexpr int kManyRows = 20000;        // from which fewer leaders are fitted
+constexpr double kLeaderWindow = 8;     // of log weight behind the best: models that are fitted ...
+constexpr double kLeaderShare = 0.075;  // ... or a share of what the best gains, since linear evidence errs with it
+
+/// The terms that a fit found a size of.
+std::vector<ModelTerm> significantTerms(const CompetingModel& model) {
+  std::vector<ModelTerm> significant;
+  Index first = 0;
+  for (const ModelTerm& term : model.terms) {
+    const auto count = static_cast<Index>(term.numbers.size());
+    const auto sigmas = model.sizes.segment(first, count).cwiseQuotient(model.sigma.segment(first, count));
+    if ((sigmas.array().abs() >= kFoundSigmas).any()) significant.push_back(term);
+    first += count;
+  }
+  return significant;
+}
+
+/// Of each of these causes the term that is best beside the others'.
+std::vector<ModelTerm> bestTerms(const DiagnosisWork& work, const std::vector<int>& causes) {
+  CompetingModel seed = work.models.front();
+  std::vector<ModelTerm> terms;
+  for (int pass = 0; pass < 2; ++pass)
+    for (const int cause : causes) {
+      seed.terms = terms;
+      std::erase_if(seed.terms, [&](const ModelTerm& term) { return term.cause == cause; });
+      seed.log_share = logShareOf(work, seed.terms);
+      terms = bestBeside(work, seed, cause, true).terms;
+    }
+  return terms;
+}
+
+/// Sizes of the terms' numbers in these effects, in units; none where all of them are neutral.
+VectorXd sizesIn(const DiagnosisWork& work, const std::vector<ModelTerm>& terms,
+                 const std::vector<deflection::Effect>& effects) {
+  std::vector<double> sizes;
+  for (const ModelTerm& term : terms) {
+    const Cause& cause = work.cause(term.cause);
+    const auto same = std::find_if(effects.begin(), effects.end(), [&](const deflection::Effect& effect) {
+      return effect.kind == cause.effects.front().kind && effect.place == cause.effects.front().place;
+    });
+    PlacedArm placed = work.basis.fitted;
+    const auto numbers = placeCause(placed, cause, cause.levels[static_cast<std::size_t>(term.level)]);
+    for (const int number : term.numbers) {
+      const Unknown& unknown = numbers[static_cast<std::size_t>(number)];
+      const double value = same->values[static_cast<std::size_t>(unknown.path.value)];
+      sizes.push_back(variableAt(unknown, value) / unknown.typical);
+    }
+  }
+  const VectorXd all = Eigen::Map<const VectorXd>(sizes.data(), static_cast<Index>(sizes.size()));
+  return all.isZero(0) ? VectorXd() : all;
+}
+
+/// A model that says the best fitted one otherwise and is not fitted yet. Linear evidence asks for a further cause
+/// where only another's time or shape was coarse: without the causes that the fit found no size of. And it leaves out a
+/// number that a strong error elsewhere hid: with all numbers of the causes.
+CompetingModel* unfittedVariant(DiagnosisWork& work) {
+  const CompetingModel& best = work.models.front();
+  if (!best.is_fitted || best.terms.empty() || !std::isfinite(best.log_evidence)) return nullptr;
+  for (const auto& terms : {significantTerms(best), fullTerms(work, best.terms)}) {
+    if (terms.empty() || terms == best.terms) continue;
+    const auto same = std::find_if(work.models.begin(), work.models.end(),
+                                   [&](const CompetingModel& model) { return model.terms == terms; });
+    if (same != work.models.end() && same->is_fitted) continue;
+    if (same != work.models.end()) return &*same;
+    work.models.push_back(weigh(work, terms, logShareOf(work, terms)));
+    return &work.models.back();
+  }
+  return nullptr;
+}
+
+/// That of nothing missing, and leaders until no other comes near the best of them.
+void fitNearest(DiagnosisWork& work) {
+  auto& models = work.models;
+  CompetingModel& of_nothing =
+      *std::find_if(models.begin(), models.end(), [](const CompetingModel& model) { return model.terms.empty(); });
+  const double nothing = of_nothing.logWeight();
+  fitModel(work, of_nothing);
+  // So many readings part the models by far more than linear evidence errs, and each fit takes seconds.
+  const bool are_many = work.noise.front().weights.rows > kManyRows;
+  const auto limit = static_cast<std::size_t>(are_many ? work.options.most_leaders / 3 : work.options.most_leaders);
+  const std::size_t most = are_many ? limit : 2 * limit;
+  for (std::size_t fitted = 0;;) {
+    sortByWeight(models);
+    CompetingModel* variant = unfittedVariant(work);
+    const double best = models.front().logWeight();
+    const double window = leaderWindow(best, nothing);
+    std::vector<CompetingModel*> next;
+    if (variant) next.push_back(variant);
+    for (std::size_t k = 0; fitted < most && k < std::min(limit, models.size()) && next.size() < kFitsAtOnce; ++k)
+      if (!models[k].is_fitted && models[k].logWeight() > best - window && &models[k] != variant)
+        next.push_back(&models[k]);
+    if (next.empty()) return;
+    reportProgress(work.options.hooks, "models", fitted, limit);
+    tbb::parallel_for(std::size_t{0}, next.size(), [&](std::size_t k) { fitModel(work, *next[k]); });
+    fitted += next.size();
+  }
+}
+
+}  // namespace
+
+CompetingModel fittedModelOf(const DiagnosisWork& work, const std::vector<deflection::Effect>& effects) {
+  std::vector<int> causes;
+  for (int index = 0; index < static_cast<int>(work.causes.causes.size()); ++index) {
+    const auto& own = work.cause(index).effects;
+    if (own.size() == 1 && std::any_of(effects.begin(), effects.end(), [&](const deflection::Effect& effect) {
+          return effect.kind == own.front().kind && effect.place == own.front().place;
+        }))
+      causes.push_back(index);
+  }
+  if (causes.size() != effects.size()) return {};
+  const auto terms = bestTerms(work, causes), full = fullTerms(work, terms);
+  CompetingModel best;
+  best.log_evidence = -std::numeric_limits<double>::infinity();
+  const auto attempt = [&](const std::vector<ModelTerm>& as, const VectorXd& from) {
+    CompetingModel model = weigh(work, as, logShareOf(work, as));
+    if (from.size() > 0) model.sizes = from;
+    fitModel(work, model);
+    if (model.logWeight() > best.logWeight()) best = std::move(model);
+  };
+  attempt(terms, {});
+  if (full != terms) attempt(full, {});
+  if (const VectorXd from = sizesIn(work, full, effects); from.size() > 0) attempt(full, from);
+  return best;
+}
+
+double leaderWindow(double best, double nothing) { return std::max(kLeaderWindow, kLeaderShare * (best - nothing)); }
+
+void fitLeaders(DiagnosisWork& work) {
+  fitNearest(work);
+  if (work.noise.size() > 1) return;
+  const double more = errorBeyondBest(work);
+  if (!(more > 0) || !doubtNoise(work, more)) return;
+  compareModels(work);
+  fitNearest(work);
+}
+
+}  // namespace tubeplan::calibration

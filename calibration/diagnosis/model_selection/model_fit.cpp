@@ -1,0 +1,314 @@
+#include "calibration/diagnosis/model_selection/model_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "calibration/diagnosis/model_selection/model_evidence.hpp"
+#include "calibration/diagnosis/model_selection/noise_hypotheses.hpp"
+#include "calibration/diagnosis/model_selection/placed_model.hpp"
+#include "calibration/estimation/fit.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr int kIterations = 20;
+constexpr double kSmallFall = 0.03;  // of chi-square, by a step that asks for no further one
+constexpr double kFarSize = 4;       // of the largest usual: the prior of a size while it is fitted
+constexpr double kMostSize = 10;     // of the largest usual: no machine has more, and an arm may not shrink to a point
+// What an unknown effect has in common with the known one most like it, against what it has of its own, in noise
+// sigmas.
+constexpr double kLikeness = 0.7;
+constexpr double kOrders = 4.6;          // log of a hundred: over so much the size of a cause of its own may be spread
+constexpr double kUnknownScatter = 0.5;  // probability that scatter is an unknown effect, not a noise stated too small
+constexpr double kHardlyLeft = 1e-3;     // probability of a remainder
+
+/// The numbers that a fit of the model changes: those of the basis, sizes, shapes.
+std::vector<Unknown> unknownsOf(const DiagnosisWork& work, const PlacedModel& placed) {
+  std::vector<Unknown> unknowns = work.basis.unknowns;
+  for (Unknown size : placed.sizes) {
+    if (size.path.effect >= 0) {
+      size.prior_sigma = kFarSize * size.typical;
+      size.lower = std::max(size.lower, -kMostSize * size.typical);
+      size.upper = std::min(size.upper, kMostSize * size.typical);
+    }
+    unknowns.push_back(size);
+  }
+  unknowns.insert(unknowns.end(), placed.shapes.begin(), placed.shapes.end());
+  return unknowns;
+}
+
+/// Where a fit begins: sizes where the linear evidence has them.
+VectorXd startOfFit(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed,
+                    const std::vector<Unknown>& unknowns) {
+  const auto fitted = static_cast<Index>(work.basis.unknowns.size());
+  VectorXd x = VectorXd::Zero(static_cast<Index>(unknowns.size()));
+  for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
+    const Unknown& size = unknowns[static_cast<std::size_t>(fitted) + k];
+    const double linear = model.sizes.size() > static_cast<Index>(k) ? model.sizes[static_cast<Index>(k)] : 0;
+    x[fitted + static_cast<Index>(k)] = std::clamp(linear * size.typical, size.lower, size.upper);
+  }
+  return x;
+}
+
+/// The most probable state by one noise.
+LeastSquaresResult minimize(const DiagnosisWork& work, std::size_t by, const PlacedModel& placed,
+                            const std::vector<Unknown>& unknowns, const VectorXd& x) {
+  const NoiseHypothesis& noise = work.noise[by];
+  const double tolerance = std::clamp(kSmallFall / static_cast<double>(noise.weights.rows), 1e-6, 1e-4);
+  const LeastSquaresOptions solver{tolerance, kIterations, LeastSquaresMethod::kLevenbergMarquardt, work.basis.stop};
+  return minimizeOrUnwind(fitProblem(placed.arm, unknowns, work.basis.readings, noise.weights, x, work.basis.stop),
+                          solver);
+}
+
+/// Whether a size ended where no machine's is.
+bool isImpossible(const PlacedModel& placed, const VectorXd& x, std::size_t fitted) {
+  for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
+    const Unknown& size = placed.sizes[k];
+    const double most = 0.999 * kMostSize * size.typical;
+    if (size.path.effect >= 0 && std::abs(x[static_cast<Index>(fitted + k)]) > most) return true;
+  }
+  return false;
+}
+
+/// The model about its optimum, as seen by one noise.
+struct AtOptimum {
+  WhitenedResidual residual;
+  std::unique_ptr<LinearEvidence> evidence;
+  SourceView sources;
+  VectorXd scale, information;  ///< of the fitted numbers and shapes, then the sizes
+};
+
+/// What single sources see: columns of all numbers in units of their typical size, those of sizes by their prior.
+void viewSources(const MatrixXd& J, const MatrixXd& S, const VectorXd& y, const std::vector<Unknown>& others,
+                 const NoiseHypothesis& noise, AtOptimum& at) {
+  if (!noise.sources) return;
+  const Index n = J.cols() + S.cols();
+  MatrixXd W_y(y.size(), n + 1);
+  W_y << J, S, y;
+  at.scale = VectorXd::Ones(n);
+  at.information = VectorXd::Ones(n);
+  for (Index k = 0; k < J.cols(); ++k) {
+    const Unknown& unknown = others[static_cast<std::size_t>(k)];
+    W_y.col(n) -= J.col(k) * unknown.prior_mean;
+    at.scale[k] = unknown.typical;
+    at.information[k] = std::pow(unknown.typical / unknown.prior_sigma, 2);
+  }
+  at.sources = noise.sources->viewOf(W_y);
+}
+
+/// Sizes count from nothing: y is what the model with none of them would miss.
+bool linearizeAt(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<Unknown>& unknowns,
+                 const VectorXd& x, const NoiseHypothesis& noise, AtOptimum& at) {
+  at.residual = whitenedResidual(placed.arm, unknowns, work.basis.readings, noise.weights, x, true, work.basis.stop);
+  if (!at.residual.ok || !at.residual.r.allFinite() || !at.residual.jacobian.allFinite()) return false;
+  const auto fitted = static_cast<Index>(work.basis.unknowns.size()), sizes = static_cast<Index>(placed.sizes.size());
+  const auto shapes = static_cast<Index>(placed.shapes.size());
+  MatrixXd J(at.residual.r.size(), fitted + shapes), S = at.residual.jacobian.middleCols(fitted, sizes);
+  J << at.residual.jacobian.leftCols(fitted), at.residual.jacobian.rightCols(shapes);
+  std::vector<Unknown> others(unknowns.begin(), unknowns.begin() + fitted);
+  others.insert(others.end(), unknowns.end() - shapes, unknowns.end());
+  for (Index k = 0; k < fitted; ++k) others[static_cast<std::size_t>(k)].prior_mean -= x[k];
+  for (Index k = 0; k < shapes; ++k) others[static_cast<std::size_t>(fitted + k)].prior_mean -= x[fitted + sizes + k];
+  VectorXd y = -at.residual.r;
+  for (Index k = 0; k < sizes; ++k) {
+    y += S.col(k) * x[fitted + k];
+    S.col(k) *= placed.sizes[static_cast<std::size_t>(k)].typical;
+  }
+  EvidenceGram gram;
+  gram.add(J, S, noise.discrepancy, y);
+  gram.log_density = logDensityOf(noise.weights);
+  at.evidence = std::make_unique<LinearEvidence>(gram, others, noise.options);
+  viewSources(J, S, y, others, noise, at);
+  return true;
+}
+
+std::vector<PriorSize> priorsOf(const PlacedModel& placed, double scale) {
+  std::vector<PriorSize> priors;
+  for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
+    const Unknown& size = placed.sizes[k];
+    const bool is_of_effect = size.path.effect >= 0;
+    const int sign = size.lower == 0 ? 1 : size.upper == 0 ? -1 : 0;
+    priors.push_back({static_cast<int>(k), is_of_effect ? scale : size.prior_sigma / size.typical, sign});
+  }
+  return priors;
+}
+
+WeighedDiscrepancy evidenceAt(const AtOptimum& at, const NoiseHypothesis& noise, const std::vector<PriorSize>& sizes) {
+  const Evidence evidence = at.evidence->of(sizes);
+  if (!noise.sources) return {evidence, {}};
+  VectorXd scale = at.scale;
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+    scale[scale.size() - static_cast<Index>(sizes.size() - k)] = sizes[k].sigma;
+  const auto single =
+      noise.sources->beside(at.sources, scale, at.information, noise.options.discrepancies, evidence.none_scale);
+  return withSources(evidence, single, noise.options);
+}
+
+/// What of a vector no columns can do.
+VectorXd beside(const MatrixXd& columns, const VectorXd& vector) {
+  if (columns.cols() == 0) return vector;
+  return vector - columns * columns.completeOrthogonalDecomposition().solve(vector);
+}
+
+/// The errors that the discrepancy most probably makes.
+void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std::vector<PriorSize>& sizes,
+                   CompetingModel& model) {
+  if (model.source.source >= 0) {
+    model.remainder = noise.sources->errorsOf(model.source.source, model.source.weights);
+    model.remainder_terms = VectorXd::Zero(noise.principal_terms.rows());
+    model.remainder_terms(noise.sources->termsOf(model.source.source)) = model.source.weights;
+  } else if (model.discrepancy > 0) {
+    const VectorXd weights = at.evidence->discrepancyWeights(sizes, model.discrepancy);
+    model.remainder = noise.discrepancy * weights;
+    model.remainder_terms = noise.principal_terms * weights;
+  }
+  if (model.remainder.size() > 0) model.remainder_left = beside(at.residual.jacobian, model.remainder);
+}
+
+/// What the model leaves as an error of its own, in sigmas of its noise: the discrepancy's errors, or, where there are
+/// none, all that is beyond the stated noise; 0 where nothing.
+double lengthLeft(const DiagnosisWork& work, const AtOptimum& stated, std::size_t numbers,
+                  const CompetingModel& model) {
+  if (model.remainder.size() > 0) return model.remainder.norm();
+  std::vector<int> columns(numbers);
+  std::iota(columns.begin(), columns.end(), 0);
+  const double expected = work.noise.front().options.noise_rows - static_cast<double>(numbers);
+  return std::sqrt(std::max(0., stated.evidence->chi2() - stated.evidence->fall(columns) - expected));
+}
+
+/// How much of chi-square a term takes beside the others, as a length in noise sigmas, what noise alone would give off.
+double lengthOf(const LinearEvidence& evidence, std::size_t first, std::size_t count, std::size_t all) {
+  std::vector<int> columns(all), others;
+  std::iota(columns.begin(), columns.end(), 0);
+  for (const int column : columns)
+    if (static_cast<std::size_t>(column) < first || static_cast<std::size_t>(column) >= first + count)
+      others.push_back(column);
+  const double fall = evidence.fall(columns) - evidence.fall(others) - static_cast<double>(count);
+  return std::sqrt(std::max(0., fall));
+}
+
+/// Odds of a length as that of a likeness, normal about none with the order of what is left, against that of a cause
+/// of its own, of any order over two.
+double logOddsOfLikeness(double length, double left) {
+  const double ratio = length / (kLikeness * left);
+  if (!(ratio > 0)) return -std::numeric_limits<double>::infinity();
+  return 0.5 * std::log(2 / std::numbers::pi) + std::log(ratio * kOrders) - 0.5 * ratio * ratio;
+}
+
+/// An unknown effect resembles known ones in part, and the one that it resembles most would be found beside what is
+/// left of it. So where something remains, each term competes with being such a likeness: what it takes of the error is
+/// then of the order of what remains, and not of the order that its own cause has.
+void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<AtOptimum>& at,
+                     CompetingModel& model) {
+  const double remains = model.discrepancy_probability + kUnknownScatter * model.scatter_probability;
+  if (model.terms.empty() || remains < kHardlyLeft) return;
+  const double left = lengthLeft(work, at.front(), placed.sizes.size(), model);
+  if (!(left > 0)) return;
+  const bool is_of_more_noise = model.remainder.size() > 0 && model.more_noise_probability > 0.5;
+  const LinearEvidence& seen = *(is_of_more_noise ? at.back() : at.front()).evidence;
+  const auto count = model.terms.size();
+  const double log_prior =
+      logPriorOfCount(count - 1) - logPriorOfCount(count) - std::log(static_cast<double>(count)) + std::log(remains);
+  std::size_t first = 0;
+  for (std::size_t t = 0; t < count; first += placed.counts[t++]) {
+    const double length = lengthOf(seen, first, placed.counts[t], placed.sizes.size());
+    model.likenesses.push_back({t, model.logWeight() + log_prior + logOddsOfLikeness(length, left)});
+  }
+}
+
+/// Whether of a cause at all joints alike the fit, which ended at `x`, found one size only: that joint's own cause says
+/// the same.
+bool saysOneOnly(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed, const VectorXd& x) {
+  const std::size_t fitted = work.basis.unknowns.size();
+  std::size_t k = 0;
+  for (const ModelTerm& term : model.terms) {
+    int found = 0;
+    for (const std::size_t end = k + term.numbers.size(); k < end; ++k)
+      found += std::abs(x[static_cast<Index>(fitted + k)]) >
+               kFoundSigmas * model.sigma[static_cast<Index>(k)] * placed.sizes[k].typical;
+    if (work.cause(term.cause).effects.size() > 1 && found < 2) return true;
+  }
+  return false;
+}
+
+/// What the fit, which ended at `x`, says of the model; its evidence must be there.
+void describeFit(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<Unknown>& unknowns,
+                 const VectorXd& x, const std::vector<AtOptimum>& at, CompetingModel& model) {
+  const std::size_t likely = likelyNoise(work, model);
+  Explanation& fit = model.fit;
+  fit.fitted = applied(placed.arm, unknowns, x);
+  fit.chi2 = at.front().residual.r.squaredNorm();
+  fit.after = errorSize(work.basis.readings, work.basis.weights, at.front().residual.error);
+  const auto numbers = static_cast<double>(placed.sizes.size() + placed.shapes.size());
+  fit.p_value = chiSquareTail(fit.chi2, work.noise.front().options.noise_rows - numbers);
+  // Sizes stand where the fit left them, so their deviations are those of the prior that it had.
+  const VectorXd sigma = evidenceAt(at[likely], work.noise[likely], priorsOf(placed, kFarSize)).sigma;
+  std::size_t first = 0;
+  for (std::size_t t = 0; t < model.terms.size(); ++t) {
+    describeTerm(work, model.terms[t], placed, t, sigma, first, fit);
+    first += placed.counts[t];
+  }
+  fit.model_error = model.model_error;
+  fit.remainder_probability = model.discrepancy_probability;
+  fit.criterion = -2 * model.logWeight();
+}
+
+/// Fits the model from `x` by one noise and weighs it there by all; false where that cannot be.
+bool fitByNoise(const DiagnosisWork& work, std::size_t by, const PlacedModel& placed,
+                const std::vector<Unknown>& unknowns, VectorXd& x, std::vector<AtOptimum>& at, CompetingModel& model) {
+  const auto solution = minimize(work, by, placed, unknowns, x);
+  if (solution.status == LeastSquaresStatus::kFailed || isImpossible(placed, solution.x, work.basis.unknowns.size()))
+    return false;
+  x = solution.x;
+  for (std::size_t n = 0; n < at.size(); ++n)
+    if (!linearizeAt(work, placed, unknowns, x, work.noise[n], at[n])) return false;
+  const bool has_effects =
+      std::any_of(placed.sizes.begin(), placed.sizes.end(), [](const Unknown& size) { return size.path.effect >= 0; });
+  blendEvidence(
+      work, has_effects,
+      [&](const NoiseHypothesis& noise, std::size_t n, double scale) {
+        return evidenceAt(at[n], noise, priorsOf(placed, scale));
+      },
+      model);
+  return true;
+}
+
+}  // namespace
+
+void fitModel(const DiagnosisWork& work, CompetingModel& model) {
+  model.is_fitted = true;
+  const double linear = model.log_evidence;
+  const PlacedModel placed = placeModel(work, model);
+  const std::vector<Unknown> unknowns = unknownsOf(work, placed);
+  VectorXd x = startOfFit(work, model, placed, unknowns);
+  std::vector<AtOptimum> at(work.noise.size());
+  // What seemed noise before the model was fitted may be none after it: sizes are fitted by the noise that is left.
+  constexpr int kPasses = 2;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const std::size_t by = likelyNoise(work, model);
+    if (!fitByNoise(work, by, placed, unknowns, x, at, model)) {
+      model.log_evidence = -std::numeric_limits<double>::infinity();
+      return;
+    }
+    if (likelyNoise(work, model) == by) break;
+  }
+  if (saysOneOnly(work, model, placed, x)) {
+    model.log_evidence = -std::numeric_limits<double>::infinity();
+    return;
+  }
+  model.gain_by_fit = model.log_evidence - linear;
+  const std::size_t likely = likelyNoise(work, model);
+  keepRemainder(work.noise[likely], at[likely], priorsOf(placed, 1), model);
+  weighLikenesses(work, placed, at, model);
+  describeFit(work, placed, unknowns, x, at, model);
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,134 @@
+#include "calibration/diagnosis/model_selection/model_search.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "calibration/diagnosis/model_selection/model_evidence.hpp"
+#include "calibration/diagnosis/model_selection/model_terms.hpp"
+
+namespace tubeplan::calibration {
+
+namespace {
+
+constexpr double kHopeless = 5;          // of log weight below nothing missing: from no such cause pairs are made
+constexpr std::size_t kMostSeeds = 20;   // models that are extended by another cause
+constexpr std::size_t kMostLooked = 40;  // extensions that a quick look leaves
+
+/// A quick look at every cause's best term beside what each of the seeds has; seed by seed, all causes of each.
+std::vector<Looked> lookBeside(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
+  const std::size_t causes = work.causes.causes.size();
+  std::vector<Looked> looked(seeds.size() * causes);
+  std::atomic<bool> is_stopped = false;
+  tbb::parallel_for(std::size_t{0}, looked.size(), [&](std::size_t at) {
+    const CompetingModel& seed = seeds[at / causes];
+    const int cause = static_cast<int>(at % causes);
+    if (is_stopped || !isVisible(work, cause) || !mayStandTogether(work, seed.terms, cause)) return;
+    if (shouldStop(work.basis.stop)) {
+      is_stopped = true;
+      return;
+    }
+    looked[at] = bestBeside(work, seed, cause, seed.terms.empty());
+  });
+  goOn(work.basis.stop);
+  return looked;
+}
+
+/// Of what was looked at the most probable, each set of causes once, `most` of single ones and of those that say many
+/// at once: neither crowds out others. Indices, most probable first.
+std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vector<Looked>& looked, std::size_t most) {
+  std::vector<std::size_t> order(looked.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return looked[a].log_weight > looked[b].log_weight; });
+  std::set<std::vector<int>> seen;
+  std::vector<std::size_t> chosen;
+  std::array<std::size_t, 2> count{};
+  for (const std::size_t k : order) {
+    if (!std::isfinite(looked[k].log_weight) || !seen.insert(causesOf(looked[k].terms)).second) continue;
+    if (count[saysManyAtOnce(work, looked[k].terms)]++ < most) chosen.push_back(k);
+  }
+  return chosen;
+}
+
+/// The models with one cause more, most probable first: of every cause its best term beside what each of the seeds has.
+std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
+  const std::size_t causes = work.causes.causes.size();
+  auto looked = lookBeside(work, seeds);
+  const auto chosen = mostProbable(work, looked, seeds.front().terms.empty() ? looked.size() : kMostLooked);
+  std::vector<CompetingModel> found(chosen.size());
+  tbb::parallel_for(std::size_t{0}, chosen.size(), [&](std::size_t k) {
+    if (shouldStop(work.basis.stop)) return;
+    Looked& look = looked[chosen[k]];
+    const CompetingModel& seed = seeds[chosen[k] / causes];
+    const int cause = static_cast<int>(chosen[k] % causes);
+    if (!seed.terms.empty() && termsOf(work, cause).size() >= kManyTerms) look = bestBeside(work, seed, cause, true);
+    found[k] = weigh(work, look.terms, look.log_share);
+  });
+  goOn(work.basis.stop);
+  sortByWeight(found);
+  return found;
+}
+
+/// Those that are gone on from: however far behind the best a cause is alone, it may be one of the best few together.
+/// One that says many causes at once gains what a few of them together would, and none of them alone: single ones are
+/// held against single ones.
+std::vector<CompetingModel> leadersOf(const DiagnosisWork& work, const std::vector<CompetingModel>& models,
+                                      std::size_t most) {
+  std::vector<CompetingModel> leaders;
+  for (const bool of_many : {false, true}) {
+    std::size_t count = 0;
+    for (const CompetingModel& model : models)
+      if (saysManyAtOnce(work, model.terms) == of_many && count++ < most) leaders.push_back(model);
+  }
+  sortByWeight(leaders);
+  return leaders;
+}
+
+}  // namespace
+
+Looked bestBeside(const DiagnosisWork& work, const CompetingModel& seed, int cause, bool of_all) {
+  Looked best;
+  for (const WeighedTerm& more : of_all ? termsOf(work, cause) : someTermsOf(work, cause)) {
+    auto terms = seed.terms;
+    terms.push_back(more.term);
+    const double log_share = seed.log_share + more.log_share;
+    const double log_weight = lookAt(work, terms, log_share, seed);
+    if (log_weight > best.log_weight) best = {std::move(terms), log_share, log_weight};
+  }
+  return best;
+}
+
+void compareModels(DiagnosisWork& work) {
+  const CompetingModel nothing = weigh(work, {}, 0);
+  work.models = {nothing};
+  std::vector<CompetingModel> level{nothing};
+  // One that says many causes at once leaves little to gain beside it; a few single ones may still say it better.
+  std::array<double, 2> best{nothing.logWeight(), nothing.logWeight()};
+  for (int depth = 1; depth <= work.options.most_causes; ++depth) {
+    reportProgress(work.options.hooks, "causes", static_cast<std::size_t>(depth),
+                   static_cast<std::size_t>(work.options.most_causes));
+    level = extended(work, leadersOf(work, level, kMostSeeds));
+    if (level.empty()) break;
+    work.models.insert(work.models.end(), level.begin(), level.end());
+    bool gains = false;
+    for (const bool of_many : {false, true}) {
+      const auto first = std::find_if(level.begin(), level.end(), [&](const CompetingModel& model) {
+        return saysManyAtOnce(work, model.terms) == of_many;
+      });
+      if (first == level.end()) continue;
+      const double before = std::exchange(best[of_many], std::max(best[of_many], first->logWeight()));
+      gains |= first->logWeight() >= before - (depth == 1 ? kHopeless : 0);
+    }
+    if (!gains) break;
+  }
+  sortByWeight(work.models);
+}
+
+}  // namespace tubeplan::calibration

@@ -1,0 +1,250 @@
+#include "calibration/diagnosis/model_selection/noise_hypotheses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "calibration/estimation/fit.hpp"
+#include "calibration/estimation/prior.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
+
+namespace tubeplan::calibration {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+// Probabilities beforehand: of an unknown discrepancy, of more noise than stated.
+constexpr double kDiscrepancy = 0.05;   // of all terms together ...
+constexpr double kSingleSource = 0.05;  // ... or of a single source
+constexpr double kMoreNoise = 0.1;
+constexpr std::size_t kReadingsInMemory = 1024;  // readings whose columns are in memory at once
+constexpr Eigen::Index kPrincipalTerms = 80;     // of the discrepancy, in the evidence of a fit
+constexpr double kMostKept = 5e7;                // numbers of the causes' columns that stay in memory
+constexpr double kMostForSources = 2e6;          // rows times terms, up to which single sources are weighed
+
+std::vector<double> discrepancySizes(double noise) {
+  std::vector<double> sizes;
+  for (double size = 0.7 * noise; size < 200 * noise && sizes.size() < 9; size *= 2) sizes.push_back(size);
+  return sizes;
+}
+
+/// Blocks of readings; those of one unknown place stay together.
+std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& readings) {
+  std::map<std::string, std::vector<int>> touching;
+  std::vector<std::vector<int>> groups;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    if (hasUnknownPlace(readings[k]))
+      touching[placeOf(readings[k])].push_back(static_cast<int>(k));
+    else
+      groups.push_back({static_cast<int>(k)});
+  }
+  for (auto& [point, members] : touching) groups.push_back(members);
+  std::vector<std::vector<int>> blocks;
+  for (const auto& group : groups) {
+    if (blocks.empty() || blocks.back().size() + group.size() > kReadingsInMemory) blocks.emplace_back();
+    blocks.back().insert(blocks.back().end(), group.begin(), group.end());
+  }
+  return blocks;
+}
+
+std::vector<Measurement> picked(const std::vector<Measurement>& readings, const std::vector<int>& which) {
+  std::vector<Measurement> some;
+  for (const int k : which) some.push_back(readings[static_cast<std::size_t>(k)]);
+  return some;
+}
+
+/// Rows whitened by some weights, by others.
+void whitenAnew(const std::vector<Measurement>& readings, const ReadingWeights& from, const ReadingWeights& to,
+                MatrixXd& columns) {
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    auto rows = columns.middleRows(to.first_row[k], rowsOf(readings[k]));
+    rows = (to.whitener[k] * from.whitener[k].inverse() * rows).eval();
+  }
+}
+
+/// The columns of one block, whitened by the stated noise, touched points still in.
+struct Block {
+  std::vector<Measurement> readings;
+  ReadingWeights weights;  ///< with points
+  MatrixXd J, S, Z;
+  VectorXd y;
+};
+
+/// The causes' columns of one block under the stated noise: computed once, then kept where they fit into memory.
+MatrixXd signaturesOf(DiagnosisWork& work, const std::vector<int>& which, const Block& block,
+                      const ReadingWeights& apart) {
+  const std::vector<int>& first_row = work.basis.weights.first_row;
+  const auto rowOf = [&](std::size_t k) { return first_row[static_cast<std::size_t>(which[k])]; };
+  Eigen::MatrixXf& kept = work.kept_signatures;
+  MatrixXd S(block.y.size(), static_cast<Index>(work.signatures->columns().size()));
+  if (kept.size() > 0 && work.noise.size() == 1) {
+    for (std::size_t k = 0; k < which.size(); ++k)
+      S.middleRows(apart.first_row[k], rowsOf(block.readings[k])) =
+          kept.middleRows(rowOf(k), rowsOf(block.readings[k])).cast<double>();
+    return S;
+  }
+  S = work.signatures->columnsAt(block.readings, apart, work.basis.stop);
+  if (S.rows() != block.y.size() || static_cast<double>(work.basis.weights.rows) * S.cols() > kMostKept) return S;
+  kept.resize(work.basis.weights.rows, S.cols());
+  for (std::size_t k = 0; k < which.size(); ++k)
+    kept.middleRows(rowOf(k), rowsOf(block.readings[k])) =
+        S.middleRows(apart.first_row[k], rowsOf(block.readings[k])).cast<float>();
+  return S;
+}
+
+bool fillBlock(DiagnosisWork& work, const std::vector<int>& which, Block& block) {
+  const FittedBasis& basis = work.basis;
+  block.readings = picked(basis.readings, which);
+  auto weights = weighReadings(basis.fitted, block.readings, {}, 0, basis.stop);
+  if (!weights) return false;
+  block.weights = std::move(*weights);
+  ReadingWeights apart = block.weights;
+  apart.points.clear();
+  apart.shared.clear();
+  const VectorXd zero = VectorXd::Zero(static_cast<Index>(basis.unknowns.size()));
+  auto residual = whitenedResidual(basis.fitted, basis.unknowns, block.readings, apart, zero, true, basis.stop);
+  if (!residual.ok) return false;
+  block.J = std::move(residual.jacobian);
+  block.y = -residual.r;
+  block.S = signaturesOf(work, which, block, apart);
+  block.Z = work.discrepancy->columnsAt(block.readings, apart);
+  return block.S.rows() == block.y.size() && block.Z.rows() == block.y.size();
+}
+
+/// The same columns under other weights, points taken off.
+void addTo(EvidenceGram& gram, const Block& block, double model_error) {
+  const ReadingWeights weights = reweighted(block.weights, block.readings, model_error);
+  gram.log_density += logDensityOf(weights);
+  MatrixXd all(block.y.size(), block.J.cols() + block.S.cols() + block.Z.cols() + 1);
+  all << block.J, block.S, block.Z, block.y;
+  if (model_error > 0) whitenAnew(block.readings, block.weights, weights, all);
+  takeSharedOff(weights, all);
+  gram.add(all.leftCols(block.J.cols()), all.middleCols(block.J.cols(), block.S.cols()),
+           all.middleCols(block.J.cols() + block.S.cols(), block.Z.cols()), all.rightCols<1>());
+}
+
+double degreesLeft(const DiagnosisWork& work) {
+  return work.basis.weights.degrees_of_freedom -
+         numbersDetermined(posteriorCovariance(work.basis.residual.jacobian, work.basis.unknowns), work.basis.unknowns);
+}
+
+/// The discrepancy at all readings: what fits of their own are weighed with. All terms together by the principal ones.
+void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
+  const auto& terms = work.discrepancy->terms();
+  noise.principal_terms = noise.evidence->principalTerms(kPrincipalTerms);
+  noise.discrepancy.resize(noise.weights.rows, noise.principal_terms.cols());
+  const bool has_sources =
+      static_cast<double>(noise.weights.rows) * static_cast<double>(terms.size()) < kMostForSources;
+  MatrixXd all(has_sources ? noise.weights.rows : 0, static_cast<Index>(terms.size()));
+  for (const auto& which : blocksOf(work.basis.readings)) {
+    goOn(work.basis.stop);
+    const auto readings = picked(work.basis.readings, which);
+    const auto weights = weighReadings(work.basis.fitted, readings, {}, noise.model_error, work.basis.stop);
+    if (!weights) return;
+    const MatrixXd columns = work.discrepancy->columnsAt(readings, *weights);
+    const MatrixXd principal = columns * noise.principal_terms;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      const int to = noise.weights.first_row[static_cast<std::size_t>(which[k])], rows = rowsOf(readings[k]);
+      noise.discrepancy.middleRows(to, rows) = principal.middleRows(weights->first_row[k], rows);
+      if (has_sources) all.middleRows(to, rows) = columns.middleRows(weights->first_row[k], rows);
+    }
+  }
+  if (!has_sources) return;
+  std::vector<double> shares;
+  for (const auto& term : terms) shares.push_back(term.share);
+  noise.sources = std::make_unique<SingleSources>(std::move(all), work.discrepancy->sources(), shares);
+}
+
+/// The error of a coordinate that this chi-square leaves beyond the stated noise; 0 where the noise is enough.
+double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) {
+  if (freedom < 3 || !(chiSquareTail(chi2, freedom) < kLackOfFit)) return 0;
+  const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / lengthOfRows(work.basis.readings);
+  return per_coordinate * std::sqrt(std::max(0.1, chi2 / freedom - 1));
+}
+
+/// Sizes of more noise, as factors to that of this error: down to less, and up to what the model alone leaves. Of few
+/// readings an unknown function takes much of any noise, and what it leaves is less than there is.
+std::vector<double> noiseScales(const DiagnosisWork& work, double model_error) {
+  constexpr double kLeast = 0.7, kMost = 1.5, kFarthest = 6, kStep = 1.08;
+  const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / lengthOfRows(work.basis.readings);
+  const double alone = errorBeyondNoise(work, work.noise.front().evidence->chi2(), degreesLeft(work));
+  const double up = std::hypot(per_coordinate, alone) / std::hypot(per_coordinate, model_error);
+  std::vector<double> scales;
+  for (double scale = kLeast; scale < kMost * std::clamp(up, 1., kFarthest); scale *= kStep) scales.push_back(scale);
+  return scales;
+}
+
+/// Evidence under a noise; false where the model cannot be evaluated.
+bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
+  NoiseHypothesis noise;
+  noise.model_error = model_error;
+  noise.log_prior = log_prior;
+  noise.weights = reweighted(work.basis.weights, work.basis.readings, model_error);
+  EvidenceGram gram;
+  for (const auto& which : blocksOf(work.basis.readings)) {
+    reportProgress(work.options.hooks, "catalogue");
+    Block block;
+    if (!fillBlock(work, which, block)) return false;
+    addTo(gram, block, model_error);
+  }
+  const double floor = noiseFloor(work.basis.readings, work.basis.weights);
+  noise.options.discrepancies = discrepancySizes(std::hypot(floor, lengthOfRows(work.basis.readings) * model_error));
+  noise.options.discrepancy_prior = kDiscrepancy;
+  noise.options.source_prior = kSingleSource;
+  if (model_error > 0) noise.options.noise_scales = noiseScales(work, model_error);
+  noise.options.noise_rows = degreesLeft(work);
+  noise.evidence = std::make_unique<LinearEvidence>(gram, work.basis.unknowns, noise.options);
+  keepDiscrepancy(work, noise);
+  work.noise.push_back(std::move(noise));
+  return true;
+}
+
+/// That even an unknown function of the readings leaves.
+double errorBeyondRichest(const DiagnosisWork& work) {
+  const RichestFit richest = work.noise.front().evidence->richest();
+  return errorBeyondNoise(work, richest.chi2, work.noise.front().options.noise_rows - richest.numbers);
+}
+
+}  // namespace
+
+double logDensityOf(const ReadingWeights& weights) {
+  double log = -0.5 * weights.rows * std::log(2 * std::numbers::pi);
+  for (const MatrixXd& whitener : weights.whitener) log += std::log(std::abs(whitener.determinant()));
+  for (const SharedNoise& shared : weights.shared) log += (1 - shared.shrink.array()).log().sum();
+  return log;
+}
+
+bool linearize(DiagnosisWork& work) {
+  work.causes =
+      listCauses(work.basis.fitted, work.basis.readings, work.basis.unknowns, work.options.causes, work.options.hooks);
+  work.signatures = std::make_unique<Signatures>(work.basis.fitted, work.causes.causes);
+  work.discrepancy = std::make_unique<Discrepancy>(work.basis.fitted, work.basis.readings);
+  if (!addNoise(work, 0, 0)) return false;
+  const double more = errorBeyondRichest(work);
+  return !(more > 0) || doubtNoise(work, more);
+}
+
+double errorBeyondBest(const DiagnosisWork& work) {
+  // That of nothing missing is always among them.
+  const auto best = std::find_if(work.models.begin(), work.models.end(), [](const CompetingModel& model) {
+    return model.is_fitted && std::isfinite(model.log_evidence);
+  });
+  if (best == work.models.end()) return 0;
+  double numbers = 0;
+  for (const ModelTerm& term : best->terms) numbers += static_cast<double>(term.numbers.size());
+  return errorBeyondNoise(work, best->fit.chi2, work.noise.front().options.noise_rows - numbers);
+}
+
+bool doubtNoise(DiagnosisWork& work, double model_error) {
+  work.noise.front().log_prior = std::log1p(-kMoreNoise);
+  const bool is_added = addNoise(work, model_error, std::log(kMoreNoise));
+  work.kept_signatures.resize(0, 0);
+  return is_added;
+}
+
+}  // namespace tubeplan::calibration

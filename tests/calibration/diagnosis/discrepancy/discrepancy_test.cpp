@@ -1,0 +1,87 @@
+// The unknown remainder of ways between readings: the difference of what it is at both ends.
+#include "calibration/diagnosis/discrepancy/discrepancy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "calibration/diagnosis/diagnosis.hpp"
+#include "tests/calibration/bench_readings.hpp"
+#include "tests/calibration/synthetic_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+/// Three waves to a turn of the third joint: no catalogue has it.
+double hiddenAt(const VectorXd& q) { return 0.0012 * std::sin(3 * q[2] + 1); }
+
+void hideInReadings(std::vector<Measurement>& readings) {
+  for (auto& reading : readings) {
+    reading.q[2] -= hiddenAt(reading.q);
+    if (!reading.reference) continue;
+    auto from = std::make_shared<Measurement>(*reading.reference);
+    from->q[2] -= hiddenAt(from->q);
+    reading.reference = from;
+  }
+}
+
+std::vector<Measurement> ways(const PlacedArm& truth, int count, std::uint64_t seed, ReadingMaker::Noise noise) {
+  ReadingMaker maker(truth, seed, noise);
+  maker.add(MeasurementKind::kRelative, count);
+  hideInReadings(maker.readings);
+  return std::move(maker.readings);
+}
+
+/// Share of a hidden error's square that the process takes up, known by its noise as the readings are.
+double shareTaken(const PlacedArm& placed, const std::vector<Measurement>& readings) {
+  const auto weights = weighReadings(placed, readings);
+  const Discrepancy process(placed, readings);
+  const MatrixXd columns = process.columnsAt(readings, *weights);
+  const VectorXd error = whitenedResidual(placed, {}, readings, *weights, VectorXd(0), false).r;
+  constexpr double kSize = 0.002;  // m, of the process
+  const MatrixXd scaled = kSize * columns;
+  MatrixXd inner = MatrixXd::Identity(scaled.cols(), scaled.cols());
+  inner += scaled.transpose() * scaled;
+  const VectorXd left = error - scaled * inner.llt().solve(scaled.transpose() * error);
+  return 1 - left.squaredNorm() / error.squaredNorm();
+}
+
+TEST(Discrepancy, OfWaysIsTheDifferenceAtBothEnds) {
+  const PlacedArm placed = cobra();
+  const auto readings = ways(placed, 400, 3, ReadingMaker::Noise::kNone);
+  EXPECT_GT(shareTaken(placed, readings), 0.99);
+}
+
+// A way from a posture to itself is nothing, whatever errs.
+TEST(Discrepancy, OfAWayToWhereItBeganIsNothing) {
+  const PlacedArm placed = cobra();
+  auto readings = ways(placed, 40, 4, ReadingMaker::Noise::kNone);
+  for (std::size_t k = 0; k < 20; ++k) {
+    auto from = std::make_shared<Measurement>(readings[k]);
+    from->reference = nullptr;
+    readings[k].reference = from;
+  }
+  const auto weights = weighReadings(placed, readings);
+  const MatrixXd columns = Discrepancy(placed, readings).columnsAt(readings, *weights);
+  EXPECT_LE(columns.topRows(60).norm(), 1e-9 * columns.norm());
+  EXPECT_GT(columns.bottomRows(60).norm(), 0.5 * columns.norm());
+}
+
+TEST(Discrepancy, HiddenInWaysIsRecognisedAsARemainderOfItsJoint) {
+  const auto cell = shippedBench();
+  const PlacedArm truth{cell.arm, {{"", cell.X_WB, true}}};
+  const auto readings = ways(truth, 120, 6, ReadingMaker::Noise::kStated);
+  DiagnosisOptions options;
+  options.baseline.free = {cell.identify, false};
+  const Diagnosis found = diagnose(truth, readings, options);
+  EXPECT_EQ(found.verdict, Verdict::kUnexplained);
+  EXPECT_FALSE(found.isScatterAlone());
+  ASSERT_FALSE(found.remainder.follows.empty());
+  EXPECT_EQ(found.remainder.follows.front().first, "theta3");
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration

@@ -1,0 +1,173 @@
+// Readings proposed for what a diagnosis leaves open tell it: made by the true arm, they get the hidden effect named
+// where as many at random do not.
+#include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/studies/measurements/discrimination_candidates.hpp"
+#include "tests/calibration/bench_readings.hpp"
+
+namespace tubeplan::calibration {
+namespace {
+
+/// Readings in a narrow range of the last joint, under one load: what hides there is not told apart.
+struct Bench {
+  app::Cell cell = shippedBench();
+  deflection::Arm truth = cell.arm;
+  std::vector<Measurement> readings;
+
+  Bench(const std::string& effect, const std::string& at, const std::vector<double>& values, std::uint64_t seed,
+        int count = 40)
+      : random(seed) {
+    auto made = deflection::makeEffect(truth, effect, at).effect;
+    made.values = values;
+    truth.effects.push_back(made);
+    for (int k = 0; k < count; ++k) {
+      Measurement reading;
+      reading.load = (k % 2) * 20 * kPound;
+      reading.sigma = 0.003 * kInch;
+      reading.q.resize(4);
+      const double middle[] = {0, 75, -80, 0}, half[] = {60, 20, 20, 8};
+      for (int j = 0; j < 4; ++j) {
+        reading.q[j] = (middle[j] + half[j] * uniform(random)) * kDegree;
+        reading.approach_directions.push_back(uniform(random) > 0 ? 1 : -1);
+      }
+      take(reading);
+    }
+  }
+
+  /// The true arm's reading there, with noise of coordinates and encoders.
+  void take(Measurement reading) {
+    reading.id = std::to_string(readings.size() + 1);
+    reading.p_W.reset();
+    Eigen::Vector3d p = predictReading(truth, cell.X_WB, reading).value;
+    for (double& coordinate : p) coordinate += reading.sigma * normal(random);
+    reading.p_W = p;
+    for (int j = 0; j < 4; ++j) reading.q[j] += truth.joint(j).encoder_sigma * normal(random);
+    readings.push_back(reading);
+  }
+
+  [[nodiscard]] Diagnosis diagnosed() const {
+    DiagnosisOptions options;
+    options.baseline.free = {cell.identify, false};
+    return diagnose(benchStart(cell, readings), readings, options);
+  }
+
+  boost::random::mt19937_64 random;
+  boost::random::normal_distribution<double> normal;
+  boost::random::uniform_real_distribution<double> uniform{-1, 1};
+};
+
+/// The truth leads, and none of those it was to be split from is still beside it.
+bool isNamed(const Diagnosis& diagnosis, const std::vector<Explanation>& open, const std::string& truth) {
+  if (diagnosis.alternatives.empty() || nameOf(diagnosis.alternatives.front()) != truth) return false;
+  return std::none_of(diagnosis.alternatives.begin(), diagnosis.alternatives.end(), [&](const Explanation& left) {
+    return nameOf(left) != truth && std::any_of(open.begin(), open.end(), [&](const Explanation& explanation) {
+             return nameOf(explanation) == nameOf(left);
+           });
+  });
+}
+
+std::vector<ReadingCandidate> candidatesOf(const Bench& bench, const Diagnosis& diagnosis) {
+  return app::discriminationCandidates(bench.cell, diagnosis.baseline.fitted, bench.readings);
+}
+
+struct HiddenOne {
+  const char* effect;
+  const char* at;
+  std::vector<double> values;
+};
+
+struct Tally {
+  int open = 0, by_choice = 0, at_random = 0;
+};
+
+Tally tallyOf(const HiddenOne& hidden, int seeds) {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(seeds); ++seed) {
+    Bench bench(hidden.effect, hidden.at, hidden.values, seed);
+    const Diagnosis before = bench.diagnosed();
+    const auto candidates = candidatesOf(bench, before);
+    DiscriminationOptions few;  // so few that it matters which
+    few.count = 2;
+    const auto next = proposeDiscriminatingMeasurements(before, bench.readings, candidates, few);
+    if (next.status != DiscriminationStatus::kDone) continue;
+    ++tally.open;
+    const std::string truth = std::string(hidden.effect) + "@" + hidden.at;
+    Bench other = bench;
+    for (const auto& chosen : next.readings)
+      for (const auto& reading : candidates[static_cast<std::size_t>(chosen.candidate)].readings)
+        bench.take(conditionsOf(reading));
+    const auto random =
+        drawChoices(static_cast<int>(candidates.size()), static_cast<int>(next.readings.size()), 1, seed);
+    for (const int k : random.front())
+      for (const auto& reading : candidates[static_cast<std::size_t>(k)].readings) other.take(conditionsOf(reading));
+    tally.by_choice += isNamed(bench.diagnosed(), next.explanations, truth);
+    tally.at_random += isNamed(other.diagnosed(), next.explanations, truth);
+  }
+  return tally;
+}
+
+TEST(DiscriminatingMeasurements, GetTheHiddenEffectNamedMoreOftenThanRandomOnes) {
+  Tally all;
+  for (const HiddenOne& hidden :
+       {HiddenOne{"encoder-eccentricity", "theta4", {0.0012, 0.0012}}, HiddenOne{"joint-scale", "theta2", {0.0006}}}) {
+    const Tally tally = tallyOf(hidden, 3);
+    all.open += tally.open;
+    all.by_choice += tally.by_choice;
+    all.at_random += tally.at_random;
+  }
+  EXPECT_GE(all.open, 5);
+  EXPECT_GE(all.by_choice, all.open - 1);
+  EXPECT_GT(all.by_choice, all.at_random);
+}
+
+TEST(DiscriminatingMeasurements, AreToldWhatTheyWouldDo) {
+  Bench bench("encoder-eccentricity", "theta4", {0.0012, 0.0012}, 1);
+  const Diagnosis diagnosis = bench.diagnosed();
+  ASSERT_EQ(diagnosis.verdict, Verdict::kAmbiguous);
+  const auto candidates = candidatesOf(bench, diagnosis);
+  DiscriminationOptions options;
+  options.count = 3;
+  const auto few = proposeDiscriminatingMeasurements(diagnosis, bench.readings, candidates, options);
+  options.count = 9;
+  const auto many = proposeDiscriminatingMeasurements(diagnosis, bench.readings, candidates, options);
+  ASSERT_EQ(few.readings.size(), 3U);
+  ASSERT_EQ(many.readings.size(), 9U);
+  std::set<int> distinct;
+  for (const auto& reading : many.readings) distinct.insert(reading.candidate);
+  EXPECT_EQ(distinct.size(), many.readings.size());
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(few.readings[k].candidate, many.readings[k].candidate);
+  EXPECT_GT(few.readings.front().separation, 3);
+  EXPECT_GT(many.probability, few.probability);
+  // A divergence is never below none, and readings add to it, whichever of two is true.
+  for (const auto& pair : few.pairs) EXPECT_GE(pair.expected, pair.now - 1e-9);
+  for (std::size_t k = 0; k < few.pairs.size(); ++k) EXPECT_GE(many.pairs[k].expected, few.pairs[k].expected - 1e-9);
+}
+
+TEST(DiscriminatingMeasurements, OfOnePostureCannotSplitWhatDiffersElsewhere) {
+  // At a joint reading that never changes, every error of that joint's reading is the same.
+  Bench bench("encoder-eccentricity", "theta4", {0.0012, 0.0012}, 1);
+  const Diagnosis diagnosis = bench.diagnosed();
+  auto candidates = candidatesOf(bench, diagnosis);
+  for (auto& candidate : candidates)
+    for (auto& reading : candidate.readings) reading.q = bench.readings.front().q;
+  const auto next = proposeDiscriminatingMeasurements(diagnosis, bench.readings, candidates);
+  EXPECT_FALSE(next.never.empty());
+  EXPECT_FALSE(next.alternative_measurements.empty());
+}
+
+TEST(DiscriminatingMeasurements, AreNoneWhereNothingIsOpen) {
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::kAdequate;
+  const auto next = proposeDiscriminatingMeasurements(diagnosis, {}, {});
+  EXPECT_EQ(next.status, DiscriminationStatus::kNothingToDiscriminate);
+  EXPECT_TRUE(next.readings.empty());
+  EXPECT_TRUE(openExplanations(diagnosis, 8).empty());
+}
+
+}  // namespace
+}  // namespace tubeplan::calibration
