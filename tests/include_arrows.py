@@ -21,7 +21,23 @@ ARROWS = {
     'calibration/forecast': 'calibration calibration/measurements calibration/estimation',
     'calibration/measurement_checks': 'calibration calibration/measurements calibration/estimation',
     'calibration/patterns': 'calibration calibration/measurements calibration/estimation',
-    'calibration/diagnosis': 'calibration calibration/measurements calibration/estimation calibration/design calibration/patterns',
+    # The stages of a diagnosis, each upon those before it; its verb stands on top (docs/design.md).
+    'calibration/diagnosis/causes': 'calibration calibration/measurements calibration/estimation',
+    'calibration/diagnosis/discrepancy': 'calibration calibration/measurements calibration/estimation',
+    'calibration/diagnosis/evidence': 'calibration',
+    'calibration/diagnosis/explanations': 'calibration calibration/measurements calibration/estimation '
+                                          'calibration/diagnosis/causes',
+    'calibration/diagnosis/model_selection': 'calibration calibration/measurements calibration/estimation '
+                                             'calibration/diagnosis/causes calibration/diagnosis/discrepancy '
+                                             'calibration/diagnosis/evidence calibration/diagnosis/explanations',
+    'calibration/diagnosis/judgement': 'calibration calibration/measurements calibration/estimation calibration/patterns '
+                                       'calibration/diagnosis/explanations calibration/diagnosis/model_selection',
+    'calibration/diagnosis/discrimination': 'calibration calibration/measurements calibration/design '
+                                            'calibration/estimation calibration/diagnosis/explanations '
+                                            'calibration/diagnosis/judgement',
+    'calibration/diagnosis': 'calibration calibration/measurements calibration/estimation '
+                             'calibration/diagnosis/explanations calibration/diagnosis/model_selection '
+                             'calibration/diagnosis/judgement',
     # A plan of visits stands on top of planner's folders, the cell that they all look at beneath most of them.
     'planner/scene': 'deflection tubesheets',
     'planner/workcell': 'planner/scene',

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "calibration/design/next_readings.hpp"
-#include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/diagnosis/judgement/diagnosis_result.hpp"
 
 namespace tubeplan::calibration {
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "calibration/diagnosis/causes/cause.hpp"
 #include "calibration/estimation/held_out.hpp"
 
 namespace tubeplan::calibration {

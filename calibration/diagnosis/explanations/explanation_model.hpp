@@ -1,7 +1,7 @@
 // A model with causes added: its numbers for further fits, and how it does on readings kept out.
 #pragma once
 
-#include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/diagnosis/explanations/explanation.hpp"
 #include "calibration/estimation/fitted_basis.hpp"
 
 namespace tubeplan::calibration {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/diagnosis/causes/cause.hpp"
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
 #include "calibration/estimation/size_modes.hpp"
 

@@ -1,7 +1,7 @@
 // The sizes of the effects of an explanation where readings say only that they are among several.
 #pragma once
 
-#include "calibration/diagnosis/diagnosis.hpp"
+#include "calibration/diagnosis/explanations/explanation.hpp"
 #include "calibration/estimation/fitted_basis.hpp"
 
 namespace tubeplan::calibration {

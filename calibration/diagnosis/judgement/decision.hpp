@@ -1,6 +1,7 @@
 // From what is probable to the verdict.
 #pragma once
 
+#include "calibration/diagnosis/judgement/diagnosis_result.hpp"
 #include "calibration/diagnosis/judgement/posterior.hpp"
 
 namespace tubeplan::calibration {

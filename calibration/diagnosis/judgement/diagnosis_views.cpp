@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
+#include "calibration/diagnosis/judgement/diagnosis_result.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 

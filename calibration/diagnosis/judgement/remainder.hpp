@@ -1,6 +1,7 @@
 // What is left beside the causes of a model.
 #pragma once
 
+#include "calibration/diagnosis/judgement/diagnosis_result.hpp"
 #include "calibration/diagnosis/judgement/same_posture.hpp"
 #include "calibration/diagnosis/model_selection/competing_models.hpp"
 #include "calibration/estimation/repeats.hpp"

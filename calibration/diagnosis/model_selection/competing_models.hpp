@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "calibration/diagnosis/causes/signatures.hpp"
-#include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/diagnosis/discrepancy/discrepancy.hpp"
 #include "calibration/diagnosis/evidence/linear_evidence.hpp"
 #include "calibration/diagnosis/evidence/single_source.hpp"
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
+#include "calibration/diagnosis/model_selection/diagnosis_options.hpp"
 
 namespace tubeplan::calibration {
 
