@@ -38,7 +38,7 @@ void rankCatalogue(benchmark::State& state) {
   const FittedBasis basis = basisOf(identify(c.start, c.readings, quick), c.readings);
   std::size_t candidates = 0;
   for (auto _ : state) {
-    const CauseList list = listCauses(basis.fitted, basis.readings, basis.unknowns, c.options.causes);
+    const CauseList list = listCauses(basis.fitted, basis.readings, basis.unknowns);
     const Signatures signatures(basis.fitted, list.causes);
     const Eigen::MatrixXd S = signatures.columnsAt(basis.readings, basis.weights);
     EvidenceGram gram;

@@ -34,6 +34,19 @@ inline void goOn(const StopQuestion& stop) {
   if (shouldStop(stop)) throw WorkStopped{};
 }
 
+/// Returns what a verb's work gives or, where it was stopped, a result that says so by its status.
+template <class Result, class Status, class Work>
+[[nodiscard]] Result unlessStopped(Status Result::*status, Status stopped, const Work& work) {
+  try {
+    return work();
+  } catch (const WorkStopped&) {
+    Result result;
+    result.*status = stopped;
+    result.reason = kStoppedReason;
+    return result;
+  }
+}
+
 inline void reportProgress(const WorkHooks& hooks, std::string_view stage, std::size_t done = 0,
                            std::size_t total = 0) {
   goOn(hooks.stop);

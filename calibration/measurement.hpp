@@ -15,7 +15,10 @@ namespace tubeplan::calibration {
 
 using deflection::Condition;
 
-/// Kind of a reading, with the index of its row in the table of measurements/measurement_kinds.hpp.
+/// A figure that nobody has stated or worked out.
+inline constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+
+/// Rows of the table in measurements/measurement_kinds.hpp, which says what each measures.
 enum class MeasurementKind {
   kPosition,     ///< p_W is the measured place of the tip
   kTouch,        ///< the tip rests centred at `point`; p_W is that place where it is known
@@ -67,21 +70,28 @@ struct Measurement {
   std::optional<Surface> surface;
   std::optional<int> row;  ///< row of the arm whose deflected frame is read, for kinds that may; nothing: the tool's
   /// Numbers of its kind's own columns, in their order; NaN = not stated.
-  Eigen::Vector3d own = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  double turn_sigma = std::numeric_limits<double>::quiet_NaN();  ///< standard deviation of a measured angle [rad]
-  /// Standard deviation of each measured coordinate [m]; NaN = not stated.
-  double sigma = std::numeric_limits<double>::quiet_NaN();
-  std::optional<Eigen::Vector3d> sigma_W;  ///< separate standard deviations of x, y and z, if they differ [m]
-  /// Correlations of x with y, x with z, y with z, only with sigma_W; nothing: uncorrelated.
-  std::optional<Eigen::Vector3d> correlation_W;
-  /// Direction of each joint's last motion: -1, 0 (unknown), +1; empty if not stated.
-  std::vector<int> approach_directions;
-  deflection::ConditionValues conditions;  ///< stated conditions
-  bool is_held_out = false;                ///< true: not used in the fit, which is judged by it
-  int line = 0;                            ///< line in its file, from 1
+  Eigen::Vector3d own = Eigen::Vector3d::Constant(kNotKnown);
+  double turn_sigma = kNotKnown;                 ///< rad, one standard deviation of a measured angle
+  double sigma = kNotKnown;                      ///< m, one standard deviation of each measured coordinate;
+                                                 ///< NaN = not stated
+  std::optional<Eigen::Vector3d> sigma_W;        ///< m, the same of x, y and z apart, where they differ
+  std::optional<Eigen::Vector3d> correlation_W;  ///< of x with y, x with z, y with z; only beside sigma_W. None: no two
+                                                 ///< of them have errors in common
+  std::vector<int> approach_directions;  ///< of each joint's last motion: -1, 0 (not known), +1; empty where not stated
+  deflection::ConditionValues conditions;  ///< that it states
+  bool is_held_out = false;                ///< kept from the fit, to judge it by
+  int line = 0;                            ///< in its file, from 1
 };
 
-/// Returns the readings without those at these indices, which must ascend.
+/// Returns the items at these places, in their order.
+template <class Item>
+[[nodiscard]] std::vector<Item> picked(const std::vector<Item>& all, const std::vector<int>& places) {
+  std::vector<Item> some;
+  for (const int place : places) some.push_back(all.at(static_cast<std::size_t>(place)));
+  return some;
+}
+
+/// Without those at these places, which ascend.
 [[nodiscard]] inline std::vector<Measurement> withoutReadings(std::vector<Measurement> readings,
                                                               const std::vector<int>& places) {
   int place = 0;

@@ -165,6 +165,10 @@ int basePoseOf(const PlacedArm& placed, const Measurement& reading) {
   return static_cast<int>(found - placed.base_poses.begin());
 }
 
+const Eigen::Isometry3d& basePoseAt(const PlacedArm& placed, const Measurement& reading) {
+  return placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
+}
+
 std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::string& name) {
   const bool is_part = name.find('.') != std::string::npos;
   // Without a known base, the base's pose replaces the shift of the first axis.

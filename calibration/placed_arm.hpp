@@ -58,10 +58,17 @@ void takeSizePrior(const deflection::EffectParameter& parameter, Unknown& unknow
   return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns.size()));
 }
 
-/// Prior knowledge of the numbers, as standard deviations about the values of the arm's file. Lengths and angles of
-/// frames, joint offsets, the tip and the tool's rotation have priors of their own. Sizes of effects are neutral within
-/// the largest on real machines. All others have a weak prior, a multiple of their likely error (Unknown::typical),
-/// which data soon outweigh.
+/// Returns what the variables may well be off by: Unknown::typical.
+[[nodiscard]] inline Eigen::VectorXd typicalsOf(const std::vector<Unknown>& unknowns) {
+  Eigen::VectorXd typicals = zerosOf(unknowns);
+  for (std::size_t k = 0; k < unknowns.size(); ++k) typicals[static_cast<Eigen::Index>(k)] = unknowns[k].typical;
+  return typicals;
+}
+
+/// What is known of the numbers beforehand, as standard deviations about the values of the arm's file: a drawing is
+/// knowledge. Lengths and angles of frames, joint offsets, the tip and the tool's turn have a prior of their own; sizes
+/// of effects are none, give or take the largest that real machines have; all others have a weak prior, a multiple of
+/// what a number may well be off by (Unknown::typical), which data soon outweigh.
 struct Priors {
   double length = 0.005;  ///< [m]
   double angle = 0.02;    ///< [rad]
@@ -83,7 +90,10 @@ struct PlacedArm {
 /// Returns the index of the base pose of a reading, whose set-up must be one of them.
 [[nodiscard]] int basePoseOf(const PlacedArm& placed, const Measurement& reading);
 
-/// Reason why a name cannot be freed.
+/// Returns the pose X_WB of the base that a reading was made from.
+[[nodiscard]] const Eigen::Isometry3d& basePoseAt(const PlacedArm& placed, const Measurement& reading);
+
+/// Why the names cannot be freed; empty where they can.
 struct FreeProblem {
   std::string name, found, expected;
 };

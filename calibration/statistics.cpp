@@ -28,6 +28,16 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+std::vector<double> probabilitiesOf(const std::vector<double>& log_weights) {
+  if (log_weights.empty()) return {};
+  const double most = *std::ranges::max_element(log_weights);
+  std::vector<double> probabilities;
+  double total = 0;
+  for (const double log : log_weights) total += probabilities.emplace_back(std::exp(log - most));
+  for (double& probability : probabilities) probability /= total;
+  return probabilities;
+}
+
 double chiSquareTail(double chi2, double degrees_of_freedom) {
   if (degrees_of_freedom <= 0 || std::isnan(chi2)) return kNothing;
   if (std::isinf(chi2)) return 0;

@@ -9,7 +9,10 @@ namespace tubeplan::calibration {
 /// Returns the median; of an even number of values the upper of the middle two, of none NaN.
 [[nodiscard]] double median(std::vector<double> values);
 
-/// Returns the upper tail of chi-square; NaN without degrees of freedom.
+/// Returns the probabilities, one together, of alternatives with these logs of weights.
+[[nodiscard]] std::vector<double> probabilitiesOf(const std::vector<double>& log_weights);
+
+/// Upper tail of chi-square; NaN where there is no freedom.
 [[nodiscard]] double chiSquareTail(double chi2, double degrees_of_freedom);
 
 /// Returns the lower tail of chi-square: the probability that noise alone leaves as little.

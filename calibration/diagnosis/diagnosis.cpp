@@ -9,13 +9,13 @@
 #include "calibration/diagnosis/judgement/decision.hpp"
 #include "calibration/diagnosis/judgement/posterior.hpp"
 #include "calibration/diagnosis/judgement/ranking.hpp"
+#include "calibration/diagnosis/judgement/readings_kept_out.hpp"
 #include "calibration/diagnosis/judgement/remainder.hpp"
 #include "calibration/diagnosis/model_selection/leading_models.hpp"
 #include "calibration/diagnosis/model_selection/model_search.hpp"
 #include "calibration/diagnosis/model_selection/noise_hypotheses.hpp"
 #include "calibration/estimation/evidence.hpp"
 #include "calibration/estimation/fit.hpp"
-#include "calibration/estimation/held_out.hpp"
 #include "calibration/estimation/set_aside.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
@@ -25,7 +25,6 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kMostClosest = 8;
-constexpr std::size_t kMostJudged = 3;
 constexpr double kBaselineTolerance = 1e-6;  // share of chi-square; every model is fitted again about it
 constexpr double kOutlier = 14.8;  // log odds against a reading being an outlier of 30 sigmas in three coordinates
 
@@ -151,10 +150,8 @@ Answer compareAll(Identification baseline, const std::vector<Measurement>& all, 
   Answer found(options);
   found.result.set_aside = set_aside;
   std::vector<Measurement> used;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const bool is_set_aside = std::binary_search(set_aside.begin(), set_aside.end(), static_cast<int>(k));
-    if (!is_set_aside) (all[k].is_held_out ? found.held_out : used).push_back(all[k]);
-  }
+  for (const Measurement& reading : withoutReadings(all, set_aside))
+    (reading.is_held_out ? found.held_out : used).push_back(reading);
   found.result.baseline = std::move(baseline);
   const auto status = found.result.baseline.status;
   const bool is_usable = (status == IdentificationStatus::kDone || status == IdentificationStatus::kNotConverged) &&
@@ -169,71 +166,6 @@ Answer compareAll(Identification baseline, const std::vector<Measurement>& all, 
   describeBaseline(found.work, found.result);
   weighModels(found);
   return found;
-}
-
-/// What does not lower the error on readings kept out explains nothing.
-void dropWhatDoesNotHelp(Diagnosis& result) {
-  const std::size_t before = result.alternatives.size();
-  std::erase_if(result.alternatives, [&](const Explanation& explanation) {
-    return std::isfinite(explanation.heldout.rms) && explanation.heldout.rms >= result.heldout_before.rms;
-  });
-  if (result.alternatives.empty() && result.verdict == Verdict::kPartlyExplained) {
-    result.verdict = Verdict::kUnexplained;  // that something is missing is sure all the same
-  } else if (result.alternatives.empty()) {
-    result.verdict = Verdict::kInconclusive;
-    result.reason =
-        "what explains the fitted readings does not lower the error of held-out readings; needed: more readings";
-  } else if (result.verdict == Verdict::kAmbiguous && before > 1 && result.alternatives.size() == 1) {
-    result.verdict = Verdict::kExplained;
-  }
-}
-
-void judgeAll(const Answer& found, Diagnosis& result) {
-  const DiagnosisWork& work = found.work;
-  const auto folds = foldsOf(work.basis.readings, work.options.folds, work.options.seed);
-  const ExplanationModel bare{work.basis.fitted, work.basis.unknowns};
-  const auto farthest = farthestQuarter(work.basis.fitted, work.basis.readings);
-  const auto held_out = judgeable(work.basis.fitted, work.basis.readings, found.held_out);
-  const auto judged = [&](const ExplanationModel& model, double model_error) {
-    return found.held_out.empty() ? judgeOnFolds(work.basis, model, folds, model_error) : judge(model.placed, held_out);
-  };
-  reportProgress(work.options.hooks, "readings kept out");
-  result.heldout_before = judged(bare, result.baseline.model_error);
-  result.heldout_after = result.heldout_before;
-  result.farthest_before = judgeOnFolds(work.basis, bare, farthest, result.baseline.model_error);
-  result.after = result.before;
-  const auto judgeEach = [&](std::vector<Explanation>& explanations) {
-    const std::size_t most = std::min(explanations.size(), kMostJudged);
-    for (std::size_t k = 0; k < most; ++k) {
-      reportProgress(work.options.hooks, "readings kept out", k + 1, most + 1);
-      const ExplanationModel model = modelOf(work.basis, explanations[k]);
-      explanations[k].heldout = judged(model, explanations[k].model_error);
-      explanations[k].farthest = judgeOnFolds(work.basis, model, farthest, explanations[k].model_error);
-    }
-  };
-  auto& explanations = result.alternatives.empty() ? result.closest : result.alternatives;
-  judgeEach(explanations);
-  if (result.agreed) {
-    const ExplanationModel model = modelOf(work.basis, *result.agreed);
-    result.agreed->heldout = judged(model, result.agreed->model_error);
-    result.agreed->farthest = judgeOnFolds(work.basis, model, farthest, result.agreed->model_error);
-  }
-  for (auto& entry : result.ranking) {
-    entry.heldout_before = result.heldout_before;
-    for (const auto& explanation : explanations)
-      if (explanation.effects.size() == 1 && explanation.effects.front().effect == entry.effect &&
-          explanation.effects.front().at == entry.at)
-        entry.heldout_after = explanation.heldout;
-  }
-  if (result.alternatives.empty()) return;
-  dropWhatDoesNotHelp(result);
-  if (result.verdict == Verdict::kUnexplained) {
-    result.remainder = remainderOf(work, work.models.front());
-    judgeEach(result.closest);
-  }
-  if (result.alternatives.empty()) return;
-  result.after = result.alternatives.front().after;
-  result.heldout_after = result.alternatives.front().heldout;
 }
 
 /// How far alternatives differ over the arm's range.
@@ -251,7 +183,7 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   if (!found.work.basis.residual.ok || !found.is_found) return std::move(result);
   listDetectable(found.work, result);
   for (auto& alternative : result.alternatives) findSizeSets(found.work.basis, alternative);
-  judgeAll(found, result);
+  judgeByReadingsKeptOut(found.work, found.held_out, result);
   setApart(found.work, result);
   goOn(found.work.options.hooks.stop);
   result.views = viewsOf(found.work.basis, result, all);
@@ -283,8 +215,7 @@ Diagnosis concluded(Answer found, const std::vector<Measurement>& all) {
   return completed(std::move(found), all);
 }
 
-Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measurement>& readings,
-                                const DiagnosisOptions& options) {
+Diagnosis diagnosed(const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options) {
   Identification baseline = fitBaseline(start, readings, options);
   const BaselineFit fit = [&](const std::vector<Measurement>& some, RobustLoss loss) {
     return fitBaseline(start, some, options, loss);
@@ -307,14 +238,7 @@ Diagnosis diagnoseUnlessStopped(const PlacedArm& start, const std::vector<Measur
 }  // namespace
 
 Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings, const DiagnosisOptions& options) {
-  try {
-    return diagnoseUnlessStopped(start, readings, options);
-  } catch (const WorkStopped&) {
-    Diagnosis stopped;
-    stopped.verdict = Verdict::kStopped;
-    stopped.reason = kStoppedReason;
-    return stopped;
-  }
+  return unlessStopped(&Diagnosis::verdict, Verdict::kStopped, [&] { return diagnosed(start, readings, options); });
 }
 
 CompetingExplanations competingExplanations(const PlacedArm& start, const std::vector<Measurement>& readings,
@@ -328,9 +252,8 @@ CompetingExplanations competingExplanations(const PlacedArm& start, const std::v
     fitLeaders(found.work);
     CompetingExplanations all;
     for (const CompetingModel& model : found.work.models)
-      if (model.is_fitted && std::isfinite(model.log_evidence)) all.found.push_back(model.fit);
-    std::stable_sort(all.found.begin(), all.found.end(),
-                     [](const Explanation& a, const Explanation& b) { return a.criterion < b.criterion; });
+      if (model.hasFit()) all.found.push_back(model.fit);
+    std::ranges::stable_sort(all.found, {}, &Explanation::criterion);
     for (const auto& effects : asked) all.asked.push_back(fittedModelOf(found.work, effects).fit);
     return all;
   } catch (const WorkStopped&) {

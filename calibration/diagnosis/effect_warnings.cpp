@@ -14,6 +14,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
+constexpr double kGap = 8;          // of -2 log of the posterior
+constexpr double kLack = 0.003;     // p of the lack of fit below which more is missing
 constexpr double kNearNeutral = 2;  // sigmas
 constexpr double kByChance = 0.05;  // p from which a fall is noise
 constexpr int kRivals = 6;          // models that are fitted in place of an effect
@@ -26,8 +28,16 @@ struct Case {
   IdentificationOptions options;             ///< of the fit with all effects, untold
   const Identification& with;
   ErrorSize heldout;
-  const EffectWarningOptions& limits;
+
+  [[nodiscard]] const deflection::Effect& carried(int effect) const {
+    return start.arm.effects[static_cast<std::size_t>(effect)];
+  }
 };
+
+/// What the table of effects says of a fitted number of one.
+const deflection::EffectParameter& parameterOf(const deflection::Effect& effect, const IdentifiedNumber& number) {
+  return deflection::numbersOf(effect)[static_cast<std::size_t>(number.unknown.path.value)];
+}
 
 /// The fitted numbers of an effect.
 std::vector<const IdentifiedNumber*> fittedNumbers(const Identification& with, int effect) {
@@ -36,12 +46,6 @@ std::vector<const IdentifiedNumber*> fittedNumbers(const Identification& with, i
     if (number.unknown.owner == Unknown::Owner::kArm && number.unknown.path.effect == effect)
       numbers.push_back(&number);
   return numbers;
-}
-
-bool isFreed(const Identification& with, int effect) {
-  return std::any_of(with.numbers.begin(), with.numbers.end(), [&](const IdentifiedNumber& number) {
-    return number.unknown.owner == Unknown::Owner::kArm && number.unknown.path.effect == effect;
-  });
 }
 
 PlacedArm withoutEffect(PlacedArm placed, int effect) {
@@ -61,7 +65,7 @@ std::vector<std::string> namesOfOthers(const deflection::Arm& arm, const std::ve
 
 /// The model without one effect, the rest fitted.
 struct Without {
-  double chi2 = std::numeric_limits<double>::quiet_NaN();
+  double chi2 = kNotKnown;
   ErrorSize heldout;
 };
 
@@ -71,7 +75,7 @@ Without asItStands(const PlacedArm& placed, const std::vector<Measurement>& read
   const auto weights = weighReadings(placed, fitted);
   if (!weights) return {};
   const auto residual = whitenedResidual(placed, {}, fitted, *weights, {}, false);
-  return {residual.ok ? residual.r.squaredNorm() : std::numeric_limits<double>::quiet_NaN(),
+  return {residual.ok ? residual.r.squaredNorm() : kNotKnown,
           held_out.empty() ? judge(placed, fitted) : judge(placed, judgeable(placed, fitted, held_out))};
 }
 
@@ -81,8 +85,8 @@ Without fitWithout(const Case& c, int effect) {
   options.free.names = namesOfOthers(c.start.arm, c.options.free.names, effect);
   options.intervals_by_profile = false;
   options.drop_level = 0;
-  const bool places = options.free.base && std::any_of(bare.base_poses.begin(), bare.base_poses.end(),
-                                                       [](const BasePose& p) { return !p.is_known; });
+  const bool places =
+      options.free.base && std::ranges::any_of(bare.base_poses, [](const BasePose& p) { return !p.is_known; });
   if (options.free.names.empty() && !places) return asItStands(bare, c.readings);
   const Identification fit = identify(bare, c.readings, options);
   goOn(options.hooks.stop);
@@ -90,30 +94,28 @@ Without fitWithout(const Case& c, int effect) {
 }
 
 bool isAtNeutral(const deflection::Effect& effect, const std::vector<const IdentifiedNumber*>& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [&](const IdentifiedNumber* number) {
-    const auto& parameter = deflection::numbersOf(effect)[static_cast<std::size_t>(number->unknown.path.value)];
+  return std::ranges::all_of(numbers, [&](const IdentifiedNumber* number) {
+    const auto& parameter = parameterOf(effect, *number);
     return parameter.is_shape || !(std::abs(number->value - parameter.neutral) > kNearNeutral * number->sigma);
   });
 }
 
 /// Of a fall by noise alone; halved where a single size can only go one way from neutral.
-double chanceOfFall(double fall, const deflection::Arm& arm, const deflection::Effect& effect,
-                    const std::vector<const IdentifiedNumber*>& numbers) {
+double chanceOfFall(const Case& c, double fall, int effect, const std::vector<const IdentifiedNumber*>& numbers) {
   if (numbers.empty() || !(fall > 0)) return 1;
   const double p = chiSquareTail(fall, static_cast<double>(numbers.size()));
   if (numbers.size() > 1) return p;
-  const int value = numbers.front()->unknown.path.value;
-  const auto bounds = deflection::numberOf(arm, effect, value);
-  const double neutral = deflection::numbersOf(effect)[static_cast<std::size_t>(value)].neutral;
+  const auto& carried = c.carried(effect);
+  const auto bounds = deflection::numberOf(c.start.arm, carried, numbers.front()->unknown.path.value);
+  const double neutral = parameterOf(carried, *numbers.front()).neutral;
   return bounds.lower == neutral || bounds.upper == neutral ? p / 2 : p;
 }
 
 EffectWarning named(const Case& c, int effect, EffectWarningKind kind) {
-  const auto& carried = c.start.arm.effects[static_cast<std::size_t>(effect)];
   EffectWarning warning;
   warning.kind = kind;
-  warning.effect = kindOf(carried).name;
-  const std::string text = deflection::textOf(c.start.arm, carried);
+  warning.effect = kindOf(c.carried(effect)).name;
+  const std::string text = deflection::textOf(c.start.arm, c.carried(effect));
   warning.at = text.substr(text.find('@') + 1);
   return warning;
 }
@@ -122,21 +124,19 @@ EffectWarning named(const Case& c, int effect, EffectWarningKind kind) {
 EffectWarning unneeded(const Case& c, int effect, double gain) {
   const Without without = fitWithout(c, effect);
   const auto numbers = fittedNumbers(c.with, effect);
-  const auto& carried = c.start.arm.effects[static_cast<std::size_t>(effect)];
   EffectWarning warning = named(c, effect, EffectWarningKind::kNotNeeded);
   warning.fall = without.chi2 - c.with.chi2;
-  warning.p_value = chanceOfFall(warning.fall, c.start.arm, carried, numbers);
+  warning.p_value = chanceOfFall(c, warning.fall, effect, numbers);
   warning.is_within_noise = gain <= 0;
-  warning.is_at_neutral = isAtNeutral(carried, numbers);
+  warning.is_at_neutral = isAtNeutral(c.carried(effect), numbers);
   warning.heldout_with = c.heldout;
   warning.heldout_without = without.heldout;
   return warning;
 }
 
 void findBeyondPlausible(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
-  const auto& carried = c.start.arm.effects[static_cast<std::size_t>(effect)];
   for (const auto* number : fittedNumbers(c.with, effect)) {
-    const auto& parameter = deflection::numbersOf(carried)[static_cast<std::size_t>(number->unknown.path.value)];
+    const auto& parameter = parameterOf(c.carried(effect), *number);
     if (parameter.is_shape || std::isnan(number->sigma)) continue;
     if (!(std::abs(number->value - parameter.neutral) > parameter.plausible + kNearNeutral * number->sigma)) continue;
     EffectWarning warning = named(c, effect, EffectWarningKind::kBeyondPlausible);
@@ -148,7 +148,7 @@ void findBeyondPlausible(const Case& c, int effect, std::vector<EffectWarning>& 
 
 bool hasShape(const deflection::Effect& effect) {
   const auto& parameters = deflection::numbersOf(effect);
-  return std::any_of(parameters.begin(), parameters.end(), [](const auto& parameter) { return parameter.is_shape; });
+  return std::ranges::any_of(parameters, [](const auto& parameter) { return parameter.is_shape; });
 }
 
 const FoundEffect* find(const Explanation& explanation, const EffectWarning& warning) {
@@ -161,7 +161,7 @@ const FoundEffect* find(const Explanation& explanation, const EffectWarning& war
 void judgeByFit(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
   EffectWarning not_needed = unneeded(c, effect, 0);
   not_needed.is_within_noise = not_needed.p_value > kByChance;
-  if (!(not_needed.fall >= c.limits.gap)) warnings.push_back(not_needed);
+  if (!(not_needed.fall >= kGap)) warnings.push_back(not_needed);
 }
 
 /// The effect taken out and everything that could stand in its place weighed, itself among them.
@@ -190,39 +190,32 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
     return;
   }
   const double gain = nothing->criterion - own->criterion;
-  const bool is_beaten = other && other->criterion + c.limits.gap < own->criterion;
-  if (gain < c.limits.gap) {
+  const bool is_beaten = other && other->criterion + kGap < own->criterion;
+  if (gain < kGap) {
     const EffectWarning not_needed = unneeded(c, effect, gain);
     // What takes much of the error, and yet no evidence speaks for it, stands in for another.
-    if (!is_beaten || not_needed.p_value > c.limits.lack_of_fit) {
+    if (!is_beaten || not_needed.p_value > kLack) {
       warnings.push_back(not_needed);
       return;
     }
   }
-  const bool may_reshape = hasShape(c.start.arm.effects[static_cast<std::size_t>(effect)]);
-  if (may_reshape && own->effects.size() == 1 && own->chi2 + c.limits.gap < c.with.chi2) {
-    warning.better = *find(*own, warning);
-    warning.by = c.with.chi2 - own->chi2;
-    warnings.push_back(warning);
-  } else if (is_beaten) {
-    warning.better = other->effects.front();
-    warning.by = own->criterion - other->criterion;
-    warnings.push_back(warning);
-  }
+  const bool may_reshape = hasShape(c.carried(effect));
+  const bool is_reshaped = may_reshape && own->effects.size() == 1 && own->chi2 + kGap < c.with.chi2;
+  if (!is_reshaped && !is_beaten) return;
+  warning.better = is_reshaped ? *find(*own, warning) : other->effects.front();
+  warning.by = is_reshaped ? c.with.chi2 - own->chi2 : own->criterion - other->criterion;
+  warnings.push_back(warning);
 }
 
 /// What chi-square would rise by without the effect, by the fit's covariance: Wald's statistic of its sizes.
 double riseWithout(const Case& c, int effect) {
-  const auto& carried = c.start.arm.effects[static_cast<std::size_t>(effect)];
   std::vector<Eigen::Index> which;
   std::vector<double> sizes;
-  for (std::size_t k = 0; k < c.with.numbers.size(); ++k) {
-    const IdentifiedNumber& number = c.with.numbers[k];
-    if (number.unknown.owner != Unknown::Owner::kArm || number.unknown.path.effect != effect) continue;
-    const auto& parameter = deflection::numbersOf(carried)[static_cast<std::size_t>(number.unknown.path.value)];
+  for (const auto* number : fittedNumbers(c.with, effect)) {
+    const auto& parameter = parameterOf(c.carried(effect), *number);
     if (parameter.is_shape) continue;
-    which.push_back(static_cast<Eigen::Index>(k));
-    sizes.push_back(variableAt(number.unknown, number.value) - variableAt(number.unknown, parameter.neutral));
+    which.push_back(number - c.with.numbers.data());
+    sizes.push_back(variableAt(number->unknown, number->value) - variableAt(number->unknown, parameter.neutral));
   }
   const auto x = Eigen::Map<const Eigen::VectorXd>(sizes.data(), static_cast<Eigen::Index>(sizes.size()));
   return x.dot(c.with.covariance(which, which).ldlt().solve(x));
@@ -231,18 +224,12 @@ double riseWithout(const Case& c, int effect) {
 /// Of a model so large that fits in place of every effect would take minutes: by the covariance alone.
 void judgeByCovariance(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
   const double gain = riseWithout(c, effect);
-  if (!(gain >= c.limits.gap)) warnings.push_back(unneeded(c, effect, gain - c.limits.gap));
+  if (!(gain >= kGap)) warnings.push_back(unneeded(c, effect, gain - kGap));
 }
 
 bool isLarge(const Case& c, std::size_t effects) {
   const auto work = static_cast<double>(c.with.numbers.size()) * static_cast<double>(c.readings.size());
   return work * static_cast<double>(effects) > kMostWork && c.with.covariance.size() > 0;
-}
-
-EffectWarning remaining(const Case& c, int effect, double p_value) {
-  EffectWarning warning = named(c, effect, EffectWarningKind::kLackOfFitRemains);
-  warning.p_value = p_value;
-  return warning;
 }
 
 std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& effects, const DiagnosisOptions& options,
@@ -256,7 +243,9 @@ std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& eff
     else
       judgeEffect(c, e, options, warnings);
     findBeyondPlausible(c, e, warnings);
-    if (c.with.p_value < c.limits.lack_of_fit) warnings.push_back(remaining(c, e, c.with.p_value));
+    if (!(c.with.p_value < kLack)) continue;
+    warnings.push_back(named(c, e, EffectWarningKind::kLackOfFitRemains));
+    warnings.back().p_value = c.with.p_value;
   }
   return warnings;
 }
@@ -274,20 +263,19 @@ std::vector<EffectWarning> unlessStopped(Work work) {
 }  // namespace
 
 std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
-                                         const IdentificationOptions& options, const Identification& fitted,
-                                         const EffectWarningOptions& limits) {
+                                         const IdentificationOptions& options, const Identification& fitted) {
   const bool is_usable =
       fitted.status == IdentificationStatus::kDone || fitted.status == IdentificationStatus::kNotConverged;
   std::vector<int> freed;
   for (int e = 0; e < static_cast<int>(start.arm.effects.size()); ++e)
-    if (is_usable && isFreed(fitted, e)) freed.push_back(e);
+    if (is_usable && !fittedNumbers(fitted, e).empty()) freed.push_back(e);
   if (freed.empty()) return {};
   IdentificationOptions quiet = options;
   quiet.hooks = withoutProgress(options.hooks);
   DiagnosisOptions look;
   look.baseline = quiet;
   look.hooks = quiet.hooks;
-  const Case c{start, readings, quiet, fitted, fitted.heldout, limits};
+  const Case c{start, readings, quiet, fitted, fitted.heldout};
   return unlessStopped([&] {
     reportProgress(options.hooks, "effects of the cell");
     return warningsOf(c, freed, look, options.hooks);
@@ -295,8 +283,7 @@ std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vect
 }
 
 std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
-                                         const DiagnosisOptions& options, const Diagnosis& diagnosis,
-                                         const EffectWarningOptions& limits) {
+                                         const DiagnosisOptions& options, const Diagnosis& diagnosis) {
   if (diagnosis.verdict == Verdict::kNotRun || diagnosis.verdict == Verdict::kStopped) return {};
   if (start.arm.effects.empty()) return {};
   const auto used = withoutReadings(readings, diagnosis.set_aside);
@@ -308,7 +295,7 @@ std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vect
   look.hooks = fit.hooks;
   std::vector<int> all(start.arm.effects.size());
   std::iota(all.begin(), all.end(), 0);
-  const Case c{start, used, fit, diagnosis.baseline, diagnosis.heldout_before, limits};
+  const Case c{start, used, fit, diagnosis.baseline, diagnosis.heldout_before};
   return unlessStopped([&] { return warningsOf(c, all, look, options.hooks); });
 }
 

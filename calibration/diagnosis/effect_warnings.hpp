@@ -5,7 +5,6 @@
 // better by the gap, the other is the one.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,33 +17,25 @@ enum class EffectWarningKind { kNotNeeded, kBetterExplainedBy, kBeyondPlausible,
 struct EffectWarning {
   EffectWarningKind kind = EffectWarningKind::kNotNeeded;
   std::string effect, at;
-  double fall = std::numeric_limits<double>::quiet_NaN();  ///< of chi-square by its numbers
-  double p_value =
-      std::numeric_limits<double>::quiet_NaN();  ///< of that fall by noise; of the lack of fit that remains
-  bool is_within_noise = false;                  ///< the criterion is no better with it than without
-  bool is_at_neutral = false;                    ///< all its sizes are within two sigma of doing nothing
+  double fall = kNotKnown;       ///< of chi-square by its numbers
+  double p_value = kNotKnown;    ///< of that fall by noise; of the lack of fit that remains
+  bool is_within_noise = false;  ///< the criterion is no better with it than without
+  bool is_at_neutral = false;    ///< all its sizes are within two sigma of doing nothing
   ErrorSize heldout_with, heldout_without;
   FoundNumber number;  ///< the one beyond what any machine has
-  double plausible = std::numeric_limits<double>::quiet_NaN();
-  FoundEffect better;                                    ///< what explains better, perhaps itself with another shape
-  double by = std::numeric_limits<double>::quiet_NaN();  ///< of -2 log of the posterior
-};
-
-struct EffectWarningOptions {
-  double gap = 8;              ///< of -2 log of the posterior
-  double lack_of_fit = 0.003;  ///< p of the lack of fit below which more is missing
+  double plausible = kNotKnown;
+  FoundEffect better;     ///< what explains better, perhaps itself with another shape
+  double by = kNotKnown;  ///< of -2 log of the posterior
 };
 
 /// Of the effects that an identification fitted. `options` and `start` are those it was made with. Empty unless it was
 /// done, and where the options' hooks say stop.
 [[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
                                                        const IdentificationOptions& options,
-                                                       const Identification& fitted,
-                                                       const EffectWarningOptions& limits = {});
+                                                       const Identification& fitted);
 
 /// Of all effects that a diagnosed model carries. Empty unless it was run, and where the hooks say stop.
 [[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
-                                                       const DiagnosisOptions& options, const Diagnosis& diagnosis,
-                                                       const EffectWarningOptions& limits = {});
+                                                       const DiagnosisOptions& options, const Diagnosis& diagnosis);
 
 }  // namespace tubeplan::calibration

@@ -71,7 +71,7 @@ UncertainNumbers uncertainNumbers(const deflection::Arm& arm, const ArmUncertain
       of_covariance.push_back(static_cast<Index>(k));
     }
   for (const auto& parameter : deflection::parametersOf(arm)) {
-    if (std::find(determined.begin(), determined.end(), parameter.name) != determined.end()) continue;
+    if (std::ranges::find(determined, parameter.name) != determined.end()) continue;
     const double sigma = priorSigma(parameter, arm, uncertainty);
     if (!(sigma > 0)) continue;
     choice.names.push_back(parameter.name);

@@ -99,21 +99,6 @@ bool isMistaken(const TouchesToExplain& asked, BaseCalibration& result) {
   return true;
 }
 
-BaseCalibration described(const TouchFit& fit, const Isometry3d& X_WB_start) {
-  BaseCalibration result;
-  result.X_WB = fit.X_WB;
-  result.arm = fit.arm;
-  result.uncertainty = fit.uncertainty;
-  result.chi2 = fit.chi2;
-  result.p_value = fit.p_value;
-  result.model_error = fit.model_error;
-  result.is_model_error_found = fit.is_model_error_found;
-  result.degrees_of_freedom = fit.degrees_of_freedom;
-  result.iterations = fit.iterations;
-  result.from_start = stepBetween(X_WB_start, fit.X_WB);
-  return result;
-}
-
 }  // namespace
 
 bool isFitRefused(const BaseCalibration& calibration) { return calibration.p_value < kLackOfFit; }
@@ -124,7 +109,9 @@ BaseCalibration calibrateBase(const deflection::Arm& arm, const std::vector<Meas
   const UncertainNumbers numbers = uncertainNumbers(arm, options.arm);
   const TouchFit fit =
       fitTouches(arm, numbers, touches, X_WB_start, {options.model_error, options.finds_model_error, options.method});
-  BaseCalibration result = described(fit, X_WB_start);
+  BaseCalibration result;
+  static_cast<TouchedBase&>(result) = fit;
+  result.from_start = stepBetween(X_WB_start, fit.X_WB);
   if (fit.status != LeastSquaresStatus::kConverged) {
     result.status = CalibrationStatus::kNotConverged;
     result.reason = fit.reason;

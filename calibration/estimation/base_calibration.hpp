@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,32 +61,21 @@ struct SuspectReading {
   double p_value = 0;  ///< p-value of the touches with that correction
 };
 
-struct BaseCalibration {
+struct BaseCalibration : TouchedBase {
   CalibrationStatus status = CalibrationStatus::kNotRun;
-  std::string reason;                 ///< reason if refused
-  std::vector<std::string> suspects;  ///< "touch T2 named R10C20 fits R10C21"
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  deflection::Arm arm;                 ///< the arm with its fitted numbers, which stands at X_WB
-  std::vector<TouchedNumber> numbers;  ///< numbers that differ from the given arm
-  JointUncertainty uncertainty;        ///< uncertainty of base and numbers together
-  Eigen::Matrix<double, 6, 6> covariance =
-      Eigen::Matrix<double, 6, 6>::Constant(std::numeric_limits<double>::quiet_NaN());
-  int odd_touch = -1;  ///< the only touch, of four or more that do not fit, without which the others do; -1: none
-  /// Rms of the other touches' residuals without it [m].
-  double rms_of_others = std::numeric_limits<double>::quiet_NaN();
-  std::vector<SuspectReading> suspect_readings;  ///< explanations if the touches do not fit, likeliest first
+  std::string reason;                  ///< why refused
+  std::vector<std::string> suspects;   ///< "touch T2 named R10C20 fits R10C21"
+  std::vector<TouchedNumber> numbers;  ///< that differ from the arm given
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Constant(kNotKnown);
+  int odd_touch = -1;                ///< the one touch, of four or more that do not fit, without which the others do
+  double rms_of_others = kNotKnown;  ///< m, then
+  std::vector<SuspectReading> suspect_readings;  ///< where the touches do not fit, likeliest first
   std::vector<TouchResidual> residuals;
   std::vector<DistanceCheck> distances;
-  double rms = std::numeric_limits<double>::quiet_NaN();  ///< root mean square of the residuals' lengths [m]
-  /// Relative to the touches' noise and the numbers' uncertainty.
-  double chi2 = std::numeric_limits<double>::quiet_NaN();
-  double p_value = std::numeric_limits<double>::quiet_NaN();
-  double model_error = 0;  ///< error of each coordinate beyond noise and numbers, included in the covariance [m]
-  bool is_model_error_found = false;  ///< true: estimated from these touches, which do not fit
-  int degrees_of_freedom = 0;
-  int iterations = 0;
-  /// Step from the start of the search, which is the nominal base: shift [m], then rotation vector [rad], world axes.
-  BaseStep from_start = BaseStep::Constant(std::numeric_limits<double>::quiet_NaN());
+  double rms = kNotKnown;  ///< of the residuals' lengths [m]
+  /// From where the search started, which is where the base should stand: shift [m], then rotation vector [rad], world
+  /// axes.
+  BaseStep from_start = BaseStep::Constant(kNotKnown);
 };
 
 /// Returns true if chi-square rejects the fit (p < 0.01): the arm deviates from its model beyond the uncertainty of its

@@ -62,8 +62,7 @@ void takeOffWithin(const ReadingWeights& weights, const std::vector<int>& readin
   decorrelateWithin(weights, readings, rows);
   const auto first_row = rowsAlone(weights, readings).first;
   for (const auto& point : weights.points) {
-    if (!std::all_of(point.readings.begin(), point.readings.end(), [&](int k) { return first_row.contains(k); }))
-      continue;
+    if (!std::ranges::all_of(point.readings, [&](int k) { return first_row.contains(k); })) continue;
     const Index rows_of_touch = point.Q.rows() / static_cast<Index>(point.readings.size());
     std::vector<Index> own;
     for (const int k : point.readings)

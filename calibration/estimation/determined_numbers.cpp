@@ -12,7 +12,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 bool contains(const std::vector<Unknown>& unknowns, const std::string& name) {
-  return std::any_of(unknowns.begin(), unknowns.end(), [&](const Unknown& unknown) { return unknown.name == name; });
+  return std::ranges::any_of(unknowns, [&](const Unknown& unknown) { return unknown.name == name; });
 }
 
 /// Returns the numbers that the fit held.

@@ -33,7 +33,7 @@ ErrorBudget errorBudget(const ErrorsBeforeAndAfter& held_out, const ErrorsBefore
 }
 
 bool measureAnglesAlone(const std::vector<Measurement>& readings) {
-  return !readings.empty() && std::all_of(readings.begin(), readings.end(), [](const Measurement& reading) {
+  return !readings.empty() && std::ranges::all_of(readings, [](const Measurement& reading) {
     return kindOf(reading).turn_rows >= kindOf(reading).rows;
   });
 }

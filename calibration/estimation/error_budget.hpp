@@ -5,7 +5,6 @@
 // in no figure.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "calibration/estimation/identification.hpp"
@@ -14,11 +13,10 @@ namespace tubeplan::calibration {
 
 /// Parts of an error [m]. In squares: total = explained + remainder + noise, each with its sign.
 struct ErrorBudget {
-  double total = std::numeric_limits<double>::quiet_NaN();  ///< error before the explanation
-  /// Part removed by the explanation; negative if the error rose.
-  double explained = std::numeric_limits<double>::quiet_NaN();
-  double remainder = std::numeric_limits<double>::quiet_NaN();  ///< part left beyond the noise
-  double noise = std::numeric_limits<double>::quiet_NaN();      ///< the noise floor, limited to the error
+  double total = kNotKnown;      ///< before what explains
+  double explained = kNotKnown;  ///< taken away by it; below zero where the error rose
+  double remainder = kNotKnown;  ///< left beyond the noise
+  double noise = kNotKnown;      ///< the noise floor, as far as the error reaches it
   int readings = 0;
   bool is_held_out = false;
   bool are_angles = false;  ///< true: all readings measure angles alone

@@ -7,6 +7,7 @@
 #include "calibration/estimation/base_calibration.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/identification.hpp"
+#include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_placement.hpp"
 
@@ -38,19 +39,16 @@ MatrixXd informationOf(const Estimate& estimate, const std::vector<Measurement>&
 /// Returns the prior information: each variable is known to its typical size, or better by its own prior; each normal
 /// of `beside` to 1.
 VectorXd informationBeforehand(const Estimate& estimate) {
-  const auto n = static_cast<Index>(estimate.unknowns.size());
-  VectorXd information = VectorXd::Ones(n + estimate.beside.root.cols());
-  for (Index k = 0; k < n; ++k) {
-    const Unknown& unknown = estimate.unknowns[static_cast<std::size_t>(k)];
-    information[k] = std::max(1., std::pow(unknown.typical / unknown.prior_sigma, 2));
-  }
+  const VectorXd of_free = priorInformation(estimate.unknowns);
+  VectorXd information = VectorXd::Ones(of_free.size() + estimate.beside.root.cols());
+  information.head(of_free.size()) = of_free.cwiseMax(1);
   return information;
 }
 
 /// Returns true if a base alone is to be found, by touches that calibrateBase() accepts.
 bool placesByTouches(const Estimate& estimate, const std::vector<Measurement>& readings) {
-  const bool is_base_alone = std::all_of(estimate.unknowns.begin(), estimate.unknowns.end(),
-                                         [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
+  const bool is_base_alone = std::ranges::all_of(
+      estimate.unknowns, [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
   return is_base_alone && estimate.start.base_poses.size() == 1 &&
          std::ranges::all_of(readings, [](const Measurement& reading) { return touchesKnownPoint(reading); }) &&
          findTouchProblem(readings).empty();
@@ -90,9 +88,8 @@ bool fitFreeNumbers(const PlacedArm& placed, const std::vector<Measurement>& rea
 
 Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                       const std::vector<Measurement>& readings, const FreeChoice& free, const DoubtBeside& doubt) {
-  std::vector<Measurement> used;
-  std::copy_if(readings.begin(), readings.end(), std::back_inserter(used),
-               [](const Measurement& reading) { return !reading.is_held_out; });
+  std::vector<Measurement> used = readings;
+  std::erase_if(used, [](const Measurement& reading) { return reading.is_held_out; });
   Estimate estimate;
   const PlacedArm placed = placeForReadings(arm, X_WB, base_known, used);
   estimate.start = placed;
@@ -100,7 +97,7 @@ Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
   estimate.problems = unknowns.problems;
   estimate.unknowns = std::move(unknowns.list);
   if (!estimate.problems.empty()) return estimate;
-  estimate.x = VectorXd::Zero(static_cast<Index>(estimate.unknowns.size()));
+  estimate.x = zerosOf(estimate.unknowns);
   estimate.beside = uncertainNumbers(arm, doubt.arm);
   estimate.model_error = doubt.model_error;
   estimate.information = informationBeforehand(estimate).asDiagonal();
@@ -126,8 +123,7 @@ std::optional<MatrixXd> sensitivityOf(const Estimate& estimate, const std::vecto
   const auto residual = whitenedResidual(estimate.start, all, readings, weights, x, true);
   if (!residual.ok) return std::nullopt;
   MatrixXd by_variables(residual.jacobian.rows(), free + root.cols());
-  for (Index k = 0; k < free; ++k)
-    by_variables.col(k) = residual.jacobian.col(k) * all[static_cast<std::size_t>(k)].typical;
+  by_variables.leftCols(free) = residual.jacobian.leftCols(free) * typicalsOf(estimate.unknowns).asDiagonal();
   by_variables.rightCols(root.cols()) = residual.jacobian.rightCols(beside) * root;
   return by_variables;
 }

@@ -25,7 +25,7 @@ std::string plural(int count, const char* noun) { return std::to_string(count) +
 std::optional<EvidenceProblem> findLackOfFreedom(const std::vector<Measurement>& readings, int degrees_of_freedom,
                                                  int numbers_determined) {
   const auto groups = groupByPose(readings);
-  const int postures = groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
+  const int postures = groups.empty() ? 0 : *std::ranges::max_element(groups) + 1;
   const int needed = std::max(kLeastPostures, numbers_determined / 2 + 1);
   if (postures >= needed && degrees_of_freedom >= kLeastFreedom) return std::nullopt;
   return EvidenceProblem{plural(static_cast<int>(readings.size()), "reading") + " at " + plural(postures, "posture") +

@@ -116,9 +116,7 @@ class Fitting {
     }
     const LeastSquaresResult before = fit_.solution;
     fit_.solution = minimizeOrUnwind(problemOf(with_priors_, unknowns_, before.x), options_.solver);
-    fit_.solution.iterations += before.iterations;
-    fit_.solution.evaluations += before.evaluations;
-    fit_.solution.jacobian_evaluations += before.jacobian_evaluations;
+    countWork(before, fit_.solution);
     return fit_.solution.status != LeastSquaresStatus::kFailed;
   }
 
@@ -146,7 +144,7 @@ class Fitting {
   bool untilWeightsRest() {
     const bool is_robust = options_.loss != RobustLoss::kNone;
     const int rounds = is_robust ? 5 * kMaxRounds : kMaxRounds;
-    double before = std::numeric_limits<double>::quiet_NaN();
+    double before = kNotKnown;
     for (int round = 0; round < rounds; ++round) {
       if (!weigh(round == 0)) return false;
       if (round > 0 && !is_robust) {

@@ -20,9 +20,9 @@ struct Fit {
   WhitenedResidual residual;    ///< residual at the solution with these weights, with its Jacobian
   Eigen::MatrixXd covariance;   ///< posterior, of the variables
   Eigen::VectorXd factors;      ///< robust weights within `weights`; empty without a loss
-  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< chi-square of the readings with their stated noise alone
-  int degrees_of_freedom = 0;  ///< number of rows of the readings, less the numbers that they determine; may be none
-  double p_value = std::numeric_limits<double>::quiet_NaN();
+  double chi2 = kNotKnown;      ///< of the readings by their stated noise alone
+  int degrees_of_freedom = 0;   ///< of the readings, less the numbers that they determine; may be none
+  double p_value = kNotKnown;
 };
 
 inline constexpr double kLackOfFit = 0.01;  ///< p of chi-square below which a fit rejects the stated noise

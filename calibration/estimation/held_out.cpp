@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -84,14 +85,13 @@ std::vector<int> dealt(std::map<std::string, std::vector<int>> by_setup, const s
     const auto parts = static_cast<std::size_t>(folds);
     return groups.size() - (groups.size() + parts - 1) / parts < kLeastLeft;
   };
-  const bool has_large =
-      std::any_of(by_setup.begin(), by_setup.end(), [&](const auto& s) { return !leavesFew(s.second); });
+  const bool has_large = std::ranges::any_of(by_setup, [&](const auto& s) { return !leavesFew(s.second); });
   std::vector<int> fold(rank.size(), -1);
   int next = 0;
   for (auto& [setup, groups] : by_setup) {
     if (has_large && leavesFew(groups)) continue;
-    std::sort(groups.begin(), groups.end(),
-              [&](int a, int b) { return rank[static_cast<std::size_t>(a)] < rank[static_cast<std::size_t>(b)]; });
+    std::ranges::sort(
+        groups, [&](int a, int b) { return rank[static_cast<std::size_t>(a)] < rank[static_cast<std::size_t>(b)]; });
     for (const int group : groups) fold[static_cast<std::size_t>(group)] = next++ % folds;
   }
   return fold;
@@ -101,9 +101,9 @@ std::vector<int> dealt(std::map<std::string, std::vector<int>> by_setup, const s
 
 std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, std::uint64_t seed) {
   const std::vector<int> groups = groupByPose(readings);
-  const int count = groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
+  const int count = groups.empty() ? 0 : *std::ranges::max_element(groups) + 1;
   std::vector<int> order(static_cast<std::size_t>(count));
-  for (int k = 0; k < count; ++k) order[static_cast<std::size_t>(k)] = k;
+  std::iota(order.begin(), order.end(), 0);
   RandomStream(seed).shuffle(order);
   const std::vector<int> fold_of_group = dealt(groupsBySetup(readings, groups), order, std::max(1, folds));
   std::vector<int> result;
@@ -168,7 +168,7 @@ ErrorSize judgeFolds(const std::vector<Measurement>& readings, const std::vector
                      const WorkHooks& hooks) {
   ErrorSize total;
   double squares = 0, lengths = 0;
-  const int count = folds.empty() ? 0 : *std::max_element(folds.begin(), folds.end()) + 1;
+  const int count = folds.empty() ? 0 : *std::ranges::max_element(folds) + 1;
   for (int fold = 0; fold < count; ++fold) {
     reportProgress(hooks, "readings kept out", static_cast<std::size_t>(fold), static_cast<std::size_t>(count));
     std::vector<Measurement> kept, out;
@@ -243,7 +243,7 @@ void moveErrors(int fold, const std::vector<int>& folds, const Fit& whole, const
 std::optional<ErrorSize> crossValidateToFirstOrder(const std::vector<Unknown>& unknowns,
                                                    const std::vector<Measurement>& readings, const Fit& whole,
                                                    const std::vector<int>& folds, const WorkHooks& hooks) {
-  const int count = folds.empty() ? 0 : *std::max_element(folds.begin(), folds.end()) + 1;
+  const int count = folds.empty() ? 0 : *std::ranges::max_element(folds) + 1;
   VectorXd error = whole.residual.error;
   for (int fold = 0; fold < count; ++fold) {
     reportProgress(hooks, "readings kept out", static_cast<std::size_t>(fold), static_cast<std::size_t>(count));
@@ -261,8 +261,8 @@ std::optional<ErrorSize> crossValidateToFirstOrder(const std::vector<Unknown>& u
 std::optional<ErrorSize> crossValidateBySteps(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                               const std::vector<Measurement>& readings, const Fit& whole,
                                               const std::vector<int>& folds, const WorkHooks& hooks) {
-  const bool is_judged_whole = std::all_of(folds.begin(), folds.end(), [](int fold) { return fold >= 0; });
-  if (!whole.weights.shared.empty()) return std::nullopt;  // its rows do not belong to one fold
+  const bool is_judged_whole = std::ranges::all_of(folds, [](int fold) { return fold >= 0; });
+  if (!whole.weights.shared.empty()) return std::nullopt;  // its rows are not those of one fold
   if (whole.weights.points.empty() && whole.residual.error.size() == whole.weights.rows && is_judged_whole)
     return crossValidateToFirstOrder(unknowns, readings, whole, folds, hooks);
   int fold = 0;

@@ -13,9 +13,7 @@ constexpr int kSoon = 30;  // iterations
 
 /// Returns the result with the work of both methods counted.
 LeastSquaresResult withWorkOf(LeastSquaresResult found, const LeastSquaresResult& other) {
-  found.iterations += other.iterations;
-  found.evaluations += other.evaluations;
-  found.jacobian_evaluations += other.jacobian_evaluations;
+  countWork(other, found);
   return found;
 }
 

@@ -31,7 +31,7 @@ std::vector<int> partnersOf(Index k, const MatrixXd& covariance) {
   std::vector<int> partners;
   for (Index other = 0; other < covariance.rows(); ++other)
     if (other != k && correlation(other) > kCorrelated) partners.push_back(static_cast<int>(other));
-  std::stable_sort(partners.begin(), partners.end(), [&](int a, int b) { return correlation(a) > correlation(b); });
+  std::ranges::stable_sort(partners, [&](int a, int b) { return correlation(a) > correlation(b); });
   if (partners.size() > kMostPartners) partners.resize(kMostPartners);
   return partners;
 }

@@ -10,7 +10,6 @@
 #include "calibration/estimation/held_out.hpp"
 #include "calibration/estimation/identified_numbers.hpp"
 #include "calibration/estimation/outliers.hpp"
-#include "calibration/estimation/widened_sizes.hpp"
 #include "calibration/measurements/reading_placement.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/measurements/reading_problems.hpp"
@@ -27,14 +26,11 @@ constexpr double kStrongCorrelation = 0.9;
 // Number of readings from which a fold's fit is a single step from the fit to all.
 constexpr std::size_t kManyReadings = 1000;
 
-std::vector<Measurement> readingsOf(const std::vector<Measurement>& all, bool held_out, std::vector<int>* used) {
-  std::vector<Measurement> some;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].is_held_out != held_out) continue;
-    some.push_back(all[k]);
-    if (used) used->push_back(static_cast<int>(k));
-  }
-  return some;
+std::vector<int> placesOf(const std::vector<Measurement>& all, bool held_out) {
+  std::vector<int> places;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (all[k].is_held_out == held_out) places.push_back(static_cast<int>(k));
+  return places;
 }
 
 void listCorrelations(Identification& result) {
@@ -50,8 +46,8 @@ void listCorrelations(Identification& result) {
 
 std::vector<Unknown> basesOf(const std::vector<Unknown>& unknowns) {
   std::vector<Unknown> bases;
-  std::copy_if(unknowns.begin(), unknowns.end(), std::back_inserter(bases),
-               [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
+  std::ranges::copy_if(unknowns, std::back_inserter(bases),
+                       [](const Unknown& unknown) { return unknown.owner == Unknown::Owner::kBase; });
   return bases;
 }
 
@@ -82,15 +78,14 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
                             : crossValidate(model.start, model.unknowns, model.fitted, model.fit.solution.x, folds,
                                             options, model.options.hooks);
   const bool is_fixed = bases.empty() && result.heldout.readings > 0;  // the same error for every fold
-  result.heldout_before = is_fixed ? result.after_base
-                                   : crossValidate(model.start, bases, model.fitted,
-                                                   VectorXd::Zero(static_cast<Index>(bases.size())), folds, options);
+  result.heldout_before =
+      is_fixed ? result.after_base : crossValidate(model.start, bases, model.fitted, zerosOf(bases), folds, options);
 }
 
 /// Returns the singular values of the readings' Jacobian, with each column scaled by its number's typical size.
 VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns) {
   if (unknowns.empty()) return {};
-  for (std::size_t k = 0; k < unknowns.size(); ++k) jacobian.col(static_cast<Index>(k)) *= unknowns[k].typical;
+  jacobian.array().rowwise() *= typicalsOf(unknowns).transpose().array();
   const MatrixXd square = jacobian.transpose() * jacobian;
   return square.selfadjointView<Eigen::Lower>().eigenvalues().cwiseMax(0).cwiseSqrt().reverse();
 }
@@ -124,19 +119,12 @@ void summarize(const FittedModel& model, Identification& result) {
   for (auto& outlier : result.outliers) outlier.reading = result.used[static_cast<std::size_t>(outlier.reading)];
 }
 
-void countWork(const LeastSquaresResult& solution, Identification& result) {
-  result.iterations += solution.iterations;
-  result.evaluations += solution.evaluations;
-  result.jacobian_evaluations += solution.jacobian_evaluations;
-}
-
-/// Places unknown bases with nothing else free, as a start for the rest.
+/// Places unknown bases with nothing else free, so that the rest starts from a sensible place.
 void fitBases(FittedModel& model, Identification& result) {
   const auto bases = basesOf(model.unknowns);
   if (bases.empty()) return;
   alignBases(model.start, model.fitted);
-  const Fit fit = fitUnknowns(model.start, bases, model.fitted, VectorXd::Zero(static_cast<Index>(bases.size())),
-                              fitOptions(model.options));
+  const Fit fit = fitUnknowns(model.start, bases, model.fitted, zerosOf(bases), fitOptions(model.options));
   countWork(fit.solution, result);
   if (fit.solution.status == LeastSquaresStatus::kConverged) model.start = applied(model.start, bases, fit.solution.x);
 }
@@ -158,23 +146,21 @@ bool isUsable(const Fit& fit) { return fit.solution.status != LeastSquaresStatus
 bool fitFromStarts(FittedModel& model, Identification& result) {
   std::vector<double> ends;
   const int starts = std::max(1, model.options.starts);
-  const auto count = static_cast<Index>(model.unknowns.size());
   FitOptions options = fitOptions(model.options);
   options.solver.observe = model.options.observe;
   for (int s = 0; s < starts; ++s) {
     reportProgress(model.options.hooks, "fit", static_cast<std::size_t>(s),
                    starts > 1 ? static_cast<std::size_t>(starts) : 0);
     options.weights = s == 0 && model.start_weights ? &*model.start_weights : nullptr;
-    Fit fit = fitUnknowns(model.start, model.unknowns, model.fitted,
-                          s == 0 ? VectorXd(VectorXd::Zero(count)) : drawStart(model.unknowns, model.options.seed, s),
-                          options);
+    const VectorXd x = s == 0 ? zerosOf(model.unknowns) : drawStart(model.unknowns, model.options.seed, s);
+    Fit fit = fitUnknowns(model.start, model.unknowns, model.fitted, x, options);
     countWork(fit.solution, result);
     ends.push_back(isUsable(fit) ? fit.chi2 : std::numeric_limits<double>::infinity());
     if (s == 0 || ends.back() < *std::min_element(ends.begin(), ends.end() - 1)) model.fit = std::move(fit);
   }
-  const double least = *std::min_element(ends.begin(), ends.end());
-  result.starts_agreeing = static_cast<int>(
-      std::count_if(ends.begin(), ends.end(), [&](double e) { return e <= least + 0.01 + 1e-6 * least; }));
+  const double least = *std::ranges::min_element(ends);
+  result.starts_agreeing =
+      static_cast<int>(std::ranges::count_if(ends, [&](double e) { return e <= least + 0.01 + 1e-6 * least; }));
   return isUsable(model.fit);
 }
 
@@ -258,8 +244,8 @@ Identification identifyNeeded(const PlacedArm& start, const std::vector<Measurem
 Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
                             const IdentificationOptions& options) {
   Identification result;
-  const auto fitted = readingsOf(readings, false, &result.used);
-  const auto held_out = readingsOf(readings, true, nullptr);
+  result.used = placesOf(readings, false);
+  const auto fitted = picked(readings, result.used), held_out = picked(readings, placesOf(readings, true));
   FittedModel model{fitted, options, start, {}, {}, {}};
   auto unknowns = chooseUnknowns(model.start, options.free);
   result.problems = unknowns.problems;
@@ -299,14 +285,8 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
 
 Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
                         const IdentificationOptions& options) {
-  try {
-    return identifyNeeded(start, readings, options);
-  } catch (const WorkStopped&) {
-    Identification stopped;
-    stopped.status = IdentificationStatus::kStopped;
-    stopped.reason = kStoppedReason;
-    return stopped;
-  }
+  return unlessStopped(&Identification::status, IdentificationStatus::kStopped,
+                       [&] { return identifyNeeded(start, readings, options); });
 }
 
 std::vector<Unknown> fittedUnknowns(const Identification& result) {

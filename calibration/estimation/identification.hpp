@@ -69,11 +69,11 @@ enum class IdentificationStatus { kNotRun, kDone, kRefused, kNotConverged, kStop
 
 struct IdentifiedNumber {
   Unknown unknown;
-  double value = 0;  ///< value of the parameter; for a base component, of its step
-  double sigma = std::numeric_limits<double>::quiet_NaN();
-  double lower = std::numeric_limits<double>::quiet_NaN();  ///< 95 % interval
-  double upper = std::numeric_limits<double>::quiet_NaN();
-  bool is_profile = false;  ///< true: the interval is by profile, not by sigma
+  double value = 0;  ///< of the parameter; of a base component: of its step
+  double sigma = kNotKnown;
+  double lower = kNotKnown;  ///< 95 % interval
+  double upper = kNotKnown;
+  bool is_profile = false;  ///< the interval is by profile, not by sigma
   Identifiability identifiable = Identifiability::kNo;
   std::vector<std::string> with;  ///< names of the unknowns that it is determined in combination with
   double prior_deviation = 0;     ///< deviation from the arm's file, in standard deviations of its prior
@@ -99,9 +99,9 @@ struct StrongCorrelation {
 /// combines all its rows: for a measured place the distance to the predicted one, for an angle the angle times
 /// kTurnLever.
 struct ErrorSize {
-  double rms = std::numeric_limits<double>::quiet_NaN();
-  double mean = std::numeric_limits<double>::quiet_NaN();
-  double max = std::numeric_limits<double>::quiet_NaN();
+  double rms = kNotKnown;
+  double mean = kNotKnown;
+  double max = kNotKnown;
   int readings = 0;
   bool are_angles = false;  ///< true: all readings measure angles alone
 };
@@ -116,19 +116,16 @@ struct Identification {
   std::vector<IdentifiedNumber> numbers;
   Eigen::MatrixXd covariance;  ///< covariance of the numbers' variables, in their order (compliances for stiffnesses)
   std::vector<StrongCorrelation> correlations;
-  /// Errors with the model as it stands; with only the bases fitted; with everything fitted.
-  ErrorSize before, after_base, after;
-  ErrorSize heldout_before, heldout;  ///< errors of held-out readings; before: with only the bases fitted
-  int not_judged = 0;                 ///< number of held-out readings that the fit cannot judge (judgeable())
-  double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms from noise alone [m]
-  double chi2 = std::numeric_limits<double>::quiet_NaN();
-  int degrees_of_freedom = 0;  ///< number of rows of the readings, less the numbers that they determine; may be none
-  double p_value = std::numeric_limits<double>::quiet_NaN();
-  /// Standard deviation of each coordinate beyond the noise, included in the covariance [m]; above 0 if chi-square
-  /// rejects the stated noise.
-  double model_error = 0;
-  /// Uncertainty of all the arm's numbers, given the readings, if it was asked for.
-  std::optional<ArmUncertainty> uncertainty;
+  ErrorSize before, after_base, after;  ///< as the model stands; with only the bases fitted; with everything
+  ErrorSize heldout_before, heldout;    ///< on readings kept from the fit; before: with only the bases fitted
+  int not_judged = 0;                   ///< readings kept from the fit that it cannot judge (judgeable())
+  double noise_floor = kNotKnown;       ///< rms that noise alone leaves [m]
+  double chi2 = kNotKnown;
+  int degrees_of_freedom = 0;  ///< of the readings, less the numbers that they determine; may be none
+  double p_value = kNotKnown;
+  double model_error = 0;  ///< m, standard deviation of each coordinate beyond the noise, as the covariance has it:
+                           ///< above 0 where chi-square refuses the stated noise
+  std::optional<ArmUncertainty> uncertainty;  ///< of all the arm's numbers by the readings, where it was asked for
   std::vector<Outlier> outliers;
   Eigen::VectorXd errors;  ///< length of each fitted reading's error [m], in the order of `used`
   std::vector<int> used;   ///< indices of the fitted readings

@@ -19,4 +19,8 @@ struct FittedModel {
 /// Sets `numbers`, one for each unknown in their order.
 void describeNumbers(const FittedModel& model, Identification& result);
 
+/// Widens the intervals of effects' sizes over all sizes that explain the readings as well (size_modes.hpp), and says
+/// so in the numbers' notes.
+void widenSizes(const FittedModel& model, Identification& result);
+
 }  // namespace tubeplan::calibration

@@ -75,7 +75,7 @@ LeastSquaresResult minimizeLeastSquares(const LeastSquaresProblem& problem, cons
   }
   if ((problem.lower.array() == problem.upper.array()).all()) return evaluateFixed(problem);
   const auto kinds = leastSquaresMethods();
-  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.method == options.method; });
+  const auto kind = std::ranges::find_if(kinds, [&](const auto& k) { return k.method == options.method; });
   assert(kind != kinds.end());
   const LeastSquaresStop stop{options.tolerance.value_or(kind->stop.tolerance),
                               options.max_iterations.value_or(kind->stop.max_iterations)};

@@ -67,7 +67,15 @@ struct LeastSquaresResult {
   int jacobian_evaluations = 0;  ///< calls of `evaluate` for r and the Jacobian together
 };
 
-/// A method of minimisation: one row of the table.
+/// Counts the work of one search to that of others.
+template <class Counted>
+void countWork(const LeastSquaresResult& of, Counted& to) {
+  to.iterations += of.iterations;
+  to.evaluations += of.evaluations;
+  to.jacobian_evaluations += of.jacobian_evaluations;
+}
+
+/// A way of minimising: one row of the table.
 struct LeastSquaresMethodKind {
   LeastSquaresMethod method;
   std::string_view name;  ///< name on the command line

@@ -78,8 +78,7 @@ std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, cons
     if (all[k].square > limitOf(rowsOf(readings[k])) * usual)
       outliers.push_back({static_cast<int>(k), all[k].error.norm(), std::sqrt(all[k].square)});
   }
-  std::stable_sort(outliers.begin(), outliers.end(),
-                   [](const Outlier& a, const Outlier& b) { return a.sigmas > b.sigmas; });
+  std::ranges::stable_sort(outliers, std::greater{}, &Outlier::sigmas);
   return outliers;
 }
 

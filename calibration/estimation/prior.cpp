@@ -19,6 +19,13 @@ VectorXd priorSlopes(const std::vector<Unknown>& unknowns) {
   return slopes;
 }
 
+VectorXd priorInformation(const std::vector<Unknown>& unknowns) {
+  VectorXd information = zerosOf(unknowns);
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+    information[static_cast<Index>(k)] = std::pow(unknowns[k].typical / unknowns[k].prior_sigma, 2);
+  return information;
+}
+
 VectorXd priorResiduals(const std::vector<Unknown>& unknowns, const VectorXd& x) {
   VectorXd residuals = priorSlopes(unknowns);
   for (std::size_t k = 0; k < unknowns.size(); ++k)

@@ -18,8 +18,11 @@ namespace tubeplan::calibration {
 /// Returns the slope of each residual by its own variable: 1 / sigma.
 [[nodiscard]] Eigen::VectorXd priorSlopes(const std::vector<Unknown>& unknowns);
 
-/// Returns the posterior covariance of the variables from the whitened Jacobian of the readings; zero for directions
-/// that neither readings nor a prior determine.
+/// Returns what the priors say of each variable over its typical size: (typical / sigma)^2.
+[[nodiscard]] Eigen::VectorXd priorInformation(const std::vector<Unknown>& unknowns);
+
+/// Posterior covariance of the variables by the whitened Jacobian of the readings; zero for what neither readings nor a
+/// prior determine.
 [[nodiscard]] Eigen::MatrixXd posteriorCovariance(const Eigen::MatrixXd& jacobian,
                                                   const std::vector<Unknown>& unknowns);
 

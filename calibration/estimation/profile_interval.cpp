@@ -37,7 +37,7 @@ struct Profile {
     fixed[static_cast<std::size_t>(variable)].lower = fixed[static_cast<std::size_t>(variable)].upper = value;
     x[variable] = value;
     const auto solution = minimizeOrUnwind(fitProblem(start, fixed, readings, best.weights, x, solver.stop), solver);
-    if (solution.status == LeastSquaresStatus::kFailed) return std::numeric_limits<double>::quiet_NaN();
+    if (solution.status == LeastSquaresStatus::kFailed) return kNotKnown;
     x = solution.x;
     return std::sqrt(std::max(0., solution.chi2 - least) / kRise) - 1;
   }
@@ -47,7 +47,7 @@ struct Profile {
     const Unknown& unknown = unknowns[static_cast<std::size_t>(variable)];
     const double room =
         direction > 0 ? unknown.upper - best.solution.x[variable] : best.solution.x[variable] - unknown.lower;
-    double inside = 0, inside_rise = -1, outside = std::numeric_limits<double>::quiet_NaN(), outside_rise = 0;
+    double inside = 0, inside_rise = -1, outside = kNotKnown, outside_rise = 0;
     double step = std::min(1.96 * sigma, room);
     VectorXd x = best.solution.x;
     for (int n = 0; n < kMaxSteps; ++n) {

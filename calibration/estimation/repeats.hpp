@@ -5,7 +5,6 @@
 // not excuse the model.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "calibration/estimation/whitened_residual.hpp"
@@ -16,17 +15,15 @@ inline constexpr double kMostNoiseRatio = 3;  ///< largest ratio of the noise by
 
 /// Statistics of repeated readings, with chi-squares by the stated noise. NaN if nothing was read twice.
 struct Repeats {
-  int groups = 0;                                                ///< number of groups of repeated readings
-  int readings = 0;                                              ///< number of readings in them
-  double pure_error = std::numeric_limits<double>::quiet_NaN();  ///< chi-square about the groups' means
+  int groups = 0;                 ///< of readings made alike
+  int readings = 0;               ///< in them
+  double pure_error = kNotKnown;  ///< chi-square about the groups' means
   int pure_freedom = 0;
-  double noise_ratio = std::numeric_limits<double>::quiet_NaN();  ///< noise by repeats over the stated noise
-  /// Two-sided, for the hypothesis that both are the same.
-  double noise_p_value = std::numeric_limits<double>::quiet_NaN();
-  /// F of the lack of fit, with a noise of kMostNoiseRatio at most.
-  double lack_of_fit_F = std::numeric_limits<double>::quiet_NaN();
+  double noise_ratio = kNotKnown;    ///< noise by repeats over the stated noise
+  double noise_p_value = kNotKnown;  ///< two-sided, that both are the same
+  double lack_of_fit_F = kNotKnown;  ///< by a noise of kMostNoiseRatio at most
   int lack_freedom = 0;
-  double lack_of_fit_p_value = std::numeric_limits<double>::quiet_NaN();
+  double lack_of_fit_p_value = kNotKnown;
 };
 
 /// Returns the group of each reading. A group has the same set-up, point, place on the tool, load and approach, at one

@@ -49,10 +49,7 @@ std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set
       missed.push_back(k);
       continue;
     }
-    const auto& X_WB = fit.fitted.base_poses[static_cast<std::size_t>(basePoseOf(fit.fitted, reading))].X_WB;
-    PredictionRequest request;
-    request.by_joints = true;
-    const auto predicted = predictReading(fit.fitted.arm, X_WB, reading, request);
+    const auto predicted = predictReading(fit.fitted, reading, {.by_joints = true});
     if (!predicted.ok) {
       missed.push_back(k);
       continue;
@@ -66,8 +63,7 @@ std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set
   return missed;
 }
 
-}  // namespace
-
+/// With the touches that are then left alone at a point of unknown place: they determine nothing.
 std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& readings) {
   const auto isLeft = [&](std::size_t k) {
     return !readings[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));
@@ -77,13 +73,21 @@ std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector
   for (std::size_t k = 0; k < readings.size(); ++k)
     if (isLeft(k) && hasUnknownPlace(readings[k]) && touches.at(placeOf(readings[k])) < leastOfPlace(readings[k]))
       all.push_back(static_cast<int>(k));
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   return all;
+}
+
+}  // namespace
+
+std::vector<int> placesFitted(const std::vector<Measurement>& readings, const std::vector<int>& set_aside) {
+  auto places = othersThan(set_aside, readings.size());
+  std::erase_if(places, [&](int k) { return readings[static_cast<std::size_t>(k)].is_held_out; });
+  return places;
 }
 
 double countOutliers(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
   const auto left = touchesLeft(set_aside, readings);
-  const auto gone = std::count_if(left.begin(), left.end(), [](const auto& point) { return point.second == 0; });
+  const auto gone = std::ranges::count_if(left, [](const auto& point) { return point.second == 0; });
   return static_cast<double>(set_aside.size()) - static_cast<double>(gone);
 }
 
@@ -93,7 +97,7 @@ std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& r
   std::vector<int> outliers = outliersOf(baseline);
   if (outliers.empty() && baseline.p_value < kLackOfFit) outliers = outliersOf(fit(readings, RobustLoss::kHuber));
   while (found ? outliers.size() > found->set_aside.size() : !outliers.empty()) {
-    std::sort(outliers.begin(), outliers.end());
+    std::ranges::sort(outliers);
     if (outliers.size() > readings.size() / kFewOutliers) return std::nullopt;
     const std::vector<int> set_aside = withOrphans(outliers, readings);
     Identification rest = fit(withoutReadings(readings, set_aside), RobustLoss::kNone);

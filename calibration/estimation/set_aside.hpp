@@ -9,8 +9,9 @@
 
 namespace tubeplan::calibration {
 
-/// Adds touches that are then left alone at a point of unknown place: they determine nothing.
-[[nodiscard]] std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& readings);
+/// Returns the places of the readings that are neither kept out nor set aside.
+[[nodiscard]] std::vector<int> placesFitted(const std::vector<Measurement>& readings,
+                                            const std::vector<int>& set_aside);
 
 /// Returns how many of these readings must be outliers. If all touches of an unknown point are set aside, one of them
 /// counts as good.

@@ -32,15 +32,7 @@ struct Share {
   Index first = 0;
 };
 
-VectorXd encoderSigmas(const deflection::Arm& arm) {
-  VectorXd sigmas(arm.jointCount());
-  Index k = 0;
-  for (const auto& joint : arm.joints()) sigmas[k++] = joint.encoder_sigma;
-  return sigmas;
-}
-
-/// Returns the indices among all rows of the rows of some readings, where each reading's first row is `first_row_of`
-/// it.
+/// Places among all rows of the rows of some readings, where each reading's first row is `first_row_of` it.
 template <class FirstRow>
 std::vector<Index> rowsOfThese(const ReadingWeights& weights, const std::vector<int>& readings,
                                const FirstRow& first_row_of) {
@@ -67,7 +59,7 @@ bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& 
     return readings[static_cast<std::size_t>(share.reading)];
   };
   const bool is_blind = hasUnknownPlace(at(shares.front()));
-  return std::all_of(shares.begin(), shares.end(), [&](const Share& share) {
+  return std::ranges::all_of(shares, [&](const Share& share) {
     return hasUnknownPlace(at(share)) == is_blind && (!is_blind || placeOf(at(share)) == placeOf(at(shares.front())));
   });
 }
@@ -116,6 +108,13 @@ SharedNoise sharedBy(const std::vector<Share>& shares, const VectorXd& sigmas, s
 
 }  // namespace
 
+VectorXd encoderSigmas(const deflection::Arm& arm) {
+  VectorXd sigmas(arm.jointCount());
+  Index k = 0;
+  for (const auto& joint : arm.joints()) sigmas[k++] = joint.encoder_sigma;
+  return sigmas;
+}
+
 std::pair<std::map<int, Index>, Index> rowsAlone(const ReadingWeights& weights, const std::vector<int>& readings) {
   std::map<int, Index> first_row;
   Index rows = 0;
@@ -143,8 +142,7 @@ std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm, const s
   std::vector<SharedNoise> all;
   for (std::size_t s = 0; s < common.size(); ++s)
     if (is_affordable[s]) all.push_back(sharedBy(*common[s], sigmas, by_joints));
-  std::stable_sort(all.begin(), all.end(),
-                   [](const auto& a, const auto& b) { return a.readings.size() < b.readings.size(); });
+  std::ranges::stable_sort(all, [](const auto& a, const auto& b) { return a.readings.size() < b.readings.size(); });
   return all;
 }
 
@@ -211,7 +209,7 @@ void decorrelateWithin(const ReadingWeights& weights, const std::vector<int>& re
   if (weights.shared.empty()) return;
   const auto first_row = rowsAlone(weights, readings).first;
   for (const auto& shared : weights.shared)
-    if (std::all_of(shared.mixed.begin(), shared.mixed.end(), [&](int k) { return first_row.contains(k); }))
+    if (std::ranges::all_of(shared.mixed, [&](int k) { return first_row.contains(k); }))
       takeOff(shared, rowsOfThese(weights, shared.mixed, [&](int k) { return first_row.at(k); }), rows);
 }
 

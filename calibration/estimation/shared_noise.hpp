@@ -28,9 +28,12 @@ struct SharedNoise {
 
 struct ReadingWeights;
 
-/// Returns the shared noise from `by_joints` of each reading (ReadingPredictor), the smallest group first; Q and shrink
-/// are still empty. Noise of a reading alone remains in `by_joints`, with the rest set to zero. Touches of an unknown
-/// point share noise with touches of that point only.
+/// Returns the standard deviation of each joint's reading [rad, m].
+[[nodiscard]] Eigen::VectorXd encoderSigmas(const deflection::Arm& arm);
+
+/// What is shared, by `by_joints` of each reading (ReadingPredictor), the smallest first; Q and shrink are empty yet.
+/// What a reading has for itself is left in `by_joints`, the rest of it zero. Touches of an unknown point share noise
+/// with touches of that point only.
 [[nodiscard]] std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm,
                                                            const std::vector<Measurement>& readings,
                                                            std::vector<Eigen::MatrixXd>& by_joints);

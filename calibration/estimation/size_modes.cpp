@@ -187,10 +187,7 @@ class SizeSearch {
     for (std::size_t k = 0; k < readings_.size(); ++k) {
       const Measurement& reading = readings_[k];
       if (hasUnknownPlace(reading)) continue;
-      const auto& X_WB = state.base_poses[static_cast<std::size_t>(basePoseOf(state, reading))].X_WB;
-      PredictionRequest request;
-      request.by_joints = true;
-      const Prediction predicted = predictReading(state.arm, X_WB, reading, request);
+      const Prediction predicted = predictReading(state, reading, {.by_joints = true});
       if (!predicted.ok) return std::numeric_limits<double>::infinity();
       if (!kindOf(reading).counts_steps) {
         sum += (weights_.whitener[k] * (predicted.value - kindOf(reading).measured(reading))).squaredNorm();
@@ -253,9 +250,7 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
       Measurement asked = readings[k];
       asked.kind = kind.kind;
       if (kind.names_hole && !asked.p_W) continue;
-      const auto& X_one = one.base_poses[static_cast<std::size_t>(basePoseOf(one, asked))].X_WB;
-      const auto& X_other = other.base_poses[static_cast<std::size_t>(basePoseOf(other, asked))].X_WB;
-      const auto here = toolAt(one.arm, X_one, asked), there = toolAt(other.arm, X_other, asked);
+      const auto here = toolAt(one, asked), there = toolAt(other, asked);
       if (!here || !there) continue;
       // A touch states its hole, and the joints follow: the tips differ by as much as the measured place would.
       kind.record(*here, 1, MeasuredValue::Zero(6), asked);

@@ -12,6 +12,11 @@ constexpr double kRank = 1e-8;  // for columns of unit length
 
 }  // namespace
 
+Eigen::VectorXd leftBeside(const MatrixXd& columns, const Eigen::VectorXd& vector) {
+  if (columns.cols() == 0) return vector;
+  return vector - columns * columns.completeOrthogonalDecomposition().solve(vector);
+}
+
 MatrixXd spanOf(MatrixXd columns) {
   if (columns.size() == 0) return MatrixXd(columns.rows(), 0);
   for (auto column : columns.colwise())

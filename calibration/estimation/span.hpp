@@ -5,7 +5,11 @@
 
 namespace tubeplan::calibration {
 
-/// Returns an orthonormal basis of the columns' span. Dependent columns are dropped, and scales do not matter.
+/// Returns what of a vector no combination of the columns can do.
+[[nodiscard]] Eigen::VectorXd leftBeside(const Eigen::MatrixXd& columns, const Eigen::VectorXd& vector);
+
+/// An orthonormal basis of what the columns span; columns that add nothing to the others cost nothing, and scales do
+/// not matter.
 [[nodiscard]] Eigen::MatrixXd spanOf(Eigen::MatrixXd columns);
 
 /// Returns the part of the columns that the orthonormal Q does not span.

@@ -18,25 +18,17 @@ struct Found {
   MatrixXd covariance;
 };
 
-/// A stage's readings, and the index of each among all.
-struct StageReadings {
-  std::vector<Measurement> list;
-  std::vector<int> among_all;
-};
-
-StageReadings readingsOf(const std::vector<Measurement>& all, const std::string& setup) {
-  StageReadings some;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (!setup.empty() && all[k].setup != setup) continue;
-    some.list.push_back(all[k]);
-    some.among_all.push_back(static_cast<int>(k));
-  }
-  return some;
+/// The places of a stage's readings among all.
+std::vector<int> placesOf(const std::vector<Measurement>& all, const std::string& setup) {
+  std::vector<int> places;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (setup.empty() || all[k].setup == setup) places.push_back(static_cast<int>(k));
+  return places;
 }
 
-/// Changes a stage's indices of readings to those among all readings, which the result refers to.
-void countAmongAll(const StageReadings& some, Identification& stage) {
-  const auto rename = [&](int& reading) { reading = some.among_all[static_cast<std::size_t>(reading)]; };
+/// Whoever reads the result knows all readings, not the stage's.
+void countAmongAll(const std::vector<int>& places, Identification& stage) {
+  const auto rename = [&](int& reading) { reading = places[static_cast<std::size_t>(reading)]; };
   for (auto& outlier : stage.outliers) rename(outlier.reading);
   for (int& reading : stage.used) rename(reading);
   if (stage.reading_problem && stage.reading_problem->reading >= 0) rename(stage.reading_problem->reading);
@@ -62,8 +54,7 @@ void carry(const std::vector<Measurement>& readings, Found& found, Identificatio
   std::vector<Unknown> both = own;
   both.insert(both.end(), found.unknowns.begin(), found.unknowns.end());
   if (!weights) return;
-  const auto residual =
-      whitenedResidual(stage.fitted, both, readings, *weights, VectorXd::Zero(static_cast<Index>(both.size())), true);
+  const auto residual = whitenedResidual(stage.fitted, both, readings, *weights, zerosOf(both), true);
   if (!residual.ok) return;
   const auto n = static_cast<Index>(own.size()), held = static_cast<Index>(found.unknowns.size());
   const MatrixXd J = residual.jacobian.leftCols(n), J_held = residual.jacobian.rightCols(held);
@@ -79,8 +70,8 @@ void carry(const std::vector<Measurement>& readings, Found& found, Identificatio
 
 /// Returns true for a number that a stage frees again, and so does not hold.
 bool isFreed(const Identification& stage, const Unknown& number) {
-  return std::any_of(stage.numbers.begin(), stage.numbers.end(),
-                     [&](const IdentifiedNumber& own) { return own.unknown.name == number.name; });
+  return std::ranges::any_of(stage.numbers,
+                             [&](const IdentifiedNumber& own) { return own.unknown.name == number.name; });
 }
 
 }  // namespace
@@ -95,17 +86,15 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
   for (const auto& stage : stages) {
     IdentificationOptions now = options;
     now.free.names = stage.names;
-    now.uncertainty.reset();  // with one stage's readings alone it would not be that of all
-    const auto some = readingsOf(readings, stage.setup);
+    now.uncertainty.reset();  // of one stage's readings alone it would not be that of all
+    const auto places = placesOf(readings, stage.setup);
     PlacedArm from{state.arm, {}};
     for (const auto& base_pose : state.base_poses)
       if (stage.setup.empty() || base_pose.setup == stage.setup) from.base_poses.push_back(base_pose);
-    results.push_back(identify(from, some.list, now));
+    results.push_back(identify(from, picked(readings, places), now));
     Identification& result = results.back();
-    countAmongAll(some, result);
+    countAmongAll(places, result);
     if (result.status == IdentificationStatus::kRefused || result.fitted.arm.rows.empty()) return results;
-    std::vector<Measurement> fitted;
-    for (const int k : result.used) fitted.push_back(readings[static_cast<std::size_t>(k)]);
     // Only numbers of the arm are carried: a stage finds its own base poses.
     Found carried;
     std::vector<Index> arm_numbers;
@@ -119,7 +108,7 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
       carried.unknowns = fittedUnknowns(result);
       deflection::takeSized(carried.covariance, result.covariance);
     } else {
-      carry(fitted, carried, result);
+      carry(picked(readings, result.used), carried, result);
     }
     found = std::move(carried);
     state.arm = result.fitted.arm;

@@ -8,7 +8,6 @@
 // uncertainty.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,20 +30,24 @@ struct JointUncertainty {
   Eigen::MatrixXd covariance;  ///< (6 + n) x (6 + n), of the base's step and of the numbers' variables
 };
 
-struct TouchFit {
-  LeastSquaresStatus status = LeastSquaresStatus::kNotRun;
-  std::string reason;  ///< reason if not kConverged
+/// Base and arm as touches have them.
+struct TouchedBase {
   int iterations = 0;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  deflection::Arm arm;                 ///< the arm with its fitted numbers
-  JointUncertainty uncertainty;        ///< about X_WB and `arm`
-  std::vector<Eigen::Matrix3d> noise;  ///< covariance of each touch from its own and its encoders' noise [m^2]
-  Eigen::Matrix3Xd error_W;            ///< tip minus hole of each touch [m]
-  double model_error = 0;              ///< per coordinate, as used [m]
-  bool is_model_error_found = false;   ///< true: increased because of these touches
-  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< chi-square with the prior knowledge
+  deflection::Arm arm;                ///< with its numbers where the touches have them: the one that stands at X_WB
+  JointUncertainty uncertainty;       ///< about X_WB and `arm`
+  double model_error = 0;             ///< m per coordinate, as counted
+  bool is_model_error_found = false;  ///< by these touches: it is more than was known beforehand
+  double chi2 = kNotKnown;            ///< by what was known beforehand
   int degrees_of_freedom = 0;
-  double p_value = std::numeric_limits<double>::quiet_NaN();
+  double p_value = kNotKnown;
+};
+
+struct TouchFit : TouchedBase {
+  LeastSquaresStatus status = LeastSquaresStatus::kNotRun;
+  std::string reason;                  ///< why it is not kConverged
+  std::vector<Eigen::Matrix3d> noise;  ///< of each touch by its own noise and its encoders' [m^2]
+  Eigen::Matrix3Xd error_W;            ///< tip less hole of each touch [m]
 };
 
 /// Fits touches of known places, three or more and not on a line, from a base nearby or, after an alignment, from

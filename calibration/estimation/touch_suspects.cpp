@@ -72,7 +72,7 @@ std::vector<std::string> findMistakenHoles(const TouchesToExplain& asked, double
         found.emplace_back(fit.chi2,
                            "touch " + touches[k].id + " named " + touches[k].point + " fits hole " + neighbour.name);
     }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   std::vector<std::string> names;
   for (auto& [fit, name] : found) names.push_back(name);
   return names;
@@ -100,7 +100,7 @@ std::vector<SuspectReading> findSuspectReadings(const TouchesToExplain& asked) {
       const double p_value = chiSquareTail(reading.chi2At(added), freedom);
       if (p_value >= kLackOfFit) found.push_back({asked.touches[k].id, j, -added, p_value});
     }
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.p_value > b.p_value; });
+  std::ranges::stable_sort(found, std::greater{}, &SuspectReading::p_value);
   if (found.size() > kMostSuspected) found.resize(kMostSuspected);
   return found;
 }

@@ -25,7 +25,7 @@ struct TouchesToExplain {
 /// The only touch, of four or more, without which the others fit, and their rms then [m]; -1 if there is none.
 struct OddTouch {
   int touch = -1;
-  double rms_of_others = std::numeric_limits<double>::quiet_NaN();
+  double rms_of_others = kNotKnown;
 };
 [[nodiscard]] OddTouch findOddTouch(const TouchesToExplain& asked);
 

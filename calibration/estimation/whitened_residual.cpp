@@ -59,8 +59,7 @@ bool placeColumns(const PlacedArm& placed, const std::vector<Measurement>& readi
       columns[k] = byPlaceNumbers(readings[k], {});
       continue;
     }
-    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, readings[k]))].X_WB;
-    const auto tool = toolAt(placed.arm, X_WB, readings[k]);
+    const auto tool = toolAt(placed, readings[k]);
     if (!tool) return false;
     columns[k] = byPlaceNumbers(readings[k], *tool);
   }
@@ -78,9 +77,7 @@ MatrixXd whitenerOf(const MatrixXd& covariance) {
 bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readings, std::vector<MatrixXd>& by_joints,
                  const StopQuestion& stop) {
   by_joints.resize(readings.size());
-  PredictionRequest request;
-  request.by_joints = true;
-  return predictAll(placed, readings, basePosesOf(placed, readings), request, stop,
+  return predictAll(placed, readings, basePosesOf(placed, readings), {.by_joints = true}, stop,
                     [&](std::size_t k, const Prediction& prediction) { by_joints[k] = prediction.by_joints; });
 }
 

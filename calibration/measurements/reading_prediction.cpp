@@ -53,6 +53,10 @@ Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X
   return ReadingPredictor(arm).predict(X_WB, reading, request);
 }
 
+Prediction predictReading(const PlacedArm& placed, const Measurement& reading, const PredictionRequest& request) {
+  return predictReading(placed.arm, basePoseAt(placed, reading), reading, request);
+}
+
 Prediction ReadingPredictor::predict(const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                      const PredictionRequest& request) {
   const auto variables = variablesOf(request, arm_);
@@ -78,6 +82,11 @@ Prediction predictTip(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
 std::optional<ToolPose> toolAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                const deflection::FlexibleKinematicsOptions& options) {
   return poseAt(arm, X_WB, reading, std::nullopt, options);
+}
+
+std::optional<ToolPose> toolAt(const PlacedArm& placed, const Measurement& reading,
+                               const deflection::FlexibleKinematicsOptions& options) {
+  return toolAt(placed.arm, basePoseAt(placed, reading), reading, options);
 }
 
 std::optional<ToolPose> frameAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,

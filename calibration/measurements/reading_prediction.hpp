@@ -18,7 +18,7 @@ namespace tubeplan::calibration {
 
 /// Derivatives wanted besides the value.
 struct PredictionRequest {
-  std::vector<deflection::Variable> numbers;  ///< numbers of the arm, or any other variable of the tip
+  std::vector<deflection::Variable> numbers = {};  ///< of the arm; also any other variable of the tip
   bool by_base = false;
   bool by_joints = false;
 
@@ -56,6 +56,8 @@ class ReadingPredictor {
 /// Predicts a single reading of the arm with its base at `X_WB`.
 [[nodiscard]] Prediction predictReading(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                         const Measurement& reading, const PredictionRequest& request = {});
+[[nodiscard]] Prediction predictReading(const PlacedArm& placed, const Measurement& reading,
+                                        const PredictionRequest& request = {});
 
 /// Predicts the tip of the arm with its base at `X_WB`, with its derivatives by base and joints. Gravity turns in the
 /// base frame as the base turns.
@@ -66,6 +68,8 @@ class ReadingPredictor {
 /// converge.
 [[nodiscard]] std::optional<ToolPose> toolAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                              const Measurement& reading,
+                                             const deflection::FlexibleKinematicsOptions& options = {});
+[[nodiscard]] std::optional<ToolPose> toolAt(const PlacedArm& placed, const Measurement& reading,
                                              const deflection::FlexibleKinematicsOptions& options = {});
 
 /// Returns the frame that the reading measures: the tool's, or that of its row.

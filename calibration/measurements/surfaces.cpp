@@ -23,8 +23,7 @@ std::map<std::string, std::vector<std::size_t>> bySurface(const std::vector<Meas
 
 /// Returns the contact of the tool's measured point in the world [m]; nothing if the shape does not converge.
 std::optional<ToolPose> contactOf(const PlacedArm& placed, const Measurement& reading) {
-  const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
-  const auto tool = toolAt(placed.arm, X_WB, reading, kSettleExactly);
+  const auto tool = toolAt(placed, reading, kSettleExactly);
   return tool ? std::optional(atMeasuredPoint(reading, *tool)) : std::nullopt;
 }
 

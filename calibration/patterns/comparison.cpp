@@ -244,14 +244,8 @@ ModelLackOfFit lackOfFitOf(const Identification& fit, const std::vector<Measurem
 }
 
 Comparison compare(const PlacedArm& start, const std::vector<Measurement>& readings, const ComparisonOptions& options) {
-  try {
-    return compareUnlessStopped(start, readings, options);
-  } catch (const WorkStopped&) {
-    Comparison stopped;
-    stopped.status = ComparisonStatus::kStopped;
-    stopped.reason = kStoppedReason;
-    return stopped;
-  }
+  return unlessStopped(&Comparison::status, ComparisonStatus::kStopped,
+                       [&] { return compareUnlessStopped(start, readings, options); });
 }
 
 }  // namespace tubeplan::calibration

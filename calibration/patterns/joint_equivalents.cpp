@@ -38,12 +38,6 @@ Turned turned(const MatrixXd& by_joints, const VectorXd& sigma, const VectorXd& 
   return result;
 }
 
-VectorXd encoderSigmas(const deflection::Arm& arm) {
-  VectorXd sigma(arm.jointCount());
-  for (Eigen::Index j = 0; j < arm.jointCount(); ++j) sigma[j] = arm.joint(j).encoder_sigma;
-  return sigma;
-}
-
 }  // namespace
 
 JointEquivalents equivalentJoints(const PlacedArm& placed, const std::vector<Measurement>& readings,
@@ -53,13 +47,10 @@ JointEquivalents equivalentJoints(const PlacedArm& placed, const std::vector<Mea
   const bool is_stated = result.sigma.size() > 0 && result.sigma.maxCoeff() > 0;
   const VectorXd weight = is_stated ? result.sigma : VectorXd::Ones(result.sigma.size());
   result.corrections.resize(weight.size(), static_cast<Index>(readings.size()));
-  PredictionRequest request;
-  request.by_joints = true;
   double chi2 = 0;
   Index row = 0;
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, readings[k]))].X_WB;
-    const Prediction prediction = predictReading(placed.arm, X_WB, readings[k], request);
+    const Prediction prediction = predictReading(placed, readings[k], {.by_joints = true});
     if (!prediction.ok) return result;
     const Turned one =
         turned(prediction.by_joints.leftCols(weight.size()), weight, error.segment(row, rowsOf(readings[k])));

@@ -71,7 +71,7 @@ ReadingScene observe(const PlacedArm& placed, const std::vector<Measurement>& re
   scene.moments_L.resize(readings.size());
   std::atomic<bool> ok = true;
   tbb::parallel_for(std::size_t{0}, readings.size(), [&](std::size_t k) {
-    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, readings[k]))].X_WB;
+    const auto& X_WB = basePoseAt(placed, readings[k]);
     const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(readings[k], placed.arm, X_WB));
     if (shape.status != deflection::KinematicsStatus::kConverged) {
       ok = false;

@@ -13,6 +13,8 @@ using deflection::EffectKind, deflection::PlaceRule, deflection::Quantity;
 
 namespace {
 
+constexpr int kKneeLevels = 7;       // tried moments of a knee
+constexpr int kTimeLevels = 64;      // tried times of a step
 constexpr double kFreedOdds = 2;     // of all held stiffnesses together: drawings seldom state them well; of all
                                      // zeros of joints that follow others too, which no reading has
 constexpr double kGeometryOdds = 2;  // of the drawing's geometry as a whole
@@ -22,17 +24,17 @@ bool hasWeights(const deflection::Arm& arm) {
   const auto weighs = [](const auto& row) {
     return row.weight.distributed > 0 || row.weight.end > 0 || !row.weight.lumps.empty();
   };
-  return std::any_of(arm.rows.begin(), arm.rows.end(), weighs) || !arm.side_chains.empty();
+  return std::ranges::any_of(arm.rows, weighs) || !arm.side_chains.empty();
 }
 
 /// What the readings and the arm lack for an effect to be seen; empty where nothing.
 std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings) {
   const deflection::Arm& arm = placed.arm;
-  const auto any = [&](auto&& holds) { return std::any_of(readings.begin(), readings.end(), holds); };
+  const auto any = [&](auto&& holds) { return std::ranges::any_of(readings, holds); };
   const bool has_load = any([](const Measurement& m) { return m.load > 0; });
   const bool is_loaded = has_load || any([](const Measurement& m) { return m.wrench.has_value(); });
   if (kind.needs.approach_directions && !any([](const Measurement& m) {
-        return std::any_of(m.approach_directions.begin(), m.approach_directions.end(), [](int s) { return s != 0; });
+        return std::ranges::any_of(m.approach_directions, [](int s) { return s != 0; });
       }))
     return "the readings do not state the direction of the joints' last motion (<joint>_dir)";
   for (const auto condition : conditionsOf(kind))
@@ -51,7 +53,7 @@ std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::v
 /// Evenly spread quantiles of the inner part of a sample, doubles once.
 std::vector<double> quantiles(std::vector<double> sample, int count, double from, double to) {
   if (sample.empty()) return {};
-  std::sort(sample.begin(), sample.end());
+  std::ranges::sort(sample);
   std::set<double> levels;
   for (int k = 0; k < count; ++k) {
     const double share = from + (to - from) * (count > 1 ? static_cast<double>(k) / (count - 1) : 0.5);
@@ -67,7 +69,7 @@ std::vector<double> momentsAt(const PlacedArm& placed, const std::vector<Measure
   const std::size_t step = std::max<std::size_t>(1, readings.size() / kMost);
   std::vector<double> moments;
   for (std::size_t k = 0; k < readings.size(); k += step) {
-    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, readings[k]))].X_WB;
+    const auto& X_WB = basePoseAt(placed, readings[k]);
     const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(readings[k], placed.arm, X_WB));
     if (shape.status == deflection::KinematicsStatus::kConverged)
       moments.push_back(std::abs(shape.rows[static_cast<std::size_t>(place.row)].moment_L[place.axis]));
@@ -75,31 +77,17 @@ std::vector<double> momentsAt(const PlacedArm& placed, const std::vector<Measure
   return moments;
 }
 
-/// Midpoints between the times of readings: a step between two readings looks the same wherever it is.
-std::vector<double> timesBetween(const std::vector<Measurement>& readings) {
-  std::set<double> times;
-  for (const auto& reading : readings)
-    if (reading.conditions.states(Condition::kTime)) times.insert(reading.conditions[Condition::kTime]);
-  std::vector<double> between;
-  for (auto at = times.begin(); at != times.end() && std::next(at) != times.end(); ++at)
-    between.push_back((*at + *std::next(at)) / 2);
-  return between;
-}
-
-std::vector<double> levelsOf(const Cause& cause, const PlacedArm& placed, const std::vector<Measurement>& readings,
-                             const CauseOptions& options) {
+std::vector<double> levelsOf(const Cause& cause, const PlacedArm& placed, const std::vector<Measurement>& readings) {
   if (cause.shape < 0) return {0};
   const auto& parameter = kindOf(cause.effects.front()).parameters[static_cast<std::size_t>(cause.shape)];
   if (parameter.quantity == Quantity::kTorque)
-    return quantiles(momentsAt(placed, readings, cause.effects.front().place), options.knee_levels, 0.04, 0.9);
-  if (parameter.quantity == Quantity::kTime) return quantiles(timesBetween(readings), options.time_levels, 0.05, 0.95);
+    return quantiles(momentsAt(placed, readings, cause.effects.front().place), kKneeLevels, 0.04, 0.9);
+  if (parameter.quantity == Quantity::kTime) return quantiles(timesBetween(readings), kTimeLevels, 0.05, 0.95);
   return {parameter.neutral};
 }
 
 bool isThereAlready(const deflection::Arm& arm, const deflection::Effect& effect) {
-  return std::any_of(arm.effects.begin(), arm.effects.end(), [&](const deflection::Effect& present) {
-    return present.kind == effect.kind && present.place == effect.place;
-  });
+  return std::ranges::any_of(arm.effects, [&](const auto& present) { return areOne(present, effect); });
 }
 
 std::vector<std::string> placesOf(const EffectKind& kind, const PlacedArm& placed) {
@@ -125,13 +113,13 @@ bool mayActAlike(const EffectKind& kind) {
 
 /// Adds a kind's causes, its odds shared out.
 void addKind(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings,
-             const CauseOptions& options, CauseList& list) {
+             CauseList& list) {
   std::vector<Cause> at_places;
   for (const std::string& at : placesOf(kind, placed)) {
     const auto made = deflection::makeEffect(placed.arm, kind.name, at);
     if (isThereAlready(placed.arm, made.effect)) continue;
     Cause cause{kind.name, at, {made.effect}, {}, shapeOf(kind)};
-    cause.levels = levelsOf(cause, placed, readings, options);
+    cause.levels = levelsOf(cause, placed, readings);
     if (!cause.levels.empty()) at_places.push_back(std::move(cause));
   }
   if (at_places.empty()) return;
@@ -146,7 +134,7 @@ void addKind(const EffectKind& kind, const PlacedArm& placed, const std::vector<
 }
 
 bool isFree(const std::vector<Unknown>& free, const std::string& name) {
-  return std::any_of(free.begin(), free.end(), [&](const Unknown& unknown) { return unknown.name == name; });
+  return std::ranges::any_of(free, [&](const Unknown& unknown) { return unknown.name == name; });
 }
 
 /// Numbers of the arm's file that the fit holds: each stiffness, each zero of a joint that follows others, and the
@@ -177,6 +165,16 @@ void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, C
 }
 
 }  // namespace
+
+std::vector<double> timesBetween(const std::vector<Measurement>& readings) {
+  std::set<double> times;
+  for (const auto& reading : readings)
+    if (reading.conditions.states(Condition::kTime)) times.insert(reading.conditions[Condition::kTime]);
+  std::vector<double> between;
+  for (auto at = times.begin(); at != times.end() && std::next(at) != times.end(); ++at)
+    between.push_back((*at + *std::next(at)) / 2);
+  return between;
+}
 
 const char* causeWords(const std::string& effect) {
   if (effect == kFreedNumbers) return "a number of the arm's file is off";
@@ -211,10 +209,9 @@ std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, c
 bool overlap(const Cause& a, const Cause& b) {
   for (const auto& mine : a.effects)
     for (const auto& theirs : b.effects)
-      if (mine.kind == theirs.kind && mine.place == theirs.place) return true;
-  return std::any_of(a.frees.begin(), a.frees.end(), [&](const std::string& name) {
-    return std::find(b.frees.begin(), b.frees.end(), name) != b.frees.end();
-  });
+      if (areOne(mine, theirs)) return true;
+  return std::ranges::any_of(
+      a.frees, [&](const std::string& name) { return std::ranges::find(b.frees, name) != b.frees.end(); });
 }
 
 bool isStep(const Cause& cause) {
@@ -260,7 +257,7 @@ Unknown shapeUnknown(const deflection::Arm& arm, const Cause& cause, int effect,
 }
 
 CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
-                     const std::vector<Unknown>& free, const CauseOptions& options, const WorkHooks& hooks) {
+                     const std::vector<Unknown>& free, const WorkHooks& hooks) {
   CauseList list;
   for (const auto& kind : deflection::effectKinds()) {
     goOn(hooks.stop);
@@ -268,7 +265,7 @@ CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& re
     if (const std::string lack = lackOf(kind, placed, readings); !lack.empty())
       list.not_tried.push_back(std::string(kind.name) + ": " + lack);
     else
-      addKind(kind, placed, readings, options, list);
+      addKind(kind, placed, readings, list);
   }
   addHeldNumbers(placed, free, list);
   double total = 0;

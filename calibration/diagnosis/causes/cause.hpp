@@ -35,6 +35,11 @@ struct Cause {
   double prior = 0;                         ///< its share of the probability that exactly one cause is missing
 };
 
+/// Returns true if they are one effect at one place, whatever their sizes.
+[[nodiscard]] inline bool areOne(const deflection::Effect& a, const deflection::Effect& b) {
+  return a.kind == b.kind && a.place == b.place;
+}
+
 /// Whether they hold one effect at one place between them, or free one number.
 [[nodiscard]] bool overlap(const Cause& a, const Cause& b);
 
@@ -52,10 +57,9 @@ struct Cause {
 /// index that the cause's effect got in the arm.
 [[nodiscard]] Unknown shapeUnknown(const deflection::Arm& arm, const Cause& cause, int effect, double level);
 
-struct CauseOptions {
-  int knee_levels = 7;   ///< tried moments of a knee
-  int time_levels = 64;  ///< tried times of a step
-};
+/// Returns the midpoints between the times of readings, in order: a step between two readings looks the same wherever
+/// it is.
+[[nodiscard]] std::vector<double> timesBetween(const std::vector<Measurement>& readings);
 
 struct CauseList {
   std::vector<Cause> causes;
@@ -66,7 +70,6 @@ struct CauseList {
 /// Every cause that these readings could show of an arm, beside what `free` names. Effects that the arm already has at
 /// a place are left out. Unwinds where it was stopped.
 [[nodiscard]] CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
-                                   const std::vector<Unknown>& free, const CauseOptions& options = {},
-                                   const WorkHooks& hooks = {});
+                                   const std::vector<Unknown>& free, const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::calibration

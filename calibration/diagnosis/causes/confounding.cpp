@@ -9,7 +9,7 @@
 
 namespace tubeplan::calibration {
 
-using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
@@ -35,33 +35,21 @@ double shareOf(const MatrixXd& one, const MatrixXd& other) {
   return cosines[one.cols() - 1] * cosines[one.cols() - 1];
 }
 
-std::vector<Signature> signaturesOf(const std::vector<Cause>& causes, const Signatures& list, const MatrixXd& columns,
-                                    const MatrixXd& others) {
-  std::vector<Signature> signatures;
-  for (std::size_t c = 0; c < causes.size(); ++c) {
-    const int level = static_cast<int>(causes[c].levels.size()) / 2;
-    signatures.push_back(signatureOf(columns(Eigen::all, list.columnsOf(static_cast<int>(c), level)), others));
-  }
-  return signatures;
-}
-
 }  // namespace
 
 std::vector<Confounding> findConfounding(const PlacedArm& placed, const std::vector<Measurement>& readings,
                                          const std::vector<Unknown>& fitted) {
   const auto weights = weighReadings(placed, readings);
   if (!weights) return {};
-  auto causes = listCauses(placed, readings, fitted).causes;
-  std::erase_if(causes, [](const Cause& cause) { return cause.effects.size() != 1; });
-  const Signatures list(placed, causes);
-  const MatrixXd columns = list.columnsAt(readings, *weights);
-  if (columns.rows() != weights->rows) return {};
+  const auto catalogue = singleCauses(placed, readings, fitted, *weights);
+  if (!catalogue) return {};
+  const auto& causes = catalogue->causes;
   MatrixXd others;
   if (!fitted.empty())
-    others = spanOf(
-        whitenedResidual(placed, fitted, readings, *weights, VectorXd::Zero(static_cast<Index>(fitted.size())), true)
-            .jacobian);
-  const auto signatures = signaturesOf(causes, list, columns, others);
+    others = spanOf(whitenedResidual(placed, fitted, readings, *weights, zerosOf(fitted), true).jacobian);
+  std::vector<Signature> signatures;
+  for (std::size_t c = 0; c < causes.size(); ++c)
+    signatures.push_back(signatureOf(catalogue->columnsOf(c, static_cast<int>(causes[c].levels.size()) / 2), others));
   std::vector<Confounding> found;
   for (std::size_t a = 0; a < causes.size(); ++a) {
     Confounding entry{causes[a].effect, causes[a].at, signatures[a].kept, {}};
@@ -69,8 +57,7 @@ std::vector<Confounding> findConfounding(const PlacedArm& placed, const std::vec
       const double share = a == b ? 0 : shareOf(signatures[a].basis, signatures[b].basis);
       if (share >= kConfoundedShare) entry.confounded.push_back({causes[b].effect, causes[b].at, share});
     }
-    std::stable_sort(entry.confounded.begin(), entry.confounded.end(),
-                     [](const ConfoundedCause& x, const ConfoundedCause& y) { return x.share > y.share; });
+    std::ranges::stable_sort(entry.confounded, std::greater{}, &ConfoundedCause::share);
     found.push_back(std::move(entry));
   }
   return found;

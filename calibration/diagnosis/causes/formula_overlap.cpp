@@ -49,36 +49,31 @@ struct Setting {
   const std::vector<Measurement>& readings;
   const ReadingWeights& weights;
   const std::vector<Unknown>& fitted;
-  const std::vector<Cause>& causes;
-  const Signatures& signatures;
-  const MatrixXd& columns;  ///< of the signatures
+  const SingleCauses& catalogue;
 
   [[nodiscard]] MatrixXd jacobianBy(const std::vector<Unknown>& unknowns) const {
-    const VectorXd zero = VectorXd::Zero(static_cast<Index>(unknowns.size()));
-    return whitenedResidual(placed, unknowns, readings, weights, zero, true).jacobian;
+    return whitenedResidual(placed, unknowns, readings, weights, zerosOf(unknowns), true).jacobian;
   }
 };
 
 std::vector<EffectShare> sharesOf(const Setting& at, const MatrixXd& others, const MatrixXd& left) {
   std::vector<EffectShare> shares;
-  for (std::size_t c = 0; c < at.causes.size(); ++c) {
-    const Cause& cause = at.causes[c];
+  for (std::size_t c = 0; c < at.catalogue.causes.size(); ++c) {
+    const Cause& cause = at.catalogue.causes[c];
     for (int level = 0; level < static_cast<int>(cause.levels.size()); ++level) {
-      const MatrixXd own = at.columns(Eigen::all, at.signatures.columnsOf(static_cast<int>(c), level));
+      const MatrixXd own = at.catalogue.columnsOf(c, level);
       const MatrixXd columns = without(others, own);
       if (!(columns.norm() > kLeastKept * own.norm())) continue;
       const double share = (spanOf(columns).transpose() * left).squaredNorm() / left.squaredNorm();
-      const auto same = std::find_if(shares.begin(), shares.end(), [&](const EffectShare& s) {
-        return s.effect == cause.effect && s.at == cause.at;
-      });
+      const auto same = std::ranges::find_if(
+          shares, [&](const EffectShare& s) { return s.effect == cause.effect && s.at == cause.at; });
       if (same != shares.end())
         same->share = std::max(same->share, share);
       else if (share > kLeastOverlap)
         shares.push_back({cause.effect, cause.at, share});
     }
   }
-  std::stable_sort(shares.begin(), shares.end(),
-                   [](const EffectShare& a, const EffectShare& b) { return a.share > b.share; });
+  std::ranges::stable_sort(shares, std::greater{}, &EffectShare::share);
   return shares;
 }
 
@@ -102,22 +97,18 @@ FormulaOverlap overlapOf(const Setting& at, int effect) {
 std::vector<FormulaOverlap> findFormulaOverlaps(const Identification& result,
                                                 const std::vector<Measurement>& readings) {
   const auto& effects = result.fitted.arm.effects;
-  const bool has_any = std::any_of(effects.begin(), effects.end(), [](const auto& e) { return e.formula != nullptr; });
+  const bool has_any = std::ranges::any_of(effects, [](const auto& e) { return e.formula != nullptr; });
   if (result.status != IdentificationStatus::kDone || !has_any) return {};
-  std::vector<Measurement> used;
-  for (const int k : result.used) used.push_back(readings.at(static_cast<std::size_t>(k)));
+  const auto used = picked(readings, result.used);
   const auto weights = weighReadings(result.fitted, used);
   if (!weights) return {};
   const auto fitted = fittedUnknowns(result);
-  auto causes = listCauses(result.fitted, used, fitted).causes;
-  std::erase_if(causes, [](const Cause& cause) { return cause.effects.size() != 1; });
-  const Signatures signatures(result.fitted, causes);
-  const MatrixXd columns = signatures.columnsAt(used, *weights);
-  if (columns.rows() != weights->rows) return {};
+  const auto catalogue = singleCauses(result.fitted, used, fitted, *weights);
+  if (!catalogue) return {};
   std::vector<FormulaOverlap> overlaps;
   for (int k = 0; k < static_cast<int>(effects.size()); ++k)
     if (effects[static_cast<std::size_t>(k)].formula)
-      overlaps.push_back(overlapOf({result.fitted, used, *weights, fitted, causes, signatures, columns}, k));
+      overlaps.push_back(overlapOf({result.fitted, used, *weights, fitted, *catalogue}, k));
   return overlaps;
 }
 

@@ -9,7 +9,7 @@
 
 namespace tubeplan::calibration {
 
-using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd;
 
 namespace {
 
@@ -71,9 +71,8 @@ void Signatures::shareColumns(const std::vector<Cause>& causes) {
   for (std::size_t c = 0; c < causes.size(); ++c) {
     if (!actsAlike(causes[c])) continue;
     for (const auto& effect : causes[c].effects) {
-      const auto single = std::find_if(causes.begin(), causes.end(), [&](const Cause& other) {
-        return other.effects.size() == 1 && other.effects.front().kind == effect.kind &&
-               other.effects.front().place == effect.place;
+      const auto single = std::ranges::find_if(causes, [&](const Cause& other) {
+        return other.effects.size() == 1 && areOne(other.effects.front(), effect);
       });
       assert(single != causes.end());
       const auto& columns = of_cause_[static_cast<std::size_t>(single - causes.begin())].front();
@@ -90,11 +89,11 @@ MatrixXd Signatures::columnsAt(const std::vector<Measurement>& readings, const R
   apart.shared.clear();
   for (const Layer& layer : layers_) {
     goOn(stop);
-    const VectorXd zero = VectorXd::Zero(static_cast<Index>(layer.unknowns.size()));
-    auto residual = whitenedResidual(layer.placed, layer.unknowns, readings, apart, zero, true, stop);
+    auto residual =
+        whitenedResidual(layer.placed, layer.unknowns, readings, apart, zerosOf(layer.unknowns), true, stop);
     if (!residual.ok) return {};
     const auto count = static_cast<Index>(layer.unknowns.size());
-    for (Index k = 0; k < count; ++k) residual.jacobian.col(k) *= layer.unknowns[static_cast<std::size_t>(k)].typical;
+    residual.jacobian.array().rowwise() *= typicalsOf(layer.unknowns).transpose().array();
     const std::size_t blocks = std::max<std::size_t>(1, layer.times.size());
     for (std::size_t block = 0; block < blocks; ++block)
       for (Index k = 0; k < count; ++k) {
@@ -108,6 +107,16 @@ MatrixXd Signatures::columnsAt(const std::vector<Measurement>& readings, const R
   }
   takeSharedOff(weights, all);
   return all;
+}
+
+std::optional<SingleCauses> singleCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
+                                         const std::vector<Unknown>& fitted, const ReadingWeights& weights) {
+  auto causes = listCauses(placed, readings, fitted).causes;
+  std::erase_if(causes, [](const Cause& cause) { return cause.effects.size() != 1; });
+  Signatures signatures(placed, causes);
+  MatrixXd columns = signatures.columnsAt(readings, weights);
+  if (columns.rows() != weights.rows) return std::nullopt;
+  return SingleCauses{std::move(causes), std::move(signatures), std::move(columns)};
 }
 
 }  // namespace tubeplan::calibration

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "calibration/diagnosis/causes/cause.hpp"
@@ -52,5 +53,22 @@ class Signatures {
   std::vector<std::vector<std::vector<int>>> of_cause_;  ///< cause, level, number
   std::vector<Layer> layers_;
 };
+
+/// The causes that are one effect at one place, with their columns at some readings.
+struct SingleCauses {
+  std::vector<Cause> causes;
+  Signatures signatures;
+  Eigen::MatrixXd columns;
+
+  [[nodiscard]] Eigen::MatrixXd columnsOf(std::size_t cause, int level) const {
+    return columns(Eigen::all, signatures.columnsOf(static_cast<int>(cause), level));
+  }
+};
+
+/// Returns those that the readings could show beside the fitted numbers; nothing where the model cannot be evaluated.
+[[nodiscard]] std::optional<SingleCauses> singleCauses(const PlacedArm& placed,
+                                                       const std::vector<Measurement>& readings,
+                                                       const std::vector<Unknown>& fitted,
+                                                       const ReadingWeights& weights);
 
 }  // namespace tubeplan::calibration

@@ -48,6 +48,10 @@ Range rangeOf(const std::vector<Measurement>& readings, const Function& value) {
   return range;
 }
 
+Function product(const Function& a, const Function& b) {
+  return [a, b](const Measurement& m) { return a(m) * b(m); };
+}
+
 /// Features of one joint's reading: waves over a turn, of a slide over its range.
 class JointFeatures {
  public:
@@ -95,17 +99,13 @@ class JointFeatures {
   }
 
   [[nodiscard]] std::vector<Feature> direction() const {
-    const auto approach_direction = [i = index_](const Measurement& m) {
+    const Function sense = [i = index_](const Measurement& m) {
       return m.approach_directions.empty() ? 0.
                                            : static_cast<double>(m.approach_directions[static_cast<std::size_t>(i)]);
     };
     const std::string follows = "direction of " + name_;
     return {
-        {follows, approach_direction, 1},
-        {follows, [approach_direction, f = sine(1)](const Measurement& m) { return approach_direction(m) * f(m); },
-         kMinor},
-        {follows, [approach_direction, f = cosine(1)](const Measurement& m) { return approach_direction(m) * f(m); },
-         kMinor}};
+        {follows, sense, 1}, {follows, product(sense, sine(1)), kMinor}, {follows, product(sense, cosine(1)), kMinor}};
   }
 
  private:
@@ -114,10 +114,6 @@ class JointFeatures {
   Range range_;
   double rate_ = 1;
 };
-
-Function product(const Function& a, const Function& b) {
-  return [a, b](const Measurement& m) { return a(m) * b(m); };
-}
 
 std::vector<Feature> productsOf(const JointFeatures& a, const JointFeatures& b) {
   const std::string follows = a.name() + " and " + b.name();
@@ -169,8 +165,8 @@ class TermMaker {
   TermMaker(const deflection::Arm& arm, const std::vector<Measurement>& readings) : conditions_(readings) {
     Index index = 0;
     for (const auto& joint : arm.joints()) joints_.emplace_back(joint, index++, readings);
-    has_directions_ = std::any_of(readings.begin(), readings.end(),
-                                  [](const Measurement& m) { return !m.approach_directions.empty(); });
+    has_directions_ =
+        std::ranges::any_of(readings, [](const Measurement& m) { return !m.approach_directions.empty(); });
   }
 
   [[nodiscard]] std::vector<DiscrepancyTerm> make() {
@@ -262,7 +258,7 @@ VectorXd columnOf(const std::vector<Motion>& motions, const DiscrepancyTerm& ter
 /// Scales every term to its share of an error of 1 m.
 void scaleTerms(const PlacedArm& placed, const std::vector<Measurement>& readings,
                 std::vector<DiscrepancyTerm>& terms) {
-  VectorXd squares = VectorXd::Zero(static_cast<Index>(terms.size()));
+  std::vector<double> squares(terms.size());
   double count = 0;
   ReadingPredictor predictor(placed.arm);
   const std::size_t step = std::max<std::size_t>(1, readings.size() / kReadingsForScale);
@@ -270,14 +266,13 @@ void scaleTerms(const PlacedArm& placed, const std::vector<Measurement>& reading
     const auto motions = motionsOf(predictor, placed, readings[k]);
     if (motions.empty()) continue;
     ++count;
-    for (std::size_t t = 0; t < terms.size(); ++t)
-      squares[static_cast<Index>(t)] += columnOf(motions, terms[t]).squaredNorm();
+    for (std::size_t t = 0; t < terms.size(); ++t) squares[t] += columnOf(motions, terms[t]).squaredNorm();
   }
   double total = 0;
   for (std::size_t t = 0; t < terms.size(); ++t)
-    if (squares[static_cast<Index>(t)] > 0) total += terms[t].scale * terms[t].scale;
+    if (squares[t] > 0) total += terms[t].scale * terms[t].scale;
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const double rms = std::sqrt(squares[static_cast<Index>(t)] / std::max(1., count));
+    const double rms = std::sqrt(squares[t] / std::max(1., count));
     terms[t].share = terms[t].scale * terms[t].scale / total;
     terms[t].scale = rms > 0 ? terms[t].scale / std::sqrt(total) / rms : 0;
   }

@@ -26,8 +26,6 @@ std::vector<Motion> motionsOfDisplacement(ReadingPredictor& predictor, const Pla
                                           const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                           const Departure& from) {
   std::vector<Motion> motions{{reading, {}}, {readingAt(from), {}}};
-  PredictionRequest request;
-  request.by_joints = true;
   const Index joints = reading.q.size();
   std::vector<ToolPose> tools;
   for (const Motion& motion : motions) {
@@ -39,7 +37,7 @@ std::vector<Motion> motionsOfDisplacement(ReadingPredictor& predictor, const Pla
   way.p_W -= tools.back().p_W;
   const MeasuredSlope slope = predictedSlope(reading, way);
   for (std::size_t k = 0; k < motions.size(); ++k) {
-    const Prediction tip = predictor.predictTip(X_WB, postureOf(motions[k].at, placed.arm, X_WB), request);
+    const Prediction tip = predictor.predictTip(X_WB, postureOf(motions[k].at, placed.arm, X_WB), {.by_joints = true});
     if (!tip.ok) return {};
     motions[k].displacements = rigidDisplacements(slope, tools[k], X_WB.translation(), joints);
     motions[k].displacements.leftCols(joints) = slope.by_place * tip.by_joints;
@@ -51,11 +49,9 @@ std::vector<Motion> motionsOfDisplacement(ReadingPredictor& predictor, const Pla
 }  // namespace
 
 std::vector<Motion> motionsOf(ReadingPredictor& predictor, const PlacedArm& placed, const Measurement& reading) {
-  const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
+  const auto& X_WB = basePoseAt(placed, reading);
   if (const auto from = departureOf(reading)) return motionsOfDisplacement(predictor, placed, X_WB, reading, *from);
-  PredictionRequest request;
-  request.by_joints = true;
-  const Prediction prediction = predictor.predict(X_WB, reading, request);
+  const Prediction prediction = predictor.predict(X_WB, reading, {.by_joints = true});
   const auto frame = frameAt(placed.arm, X_WB, reading);
   if (!prediction.ok || !frame) return {};
   Motion motion{reading, {}};

@@ -196,15 +196,12 @@ std::vector<AlternativeMeasurements> findAlternativeMeasurements(const std::vect
   std::erase_if(means, [&](const AlternativeMeasurements& mean) {
     return !(mean.least_expected >= separationNeeded(options.sure));
   });
-  std::stable_sort(means.begin(), means.end(), [](const AlternativeMeasurements& a, const AlternativeMeasurements& b) {
-    return a.least_expected > b.least_expected;
-  });
+  std::ranges::stable_sort(means, std::greater{}, &AlternativeMeasurements::least_expected);
   for (const auto& explanation : explanations)
     for (const auto& effect : explanation.effects) {
       const std::string check = directCheck(effect);
-      if (std::none_of(means.begin(), means.end(),
-                       [&](const AlternativeMeasurements& mean) { return mean.what == check; }))
-        means.push_back({check, std::numeric_limits<double>::quiet_NaN()});
+      if (std::ranges::none_of(means, [&](const AlternativeMeasurements& mean) { return mean.what == check; }))
+        means.push_back({check, kNotKnown});
     }
   return means;
 }

@@ -7,6 +7,7 @@
 
 #include "calibration/diagnosis/discrimination/alternative_measurements.hpp"
 #include "calibration/diagnosis/discrimination/rival_prediction.hpp"
+#include "calibration/estimation/set_aside.hpp"
 
 namespace tubeplan::calibration {
 
@@ -16,17 +17,8 @@ namespace {
 struct RivalForecast {
   const std::vector<RivalModel>& rivals;
   const std::vector<RivalPrediction>& predictions;
-  const std::vector<DiscriminationStep>& steps;
+  const std::vector<DiscriminatingMeasurement>& steps;
 };
-
-std::vector<Measurement> fittedReadings(const Diagnosis& diagnosis, const std::vector<Measurement>& readings) {
-  std::vector<Measurement> fitted;
-  for (int k = 0; k < static_cast<int>(readings.size()); ++k)
-    if (!readings[static_cast<std::size_t>(k)].is_held_out &&
-        !std::binary_search(diagnosis.set_aside.begin(), diagnosis.set_aside.end(), k))
-      fitted.push_back(readings[static_cast<std::size_t>(k)]);
-  return fitted;
-}
 
 Explanation nothingMissing(const Diagnosis& diagnosis) {
   Explanation nothing;
@@ -101,8 +93,7 @@ void countTimes(const RivalForecast& forecast, const std::vector<double>& probab
     goOn(options.hooks.stop);
     auto pairs = result.times == 1 ? result.pairs : pairsOf(forecast, result.times, gap);
     std::erase_if(pairs, [&](const DiscriminatedPair& pair) {
-      return std::any_of(result.never.begin(), result.never.end(),
-                         [&](const DiscriminatedPair& never) { return isSame(never, pair); });
+      return std::ranges::any_of(result.never, [&](const DiscriminatedPair& never) { return isSame(never, pair); });
     });
     if (chanceOfNaming(probability, pairs) >= options.assured) return;
   }
@@ -117,21 +108,14 @@ std::vector<int> leftTogether(const DiscriminatingMeasurements& result) {
   return {some.begin(), some.end()};
 }
 
-template <class Item>
-std::vector<Item> picked(const std::vector<Item>& all, const std::vector<int>& which) {
-  std::vector<Item> some;
-  for (const int k : which) some.push_back(all[static_cast<std::size_t>(k)]);
-  return some;
-}
-
 /// What to write down beside a reading, for effects that the readings gave no chance.
 std::vector<std::string> columnsMissing(const Diagnosis& diagnosis) {
   std::vector<std::string> approach_directions, columns;
   deflection::OfEachCondition<std::vector<std::string>> of_condition;
   for (const auto& kind : deflection::effectKinds()) {
     const std::string name = kind.name;
-    const bool was_left_out = std::any_of(diagnosis.not_tried.begin(), diagnosis.not_tried.end(),
-                                          [&](const std::string& why) { return why.starts_with(name + ":"); });
+    const bool was_left_out =
+        std::ranges::any_of(diagnosis.not_tried, [&](const std::string& why) { return why.starts_with(name + ":"); });
     if (!was_left_out) continue;
     if (kind.needs.approach_directions) approach_directions.push_back(name);
     for (const auto condition : conditionsOf(kind)) of_condition[condition].push_back(name);
@@ -172,9 +156,9 @@ std::vector<Explanation> openExplanations(const Diagnosis& diagnosis, int most) 
 
 namespace {
 
-DiscriminatingMeasurements proposeUnlessStopped(const Diagnosis& diagnosis, const std::vector<Measurement>& readings,
-                                                const std::vector<ReadingCandidate>& candidates,
-                                                const DiscriminationOptions& options) {
+DiscriminatingMeasurements proposed(const Diagnosis& diagnosis, const std::vector<Measurement>& readings,
+                                    const std::vector<ReadingCandidate>& candidates,
+                                    const DiscriminationOptions& options) {
   DiscriminatingMeasurements result;
   if (diagnosis.verdict != Verdict::kAmbiguous && diagnosis.verdict != Verdict::kInconclusive) {
     result.status = DiscriminationStatus::kNothingToDiscriminate;
@@ -183,7 +167,7 @@ DiscriminatingMeasurements proposeUnlessStopped(const Diagnosis& diagnosis, cons
   }
   result.columns = columnsMissing(diagnosis);
   result.explanations = openExplanations(diagnosis, options.most_explanations);
-  const FittedBasis basis = basisOf(diagnosis.baseline, fittedReadings(diagnosis, readings));
+  const FittedBasis basis = basisOf(diagnosis.baseline, picked(readings, placesFitted(readings, diagnosis.set_aside)));
   if (result.explanations.size() < 2 || !basis.residual.ok) {
     result.status = DiscriminationStatus::kNothingToDiscriminate;
     result.reason = diagnosis.verdict == Verdict::kAmbiguous
@@ -194,13 +178,12 @@ DiscriminatingMeasurements proposeUnlessStopped(const Diagnosis& diagnosis, cons
   reportProgress(options.hooks, "next readings");
   const auto rivals = rivalModelsOf(basis, result.explanations);
   const auto predictions = predictByRivals(rivals, candidates, options.hooks.stop);
-  const auto steps = chooseDiscriminating(rivals, predictions, options.count, options.hooks.stop);
-  if (steps.empty()) {
+  result.readings = chooseDiscriminating(rivals, predictions, options.count, options.hooks.stop);
+  if (result.readings.empty()) {
     result.status = DiscriminationStatus::kNoCandidates;
     result.reason = "no posture is clear of collisions with a shape that converges";
   } else {
-    for (const auto& step : steps) result.readings.push_back({step.candidate, step.a, step.b, step.separation});
-    const RivalForecast forecast{rivals, predictions, steps};
+    const RivalForecast forecast{rivals, predictions, result.readings};
     const auto probability = probabilitiesOf(rivals);
     result.pairs = pairsOf(forecast, 1, separationNeeded(options.sure));
     result.least_expected = std::ranges::min(result.pairs, {}, &DiscriminatedPair::expected).expected;
@@ -220,14 +203,8 @@ DiscriminatingMeasurements proposeDiscriminatingMeasurements(const Diagnosis& di
                                                              const std::vector<Measurement>& readings,
                                                              const std::vector<ReadingCandidate>& candidates,
                                                              const DiscriminationOptions& options) {
-  try {
-    return proposeUnlessStopped(diagnosis, readings, candidates, options);
-  } catch (const WorkStopped&) {
-    DiscriminatingMeasurements stopped;
-    stopped.status = DiscriminationStatus::kStopped;
-    stopped.reason = kStoppedReason;
-    return stopped;
-  }
+  return unlessStopped(&DiscriminatingMeasurements::status, DiscriminationStatus::kStopped,
+                       [&] { return proposed(diagnosis, readings, candidates, options); });
 }
 
 }  // namespace tubeplan::calibration

@@ -8,7 +8,6 @@
 // leaves to wrong explanations become as small as possible (Box and Hill 1967; Atkinson and Fedorov 1975).
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,24 +30,23 @@ struct DiscriminationOptions {
 
 /// One ordered pair: what is to be expected when the first is true.
 struct DiscriminatedPair {
-  int truth = -1, other = -1;                                     ///< indices of the explanations
-  double now = std::numeric_limits<double>::quiet_NaN();          ///< criterion of the other less that of the first
-  double expected = std::numeric_limits<double>::quiet_NaN();     ///< the same after the readings, in the mean
-  double probability = std::numeric_limits<double>::quiet_NaN();  ///< that the first is then named rather than both
+  int truth = -1, other = -1;      ///< indices of the explanations
+  double now = kNotKnown;          ///< criterion of the other less that of the first
+  double expected = kNotKnown;     ///< the same after the readings, in the mean
+  double probability = kNotKnown;  ///< that the first is then named rather than both
 };
 
 struct DiscriminatingMeasurement {
-  int candidate = -1;                                            ///< index of what was given
-  int a = -1, b = -1;                                            ///< the explanations that it splits most
-  double separation = std::numeric_limits<double>::quiet_NaN();  ///< of their predictions, in noise sigmas, on top of
-                                                                 ///< the readings before it
+  int candidate = -1;             ///< index of what was given
+  int a = -1, b = -1;             ///< the explanations that it splits most
+  double separation = kNotKnown;  ///< of their predictions, in noise sigmas, on top of
+                                  ///< the readings before it
 };
 
 /// What else could be measured, and what that many of it would do.
 struct AlternativeMeasurements {
   std::string what;
-  double least_expected =
-      std::numeric_limits<double>::quiet_NaN();  ///< as of DiscriminatingMeasurements; NaN: not computed
+  double least_expected = kNotKnown;  ///< as of DiscriminatingMeasurements; NaN: not computed
 };
 
 enum class DiscriminationStatus { kNotRun, kNothingToDiscriminate, kNoCandidates, kDone, kStopped };
@@ -59,8 +57,8 @@ struct DiscriminatingMeasurements {
   std::vector<Explanation> explanations;  ///< that are to be split; one without effects says that nothing is missing
   std::vector<DiscriminatingMeasurement> readings;
   std::vector<DiscriminatedPair> pairs;
-  double least_expected = std::numeric_limits<double>::quiet_NaN();  ///< of the pairs
-  double probability = std::numeric_limits<double>::quiet_NaN();     ///< that one is named, whichever is true
+  double least_expected = kNotKnown;     ///< of the pairs
+  double probability = kNotKnown;        ///< that one is named, whichever is true
   int times = 0;                         ///< that the choice must be made until what can be split is; 0: nothing can
   std::vector<DiscriminatedPair> never;  ///< pairs, each once, that the most repeats are unlikely to split
   std::vector<AlternativeMeasurements> alternative_measurements;  ///< for those pairs, best first

@@ -7,6 +7,7 @@
 #include "calibration/estimation/prior.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/statistics.hpp"
 
 namespace tubeplan::calibration {
 
@@ -97,8 +98,8 @@ class Race {
     return score;
   }
 
-  [[nodiscard]] DiscriminationStep describe(std::size_t candidate) const {
-    DiscriminationStep step;
+  [[nodiscard]] DiscriminatingMeasurement describe(std::size_t candidate) const {
+    DiscriminatingMeasurement step;
     step.candidate = static_cast<int>(candidate);
     double most = -1;
     forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
@@ -167,15 +168,9 @@ std::vector<RivalModel> rivalModelsOf(const FittedBasis& basis, const std::vecto
 }
 
 std::vector<double> probabilitiesOf(const std::vector<RivalModel>& rivals) {
-  double least = std::numeric_limits<double>::infinity(), total = 0;
-  for (const RivalModel& rival : rivals) least = std::min(least, rival.criterion);
-  std::vector<double> probabilities;
-  for (const RivalModel& rival : rivals) {
-    probabilities.push_back(std::exp(-(rival.criterion - least) / 2));
-    total += probabilities.back();
-  }
-  for (double& probability : probabilities) probability /= total;
-  return probabilities;
+  std::vector<double> logs;
+  for (const RivalModel& rival : rivals) logs.push_back(-rival.criterion / 2);
+  return probabilitiesOf(logs);
 }
 
 std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& rivals,
@@ -204,12 +199,12 @@ std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& riva
   return predictions;
 }
 
-std::vector<DiscriminationStep> chooseDiscriminating(const std::vector<RivalModel>& rivals,
-                                                     const std::vector<RivalPrediction>& predictions, int count,
-                                                     const StopQuestion& stop) {
+std::vector<DiscriminatingMeasurement> chooseDiscriminating(const std::vector<RivalModel>& rivals,
+                                                            const std::vector<RivalPrediction>& predictions, int count,
+                                                            const StopQuestion& stop) {
   Race race(rivals, predictions);
   std::vector<bool> is_taken(predictions.size());
-  std::vector<DiscriminationStep> steps;
+  std::vector<DiscriminatingMeasurement> steps;
   while (static_cast<int>(steps.size()) < count) {
     std::size_t best = predictions.size();
     double least = std::numeric_limits<double>::infinity();
@@ -227,7 +222,7 @@ std::vector<DiscriminationStep> chooseDiscriminating(const std::vector<RivalMode
 }
 
 ExpectedRise expectedRise(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,
-                          const std::vector<DiscriminationStep>& steps, int a, int b, int times) {
+                          const std::vector<DiscriminatingMeasurement>& steps, int a, int b, int times) {
   const auto first = static_cast<std::size_t>(a), second = static_cast<std::size_t>(b);
   Index rows = 0;
   for (const auto& step : steps) rows += predictions[static_cast<std::size_t>(step.candidate)].value[first].size();
@@ -249,7 +244,7 @@ ExpectedRise expectedRise(const std::vector<RivalModel>& rivals, const std::vect
 }
 
 double leastExpected(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,
-                     const std::vector<DiscriminationStep>& steps) {
+                     const std::vector<DiscriminatingMeasurement>& steps) {
   double least = std::numeric_limits<double>::infinity();
   for (int a = 0; a < static_cast<int>(rivals.size()); ++a)
     for (int b = 0; b < static_cast<int>(rivals.size()); ++b) {

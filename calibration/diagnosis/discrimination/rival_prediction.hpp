@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "calibration/design/next_readings.hpp"
+#include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
 
 namespace tubeplan::calibration {
@@ -32,15 +33,10 @@ struct RivalPrediction {
                                                            const std::vector<ReadingCandidate>& candidates,
                                                            const StopQuestion& stop = {});
 
-/// A greedy choice of candidates, each at most once.
-struct DiscriminationStep {
-  int candidate = -1;
-  int a = -1, b = -1;     ///< rivals that it splits most
-  double separation = 0;  ///< in noise sigmas
-};
-[[nodiscard]] std::vector<DiscriminationStep> chooseDiscriminating(const std::vector<RivalModel>& rivals,
-                                                                   const std::vector<RivalPrediction>& predictions,
-                                                                   int count, const StopQuestion& stop = {});
+/// A greedy choice of candidates, each at most once; its pairs are of rivals.
+[[nodiscard]] std::vector<DiscriminatingMeasurement> chooseDiscriminating(
+    const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions, int count,
+    const StopQuestion& stop = {});
 
 /// The rise of -2 log of b's posterior over a's by chosen candidates, made `times` times, when a is true.
 struct ExpectedRise {
@@ -48,11 +44,11 @@ struct ExpectedRise {
 };
 [[nodiscard]] ExpectedRise expectedRise(const std::vector<RivalModel>& rivals,
                                         const std::vector<RivalPrediction>& predictions,
-                                        const std::vector<DiscriminationStep>& steps, int a, int b, int times);
+                                        const std::vector<DiscriminatingMeasurement>& steps, int a, int b, int times);
 
 /// The least, over all ordered pairs, of the other's criterion less that of the truth, in the mean, after these steps.
 [[nodiscard]] double leastExpected(const std::vector<RivalModel>& rivals,
                                    const std::vector<RivalPrediction>& predictions,
-                                   const std::vector<DiscriminationStep>& steps);
+                                   const std::vector<DiscriminatingMeasurement>& steps);
 
 }  // namespace tubeplan::calibration

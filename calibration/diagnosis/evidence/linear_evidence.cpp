@@ -23,7 +23,7 @@ constexpr Index kRowsAtOnce = 4096;  // that are copied to be multiplied
 constexpr double kSmallest = 1e-300;
 
 double logOfSum(const std::vector<double>& logs) {
-  const double most = *std::max_element(logs.begin(), logs.end());
+  const double most = *std::ranges::max_element(logs);
   if (!std::isfinite(most)) return most;
   double sum = 0;
   for (const double log : logs) sum += std::exp(log - most);

@@ -61,6 +61,9 @@ struct PriorSize {
   int sign = 0;  ///< 1: none or more; -1: none or less
 };
 
+/// Returns the sign of a number with these bounds: one of them none where it has any.
+[[nodiscard]] inline int signWithin(double lower, double upper) { return lower == 0 ? 1 : upper == 0 ? -1 : 0; }
+
 class LinearEvidence {
  public:
   /// `fitted` are the unknowns of J, 0 where the model was fitted.

@@ -1,7 +1,6 @@
 // What a model gains by causes that it lacked: the effects found, their numbers, and how well it then does.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,10 +13,10 @@ struct FoundNumber {
   std::string name;
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double value = 0;
-  double sigma = std::numeric_limits<double>::quiet_NaN();  ///< NaN for a shape that was scanned
-  bool is_beyond_usual = false;                             ///< larger than real machines have, by more than its doubt
+  double sigma = kNotKnown;      ///< NaN for a shape that was scanned
+  bool is_beyond_usual = false;  ///< larger than real machines have, by more than its doubt
   /// The range of a size that the readings leave open, over all sizes that explain them; else not numbers.
-  double lower = std::numeric_limits<double>::quiet_NaN(), upper = std::numeric_limits<double>::quiet_NaN();
+  double lower = kNotKnown, upper = kNotKnown;
 };
 
 struct FoundEffect {
@@ -37,15 +36,15 @@ struct FoundEffect {
 struct Explanation {
   std::vector<FoundEffect> effects;
   PlacedArm fitted;
-  double probability = 0;  ///< of these causes and no others, with a remainder or without
-  double chi2 = std::numeric_limits<double>::quiet_NaN();       ///< by the stated noise
-  double p_value = std::numeric_limits<double>::quiet_NaN();    ///< of it
-  double criterion = std::numeric_limits<double>::quiet_NaN();  ///< -2 log of prior times evidence: differences count
-  double remainder_probability = 0;                             ///< that something unnamed is missing beside
+  double probability = 0;            ///< of these causes and no others, with a remainder or without
+  double chi2 = kNotKnown;           ///< by the stated noise
+  double p_value = kNotKnown;        ///< of it
+  double criterion = kNotKnown;      ///< -2 log of prior times evidence: differences count
+  double remainder_probability = 0;  ///< that something unnamed is missing beside
   double model_error = 0;  ///< m, in each coordinate beyond the stated noise, that no function of the readings follows
   ErrorSize after, heldout;
-  ErrorSize farthest;  ///< of the quarter of the poses that reach farthest, by a fit to the others
-  double apart = std::numeric_limits<double>::quiet_NaN();  ///< m, rms over the arm's range, from the first alternative
+  ErrorSize farthest;        ///< of the quarter of the poses that reach farthest, by a fit to the others
+  double apart = kNotKnown;  ///< m, rms over the arm's range, from the first alternative
 };
 
 }  // namespace tubeplan::calibration

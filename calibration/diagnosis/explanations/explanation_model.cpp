@@ -1,5 +1,6 @@
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "calibration/diagnosis/causes/cause.hpp"
@@ -23,14 +24,17 @@ void addEffectNumbers(const FoundEffect& found, int effect, ExplanationModel& mo
 
 }  // namespace
 
+int firstAdded(const Explanation& explanation) {
+  const auto added = std::ranges::count_if(explanation.effects, [](const auto& found) { return found.frees.empty(); });
+  return static_cast<int>(explanation.fitted.arm.effects.size()) - static_cast<int>(added);
+}
+
 ExplanationModel modelOf(const FittedBasis& basis, const Explanation& explanation) {
   ExplanationModel model{explanation.fitted, basis.unknowns};
   for (auto& unknown : model.unknowns)
     if (unknown.owner == Unknown::Owner::kArm)
       unknown = rebased(unknown, deflection::locate(model.placed.arm, unknown.path));
-  int added = 0;
-  for (const FoundEffect& found : explanation.effects) added += found.frees.empty();
-  int effect = static_cast<int>(model.placed.arm.effects.size()) - added;
+  int effect = firstAdded(explanation);
   for (const FoundEffect& found : explanation.effects) {
     if (found.frees.empty()) {
       addEffectNumbers(found, effect++, model);

@@ -11,6 +11,10 @@ struct ExplanationModel {
   PlacedArm placed;
   std::vector<Unknown> unknowns;
 };
+
+/// Returns the index in the fitted arm of the first effect that the explanation adds.
+[[nodiscard]] int firstAdded(const Explanation& explanation);
+
 [[nodiscard]] ExplanationModel modelOf(const FittedBasis& basis, const Explanation& explanation);
 
 /// Errors on readings kept out, fold by fold.

@@ -25,8 +25,7 @@ double medianSigma(const std::vector<Measurement>& readings) {
   return median(std::move(sigmas));
 }
 
-}  // namespace
-
+/// Readings of the tip all over the arm's range, under the loads and conditions that the readings had.
 std::vector<Measurement> readingsOverRange(const FittedBasis& basis, std::uint64_t seed) {
   RandomStream random(seed);
   const auto& arm = basis.fitted.arm;
@@ -54,12 +53,11 @@ std::vector<Measurement> readingsOverRange(const FittedBasis& basis, std::uint64
     m.load = heaviest;
     if (heaviest > 0) all.push_back(m);
   }
-  std::erase_if(all, [&](const Measurement& m) {
-    const auto& X_WB = basis.fitted.base_poses[static_cast<std::size_t>(basePoseOf(basis.fitted, m))].X_WB;
-    return !predictReading(arm, X_WB, m).ok;
-  });
+  std::erase_if(all, [&](const Measurement& m) { return !predictReading(basis.fitted, m).ok; });
   return all;
 }
+
+}  // namespace
 
 RangeViews::RangeViews(const FittedBasis& basis, std::uint64_t seed)
     : basis_(basis), readings_(readingsOverRange(basis, seed)) {
@@ -70,13 +68,11 @@ RangeView RangeViews::of(const Explanation& explanation) const {
   RangeView view;
   if (weights_.rows == 0) return view;
   const ExplanationModel model = modelOf(basis_, explanation);
-  const VectorXd zero = VectorXd::Zero(static_cast<Index>(model.unknowns.size()));
+  const VectorXd zero = zerosOf(model.unknowns), typical = typicalsOf(model.unknowns);
   auto there = whitenedResidual(model.placed, model.unknowns, readings_, weights_, zero, true, basis_.stop);
   auto here = whitenedResidual(model.placed, model.unknowns, basis_.readings, basis_.weights, zero, true, basis_.stop);
   view.ok = there.ok && here.ok;
   if (!view.ok) return view;
-  VectorXd typical(zero.size());
-  for (Index k = 0; k < zero.size(); ++k) typical[k] = model.unknowns[static_cast<std::size_t>(k)].typical;
   view.value = there.r;
   view.sensitivity = there.jacobian * typical.asDiagonal();
   const MatrixXd by_readings = here.jacobian * typical.asDiagonal();
@@ -88,9 +84,7 @@ RangeView RangeViews::of(const Explanation& explanation) const {
 VectorXd RangeViews::tipsBy(const Explanation& explanation) const {
   VectorXd tips(3 * static_cast<Index>(readings_.size()));
   for (std::size_t k = 0; k < readings_.size(); ++k) {
-    const auto& X_WB =
-        explanation.fitted.base_poses[static_cast<std::size_t>(basePoseOf(explanation.fitted, readings_[k]))].X_WB;
-    const auto tip = predictReading(explanation.fitted.arm, X_WB, readings_[k]);
+    const auto tip = predictReading(explanation.fitted, readings_[k]);
     if (!tip.ok) return {};
     tips.segment<3>(3 * static_cast<Index>(k)) = tip.value;
   }

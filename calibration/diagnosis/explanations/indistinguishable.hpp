@@ -8,9 +8,6 @@
 
 namespace tubeplan::calibration {
 
-/// Readings of the tip all over the arm's range, under the loads and conditions that the readings had.
-[[nodiscard]] std::vector<Measurement> readingsOverRange(const FittedBasis& basis, std::uint64_t seed);
-
 /// What an explanation predicts over the range.
 struct RangeView {
   bool ok = false;

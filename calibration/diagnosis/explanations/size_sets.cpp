@@ -14,7 +14,6 @@ using Eigen::Index;
 namespace {
 
 constexpr double kWider = 1.2;  // times four standard deviations, from which a range is told
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// The model of an explanation with all numbers of one of its effects free, those last.
 ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& explanation, int effect) {
@@ -37,7 +36,7 @@ void takeSize(const std::vector<SizeMode>& modes, Index k, FoundNumber& number) 
   }
   number.value = modes.front().values[k];
   const double sigma = std::max(modes.front().sigma[k], std::max(0., upper - lower) / 4);
-  number.sigma = sigma > 0 ? sigma : kNone;
+  number.sigma = sigma > 0 ? sigma : kNotKnown;
   number.is_beyond_usual = number.is_beyond_usual && modes.size() == 1;
   if (!(upper > lower) || (modes.size() == 1 && upper - lower <= kWider * 4 * modes.front().sigma[k])) return;
   number.lower = lower;
@@ -71,9 +70,7 @@ void findSizeSet(const FittedBasis& basis, int effect, Explanation& explanation,
 }  // namespace
 
 void findSizeSets(const FittedBasis& basis, Explanation& explanation) {
-  int added = 0;
-  for (const FoundEffect& found : explanation.effects) added += found.frees.empty();
-  int effect = static_cast<int>(explanation.fitted.arm.effects.size()) - added;
+  int effect = firstAdded(explanation);
   for (FoundEffect& found : explanation.effects) {
     if (!found.frees.empty()) continue;
     if (!found.fitted.formula) findSizeSet(basis, effect, explanation, found);

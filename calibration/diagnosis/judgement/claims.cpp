@@ -13,13 +13,20 @@ namespace {
 double lossByFit(const DiagnosisWork& work) {
   std::vector<double> losses;
   for (const CompetingModel& model : work.models)
-    if (hasFit(model) && !model.terms.empty()) losses.push_back(-model.gain_by_fit);
+    if (model.hasFit() && !model.terms.empty()) losses.push_back(-model.gain_by_fit);
   return losses.empty() ? 0 : std::max(0., median(std::move(losses)));
 }
 
 }  // namespace
 
-bool hasFit(const CompetingModel& model) { return model.is_fitted && std::isfinite(model.log_evidence); }
+void mixIn(const Claim& one, Claim& to) {
+  const double both = to.probability + one.probability;
+  if (!(both > 0)) return;
+  const auto mixed = [&](double a, double b) { return (to.probability * a + one.probability * b) / both; };
+  to.remainder_probability = mixed(to.remainder_probability, one.remainder_probability);
+  to.scatter_probability = mixed(to.scatter_probability, one.scatter_probability);
+  to.probability = both;
+}
 
 std::vector<Claim> claimsOf(const DiagnosisWork& work) {
   std::vector<Claim> claims;
@@ -28,17 +35,15 @@ std::vector<Claim> claimsOf(const DiagnosisWork& work) {
   for (const CompetingModel& model : work.models) {
     claims.push_back({causesOf(model.terms), 0, model.discrepancy_probability, model.scatter_probability, &model});
     logs.push_back(model.logWeight() - (model.is_fitted ? 0 : loss));
-    for (const Likeness& likeness : hasFit(model) ? model.likenesses : std::vector<Likeness>{}) {
+    for (const Likeness& likeness : model.hasFit() ? model.likenesses : std::vector<Likeness>{}) {
       auto others = model.terms;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(likeness.term));
       claims.push_back({causesOf(others), 0, 1, 0, nullptr});
       logs.push_back(likeness.log_weight);
     }
   }
-  const double most = *std::max_element(logs.begin(), logs.end());
-  double total = 0;
-  for (const double log : logs) total += std::exp(log - most);
-  for (std::size_t k = 0; k < claims.size(); ++k) claims[k].probability = std::exp(logs[k] - most) / total;
+  const auto probabilities = probabilitiesOf(logs);
+  for (std::size_t k = 0; k < claims.size(); ++k) claims[k].probability = probabilities[k];
   return claims;
 }
 

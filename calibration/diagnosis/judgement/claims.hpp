@@ -9,12 +9,13 @@ namespace tubeplan::calibration {
 struct Claim {
   std::vector<int> causes;
   double probability = 0;
-  double remainder_probability = 0, scatter_probability = 0;
-  const CompetingModel* model = nullptr;  ///< none of a likeness
+  double remainder_probability = 0;
+  double scatter_probability = 0;         ///< that the noise is larger than stated, and nothing else remains
+  const CompetingModel* model = nullptr;  ///< none of a likeness; of several the most probable
 };
 
-/// A model that could not be fitted explains nothing.
-[[nodiscard]] bool hasFit(const CompetingModel& model);
+/// Counts one claim to another.
+void mixIn(const Claim& one, Claim& to);
 
 /// All that the models claim, its probabilities one together. Those that were not fitted would have lost as others did.
 [[nodiscard]] std::vector<Claim> claimsOf(const DiagnosisWork& work);

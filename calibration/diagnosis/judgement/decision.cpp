@@ -15,7 +15,7 @@ std::vector<ModelClass> withoutUnsureAdditions(const Posterior& posterior) {
   std::vector<ModelClass> kept, all = posterior.classes;
   all.insert(all.end(), posterior.others.begin(), posterior.others.end());
   for (const ModelClass& one : all) {
-    const auto part = std::find_if(kept.begin(), kept.end(), [&](const ModelClass& k) {
+    const auto part = std::ranges::find_if(kept, [&](const ModelClass& k) {
       return std::includes(one.causes.begin(), one.causes.end(), k.causes.begin(), k.causes.end());
     });
     if (part == kept.end()) {
@@ -23,13 +23,12 @@ std::vector<ModelClass> withoutUnsureAdditions(const Posterior& posterior) {
       continue;
     }
     // What the further cause would explain is a remainder to the class without it.
-    ModelClass further = one;
+    Claim further = one;
     further.remainder_probability = 1;
     further.scatter_probability = 0;
     mixIn(further, *part);
   }
-  std::stable_sort(kept.begin(), kept.end(),
-                   [](const ModelClass& a, const ModelClass& b) { return a.probability > b.probability; });
+  std::ranges::stable_sort(kept, std::greater{}, &ModelClass::probability);
   return kept;
 }
 

@@ -1,7 +1,6 @@
 // What a diagnosis answers: the verdict with its explanations, every cause by itself, and what is left.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,10 +35,10 @@ struct DetectableEffect {
 
 /// What is left once the sure causes are in.
 struct Remainder {
-  double probability = 0;                                   ///< that there is one
-  double size = std::numeric_limits<double>::quiet_NaN();   ///< m, root mean square over the readings
-  double floor = std::numeric_limits<double>::quiet_NaN();  ///< m, the same of noise and what follows nothing
-  std::vector<std::pair<std::string, double>> follows;      ///< what it follows, and its share of it; largest first
+  double probability = 0;                               ///< that there is one
+  double size = kNotKnown;                              ///< m, root mean square over the readings
+  double floor = kNotKnown;                             ///< m, the same of noise and what follows nothing
+  std::vector<std::pair<std::string, double>> follows;  ///< what it follows, and its share of it; largest first
 };
 
 struct Diagnosis {
@@ -56,17 +55,15 @@ struct Diagnosis {
   Remainder remainder;
   Repeats repeats;  ///< where their scatter, larger than stated, is all that is left: it counts as noise
   ErrorSize before, after, heldout_before, heldout_after, farthest_before;
-  double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms that the stated noise leaves [m]
+  double noise_floor = kNotKnown;  ///< rms that the stated noise leaves [m]
   double model_error = 0;  ///< m, in each coordinate beyond the stated noise, that no function of the readings follows
   double chi2 = 0;         ///< of the baseline, by the stated noise
-  double p_value = std::numeric_limits<double>::quiet_NaN();
+  double p_value = kNotKnown;
   int degrees_of_freedom = 0;
-  double nothing_probability = std::numeric_limits<double>::quiet_NaN();  ///< that nothing is missing
-  double nothing_criterion = std::numeric_limits<double>::quiet_NaN();    ///< Explanation::criterion of nothing missing
-  double unknown_probability =
-      std::numeric_limits<double>::quiet_NaN();  ///< that something is, and no cause is part of it
-  double scatter_probability =
-      std::numeric_limits<double>::quiet_NaN();  ///< the same, and it follows nothing that the readings state
+  double nothing_probability = kNotKnown;  ///< that nothing is missing
+  double nothing_criterion = kNotKnown;    ///< Explanation::criterion of nothing missing
+  double unknown_probability = kNotKnown;  ///< that something is, and no cause is part of it
+  double scatter_probability = kNotKnown;  ///< the same, and it follows nothing that the readings state
   DiagnosisViews views;
 
   /// Whether what is missing follows nothing that the readings state: a larger noise than stated would be the same.

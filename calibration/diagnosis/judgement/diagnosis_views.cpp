@@ -6,6 +6,8 @@
 
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
 #include "calibration/diagnosis/judgement/diagnosis_result.hpp"
+#include "calibration/estimation/set_aside.hpp"
+#include "calibration/estimation/span.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 
@@ -17,39 +19,24 @@ namespace {
 
 constexpr std::size_t kMostShown = 4;
 
-/// Indices of the readings that were neither kept out nor set aside.
-std::vector<int> fittedOf(const std::vector<Measurement>& readings, const std::vector<int>& set_aside) {
-  std::vector<int> fitted;
-  for (int k = 0; k < static_cast<int>(readings.size()); ++k)
-    if (!readings[static_cast<std::size_t>(k)].is_held_out &&
-        !std::binary_search(set_aside.begin(), set_aside.end(), k))
-      fitted.push_back(k);
-  return fitted;
-}
-
 WhitenedResidual residualOf(const FittedBasis& basis, const PlacedArm& placed) {
   return whitenedResidual(placed, {}, basis.readings, basis.weights, VectorXd(0), false);
-}
-
-std::optional<ToolPose> predictedTool(const FittedBasis& basis, const Measurement& reading) {
-  const auto base_pose = static_cast<std::size_t>(basePoseOf(basis.fitted, reading));
-  return toolAt(basis.fitted.arm, basis.fitted.base_poses[base_pose].X_WB, reading);
 }
 
 /// Measured less predicted as a vector.
 Vector3d missAt(const FittedBasis& basis, std::size_t k, const std::optional<ToolPose>& tool,
                 const WhitenedResidual& residual) {
-  if (!residual.ok || !tool) return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  if (!residual.ok || !tool) return Vector3d::Constant(kNotKnown);
   const Measurement& reading = basis.readings[k];
   ToolPose seen = *tool;
   if (const Measurement* reference = referenceOf(reading))
-    if (const auto from = predictedTool(basis, *reference)) seen.p_W -= from->p_W;
+    if (const auto from = toolAt(basis.fitted, *reference)) seen.p_W -= from->p_W;
   const Index row = basis.weights.first_row[k];
   return -predictedSlope(reading, seen).by_place.transpose() * residual.error.segment(row, rowsOf(reading));
 }
 
 double turnAt(const FittedBasis& basis, std::size_t k, const WhitenedResidual& residual) {
-  if (!residual.ok) return std::numeric_limits<double>::quiet_NaN();
+  if (!residual.ok) return kNotKnown;
   const Measurement& reading = basis.readings[k];
   return turnError(reading, residual.error.segment(basis.weights.first_row[k], rowsOf(reading)));
 }
@@ -62,8 +49,8 @@ std::vector<ReadingView> readingViews(const FittedBasis& basis, const std::vecto
   for (std::size_t k = 0; k < basis.readings.size(); ++k) {
     ReadingView view;
     view.reading = given[k];
-    const auto tool = predictedTool(basis, basis.readings[k]);
-    view.p_WT = tool ? tool->p_W : Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    const auto tool = toolAt(basis.fitted, basis.readings[k]);
+    view.p_WT = tool ? tool->p_W : Vector3d::Constant(kNotKnown);
     view.before = missAt(basis, k, tool, basis.residual);
     view.turn_before = turnAt(basis, k, basis.residual);
     for (const auto& residual : after) {
@@ -84,12 +71,6 @@ VectorXd signatureOf(const FittedBasis& basis, const FoundEffect& found, const P
       deflection::locate(with.arm, freed->path) = freed->value;
   const WhitenedResidual residual = residualOf(basis, with);
   return residual.ok ? VectorXd(residual.r - basis.residual.r) : VectorXd();
-}
-
-/// v with the part that the columns can make taken off.
-VectorXd projectedOff(const MatrixXd& columns, const VectorXd& v) {
-  if (columns.cols() == 0) return v;
-  return v - columns * columns.completeOrthogonalDecomposition().solve(v);
 }
 
 /// Whether a reading is kept when only a share of them is: evenly spread, in step with no pattern of the readings.
@@ -126,8 +107,8 @@ void addVariables(const FittedBasis& basis, const Explanation& explanation, int 
       columns.conservativeResize(columns.rows(), columns.cols() + 1);
       columns.rightCols<1>() = signatures[other];
     }
-    const VectorXd signature = projectedOff(columns, signatures[e]);
-    const VectorXd left = projectedOff(columns, -basis.residual.r);
+    const VectorXd signature = leftBeside(columns, signatures[e]);
+    const VectorXd left = leftBeside(columns, -basis.residual.r);
     AddedVariable variable;
     variable.explanation = index;
     variable.effect = static_cast<int>(e);
@@ -149,7 +130,7 @@ std::vector<Explanation> explanationsShown(const Diagnosis& result) {
 
 DiagnosisViews viewsOf(const FittedBasis& basis, const Diagnosis& result, const std::vector<Measurement>& readings,
                        int most_points) {
-  const auto given = fittedOf(readings, result.set_aside);
+  const auto given = placesFitted(readings, result.set_aside);
   assert(given.size() == basis.readings.size());
   const auto shown = explanationsShown(result);
   DiagnosisViews views{readingViews(basis, shown, given), {}};

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
 #include <vector>
 
 #include "calibration/measurement.hpp"
@@ -22,7 +21,7 @@ struct ReadingView {
   Eigen::Vector3d before;              ///< m, by the same
   std::vector<Eigen::Vector3d> after;  ///< m, by each of `explanationsShown`
   /// Length of the error [rad] in what the reading measures of the tool's turn; not numbers where it measures none.
-  double turn_before = std::numeric_limits<double>::quiet_NaN();
+  double turn_before = kNotKnown;
   std::vector<double> turn_after;
 };
 
@@ -35,11 +34,11 @@ struct AddedVariablePoint {
 
 /// An effect of an explanation against what is left to explain once the other effects of that explanation may act too.
 struct AddedVariable {
-  int explanation = -1, effect = -1;                        ///< indices into `explanationsShown` and into its effects
-  double slope = std::numeric_limits<double>::quiet_NaN();  ///< of `left` by `signature`: near 1 where the size fits
-  double length = 0;                                        ///< of the signature, in noise sigmas
-  double kept_fraction = 0;                                 ///< of the signature that the free numbers do not absorb
-  std::vector<AddedVariablePoint> points;                   ///< of whole readings, thinned out evenly above a limit
+  int explanation = -1, effect = -1;       ///< indices into `explanationsShown` and into its effects
+  double slope = kNotKnown;                ///< of `left` by `signature`: near 1 where the size fits
+  double length = 0;                       ///< of the signature, in noise sigmas
+  double kept_fraction = 0;                ///< of the signature that the free numbers do not absorb
+  std::vector<AddedVariablePoint> points;  ///< of whole readings, thinned out evenly above a limit
 };
 
 struct DiagnosisViews {

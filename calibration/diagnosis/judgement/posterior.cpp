@@ -6,7 +6,6 @@
 #include <set>
 
 #include "calibration/diagnosis/explanations/indistinguishable.hpp"
-#include "calibration/diagnosis/judgement/claims.hpp"
 #include "calibration/diagnosis/judgement/remainder.hpp"
 #include "calibration/diagnosis/model_selection/model_fit.hpp"
 
@@ -32,7 +31,7 @@ void addName(const DiagnosisWork& work, int cause, int same, Explanation& explan
   for (FoundEffect& found : explanation.effects) {
     if (found.effect != known.effect || (found.at != known.at && known.effects.size() < 2)) continue;
     const std::pair name{other.effect, other.at};
-    if (std::find(found.also.begin(), found.also.end(), name) == found.also.end()) found.also.push_back(name);
+    if (std::ranges::find(found.also, name) == found.also.end()) found.also.push_back(name);
     return;
   }
 }
@@ -58,8 +57,7 @@ void joinSame(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
     }
   std::size_t index = 0;
   std::erase_if(classes, [&](const ModelClass&) { return gone.contains(index++); });
-  std::stable_sort(classes.begin(), classes.end(),
-                   [](const ModelClass& a, const ModelClass& b) { return a.probability > b.probability; });
+  std::ranges::stable_sort(classes, std::greater{}, &ModelClass::probability);
 }
 
 bool holds(const std::vector<int>& all, const std::vector<int>& some) {
@@ -88,7 +86,7 @@ std::vector<int> sureCauses(const DiagnosisWork& work, const Posterior& posterio
     if (p >= work.options.sure * (1 - posterior.nothing)) sure.push_back(cause);
   std::vector<int> own;
   for (const int cause : sure)
-    if (std::none_of(sure.begin(), sure.end(), [&](int all) {
+    if (std::ranges::none_of(sure, [&](int all) {
           return all != cause && work.cause(all).effects.size() > 1 && impliedBy(work, {all}).contains(cause);
         }))
       own.push_back(cause);
@@ -106,9 +104,8 @@ CompetingModel competingModelOf(const DiagnosisWork& work, const std::vector<int
   if (!found) return {};
   CompetingModel model = *found;
   if (causesOf(model.terms) == causes && model.is_fitted) return model;
-  std::erase_if(model.terms, [&](const ModelTerm& term) {
-    return std::find(causes.begin(), causes.end(), term.cause) == causes.end();
-  });
+  std::erase_if(model.terms,
+                [&](const ModelTerm& term) { return std::ranges::find(causes, term.cause) == causes.end(); });
   model.sizes.resize(0);
   model.fit = {};
   fitModel(work, model);
@@ -119,7 +116,7 @@ void findSure(const DiagnosisWork& work, Posterior& posterior) {
   const auto causes = sureCauses(work, posterior);
   if (causes.empty()) return;
   posterior.sure_model = competingModelOf(work, causes);
-  if (!posterior.sure_model.is_fitted || !std::isfinite(posterior.sure_model.log_evidence)) return;
+  if (!posterior.sure_model.hasFit()) return;
   ModelClass& sure = posterior.sure;
   sure.causes = causes;
   sure.explanation = posterior.sure_model.fit;
@@ -127,7 +124,7 @@ void findSure(const DiagnosisWork& work, Posterior& posterior) {
   for (const auto* classes : {&posterior.classes, &posterior.others})
     for (const ModelClass& one : *classes) {
       const auto implied = impliedBy(work, one.causes);
-      if (!std::all_of(causes.begin(), causes.end(), [&](int cause) { return implied.contains(cause); })) continue;
+      if (!std::ranges::all_of(causes, [&](int cause) { return implied.contains(cause); })) continue;
       sure.probability += one.probability;
       if (one.causes == causes) alone += one.probability * (1 - one.remainder_probability);
     }
@@ -137,15 +134,6 @@ void findSure(const DiagnosisWork& work, Posterior& posterior) {
 }
 
 }  // namespace
-
-void mixIn(const ModelClass& one, ModelClass& to) {
-  const double both = to.probability + one.probability;
-  if (!(both > 0)) return;
-  const auto mixed = [&](double a, double b) { return (to.probability * a + one.probability * b) / both; };
-  to.remainder_probability = mixed(to.remainder_probability, one.remainder_probability);
-  to.scatter_probability = mixed(to.scatter_probability, one.scatter_probability);
-  to.probability = both;
-}
 
 Posterior posteriorOf(const DiagnosisWork& work) {
   Posterior posterior{};
@@ -160,21 +148,16 @@ Posterior posteriorOf(const DiagnosisWork& work) {
       continue;
     }
     ModelClass& one = classes[claim.causes];
-    ModelClass more;
-    more.probability = claim.probability;
-    more.remainder_probability = claim.remainder_probability;
-    more.scatter_probability = claim.scatter_probability;
-    mixIn(more, one);
+    mixIn(claim, one);
     const CompetingModel* model = claim.model;
-    if (model && hasFit(*model) && (!one.model || model->logWeight() > one.model->logWeight())) one.model = model;
+    if (model && model->hasFit() && (!one.model || model->logWeight() > one.model->logWeight())) one.model = model;
   }
   for (auto& [causes, one] : classes) {
     one.causes = causes;
     if (one.model) one.explanation = one.model->fit;
     (one.model ? posterior.classes : posterior.others).push_back(std::move(one));
   }
-  std::stable_sort(posterior.classes.begin(), posterior.classes.end(),
-                   [](const ModelClass& a, const ModelClass& b) { return a.probability > b.probability; });
+  std::ranges::stable_sort(posterior.classes, std::greater{}, &ModelClass::probability);
   joinSame(work, posterior.classes);
   for (ModelClass& one : posterior.classes) {
     one.explanation.probability = one.probability;

@@ -2,26 +2,18 @@
 // causes that are sure.
 #pragma once
 
-#include "calibration/diagnosis/model_selection/competing_models.hpp"
+#include "calibration/diagnosis/judgement/claims.hpp"
 
 namespace tubeplan::calibration {
 
-/// Models with the same causes, whatever noise and discrepancy they have beside; causes that no reading could tell
-/// apart count as the same.
-struct ModelClass {
+/// What models with the same causes claim together, whatever noise and discrepancy they have beside; causes that no
+/// reading could tell apart count as the same.
+struct ModelClass : Claim {
   Explanation explanation;  ///< of its most probable model
-  std::vector<int> causes;
-  double probability = 0;
-  double remainder_probability = 0;
-  double scatter_probability = 0;         ///< that the noise is larger than stated, and nothing else remains
-  const CompetingModel* model = nullptr;  ///< the most probable
 };
 
 inline constexpr double kLeastLikely =
     0.02;  ///< of the best class's probability, below which a class counts for little
-
-/// Counts one class to another.
-void mixIn(const ModelClass& one, ModelClass& to);
 
 struct Posterior {
   double nothing = 0;               ///< that nothing is missing

@@ -27,8 +27,7 @@ double logLeastGain(const Cause& cause, double visibility) {
 std::vector<deflection::Effect> effectsAt(const PlacedArm& placed, const ModelTerm& term,
                                           const std::vector<Unknown>& numbers, const VectorXd& sizes,
                                           std::size_t before) {
-  std::vector<Unknown> chosen;
-  for (const int number : term.numbers) chosen.push_back(numbers[static_cast<std::size_t>(number)]);
+  const auto chosen = picked(numbers, term.numbers);
   VectorXd x(sizes.size());
   for (std::size_t k = 0; k < chosen.size(); ++k)
     x[static_cast<Index>(k)] =
@@ -50,9 +49,7 @@ void rankCauses(const DiagnosisWork& work, Diagnosis& result) {
   for (const auto& [index, model] : alone) {
     const Cause& cause = work.cause(index);
     const ModelTerm& term = model->terms.front();
-    std::vector<int> columns;
-    for (const int number : term.numbers)
-      columns.push_back(work.signatures->columnsOf(index, term.level)[static_cast<std::size_t>(number)]);
+    const auto columns = picked(work.signatures->columnsOf(index, term.level), term.numbers);
     RankedEffect entry;
     entry.effect = cause.effect;
     entry.at = cause.at;
@@ -74,7 +71,7 @@ void rankCauses(const DiagnosisWork& work, Diagnosis& result) {
                   model->sigma[largest] * number.typical * std::abs(slopeAt(number, x))};
     result.ranking.push_back(std::move(entry));
   }
-  std::stable_sort(result.ranking.begin(), result.ranking.end(), [](const RankedEffect& a, const RankedEffect& b) {
+  std::ranges::stable_sort(result.ranking, [](const RankedEffect& a, const RankedEffect& b) {
     return a.probability != b.probability ? a.probability > b.probability : a.fall > b.fall;
   });
 }

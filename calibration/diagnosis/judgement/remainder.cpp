@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
-#include "calibration/diagnosis/judgement/claims.hpp"
 #include "calibration/estimation/fit.hpp"
 #include "calibration/estimation/prior.hpp"
 #include "calibration/patterns/pattern_search.hpp"
@@ -28,7 +27,7 @@ struct Left {
 std::optional<Left> leftBy(const DiagnosisWork& work, const CompetingModel& model) {
   const FittedBasis& basis = work.basis;
   ExplanationModel fitted{basis.fitted, basis.unknowns};
-  if (!model.terms.empty() && hasFit(model)) fitted = modelOf(basis, model.fit);
+  if (!model.terms.empty() && model.hasFit()) fitted = modelOf(basis, model.fit);
   Left left{fitted.placed, {}, 0};
   left.residual = whitenedResidual(fitted.placed, fitted.unknowns, basis.readings, basis.weights,
                                    zerosOf(fitted.unknowns), true, basis.stop);
@@ -72,7 +71,7 @@ Repeats repeatsBy(const DiagnosisWork& work, const CompetingModel& model) {
 
 SamePosture samePostureBy(const DiagnosisWork& work, const CompetingModel& model) {
   const FittedBasis& basis = work.basis;
-  if (model.terms.empty() || !hasFit(model)) return judgeSamePosture(basis.readings, basis.weights, basis.residual.r);
+  if (model.terms.empty() || !model.hasFit()) return judgeSamePosture(basis.readings, basis.weights, basis.residual.r);
   const auto residual = whitenedResidual(model.fit.fitted, {}, basis.readings, basis.weights, {}, false);
   return residual.ok ? judgeSamePosture(basis.readings, basis.weights, residual.r) : SamePosture{};
 }
@@ -110,8 +109,7 @@ Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
   }
   for (const auto& [follows, share] : shares)
     if (share > 0.05 * whole) remainder.follows.emplace_back(follows, share / whole);
-  std::stable_sort(remainder.follows.begin(), remainder.follows.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::ranges::stable_sort(remainder.follows, [](const auto& a, const auto& b) { return a.second > b.second; });
   preferPatterns(work, model, remainder);
   return remainder;
 }

@@ -8,9 +8,9 @@ namespace tubeplan::calibration {
 
 /// One-way analysis of variance of the errors over postures (Fisher 1925; Searle, Casella and McCulloch 1992).
 struct SamePosture {
-  int postures = 0;                                           ///< at which two or more readings were made
-  double share = 0;                                           ///< of the errors' variance, that is one for a posture
-  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< of as much by chance; NaN: no posture was kept
+  int postures = 0;            ///< at which two or more readings were made
+  double share = 0;            ///< of the errors' variance, that is one for a posture
+  double p_value = kNotKnown;  ///< of as much by chance; NaN: no posture was kept
 
   /// So that chance is no reason for it.
   [[nodiscard]] bool isSure() const { return p_value < 1e-4; }

@@ -18,13 +18,12 @@ double logPriorOfCount(std::size_t causes) { return std::log(kCount[std::min(cau
 std::vector<int> causesOf(const std::vector<ModelTerm>& terms) {
   std::vector<int> causes;
   for (const ModelTerm& term : terms) causes.push_back(term.cause);
-  std::sort(causes.begin(), causes.end());
+  std::ranges::sort(causes);
   return causes;
 }
 
 const CompetingModel& modelOfNothing(const DiagnosisWork& work) {
-  return *std::find_if(work.models.begin(), work.models.end(),
-                       [](const CompetingModel& model) { return model.terms.empty(); });
+  return *std::ranges::find_if(work.models, [](const CompetingModel& model) { return model.terms.empty(); });
 }
 
 std::size_t likelyNoise(const DiagnosisWork& work, const CompetingModel& model) {
@@ -32,8 +31,8 @@ std::size_t likelyNoise(const DiagnosisWork& work, const CompetingModel& model) 
 }
 
 void sortByWeight(std::vector<CompetingModel>& models) {
-  std::stable_sort(models.begin(), models.end(),
-                   [](const CompetingModel& a, const CompetingModel& b) { return a.logWeight() > b.logWeight(); });
+  std::ranges::stable_sort(
+      models, [](const CompetingModel& a, const CompetingModel& b) { return a.logWeight() > b.logWeight(); });
 }
 
 }  // namespace tubeplan::calibration

@@ -3,6 +3,7 @@
 // evidence is then taken about a fit of their own.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -52,6 +53,8 @@ struct CompetingModel {
   double gain_by_fit = 0;  ///< of log evidence against that of the linearisation about the baseline
 
   [[nodiscard]] double logWeight() const { return log_prior + log_evidence; }
+  /// Returns true if a fit was found: a model that could not be fitted explains nothing.
+  [[nodiscard]] bool hasFit() const { return is_fitted && std::isfinite(log_evidence); }
 };
 
 /// Log of the probability beforehand that so many causes are missing.

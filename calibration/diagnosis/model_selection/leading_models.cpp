@@ -55,9 +55,8 @@ VectorXd sizesIn(const DiagnosisWork& work, const std::vector<ModelTerm>& terms,
   std::vector<double> sizes;
   for (const ModelTerm& term : terms) {
     const Cause& cause = work.cause(term.cause);
-    const auto same = std::find_if(effects.begin(), effects.end(), [&](const deflection::Effect& effect) {
-      return effect.kind == cause.effects.front().kind && effect.place == cause.effects.front().place;
-    });
+    const auto same =
+        std::ranges::find_if(effects, [&](const auto& effect) { return areOne(effect, cause.effects.front()); });
     PlacedArm placed = work.basis.fitted;
     const auto numbers = placeCause(placed, cause, cause.levels[static_cast<std::size_t>(term.level)]);
     for (const int number : term.numbers) {
@@ -75,11 +74,11 @@ VectorXd sizesIn(const DiagnosisWork& work, const std::vector<ModelTerm>& terms,
 /// number that a strong error elsewhere hid: with all numbers of the causes.
 CompetingModel* unfittedVariant(DiagnosisWork& work) {
   const CompetingModel& best = work.models.front();
-  if (!best.is_fitted || best.terms.empty() || !std::isfinite(best.log_evidence)) return nullptr;
+  if (best.terms.empty() || !best.hasFit()) return nullptr;
   for (const auto& terms : {significantTerms(best), fullTerms(work, best.terms)}) {
     if (terms.empty() || terms == best.terms) continue;
-    const auto same = std::find_if(work.models.begin(), work.models.end(),
-                                   [&](const CompetingModel& model) { return model.terms == terms; });
+    const auto same =
+        std::ranges::find_if(work.models, [&](const CompetingModel& model) { return model.terms == terms; });
     if (same != work.models.end() && same->is_fitted) continue;
     if (same != work.models.end()) return &*same;
     work.models.push_back(weigh(work, terms, logShareOf(work, terms)));
@@ -92,7 +91,7 @@ CompetingModel* unfittedVariant(DiagnosisWork& work) {
 void fitNearest(DiagnosisWork& work) {
   auto& models = work.models;
   CompetingModel& of_nothing =
-      *std::find_if(models.begin(), models.end(), [](const CompetingModel& model) { return model.terms.empty(); });
+      *std::ranges::find_if(models, [](const CompetingModel& model) { return model.terms.empty(); });
   const double nothing = of_nothing.logWeight();
   fitModel(work, of_nothing);
   // So many readings part the models by far more than linear evidence errs, and each fit takes seconds.
@@ -122,9 +121,8 @@ CompetingModel fittedModelOf(const DiagnosisWork& work, const std::vector<deflec
   std::vector<int> causes;
   for (int index = 0; index < static_cast<int>(work.causes.causes.size()); ++index) {
     const auto& own = work.cause(index).effects;
-    if (own.size() == 1 && std::any_of(effects.begin(), effects.end(), [&](const deflection::Effect& effect) {
-          return effect.kind == own.front().kind && effect.place == own.front().place;
-        }))
+    if (own.size() == 1 &&
+        std::ranges::any_of(effects, [&](const auto& effect) { return areOne(effect, own.front()); }))
       causes.push_back(index);
   }
   if (causes.size() != effects.size()) return {};

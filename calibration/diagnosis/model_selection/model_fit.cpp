@@ -10,6 +10,8 @@
 #include "calibration/diagnosis/model_selection/noise_hypotheses.hpp"
 #include "calibration/diagnosis/model_selection/placed_model.hpp"
 #include "calibration/estimation/fit.hpp"
+#include "calibration/estimation/prior.hpp"
+#include "calibration/estimation/span.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 
@@ -49,7 +51,7 @@ std::vector<Unknown> unknownsOf(const DiagnosisWork& work, const PlacedModel& pl
 VectorXd startOfFit(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed,
                     const std::vector<Unknown>& unknowns) {
   const auto fitted = static_cast<Index>(work.basis.unknowns.size());
-  VectorXd x = VectorXd::Zero(static_cast<Index>(unknowns.size()));
+  VectorXd x = zerosOf(unknowns);
   for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
     const Unknown& size = unknowns[static_cast<std::size_t>(fitted) + k];
     const double linear = model.sizes.size() > static_cast<Index>(k) ? model.sizes[static_cast<Index>(k)] : 0;
@@ -95,12 +97,9 @@ void viewSources(const MatrixXd& J, const MatrixXd& S, const VectorXd& y, const 
   W_y << J, S, y;
   at.scale = VectorXd::Ones(n);
   at.information = VectorXd::Ones(n);
-  for (Index k = 0; k < J.cols(); ++k) {
-    const Unknown& unknown = others[static_cast<std::size_t>(k)];
-    W_y.col(n) -= J.col(k) * unknown.prior_mean;
-    at.scale[k] = unknown.typical;
-    at.information[k] = std::pow(unknown.typical / unknown.prior_sigma, 2);
-  }
+  for (Index k = 0; k < J.cols(); ++k) W_y.col(n) -= J.col(k) * others[static_cast<std::size_t>(k)].prior_mean;
+  at.scale.head(J.cols()) = typicalsOf(others);
+  at.information.head(J.cols()) = priorInformation(others);
   at.sources = noise.sources->viewOf(W_y);
 }
 
@@ -135,8 +134,8 @@ std::vector<PriorSize> priorsOf(const PlacedModel& placed, double scale) {
   for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
     const Unknown& size = placed.sizes[k];
     const bool is_of_effect = size.path.effect >= 0;
-    const int sign = size.lower == 0 ? 1 : size.upper == 0 ? -1 : 0;
-    priors.push_back({static_cast<int>(k), is_of_effect ? scale : size.prior_sigma / size.typical, sign});
+    priors.push_back({static_cast<int>(k), is_of_effect ? scale : size.prior_sigma / size.typical,
+                      signWithin(size.lower, size.upper)});
   }
   return priors;
 }
@@ -152,12 +151,6 @@ WeighedDiscrepancy evidenceAt(const AtOptimum& at, const NoiseHypothesis& noise,
   return withSources(evidence, single, noise.options);
 }
 
-/// What of a vector no columns can do.
-VectorXd beside(const MatrixXd& columns, const VectorXd& vector) {
-  if (columns.cols() == 0) return vector;
-  return vector - columns * columns.completeOrthogonalDecomposition().solve(vector);
-}
-
 /// The errors that the discrepancy most probably makes.
 void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std::vector<PriorSize>& sizes,
                    CompetingModel& model) {
@@ -170,7 +163,7 @@ void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std:
     model.remainder = noise.discrepancy * weights;
     model.remainder_terms = noise.principal_terms * weights;
   }
-  if (model.remainder.size() > 0) model.remainder_left = beside(at.residual.jacobian, model.remainder);
+  if (model.remainder.size() > 0) model.remainder_left = leftBeside(at.residual.jacobian, model.remainder);
 }
 
 /// What the model leaves as an error of its own, in sigmas of its noise: the discrepancy's errors, or, where there are
@@ -186,11 +179,11 @@ double lengthLeft(const DiagnosisWork& work, const AtOptimum& stated, std::size_
 
 /// How much of chi-square a term takes beside the others, as a length in noise sigmas, what noise alone would give off.
 double lengthOf(const LinearEvidence& evidence, std::size_t first, std::size_t count, std::size_t all) {
-  std::vector<int> columns(all), others;
+  std::vector<int> columns(all);
   std::iota(columns.begin(), columns.end(), 0);
-  for (const int column : columns)
-    if (static_cast<std::size_t>(column) < first || static_cast<std::size_t>(column) >= first + count)
-      others.push_back(column);
+  std::vector<int> others = columns;
+  const auto from = others.begin() + static_cast<std::ptrdiff_t>(first);
+  others.erase(from, from + static_cast<std::ptrdiff_t>(count));
   const double fall = evidence.fall(columns) - evidence.fall(others) - static_cast<double>(count);
   return std::sqrt(std::max(0., fall));
 }
@@ -270,8 +263,7 @@ bool fitByNoise(const DiagnosisWork& work, std::size_t by, const PlacedModel& pl
   x = solution.x;
   for (std::size_t n = 0; n < at.size(); ++n)
     if (!linearizeAt(work, placed, unknowns, x, work.noise[n], at[n])) return false;
-  const bool has_effects =
-      std::any_of(placed.sizes.begin(), placed.sizes.end(), [](const Unknown& size) { return size.path.effect >= 0; });
+  const bool has_effects = std::ranges::any_of(placed.sizes, [](const Unknown& size) { return size.path.effect >= 0; });
   blendEvidence(
       work, has_effects,
       [&](const NoiseHypothesis& noise, std::size_t n, double scale) {
@@ -290,20 +282,15 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
   const std::vector<Unknown> unknowns = unknownsOf(work, placed);
   VectorXd x = startOfFit(work, model, placed, unknowns);
   std::vector<AtOptimum> at(work.noise.size());
+  const auto giveUp = [&] { model.log_evidence = -std::numeric_limits<double>::infinity(); };
   // What seemed noise before the model was fitted may be none after it: sizes are fitted by the noise that is left.
   constexpr int kPasses = 2;
   for (int pass = 0; pass < kPasses; ++pass) {
     const std::size_t by = likelyNoise(work, model);
-    if (!fitByNoise(work, by, placed, unknowns, x, at, model)) {
-      model.log_evidence = -std::numeric_limits<double>::infinity();
-      return;
-    }
+    if (!fitByNoise(work, by, placed, unknowns, x, at, model)) return giveUp();
     if (likelyNoise(work, model) == by) break;
   }
-  if (saysOneOnly(work, model, placed, x)) {
-    model.log_evidence = -std::numeric_limits<double>::infinity();
-    return;
-  }
+  if (saysOneOnly(work, model, placed, x)) return giveUp();
   model.gain_by_fit = model.log_evidence - linear;
   const std::size_t likely = likelyNoise(work, model);
   keepRemainder(work.noise[likely], at[likely], priorsOf(placed, 1), model);

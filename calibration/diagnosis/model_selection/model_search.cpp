@@ -45,8 +45,8 @@ std::vector<Looked> lookBeside(const DiagnosisWork& work, const std::vector<Comp
 std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vector<Looked>& looked, std::size_t most) {
   std::vector<std::size_t> order(looked.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return looked[a].log_weight > looked[b].log_weight; });
+  std::ranges::stable_sort(order,
+                           [&](std::size_t a, std::size_t b) { return looked[a].log_weight > looked[b].log_weight; });
   std::set<std::vector<int>> seen;
   std::vector<std::size_t> chosen;
   std::array<std::size_t, 2> count{};
@@ -119,9 +119,8 @@ void compareModels(DiagnosisWork& work) {
     work.models.insert(work.models.end(), level.begin(), level.end());
     bool gains = false;
     for (const bool of_many : {false, true}) {
-      const auto first = std::find_if(level.begin(), level.end(), [&](const CompetingModel& model) {
-        return saysManyAtOnce(work, model.terms) == of_many;
-      });
+      const auto first = std::ranges::find_if(
+          level, [&](const CompetingModel& model) { return saysManyAtOnce(work, model.terms) == of_many; });
       if (first == level.end()) continue;
       const double before = std::exchange(best[of_many], std::max(best[of_many], first->logWeight()));
       gains |= first->logWeight() >= before - (depth == 1 ? kHopeless : 0);

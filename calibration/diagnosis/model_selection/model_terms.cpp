@@ -14,7 +14,7 @@ constexpr int kMostNumbers = 8;      // of a cause of which choices of some are 
 /// The choices of a cause's numbers that are tried: all that there are of a few, else each alone and all.
 std::vector<std::vector<int>> choicesOf(const Cause& cause, int numbers) {
   std::vector<int> all(static_cast<std::size_t>(numbers));
-  for (int k = 0; k < numbers; ++k) all[static_cast<std::size_t>(k)] = k;
+  std::iota(all.begin(), all.end(), 0);
   if (cause.effects.size() > 1 || numbers > kMostNumbers) return {all};
   std::vector<std::vector<int>> choices;
   for (unsigned mask = 1; mask < (1U << numbers); ++mask) {
@@ -38,8 +38,6 @@ double logShareOf(const DiagnosisWork& work, const ModelTerm& term) {
   const Cause& cause = work.cause(term.cause);
   return logShare(cause, choicesOf(cause, countNumbers(work, term.cause, term.level)).size());
 }
-
-int signOf(const SignatureColumn& column) { return column.lower == 0 ? 1 : column.upper == 0 ? -1 : 0; }
 
 }  // namespace
 
@@ -80,19 +78,17 @@ std::vector<ModelTerm> fullTerms(const DiagnosisWork& work, std::vector<ModelTer
 
 std::vector<PriorSize> sizesOf(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, double scale) {
   std::vector<PriorSize> sizes;
-  for (const ModelTerm& term : terms) {
-    const auto& columns = work.signatures->columnsOf(term.cause, term.level);
-    for (const int number : term.numbers) {
-      const int c = columns[static_cast<std::size_t>(number)];
+  for (const ModelTerm& term : terms)
+    for (const int c : picked(work.signatures->columnsOf(term.cause, term.level), term.numbers)) {
       const SignatureColumn& column = work.signatures->columns()[static_cast<std::size_t>(c)];
-      sizes.push_back({c, column.prior_sigma * (column.is_of_effect ? scale : 1), signOf(column)});
+      sizes.push_back(
+          {c, column.prior_sigma * (column.is_of_effect ? scale : 1), signWithin(column.lower, column.upper)});
     }
-  }
   return sizes;
 }
 
 bool hasEffects(const DiagnosisWork& work, const std::vector<ModelTerm>& terms) {
-  return std::any_of(terms.begin(), terms.end(), [&](const ModelTerm& t) { return work.cause(t.cause).frees.empty(); });
+  return std::ranges::any_of(terms, [&](const ModelTerm& t) { return work.cause(t.cause).frees.empty(); });
 }
 
 bool isVisible(const DiagnosisWork& work, int cause) {
@@ -102,19 +98,19 @@ bool isVisible(const DiagnosisWork& work, int cause) {
   };
   for (int level = 0; level < static_cast<int>(work.cause(cause).levels.size()); ++level) {
     const auto& columns = work.signatures->columnsOf(cause, level);
-    if (std::any_of(columns.begin(), columns.end(), shows)) return true;
+    if (std::ranges::any_of(columns, shows)) return true;
   }
   return false;
 }
 
 bool mayStandTogether(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, int cause) {
-  return std::none_of(terms.begin(), terms.end(), [&](const ModelTerm& term) {
+  return std::ranges::none_of(terms, [&](const ModelTerm& term) {
     return term.cause == cause || overlap(work.cause(term.cause), work.cause(cause));
   });
 }
 
 bool saysManyAtOnce(const DiagnosisWork& work, const std::vector<ModelTerm>& terms) {
-  return std::any_of(terms.begin(), terms.end(), [&](const ModelTerm& term) {
+  return std::ranges::any_of(terms, [&](const ModelTerm& term) {
     const Cause& cause = work.cause(term.cause);
     return cause.effects.size() > 1 || cause.frees.size() > 1;
   });

@@ -52,12 +52,6 @@ std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& readings)
   return blocks;
 }
 
-std::vector<Measurement> picked(const std::vector<Measurement>& readings, const std::vector<int>& which) {
-  std::vector<Measurement> some;
-  for (const int k : which) some.push_back(readings[static_cast<std::size_t>(k)]);
-  return some;
-}
-
 /// Rows whitened by some weights, by others.
 void whitenAnew(const std::vector<Measurement>& readings, const ReadingWeights& from, const ReadingWeights& to,
                 MatrixXd& columns) {
@@ -106,8 +100,8 @@ bool fillBlock(DiagnosisWork& work, const std::vector<int>& which, Block& block)
   ReadingWeights apart = block.weights;
   apart.points.clear();
   apart.shared.clear();
-  const VectorXd zero = VectorXd::Zero(static_cast<Index>(basis.unknowns.size()));
-  auto residual = whitenedResidual(basis.fitted, basis.unknowns, block.readings, apart, zero, true, basis.stop);
+  auto residual =
+      whitenedResidual(basis.fitted, basis.unknowns, block.readings, apart, zerosOf(basis.unknowns), true, basis.stop);
   if (!residual.ok) return false;
   block.J = std::move(residual.jacobian);
   block.y = -residual.r;
@@ -160,18 +154,22 @@ void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
   noise.sources = std::make_unique<SingleSources>(std::move(all), work.discrepancy->sources(), shares);
 }
 
+/// The stated noise of a coordinate [m].
+double noiseOfCoordinate(const DiagnosisWork& work) {
+  return noiseFloor(work.basis.readings, work.basis.weights) / lengthOfRows(work.basis.readings);
+}
+
 /// The error of a coordinate that this chi-square leaves beyond the stated noise; 0 where the noise is enough.
 double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) {
   if (freedom < 3 || !(chiSquareTail(chi2, freedom) < kLackOfFit)) return 0;
-  const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / lengthOfRows(work.basis.readings);
-  return per_coordinate * std::sqrt(std::max(0.1, chi2 / freedom - 1));
+  return noiseOfCoordinate(work) * std::sqrt(std::max(0.1, chi2 / freedom - 1));
 }
 
 /// Sizes of more noise, as factors to that of this error: down to less, and up to what the model alone leaves. Of few
 /// readings an unknown function takes much of any noise, and what it leaves is less than there is.
 std::vector<double> noiseScales(const DiagnosisWork& work, double model_error) {
   constexpr double kLeast = 0.7, kMost = 1.5, kFarthest = 6, kStep = 1.08;
-  const double per_coordinate = noiseFloor(work.basis.readings, work.basis.weights) / lengthOfRows(work.basis.readings);
+  const double per_coordinate = noiseOfCoordinate(work);
   const double alone = errorBeyondNoise(work, work.noise.front().evidence->chi2(), degreesLeft(work));
   const double up = std::hypot(per_coordinate, alone) / std::hypot(per_coordinate, model_error);
   std::vector<double> scales;
@@ -220,8 +218,7 @@ double logDensityOf(const ReadingWeights& weights) {
 }
 
 bool linearize(DiagnosisWork& work) {
-  work.causes =
-      listCauses(work.basis.fitted, work.basis.readings, work.basis.unknowns, work.options.causes, work.options.hooks);
+  work.causes = listCauses(work.basis.fitted, work.basis.readings, work.basis.unknowns, work.options.hooks);
   work.signatures = std::make_unique<Signatures>(work.basis.fitted, work.causes.causes);
   work.discrepancy = std::make_unique<Discrepancy>(work.basis.fitted, work.basis.readings);
   if (!addNoise(work, 0, 0)) return false;
@@ -231,9 +228,7 @@ bool linearize(DiagnosisWork& work) {
 
 double errorBeyondBest(const DiagnosisWork& work) {
   // That of nothing missing is always among them.
-  const auto best = std::find_if(work.models.begin(), work.models.end(), [](const CompetingModel& model) {
-    return model.is_fitted && std::isfinite(model.log_evidence);
-  });
+  const auto best = std::ranges::find_if(work.models, &CompetingModel::hasFit);
   if (best == work.models.end()) return 0;
   double numbers = 0;
   for (const ModelTerm& term : best->terms) numbers += static_cast<double>(term.numbers.size());

@@ -1,9 +1,8 @@
 #include "calibration/diagnosis/model_selection/placed_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "calibration/diagnosis/model_selection/step_time.hpp"
 
 namespace tubeplan::calibration {
 
@@ -11,8 +10,9 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kBeyondUsual = 2;  // sigmas past the largest usual size
-constexpr double kShapePrior = 3;   // of a knee's typical step
+constexpr double kBeyondUsual = 2;      // sigmas past the largest usual size
+constexpr double kShapePrior = 3;       // of a knee's typical step
+constexpr std::size_t kMostTimes = 12;  // of a step, tried at once
 
 FoundNumber foundNumber(const Unknown& unknown, const std::string& name, double value, double sigma) {
   FoundNumber number{name, unknown.quantity, value, sigma};
@@ -21,10 +21,51 @@ FoundNumber foundNumber(const Unknown& unknown, const std::string& name, double 
   return number;
 }
 
+/// Of these times of a step the one that lowers chi-square most.
+std::size_t bestTime(const DiagnosisWork& work, Cause cause, const ModelTerm& term, const std::vector<double>& times) {
+  cause.levels = times;
+  const Signatures signatures(work.basis.fitted, {cause});
+  EvidenceGram gram;
+  const Eigen::MatrixXd S = signatures.columnsAt(work.basis.readings, work.basis.weights, work.basis.stop);
+  if (S.rows() != work.basis.residual.r.size()) return times.size() / 2;
+  gram.add(work.basis.residual.jacobian, S, Eigen::MatrixXd(S.rows(), 0), -work.basis.residual.r);
+  const LinearEvidence evidence(gram, work.basis.unknowns, {});
+  std::size_t best = 0;
+  double most = -1;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const auto columns = picked(signatures.columnsOf(0, static_cast<int>(k)), term.numbers);
+    if (const double fall = evidence.fall(columns); fall > most) most = fall, best = k;
+  }
+  return best;
+}
+
+/// Returns when a step happened, as finely as the readings' times can say: between two readings it is the same wherever
+/// it is. The gaps near the level are tried, of very many first some, then all between the neighbours of the best.
+double refinedTime(const DiagnosisWork& work, const CompetingModel& model, std::size_t index) {
+  const ModelTerm& term = model.terms[index];
+  const Cause& cause = work.cause(term.cause);
+  const auto& levels = cause.levels;
+  const auto level = static_cast<std::size_t>(term.level);
+  const double from = level > 0 ? levels[level - 1] : -std::numeric_limits<double>::infinity();
+  const double to = level + 1 < levels.size() ? levels[level + 1] : std::numeric_limits<double>::infinity();
+  std::vector<double> gaps = timesBetween(work.basis.readings);
+  std::erase_if(gaps, [&](double time) { return time < from || time > to; });
+  while (gaps.size() > kMostTimes) {
+    const std::size_t step = gaps.size() / kMostTimes + 1;
+    std::vector<double> some;
+    for (std::size_t k = 0; k < gaps.size(); k += step) some.push_back(gaps[k]);
+    const std::size_t best = bestTime(work, cause, term, some) * step;
+    const std::size_t first = best > step ? best - step : 0, last = std::min(gaps.size() - 1, best + step);
+    gaps = std::vector<double>(gaps.begin() + static_cast<std::ptrdiff_t>(first),
+                               gaps.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  }
+  return gaps.size() < 2 ? levels[level] : gaps[bestTime(work, cause, term, gaps)];
+}
+
 }  // namespace
 
 PlacedModel placeModel(const DiagnosisWork& work, const CompetingModel& model) {
-  PlacedModel placed{work.basis.fitted, {}, {}, {}, {}, {}};
+  PlacedModel placed{work.basis.fitted, {}, {}, {}, {}};
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
     const ModelTerm& term = model.terms[t];
     const Cause& cause = work.cause(term.cause);
@@ -34,7 +75,6 @@ PlacedModel placeModel(const DiagnosisWork& work, const CompetingModel& model) {
     const auto own = placeCause(placed.arm, cause, level);
     for (const int number : term.numbers) placed.sizes.push_back(own[static_cast<std::size_t>(number)]);
     placed.counts.push_back(term.numbers.size());
-    placed.of_level.push_back(level);
     placed.first_effect.push_back(effect);
     if (cause.shape < 0 || isStep(cause)) continue;
     placed.shapes.push_back(shapeUnknown(placed.arm.arm, cause, effect, level));
@@ -47,8 +87,7 @@ void describeTerm(const DiagnosisWork& work, const ModelTerm& term, const Placed
                   const VectorXd& sigma, std::size_t first_size, Explanation& fit) {
   const Cause& cause = work.cause(term.cause);
   const auto sigmaOf = [&](std::size_t k) {
-    return sigma.size() > static_cast<Index>(k) ? sigma[static_cast<Index>(k)] * placed.sizes[k].typical
-                                                : std::numeric_limits<double>::quiet_NaN();
+    return sigma.size() > static_cast<Index>(k) ? sigma[static_cast<Index>(k)] * placed.sizes[k].typical : kNotKnown;
   };
   if (!cause.frees.empty()) {
     FoundEffect found{cause.effect, cause.at, {}, cause.frees, {}, {}};

@@ -9,7 +9,6 @@ namespace tubeplan::calibration {
 struct PlacedModel {
   PlacedArm arm;
   std::vector<Unknown> sizes, shapes;
-  std::vector<double> of_level;     ///< chosen shape of each term
   std::vector<int> first_effect;    ///< index of each term's first effect in the arm
   std::vector<std::size_t> counts;  ///< sizes of each term
 };

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "calibration/estimation/fit.hpp"
+#include "calibration/diagnosis/causes/cause.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "tests/calibration/bench_readings.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
