@@ -30,8 +30,8 @@ inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
 /// Whether somebody has written coordinates; those of the sheet's holes have a mistake of their own
 /// (sheet_mirrored.hpp).
 inline bool areWritten(const CheckedReadings& checked) {
-  return std::any_of(checked.readings.begin(), checked.readings.end(),
-                     [&](const Measurement& reading) { return reading.p_W && !isPlacedBySheet(checked, reading); });
+  return std::ranges::any_of(
+      checked.readings, [&](const Measurement& reading) { return reading.p_W && !isPlacedBySheet(checked, reading); });
 }
 
 /// Of what is written and what the sheet gives alike: both are the places that were measured.

@@ -10,8 +10,7 @@
 namespace tubeplan::calibration::mistakes::base_elsewhere {
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
-  const bool is_known = std::any_of(checked.start.base_poses.begin(), checked.start.base_poses.end(),
-                                    [](const BasePose& base_pose) { return base_pose.is_known; });
+  const bool is_known = std::ranges::any_of(checked.start.base_poses, &BasePose::is_known);
   return is_known ? std::vector<std::string>{"unknown"} : std::vector<std::string>{};
 }
 
@@ -21,10 +20,9 @@ inline std::optional<Mend> mendFrom(const CheckedReadings& checked, const std::s
   if (first == checked.readings.end()) return std::nullopt;
   Mend mend{"base", "unknown", "the base or the tracker stands elsewhere: it was bumped there, and is found anew"};
   mend.new_setup = NewSetup{first->setup + (first->setup.empty() ? "" : "-") + "from-" + from, first->setup};
-  mend.change = [setup = *mend.new_setup](std::vector<Measurement>& readings) {
-    for (auto& reading : readings)
-      if (reading.setup == setup.within) reading.setup = setup.name;
-  };
+  mend.change = toEach([setup = *mend.new_setup](Measurement& reading) {
+    if (reading.setup == setup.within) reading.setup = setup.name;
+  });
   mend.frees_base = std::ranges::any_of(checked.start.base_poses, &BasePose::is_known);
   mend.numbers_fitted = 6;
   return fromReading(checked, std::move(mend), from);

@@ -23,10 +23,9 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   if (at == std::string_view::npos || !factor) return std::nullopt;
   Mend mend{"coordinate-unit", value,
             "the unit of " + axis + " is " + unit + ", not " + checked.units.coordinates.name + " as its column says"};
-  mend.change = [checked = &checked, at, factor = *factor](std::vector<Measurement>& readings) {
-    for (auto& reading : readings)
-      if (coordinates_unit::areWritten(*checked, reading)) (*reading.p_W)[static_cast<Eigen::Index>(at)] *= factor;
-  };
+  mend.change = toEach([checked = &checked, at, factor = *factor](Measurement& reading) {
+    if (coordinates_unit::areWritten(*checked, reading)) (*reading.p_W)[static_cast<Eigen::Index>(at)] *= factor;
+  });
   mend.change_sigma = sigmaAlong(checked, *factor, static_cast<Eigen::Index>(at));
   return mend;
 }

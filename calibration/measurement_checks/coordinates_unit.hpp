@@ -22,14 +22,12 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   Mend mend{
       "coordinates", value,
       "the unit of the coordinates is " + value + ", not " + checked.units.coordinates.name + " as their columns say"};
-  mend.change = [checked = &checked, factor = *factor](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) {
-      if (areWritten(*checked, reading)) *reading.p_W *= factor;
-      const auto columns = kindOf(reading).columns;
-      for (std::size_t k = 0; k < columns.size(); ++k)
-        if (columns[k].quantity == deflection::Quantity::kLength) reading.own[static_cast<Eigen::Index>(k)] *= factor;
-    }
-  };
+  mend.change = toEach([checked = &checked, factor = *factor](Measurement& reading) {
+    if (areWritten(*checked, reading)) *reading.p_W *= factor;
+    const auto columns = kindOf(reading).columns;
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      if (columns[k].quantity == deflection::Quantity::kLength) reading.own[static_cast<Eigen::Index>(k)] *= factor;
+  });
   mend.change_sigma = sigmaAlong(checked, *factor);
   return mend;
 }

@@ -61,7 +61,7 @@ double stepOfCoordinates(const CheckedReadings& checked) {
       const double steps = metres / checked.units.coordinates.factor / step;
       return std::abs(steps - std::round(steps)) < 1e-3;
     };
-    const bool are_whole = std::all_of(checked.readings.begin(), checked.readings.end(), [&](const Measurement& m) {
+    const bool are_whole = std::ranges::all_of(checked.readings, [&](const Measurement& m) {
       return !m.p_W || !kindOf(m).has_coordinates || std::all_of(m.p_W->begin(), m.p_W->end(), isWhole);
     });
     if (are_whole) return step * checked.units.coordinates.factor;
@@ -83,14 +83,10 @@ std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
   if (copies.empty()) return std::nullopt;
   std::vector<std::string> ids;
   for (const Copy& copy : copies) ids.push_back(checked.readings[copy.reading].id);
-  return MeasurementCheck{"duplicates",
-                          CheckSeverity::kRemark,
-                          std::string(ids.size() == 1 ? "a reading occurs" : "readings occur") +
-                              " twice with identical numbers: " + copiesText(checked, copies),
-                          kNoFigure,
-                          kNoFigure,
-                          assumeWithout(ids),
-                          {}};
+  return remarkOf("duplicates",
+                  std::string(ids.size() == 1 ? "a reading occurs" : "readings occur") +
+                      " twice with identical numbers: " + copiesText(checked, copies),
+                  assumeWithout(ids));
 }
 
 std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked) {

@@ -10,8 +10,8 @@
 namespace tubeplan::calibration::mistakes::holes_off {
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
-  const bool names_holes = std::any_of(checked.readings.begin(), checked.readings.end(),
-                                       [&](const Measurement& reading) { return isPlacedBySheet(checked, reading); });
+  const bool names_holes = std::ranges::any_of(
+      checked.readings, [&](const Measurement& reading) { return isPlacedBySheet(checked, reading); });
   if (!names_holes) return {};
   return {"R+1", "R-1", "C+1", "C-1"};
 }
@@ -21,7 +21,7 @@ using OtherHole = std::function<const tubesheets::Tube*(const tubesheets::RowAnd
 
 /// A tip cannot have touched a hole that is not there: one such reading, and the names are not wrong in that way.
 inline bool areAllThere(const CheckedReadings& checked, const OtherHole& other) {
-  return std::all_of(checked.readings.begin(), checked.readings.end(), [&](const Measurement& reading) {
+  return std::ranges::all_of(checked.readings, [&](const Measurement& reading) {
     return !isPlacedBySheet(checked, reading) || other(*tubesheets::parseTubeName(reading.point)) != nullptr;
   });
 }

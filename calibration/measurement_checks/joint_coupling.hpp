@@ -14,11 +14,9 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   const auto& arm = checked.start.arm;
   std::vector<std::string> texts;
   for (int apart = 1; apart < arm.jointCount(); ++apart)
-    for (int j = 0; j < arm.jointCount(); ++j)
+    for (const int j : turningJoints(arm))
       for (const int of : {j - apart, j + apart}) {
-        if (of < 0 || of >= arm.jointCount() || arm.joint(j).type != deflection::JointType::kRevolute ||
-            arm.joint(of).type != deflection::JointType::kRevolute)
-          continue;
+        if (of < 0 || of >= arm.jointCount() || arm.joint(of).type != deflection::JointType::kRevolute) continue;
         for (const int share : {-1, 1})
           texts.push_back(fmt::format("{}:{}:{}", arm.joint(j).name, arm.joint(of).name, share));
       }
@@ -35,9 +33,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
                             : share == 1 ? name + " - " + of_name
                                          : fmt::format("{} - {:g} {}", name, share, of_name);
   Mend mend{"joint-coupling", value, "the column of " + name + " contains " + shown + " of the arm's joints"};
-  mend.change = [joint, of, share](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) reading.q[joint] += share * reading.q[of];
-  };
+  mend.change = toEach([joint, of, share](Measurement& reading) { reading.q[joint] += share * reading.q[of]; });
   return mend;
 }
 

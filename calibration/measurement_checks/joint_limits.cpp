@@ -67,13 +67,7 @@ std::optional<MeasurementCheck> hairPastLimits(const CheckedReadings& checked) {
                                  past / unit.factor, unit.name, limit / unit.factor));
     }
   if (told.empty()) return std::nullopt;
-  return MeasurementCheck{"past-limit",
-                          CheckSeverity::kRemark,
-                          "a hair past a joint's limit, and taken as read: " + listOf(told),
-                          kNoFigure,
-                          kNoFigure,
-                          "",
-                          {}};
+  return remarkOf("past-limit", "a hair past a joint's limit, and taken as read: " + listOf(told));
 }
 
 std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q) {
@@ -97,15 +91,10 @@ std::optional<MeasurementCheck> unwindJoints(CheckedReadings& checked) {
   }
   if (told.empty()) return std::nullopt;
   linkReferences(checked.readings);
-  return MeasurementCheck{"whole-turn",
-                          CheckSeverity::kRemark,
-                          fmt::format("joint readings past their limits are taken a whole turn back, which is the same "
-                                      "posture: {}",
-                                      fmt::join(told, ", ")),
-                          kNoFigure,
-                          kNoFigure,
-                          "",
-                          {}};
+  return remarkOf("whole-turn",
+                  fmt::format("joint readings past their limits are taken a whole turn back, which is the same "
+                              "posture: {}",
+                              fmt::join(told, ", ")));
 }
 
 }  // namespace tubeplan::calibration

@@ -23,12 +23,10 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
 /// The joints between colons; empty where one is none of the arm's or there twice, or where they are fewer than two.
 inline std::vector<int> ringOf(const deflection::Arm& arm, const std::string& value) {
   std::vector<int> ring;
-  for (std::size_t from = 0; from <= value.size();) {
-    const std::size_t to = std::min(value.find(':', from), value.size());
-    const int joint = jointNamed(arm, value.substr(from, to - from));
+  for (const std::string& name : partedAt(':', value)) {
+    const int joint = jointNamed(arm, name);
     if (joint < 0 || std::ranges::find(ring, joint) != ring.end()) return {};
     ring.push_back(joint);
-    from = to + 1;
   }
   return ring.size() < 2 ? std::vector<int>{} : ring;
 }
@@ -48,15 +46,14 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   const auto ring = ringOf(checked.start.arm, value);
   if (ring.empty()) return std::nullopt;
   Mend mend{"joint-order", value, sentenceOf(checked.start.arm, ring)};
-  mend.change = [ring](std::vector<Measurement>& readings) {
-    for (auto& reading : readings)
-      for (std::size_t k = ring.size() - 1; k > 0; --k) {
-        std::swap(reading.q[ring[k]], reading.q[ring[k - 1]]);
-        if (!reading.approach_directions.empty())
-          std::swap(reading.approach_directions[static_cast<std::size_t>(ring[k])],
-                    reading.approach_directions[static_cast<std::size_t>(ring[k - 1])]);
-      }
-  };
+  mend.change = toEach([ring](Measurement& reading) {
+    for (std::size_t k = ring.size() - 1; k > 0; --k) {
+      std::swap(reading.q[ring[k]], reading.q[ring[k - 1]]);
+      if (!reading.approach_directions.empty())
+        std::swap(reading.approach_directions[static_cast<std::size_t>(ring[k])],
+                  reading.approach_directions[static_cast<std::size_t>(ring[k - 1])]);
+    }
+  });
   return mend;
 }
 

@@ -91,9 +91,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
       fmt::format("the columns of {0} and {1} contain the motors of a differential: {0} is {2} of them, {1} is {3}",
                   first, second, mixtureText(pair->shares.row(0), first, second),
                   mixtureText(pair->shares.row(1), first, second))};
-  mend.change = [pair = *pair](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) unmix(pair, reading);
-  };
+  mend.change = toEach([pair = *pair](Measurement& reading) { unmix(pair, reading); });
   return mend;
 }
 

@@ -13,12 +13,10 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   const int joint = jointNamed(checked.start.arm, value);
   if (joint < 0) return std::nullopt;
   Mend mend{"joint-sign", value, value + " is read with the other sign"};
-  mend.change = [joint](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) {
-      reading.q[joint] = -reading.q[joint];
-      if (!reading.approach_directions.empty()) reading.approach_directions[static_cast<std::size_t>(joint)] *= -1;
-    }
-  };
+  mend.change = toEach([joint](Measurement& reading) {
+    reading.q[joint] = -reading.q[joint];
+    if (!reading.approach_directions.empty()) reading.approach_directions[static_cast<std::size_t>(joint)] *= -1;
+  });
   return mend;
 }
 

@@ -32,9 +32,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   if (!factor) return std::nullopt;
   Mend mend{"joint-unit", value,
             "the unit of " + name + " is " + unit + ", not " + unitOf(checked, joint).name + " as its column says"};
-  mend.change = [joint, factor = *factor](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) reading.q[joint] *= factor;
-  };
+  mend.change = toEach([joint, factor = *factor](Measurement& reading) { reading.q[joint] *= factor; });
   return mend;
 }
 

@@ -29,22 +29,19 @@ inline double zeroOf(const CheckedReadings& checked, const std::string& value) {
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   std::vector<std::string> texts;
-  for (int j = 0; j < checked.start.arm.jointCount(); ++j)
-    if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute)
-      for (const int quarters : {-1, 1, 2}) texts.push_back(textOf(checked, j, quarters * std::numbers::pi / 2));
-  for (int j = 0; j < checked.start.arm.jointCount(); ++j)
-    if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute)
-      for (const int part : {-1, 1}) texts.push_back(textOf(checked, j, part * std::numbers::pi / 9));
+  for (const int j : turningJoints(checked.start.arm))
+    for (const int quarters : {-1, 1, 2}) texts.push_back(textOf(checked, j, quarters * std::numbers::pi / 2));
+  for (const int j : turningJoints(checked.start.arm))
+    for (const int part : {-1, 1}) texts.push_back(textOf(checked, j, part * std::numbers::pi / 9));
   return texts;
 }
 
 /// Every sixth of a half turn, and a twelfth: from one of them the zero is found, whatever it is.
 inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
   std::vector<std::string> texts;
-  for (int j = 0; j < checked.start.arm.jointCount(); ++j)
-    if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute)
-      for (const int part : {-10, -8, -6, -4, -2, -1, 1, 2, 4, 6, 8, 10, 12})
-        texts.push_back(textOf(checked, j, part * std::numbers::pi / 12));
+  for (const int j : turningJoints(checked.start.arm))
+    for (const int part : {-10, -8, -6, -4, -2, -1, 1, 2, 4, 6, 8, 10, 12})
+      texts.push_back(textOf(checked, j, part * std::numbers::pi / 12));
   return texts;
 }
 
@@ -66,10 +63,8 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   Mend mend{
       "joint-zero", value,
       "the zero of " + name + " is off: " + number + " " + checked.units.angles.name + " to be added to its readings"};
-  mend.change = [joint, of = checked.start.arm.joint(joint),
-                 by = *offset * checked.units.angles.factor](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) reading.q[joint] = wound(of, reading.q[joint] + by);
-  };
+  mend.change = toEach([joint, of = checked.start.arm.joint(joint), by = *offset * checked.units.angles.factor](
+                           Measurement& reading) { reading.q[joint] = wound(of, reading.q[joint] + by); });
   mend.numbers_fitted = 1;
   if (from) {
     mend.sentence += "; a turn or counts of its encoder were lost there, or it was knocked or homed anew";
@@ -81,13 +76,12 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
 
 inline std::vector<StepForm> steps(const CheckedReadings& checked) {
   std::vector<StepForm> forms;
-  for (int j = 0; j < checked.start.arm.jointCount(); ++j)
-    if (checked.start.arm.joint(j).type == deflection::JointType::kRevolute)
-      forms.push_back(
-          {.numbers = 1,
-           .slopes = [j](const Prediction& prediction) { return prediction.by_joints.col(j); },
-           .value = [&checked, j](const Eigen::VectorXd& size,
-                                  const std::string& from) { return textOf(checked, j, size[0]) + "@" + from; }});
+  for (const int j : turningJoints(checked.start.arm))
+    forms.push_back(
+        {.numbers = 1,
+         .slopes = [j](const Prediction& prediction) { return prediction.by_joints.col(j); },
+         .value = [&checked, j](const Eigen::VectorXd& size,
+                                const std::string& from) { return textOf(checked, j, size[0]) + "@" + from; }});
   return forms;
 }
 

@@ -8,8 +8,8 @@
 namespace tubeplan::calibration::mistakes::loads_unit {
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
-  const bool has_load = std::any_of(checked.readings.begin(), checked.readings.end(),
-                                    [](const Measurement& reading) { return reading.load > 0; });
+  const bool has_load =
+      std::ranges::any_of(checked.readings, [](const Measurement& reading) { return reading.load > 0; });
   return has_load ? otherNames(checked.units.forces, checked.units.loads) : std::vector<std::string>{};
 }
 
@@ -18,9 +18,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   if (!factor) return std::nullopt;
   Mend mend{"loads", value,
             "the unit of the loads is " + value + ", not " + checked.units.loads.name + " as their column says"};
-  mend.change = [factor = *factor](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) reading.load *= factor;
-  };
+  mend.change = toEach([factor = *factor](Measurement& reading) { reading.load *= factor; });
   return mend;
 }
 

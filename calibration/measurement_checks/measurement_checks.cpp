@@ -65,9 +65,8 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
                         1 / std::sqrt(std::max(as_is.chi2_per_freedom, 1e-30)))
           : fmt::format("the stated noise ({:.2g} {}) is smaller than that of any instrument for an arm of this size",
                         sigma / checked.units.sigma.factor, checked.units.sigma.name);
-  MeasurementCheck check{
-      "sigma", agrees && is_large ? CheckSeverity::kMistake : CheckSeverity::kRemark, text, kNoFigure, kNoFigure, "",
-      {}};
+  MeasurementCheck check = remarkOf("sigma", text);
+  if (agrees && is_large) check.severity = CheckSeverity::kMistake;
   if (agrees || (is_fine && likeliest)) {
     check.sentence += ": " + likeliest->mend.sentence;
     check.assume = "sigma=" + likeliest->mend.value;
@@ -97,14 +96,9 @@ void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& check
   const auto is_said = [](const MeasurementCheck& check) {
     return check.sentence.find("nominal place") != std::string::npos;
   };
-  if (std::any_of(checks.begin(), checks.end(), is_said)) return;
-  MeasurementCheck check{"base-from-nominal",
-                         CheckSeverity::kRemark,
-                         "the best-fitting base is " + baseText(trials) + " from its nominal place",
-                         kNoFigure,
-                         kNoFigure,
-                         "",
-                         {}};
+  if (std::ranges::any_of(checks, is_said)) return;
+  MeasurementCheck check =
+      remarkOf("base-from-nominal", "the best-fitting base is " + baseText(trials) + " from its nominal place");
   if (is_pitches)
     for (const auto& value : findMistakeKind("holes")->values(checked))
       if (const auto mend = findMistakeKind("holes")->mend(checked, value)) {
@@ -180,8 +174,7 @@ MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckO
   }
   for (auto& jump : clockJumps(checked)) result.checks.push_back(std::move(jump));
   for (auto& plain : plainChecks(checked, result.checks)) result.checks.push_back(std::move(plain));
-  std::stable_sort(result.checks.begin(), result.checks.end(),
-                   [](const MeasurementCheck& a, const MeasurementCheck& b) { return a.severity < b.severity; });
+  std::ranges::stable_sort(result.checks, {}, &MeasurementCheck::severity);
   return result;
 }
 

@@ -42,6 +42,11 @@ struct MeasurementCheck {
   std::vector<std::string> equally;    ///< further forms of `--assume` that explain the readings as well
 };
 
+/// Returns a remark that is no matter of errors.
+[[nodiscard]] inline MeasurementCheck remarkOf(std::string name, std::string sentence, std::string assume = "") {
+  return {std::move(name), CheckSeverity::kRemark, std::move(sentence), kNoFigure, kNoFigure, std::move(assume), {}};
+}
+
 /// A column that is not there, and what it would let be seen.
 struct MissingColumn {
   std::string column, sentence;

@@ -70,6 +70,14 @@ struct Mend {
   }
 };
 
+/// Returns the change of all readings by that of each.
+template <class Change>
+[[nodiscard]] auto toEach(Change change) {
+  return [change = std::move(change)](std::vector<Measurement>& readings) {
+    for (Measurement& reading : readings) change(reading);
+  };
+}
+
 /// A mistake that may begin at any reading, by numbers that are the same from there on (step_search.hpp).
 struct StepForm {
   int numbers = 1;
@@ -117,6 +125,12 @@ const std::vector<MistakeKind>& mistakeKinds();
 
 /// Two joint names or a joint and a number, parted at the colon; empty where there is none.
 [[nodiscard]] std::pair<std::string, std::string> partedAtColon(const std::string& value);
+
+/// Returns the parts of a text between the marks.
+[[nodiscard]] std::vector<std::string> partedAt(char mark, const std::string& text);
+
+/// Returns the joints that turn, by their indices.
+[[nodiscard]] std::vector<int> turningJoints(const deflection::Arm& arm);
 
 /// Reads so many finite numbers between colons, such as "0:0.5:0"; nothing where the text is none of that.
 [[nodiscard]] std::optional<std::vector<double>> numbersAtColons(const std::string& text, std::size_t count);

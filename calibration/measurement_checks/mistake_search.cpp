@@ -161,7 +161,7 @@ class MistakeSearch {
     if (!parts) return;
     Mend mend = joined(*parts);
     if (!isWithinLimits(mend)) return;
-    if (!mend.zeros_of.empty() && std::any_of(suspects.begin(), suspects.end(), [&](const Suspect& other) {
+    if (!mend.zeros_of.empty() && std::ranges::any_of(suspects, [&](const Suspect& other) {
           return other.mend.mistake == mend.mistake && other.mend.value == mend.value;
         }))
       return;

@@ -34,7 +34,7 @@ std::vector<std::size_t> drawReadings(const std::vector<Measurement>& readings, 
     if (!drawn.empty() && drawn.size() + group.size() > most) continue;
     drawn.insert(drawn.end(), group.begin(), group.end());
   }
-  std::sort(drawn.begin(), drawn.end());
+  std::ranges::sort(drawn);
   return drawn;
 }
 
@@ -69,7 +69,7 @@ FreeChoice allThatIsOpen(const CheckedReadings& checked) {
   open.base = true;  // of base poses that are not known
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   };
   PlacedArm placed = checked.start;
   for (const auto& unknown : chooseUnknowns(placed, checked.free).list)
@@ -80,7 +80,7 @@ FreeChoice allThatIsOpen(const CheckedReadings& checked) {
       add(parameter.name);
   std::erase_if(names, [&](const std::string& name) {
     const auto geometry = namesBehind(checked.start.arm, "geometry");
-    return std::find(geometry.begin(), geometry.end(), name) != geometry.end();
+    return std::ranges::find(geometry, name) != geometry.end();
   });
   names.push_back("geometry");
   open.names = names;
@@ -102,10 +102,7 @@ double extentOfTips(const PlacedArm& placed, const std::vector<Measurement>& rea
   std::vector<Eigen::Vector3d> tips;
   for (const auto& reading : readings)
     if (touchesUnknownPoint(reading))
-      if (const auto tip = predictReading(
-              placed.arm, placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB, reading);
-          tip.ok)
-        tips.push_back(tip.value);
+      if (const auto tip = predictReading(placed, reading); tip.ok) tips.push_back(tip.value);
   if (tips.size() < 2) return 0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto& tip : tips) mean += tip / static_cast<double>(tips.size());
@@ -124,8 +121,8 @@ MistakeTrials::MistakeTrials(const CheckedReadings& checked, const CheckOptions&
       drawn_{{"tool.tip"}, true, checked.free.priors},
       held_{{}, true, checked.free.priors},
       reach_(deflection::reachOf(checked.start.arm)),
-      has_places_(std::any_of(checked.readings.begin(), checked.readings.end(),
-                              [](const Measurement& reading) { return statedPlace(reading).has_value(); })) {
+      has_places_(std::ranges::any_of(checked.readings,
+                                      [](const Measurement& reading) { return statedPlace(reading).has_value(); })) {
   if (checked.readings.empty()) return;
   as_is_ = tried({}, TrialDepth::kOpen);
   const Trial drawn = tried({}, TrialDepth::kDrawn);
@@ -184,14 +181,9 @@ Trial MistakeTrials::tried(const Mend& mend, TrialDepth depth) const {
 
 Trial MistakeTrials::judged(const RobustFit& fit, const PlacedArm& nominal,
                             const std::vector<Measurement>& readings) const {
-  Trial trial;
-  trial.ok = fit.ok;
-  if (!fit.ok) return trial;
-  trial.error = trial.open_error = fit.error;
-  trial.whole_error = fit.whole_error;
-  trial.lack_of_fit = fit.lack_of_fit;
-  trial.chi2_per_freedom = fit.chi2_per_freedom;
-  trial.placed = fit.placed;
+  if (!fit.ok) return {};
+  Trial trial{fit};
+  trial.open_error = fit.error;
   for (std::size_t p = 0; p < fit.placed.base_poses.size(); ++p) {
     const double shift = shiftOf(fit.placed, nominal, p), turn = turnOf(fit.placed, nominal, p);
     trial.lack_of_fit += 3.5 * std::log1p(std::pow(shift / (kUsualShift * reach_), 2) + std::pow(turn / kUsualTurn, 2));

@@ -16,17 +16,12 @@ inline constexpr double kFarTurn = 0.35;   ///< rad, of the base from its nomina
 inline constexpr double kFarShift = 0.25;  ///< of the arm's reach, the same
 
 /// Of the readings as they are or as one mistake would have them.
-struct Trial {
-  bool ok = false;
-  double error = std::numeric_limits<double>::infinity();        // m, by the drawing, base and tip free
-  double held_error = error;                                     // m, the same with the tip as drawn
-  double open_error = error;                                     // m, with all that the drawing leaves open
-  double whole_error = error;                                    // m, the same of all readings
-  double lack_of_fit = std::numeric_limits<double>::infinity();  // with the base's prior
-  double base_shift = 0, base_turn = 0;                          // of the base from its nominal place; the largest
-  double chi2_per_freedom = kNoFigure;
-  double extent = 0;  // m, of predicted tips that touched unknown points
-  PlacedArm placed;
+/// `error` is by the drawing, base and tip free; the lack of fit counts the base's prior.
+struct Trial : RobustFit {
+  double held_error = std::numeric_limits<double>::infinity();  // m, the same with the tip as drawn
+  double open_error = std::numeric_limits<double>::infinity();  // m, with all that the drawing leaves open
+  double base_shift = 0, base_turn = 0;                         // of the base from its nominal place; the largest
+  double extent = 0;                                            // m, of predicted tips that touched unknown points
 };
 
 enum class TrialDepth {

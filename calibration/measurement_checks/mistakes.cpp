@@ -65,15 +65,24 @@ const std::vector<MistakeKind>& mistakeKinds() {
   return kKinds;
 }
 
-std::vector<std::string> partedAssumptions(const std::string& text) {
+std::vector<std::string> partedAt(char mark, const std::string& text) {
   std::vector<std::string> parts;
   for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(',', from), text.size());
+    const std::size_t to = std::min(text.find(mark, from), text.size());
     parts.push_back(text.substr(from, to - from));
     from = to + 1;
   }
   return parts;
 }
+
+std::vector<int> turningJoints(const deflection::Arm& arm) {
+  std::vector<int> joints;
+  for (int j = 0; j < arm.jointCount(); ++j)
+    if (arm.joint(j).type == deflection::JointType::kRevolute) joints.push_back(j);
+  return joints;
+}
+
+std::vector<std::string> partedAssumptions(const std::string& text) { return partedAt(',', text); }
 
 const MistakeKind* findMistakeKind(const std::string& name) {
   for (const MistakeKind& kind : mistakeKinds())
@@ -129,12 +138,10 @@ std::pair<std::string, std::string> partedAtColon(const std::string& value) {
 
 std::optional<std::vector<double>> numbersAtColons(const std::string& text, std::size_t count) {
   std::vector<double> numbers;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(':', from), text.size());
-    const auto number = tubesheets::parseNumber(std::string_view(text).substr(from, to - from));
+  for (const std::string& part : partedAt(':', text)) {
+    const auto number = tubesheets::parseNumber(part);
     if (!number) return std::nullopt;
     numbers.push_back(*number);
-    from = to + 1;
   }
   return numbers.size() == count ? std::optional(std::move(numbers)) : std::nullopt;
 }

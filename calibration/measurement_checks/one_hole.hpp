@@ -5,23 +5,20 @@
 
 namespace tubeplan::calibration::mistakes::one_hole {
 
-inline std::vector<std::string> values(const CheckedReadings&) { return {}; }
-
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
   const auto [id, name] = partedAtColon(value);
   const auto hole = tubesheets::parseTubeName(name);
   const auto* tube = hole && checked.sheet ? checked.sheet->find(hole->row, hole->column) : nullptr;
   if (!tube) return std::nullopt;
   Mend mend{"hole", value, "reading " + id + " touched " + name};
-  mend.change = [id, name, place = Eigen::Vector3d(tube->x, tube->y, 0)](std::vector<Measurement>& readings) {
-    for (auto& reading : readings)
-      if (reading.id == id) reading.point = name, reading.p_W = place;
-  };
+  mend.change = toEach([id, name, place = Eigen::Vector3d(tube->x, tube->y, 0)](Measurement& reading) {
+    if (reading.id == id) reading.point = name, reading.p_W = place;
+  });
   return mend;
 }
 
 inline MistakeKind kind() {
-  return {"hole", "ID:HOLE", "a reading and the hole it touched, such as 7:R10C21", values, mend};
+  return {"hole", "ID:HOLE", "a reading and the hole it touched, such as 7:R10C21", noValues, mend};
 }
 
 }  // namespace tubeplan::calibration::mistakes::one_hole

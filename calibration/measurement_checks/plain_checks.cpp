@@ -29,9 +29,8 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
   const double factor = checked.units.angles.factor;
   if (checked.readings.size() < kFew || factor == 1) return std::nullopt;
   double largest = 0;
-  for (int j = 0; j < arm.jointCount(); ++j) {
+  for (const int j : turningJoints(arm)) {
     const auto& joint = arm.joint(j);
-    if (joint.type != deflection::JointType::kRevolute) continue;
     for (const auto& reading : checked.readings) {
       const double number = reading.q[j] / factor;
       if (std::abs(number) > kTurn || number < joint.lower || number > joint.upper) return std::nullopt;
@@ -39,14 +38,10 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
     }
   }
   if (largest == 0) return std::nullopt;
-  return MeasurementCheck{
+  return remarkOf(
       "angles",
-      CheckSeverity::kRemark,
       fmt::format("no joint reading is larger than {:.4g} {}: are they radians?", largest, checked.units.angles.name),
-      kNoFigure,
-      kNoFigure,
-      "angles=rad",
-      {}};
+      "angles=rad");
 }
 
 /// Joints that read farther than any turns: their scales are to be stated, or found where it is one.
@@ -56,17 +51,12 @@ std::optional<MeasurementCheck> pulses(const CheckedReadings& checked) {
   std::vector<std::string> names;
   for (const int joint : joints) names.push_back(checked.start.arm.joint(joint).name);
   const auto& unit = checked.units.angles;
-  return MeasurementCheck{
+  return remarkOf(
       "joint-scale",
-      CheckSeverity::kRemark,
       fmt::format(
           "the readings of {} go farther than a joint turns: are they an encoder's pulses? State how many {} one "
           "is, joint by joint, as --assume joint-scale={}:FACTOR",
-          listOf(names), unit.name, names.front()),
-      kNoFigure,
-      kNoFigure,
-      "",
-      {}};
+          listOf(names), unit.name, names.front()));
 }
 
 std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
@@ -77,15 +67,10 @@ std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
   for (const auto& reading : checked.readings) heaviest = std::max(heaviest, reading.load);
   if (weight == 0 || heaviest < kTimesTheArm * weight) return std::nullopt;
   const auto& unit = checked.units.loads;
-  return MeasurementCheck{
+  return remarkOf(
       "loads",
-      CheckSeverity::kRemark,
       fmt::format("a load of {:.4g} {} hangs on an arm that weighs less than {:.4g} {}: is the load's unit right?",
-                  heaviest / unit.factor, unit.name, weight / unit.factor, unit.name),
-      kNoFigure,
-      kNoFigure,
-      "",
-      {}};
+                  heaviest / unit.factor, unit.name, weight / unit.factor, unit.name));
 }
 
 /// Beams that bend further under these readings than so few segments follow, by more than half the readings' noise. The
@@ -97,14 +82,14 @@ std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
   if (deflection::mostSegments(placed.arm) == 0) return std::nullopt;
   std::vector<const Measurement*> heaviest;
   for (const auto& reading : checked.readings) heaviest.push_back(&reading);
-  std::stable_sort(heaviest.begin(), heaviest.end(), [](const auto* a, const auto* b) { return a->load > b->load; });
+  std::ranges::stable_sort(heaviest, [](const auto* a, const auto* b) { return a->load > b->load; });
   double worst = 0, allowed_there = 0;
   int factor = 1;
   for (std::size_t k = 0; k < heaviest.size(); k += std::max<std::size_t>(1, heaviest.size() / kMostSolved)) {
     const Measurement& reading = *heaviest[k];
     const double allowed = kOfNoise * reading.sigma;
     if (!(allowed > 0)) continue;
-    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
+    const auto& X_WB = basePoseAt(placed, reading);
     const auto found = deflection::discretisationOf(placed.arm, postureOf(reading, placed.arm, X_WB), allowed);
     if (!(found.tip_error > allowed) || found.tip_error <= worst) continue;
     worst = found.tip_error, allowed_there = allowed, factor = found.factor;
@@ -117,7 +102,7 @@ std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
       worst / unit.factor, unit.name, allowed_there / kOfNoise / unit.factor);
   if (factor > 1)
     sentence += "; set `segments: " + std::to_string(factor * deflection::mostSegments(placed.arm)) + "` in each";
-  return MeasurementCheck{"segments", CheckSeverity::kRemark, std::move(sentence), kNoFigure, kNoFigure, "", {}};
+  return remarkOf("segments", std::move(sentence));
 }
 
 /// So few that no error would show what is wrong with them.
@@ -129,16 +114,10 @@ std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
   const int free = static_cast<int>(chooseUnknowns(placed, named).list.size());
   const int measured = numbersMeasured(checked.readings);
   if (measured - free >= kLeastFreedom) return std::nullopt;
-  return MeasurementCheck{"few-readings",
-                          CheckSeverity::kRemark,
-                          std::to_string(checked.readings.size()) +
-                              (checked.readings.size() == 1 ? " reading holds " : " readings hold ") +
-                              std::to_string(measured) + " numbers for the " + std::to_string(free) +
-                              " free parameters: a model error would hardly show; measure more, or free fewer",
-                          kNoFigure,
-                          kNoFigure,
-                          "",
-                          {}};
+  return remarkOf("few-readings", std::to_string(checked.readings.size()) +
+                                      (checked.readings.size() == 1 ? " reading holds " : " readings hold ") +
+                                      std::to_string(measured) + " numbers for the " + std::to_string(free) +
+                                      " free parameters: a model error would hardly show; measure more, or free fewer");
 }
 
 /// "base-slip or base-drift", the effects that vary with a condition.
@@ -154,9 +133,9 @@ std::string effectsOf(Condition condition) {
 
 std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readings) {
   std::vector<MissingColumn> missing;
-  const auto none = [&](auto has) { return std::none_of(readings.begin(), readings.end(), has); };
+  const auto none = [&](auto has) { return std::ranges::none_of(readings, has); };
   if (none([](const Measurement& m) {
-        return std::any_of(m.approach_directions.begin(), m.approach_directions.end(), [](int s) { return s != 0; });
+        return std::ranges::any_of(m.approach_directions, [](int s) { return s != 0; });
       }))
     missing.push_back({"<joint>_dir", "with the direction of each joint's last motion, hysteresis could be detected"});
   if (none([](const Measurement& m) { return m.load > 0; }))
@@ -174,8 +153,8 @@ std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,
                                           const std::vector<MeasurementCheck>& suspected) {
   std::vector<MeasurementCheck> found;
   for (const auto& look : {duplicates, hairPastLimits, smallAngles, pulses, heavyLoad, fewSegments, fewReadings})
-    if (auto check = look(checked); check && std::none_of(suspected.begin(), suspected.end(),
-                                                          [&](const auto& other) { return other.name == check->name; }))
+    if (auto check = look(checked);
+        check && std::ranges::none_of(suspected, [&](const auto& other) { return other.name == check->name; }))
       found.push_back(std::move(*check));
   return found;
 }
@@ -193,19 +172,15 @@ std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked,
   for (const auto& reading : checked.readings) {
     const auto place = statedPlace(reading);
     if (!place) continue;
-    const auto& X_WB = found.base_poses[static_cast<std::size_t>(basePoseOf(found, reading))].X_WB;
+    const auto& X_WB = basePoseAt(found, reading);
     if (!((*place - X_WB.translation()).norm() <= reach + 5 * reading.sigma)) ids.push_back(reading.id);
   }
   if (ids.empty()) return std::nullopt;
   const auto& unit = checked.units.coordinates;
-  return MeasurementCheck{"out-of-reach",
-                          CheckSeverity::kRemark,
-                          fmt::format("farther from the base than the arm reaches ({:.4g} {}): reading{} {}",
-                                      reach / kSlack / unit.factor, unit.name, ids.size() > 1 ? "s" : "", listOf(ids)),
-                          kNoFigure,
-                          kNoFigure,
-                          assumeWithout(ids),
-                          {}};
+  return remarkOf("out-of-reach",
+                  fmt::format("farther from the base than the arm reaches ({:.4g} {}): reading{} {}",
+                              reach / kSlack / unit.factor, unit.name, ids.size() > 1 ? "s" : "", listOf(ids)),
+                  assumeWithout(ids));
 }
 
 std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, const PlacedArm& found) {
@@ -216,8 +191,7 @@ std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, cons
   for (const auto& reading : checked.readings) {
     const auto hole = tubesheets::parseTubeName(reading.point);
     if (!hole || !touchesKnownPoint(reading) || ++tried > kMostTried) continue;
-    const auto& X_WB = found.base_poses[static_cast<std::size_t>(basePoseOf(found, reading))].X_WB;
-    const auto tip = predictReading(found.arm, X_WB, reading);
+    const auto tip = predictReading(found, reading);
     if (!tip.ok || !((tip.value - *reading.p_W).norm() > checked.sheet->pitch / 2)) continue;
     const tubesheets::Tube* nearest = nullptr;
     double least = checked.sheet->pitch / 2;

@@ -138,11 +138,11 @@ QuickAlignment::QuickAlignment(const PlacedArm& start, double reach)
     : rigid_{deflection::rigidCopy(start.arm), start.base_poses}, arm_(rigid_.arm), blind_(kBlindShare * reach) {}
 
 std::vector<Vector3d> QuickAlignment::tips(const std::vector<Measurement>& readings) {
-  std::vector<Vector3d> tips(readings.size(), Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+  std::vector<Vector3d> tips(readings.size(), Vector3d::Constant(kNotKnown));
   for (std::size_t k = 0; k < readings.size(); ++k) {
     const Measurement& reading = readings[k];
     if (!statesPlace(reading)) continue;
-    const auto& X_WB = rigid_.base_poses[static_cast<std::size_t>(basePoseOf(rigid_, reading))].X_WB;
+    const auto& X_WB = basePoseAt(rigid_, reading);
     if (arm_.solve(postureOf(reading, rigid_.arm, X_WB)) != deflection::KinematicsStatus::kConverged) continue;
     tips[k] = arm_.X_BD().p;
     if (reading.p_TQ) tips[k] += arm_.X_BD().R * *reading.p_TQ;

@@ -16,8 +16,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kFreedom = 4;  // of Student's t
-constexpr double kBest = 0.9;   // share of the readings that an error is stated of
+constexpr double kBest = 0.9;  // share of the readings that an error is stated of
 constexpr int kScaleSteps = 40;
 constexpr double kTellingFreedom = 12;  // from which chi-square says anything of the noise
 constexpr double kConverged = 0.05;     // fall of the lack of fit by a step that asks for no further one
@@ -40,7 +39,7 @@ class StudentLoss {
       int rows = 0;
       for (std::size_t k = 0; k < square_.size(); ++k) {
         const int d = rowsOf(readings_[k]);
-        weight_[k] = (kFreedom + d) / (kFreedom + square_[k] / variance_);
+        weight_[k] = studentWeight(square_[k], d, variance_);
         sum += weight_[k] * square_[k];
         rows += d;
       }
@@ -50,7 +49,8 @@ class StudentLoss {
     double value = 0;
     for (std::size_t k = 0; k < square_.size(); ++k) {
       const int d = rowsOf(readings_[k]);
-      value += d * std::log(variance_) / 2 + (kFreedom + d) / 2 * std::log1p(square_[k] / (kFreedom * variance_));
+      value += d * std::log(variance_) / 2 +
+               (kStudentFreedom + d) / 2 * std::log1p(square_[k] / (kStudentFreedom * variance_));
     }
     return value;
   }
@@ -67,7 +67,7 @@ class StudentLoss {
   [[nodiscard]] double chi2PerFreedom(double degrees_of_freedom) const {
     constexpr double kShareOfBest = 0.74;  // the tenth that fits worst holds a quarter of chi-square of three
     auto sorted = square_;
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     const auto kept = static_cast<std::size_t>(std::ceil(kBest * static_cast<double>(sorted.size())));
     double sum = 0;
     for (std::size_t k = 0; k < kept; ++k) sum += sorted[k];
@@ -83,7 +83,7 @@ class StudentLoss {
 
 double bestError(const VectorXd& lengths, double share) {
   std::vector<double> sorted(lengths.begin(), lengths.end());
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   const auto kept = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
   double sum = 0;
   for (std::size_t k = 0; k < kept; ++k) sum += sorted[k] * sorted[k];
@@ -103,7 +103,7 @@ class Descent {
         options_(options),
         residual_(start, unknowns, readings, weights, CampaignResidual::Priors::kNone, options.stop),
         loss_(readings, weights),
-        x_(VectorXd::Zero(static_cast<Index>(unknowns.size()))) {}
+        x_(zerosOf(unknowns)) {}
 
   bool run() {
     if (!residual_.evaluate(x_, r_, nullptr) || !r_.allFinite()) return false;

@@ -13,13 +13,15 @@
 
 namespace tubeplan::calibration {
 
+inline constexpr double kStudentFreedom = 4;
+
 struct RobustFit {
   bool ok = false;
   PlacedArm placed;
   double lack_of_fit = std::numeric_limits<double>::infinity();  ///< -log of likelihood and priors, but for constants
   double error = std::numeric_limits<double>::infinity();  ///< m, root mean square of the nine tenths that fit best
   double whole_error = error;                              ///< m, root mean square of all
-  double chi2_per_freedom = std::numeric_limits<double>::quiet_NaN();  ///< of these by the stated noise
+  double chi2_per_freedom = kNotKnown;                     ///< of these by the stated noise
 };
 
 struct RobustFitOptions {
@@ -28,6 +30,11 @@ struct RobustFitOptions {
   bool judges_noise = false;  ///< whether chi2_per_freedom is asked for
   StopQuestion stop = {};
 };
+
+/// Returns the weight of a reading by Student's t, from the square of its whitened error and the scale's variance.
+[[nodiscard]] inline double studentWeight(double square, int rows, double variance) {
+  return (kStudentFreedom + rows) / (kStudentFreedom + square / variance);
+}
 
 /// From the bases that align the tips best; unwinds where it is stopped.
 [[nodiscard]] RobustFit fitRobustly(PlacedArm start, const std::vector<Measurement>& readings,

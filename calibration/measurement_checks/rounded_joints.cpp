@@ -50,8 +50,7 @@ std::vector<DisplayStep> stepsOf(const CheckedReadings& checked) {
   const auto& arm = checked.start.arm;
   const auto steps = displaySteps();
   std::vector<DisplayStep> of_joints(static_cast<std::size_t>(arm.jointCount()));
-  for (int j = 0; j < arm.jointCount(); ++j) {
-    if (arm.joint(j).type != deflection::JointType::kRevolute) continue;
+  for (const int j : turningJoints(arm)) {
     const auto found = std::ranges::find_if(steps, [&](const DisplayStep& step) {
       return arm.joint(j).encoder_sigma < step.size / std::sqrt(12) && areMultiples(checked.readings, j, step.size);
     });
@@ -63,14 +62,11 @@ std::vector<DisplayStep> stepsOf(const CheckedReadings& checked) {
 /// Root mean square of what the rounding moves the tips by [m].
 double motionOfRounding(const std::vector<DisplayStep>& steps, const MistakeTrials& trials) {
   const PlacedArm& placed = trials.asIs().placed;
-  PredictionRequest request;
-  request.by_joints = true;
   double squares = 0;
   int count = 0;
   for (const auto& reading : trials.checked().readings) {
     if (!statedPlace(reading)) continue;
-    const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
-    const auto predicted = predictReading(placed.arm, X_WB, reading, request);
+    const auto predicted = predictReading(placed, reading, {.by_joints = true});
     if (!predicted.ok) continue;
     for (std::size_t j = 0; j < steps.size(); ++j)
       squares +=
@@ -120,16 +116,11 @@ std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials) {
   const bool is_as_large = motion > kShareOfError * as_is.open_error && as_is.open_error > kShareOfError * left;
   if (motion < trials.noise({}) || !is_as_large) return std::nullopt;
   const auto& unit = checked.units.coordinates;
-  return MeasurementCheck{
+  return remarkOf(
       "rounded-joints",
-      CheckSeverity::kRemark,
       fmt::format("{}: if they were rounded to it, that alone moves the tip by about {:.2g} {}; take them with all the "
                   "digits that the controller has",
-                  stepsText(checked, steps), motion / unit.factor, unit.name),
-      kNoFigure,
-      kNoFigure,
-      "",
-      {}};
+                  stepsText(checked, steps), motion / unit.factor, unit.name));
 }
 
 }  // namespace tubeplan::calibration

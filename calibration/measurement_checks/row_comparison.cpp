@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "calibration/measurement_checks/robust_fit.hpp"
 
@@ -37,10 +36,9 @@ double RowErrors::at(std::size_t k) {
 
 double RowErrors::errorOf(std::size_t k) {
   const Measurement& reading = readings_[k];
-  if (!statesPlace(reading)) return std::numeric_limits<double>::quiet_NaN();
-  const auto found =
-      predictor_.predict(placed_.base_poses[static_cast<std::size_t>(basePoseOf(placed_, reading))].X_WB, reading);
-  if (!found.ok || found.value.size() < 3) return std::numeric_limits<double>::quiet_NaN();
+  if (!statesPlace(reading)) return kNotKnown;
+  const auto found = predictor_.predict(basePoseAt(placed_, reading), reading);
+  if (!found.ok || found.value.size() < 3) return kNotKnown;
   return (found.value.head<3>() - *reading.p_W).norm();
 }
 

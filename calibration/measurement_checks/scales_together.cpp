@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "calibration/measurement_checks/golden_section.hpp"
-#include "calibration/measurement_checks/quick_alignment.hpp"
+#include "calibration/measurement_checks/joint_scale.hpp"
 #include "calibration/measurement_checks/robust_fit.hpp"
 
 namespace tubeplan::calibration {
@@ -30,10 +30,7 @@ struct Scales {
 class ScalesTogether {
  public:
   ScalesTogether(const CheckedReadings& checked, const std::vector<int>& joints)
-      : checked_(checked), joints_(joints), alignment_(checked.start, deflection::reachOf(checked.start.arm)) {
-    const std::size_t stride = (checked.readings.size() + kMostLookedAt - 1) / kMostLookedAt;
-    for (std::size_t k = 0; k < checked.readings.size(); k += stride) readings_.push_back(checked.readings[k]);
-  }
+      : checked_(checked), joints_(joints), scaled_(checked, joints, kMostLookedAt) {}
 
   std::vector<Scales> find() {
     auto found = tried();
@@ -46,21 +43,13 @@ class ScalesTogether {
   }
 
  private:
-  double scoreOf(const std::vector<double>& factors, double share) {
-    auto scaled = readings_;
-    for (auto& reading : scaled)
-      for (std::size_t j = 0; j < joints_.size(); ++j) reading.q[joints_[j]] *= factors[j];
-    return alignment_.score(scaled, alignment_.tips(scaled), {.share = share});
-  }
-
   /// Scales of either sign by which a joint's readings are within its limits and take up much of them.
   [[nodiscard]] std::vector<double> worthTrying(int j) const {
     const auto& joint = checked_.start.arm.joint(j);
-    const auto [lowest, highest] =
-        std::ranges::minmax(checked_.readings, {}, [j](const Measurement& reading) { return reading.q[j]; });
+    const auto [lowest, highest] = mistakes::joint_scale::rangeOf(checked_, j);
     std::vector<double> factors;
     for (const int sign : {1, -1}) {
-      const double low = sign > 0 ? lowest.q[j] : -highest.q[j], high = sign > 0 ? highest.q[j] : -lowest.q[j];
+      const double low = sign > 0 ? lowest : -highest, high = sign > 0 ? highest : -lowest;
       double most = std::numeric_limits<double>::infinity();
       if (high > 0) most = std::min(most, std::min(joint.upper, kHalfTurn) / high);
       if (low < 0) most = std::min(most, std::max(joint.lower, -kHalfTurn) / low);
@@ -85,7 +74,7 @@ class ScalesTogether {
       if (longer.size() > kMostTried) return {};
       all = std::move(longer);
     }
-    for (Scales& scales : all) scales.score = scoreOf(scales.factors, 3);
+    for (Scales& scales : all) scales.score = scaled_.score(scales.factors, 3);
     keepBest(all, kBettered);
     return all;
   }
@@ -97,14 +86,14 @@ class ScalesTogether {
 
   /// Joint by joint, each time within half as far.
   void better(Scales& scales, double share) {
-    scales.score = scoreOf(scales.factors, share);
+    scales.score = scaled_.score(scales.factors, share);
     double apart = 0.3;  // of the scale
     for (int turn = 0; turn < kScaleTurns; ++turn, apart /= 2)
       for (double& factor : scales.factors) {
         const double before = factor;
         const auto scoreAt = [&](double by) {
           factor = before * by;
-          return scoreOf(scales.factors, share);
+          return scaled_.score(scales.factors, share);
         };
         const double by = leastOf(scoreAt, 1 - apart, 1 + apart, kSectionSteps);
         if (const double score = scoreAt(by); score < scales.score)
@@ -140,8 +129,7 @@ class ScalesTogether {
 
   const CheckedReadings& checked_;
   const std::vector<int>& joints_;
-  QuickAlignment alignment_;
-  std::vector<Measurement> readings_;
+  mistakes::joint_scale::ScaledReadings scaled_;
 };
 
 }  // namespace

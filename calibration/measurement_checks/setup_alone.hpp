@@ -15,8 +15,7 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
 
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
   const auto& base_poses = checked.start.base_poses;
-  if (std::none_of(base_poses.begin(), base_poses.end(),
-                   [&](const BasePose& base_pose) { return base_pose.setup == value; }))
+  if (std::ranges::none_of(base_poses, [&](const BasePose& base_pose) { return base_pose.setup == value; }))
     return std::nullopt;
   Mend mend{"setup", value,
             "the tip was remounted between the set-ups: each has its own tip offset and must be fitted separately"};

@@ -6,22 +6,18 @@
 
 namespace tubeplan::calibration::mistakes::sigma_unit {
 
-inline std::vector<std::string> values(const CheckedReadings&) { return {}; }
-
 inline std::optional<Mend> mend(const CheckedReadings& checked, const std::string& value) {
   const auto factor = factorOf(checked.units.sigmas, checked.units.sigma, value);
   if (!factor) return std::nullopt;
   Mend mend{"sigma", value,
             "the unit of sigma is " + value + ", not " + checked.units.sigma.name + " as its column says"};
-  mend.change = [factor = *factor](std::vector<Measurement>& readings) {
-    for (auto& reading : readings) {
-      reading.sigma *= factor;
-      if (reading.sigma_W) *reading.sigma_W *= factor;
-    }
-  };
+  mend.change = toEach([factor = *factor](Measurement& reading) {
+    reading.sigma *= factor;
+    if (reading.sigma_W) *reading.sigma_W *= factor;
+  });
   return mend;
 }
 
-inline MistakeKind kind() { return {"sigma", "UNIT", "a unit of length, mil or um", values, mend, true}; }
+inline MistakeKind kind() { return {"sigma", "UNIT", "a unit of length, mil or um", noValues, mend, true}; }
 
 }  // namespace tubeplan::calibration::mistakes::sigma_unit

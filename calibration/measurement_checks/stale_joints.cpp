@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -60,11 +59,9 @@ constexpr Side kSides[] = {
 /// Length of a reading's error by the model [m], as its kind counts it; not a number of touches of unknown places, and
 /// where the model cannot be evaluated.
 double errorOf(const PlacedArm& placed, const Measurement& reading) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (hasUnknownPlace(reading)) return kNone;
-  const auto& X_WB = placed.base_poses[static_cast<std::size_t>(basePoseOf(placed, reading))].X_WB;
-  const Prediction predicted = predictReading(placed.arm, X_WB, reading);
-  return predicted.ok ? (predicted.value - kindOf(reading).measured(reading)).norm() : kNone;
+  if (hasUnknownPlace(reading)) return kNotKnown;
+  const Prediction predicted = predictReading(placed, reading);
+  return predicted.ok ? (predicted.value - kindOf(reading).measured(reading)).norm() : kNotKnown;
 }
 
 /// A reading, and the one whose joints it states.
@@ -75,7 +72,7 @@ struct Stale {
 std::vector<Stale> staleAmong(const std::vector<Measurement>& readings, const std::vector<double>& errors,
                               const Side& side) {
   std::vector<double> known;
-  std::copy_if(errors.begin(), errors.end(), std::back_inserter(known), [](double e) { return std::isfinite(e); });
+  std::ranges::copy_if(errors, std::back_inserter(known), [](double e) { return std::isfinite(e); });
   if (known.size() < kLeast) return {};
   const double usual = median(std::move(known));
   const auto isGross = [&](std::size_t k) { return errors[k] > kGross * std::max(usual, readings[k].sigma); };
@@ -91,7 +88,7 @@ std::vector<Stale> staleAmong(const std::vector<Measurement>& readings, const st
       });
       if (near != members.rend()) stale.push_back({k, *near});
     }
-  std::sort(stale.begin(), stale.end(), [](const Stale& a, const Stale& b) { return a.reading < b.reading; });
+  std::ranges::sort(stale, {}, &Stale::reading);
   return stale;
 }
 

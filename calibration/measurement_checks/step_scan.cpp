@@ -5,6 +5,7 @@
 
 #include "calibration/estimation/prior.hpp"
 #include "calibration/estimation/whitened_residual.hpp"
+#include "calibration/measurement_checks/robust_fit.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/statistics.hpp"
 #include "deflection/parameters.hpp"
@@ -14,8 +15,6 @@ namespace tubeplan::calibration {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
-
-constexpr double kFreedomOfStep = 4;  // of Student's t, as robust_fit.hpp has it
 
 /// Weights of Student's t about the scale of most readings, at least that of the noise, as roots for each row.
 struct RowWeights {
@@ -31,8 +30,7 @@ RowWeights weightsOf(const std::vector<Measurement>& readings, const std::vector
   VectorXd roots(residual.size());
   for (std::size_t k = 0; k < readings.size(); ++k) {
     const int rows = rowsOf(readings[k]);
-    const double weight = (kFreedomOfStep + rows) / (kFreedomOfStep + rows * squares[k] / variance);
-    roots.segment(first_row[k], rows).setConstant(std::sqrt(weight));
+    roots.segment(first_row[k], rows).setConstant(std::sqrt(studentWeight(rows * squares[k], rows, variance)));
   }
   return {roots, variance};
 }
@@ -85,7 +83,7 @@ bool StepScan::linearize(PlacedArm fitted, const FreeChoice& open) {
   for (const StepForm& form : forms_) by_step_.emplace_back(MatrixXd::Zero(residual_.size(), form.numbers));
   for (std::size_t k = 0; k < readings_.size(); ++k) {
     if (hasUnknownPlace(readings_[k])) continue;  // what a step would do is the unknown place's to absorb
-    const auto& X_WB = fitted.base_poses[static_cast<std::size_t>(basePoseOf(fitted, readings_[k]))].X_WB;
+    const auto& X_WB = basePoseAt(fitted, readings_[k]);
     const Prediction predicted = predictor.predict(X_WB, readings_[k], request);
     if (!predicted.ok) return false;
     for (std::size_t f = 0; f < forms_.size(); ++f) {

@@ -86,8 +86,7 @@ bool SuspectJudgement::isDetermined(const Mend& mend) const {
   mend.apply(readings);
   if (!hasNumbers(mend) && readings.size() == all) return true;
   const auto start = trials_.startOf(mend);
-  const auto bases = std::count_if(start.base_poses.begin(), start.base_poses.end(),
-                                   [](const auto& base_pose) { return !base_pose.is_known; });
+  const auto bases = std::ranges::count(start.base_poses, false, &BasePose::is_known);
   return numbersMeasured(readings) - 6 * static_cast<int>(bases) - mend.numbers_fitted >= kLeastFreedom;
 }
 

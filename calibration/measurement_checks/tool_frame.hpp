@@ -43,9 +43,7 @@ inline std::optional<Eigen::Matrix3d> meanTurn(const CheckedReadings& checked) {
   if (!fit.ok) return std::nullopt;
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const Measurement& reading : places)
-    if (const auto tool =
-            toolAt(fit.placed.arm,
-                   fit.placed.base_poses[static_cast<std::size_t>(basePoseOf(fit.placed, reading))].X_WB, reading))
+    if (const auto tool = toolAt(fit.placed, reading))
       sum += tool->R_WT.transpose() * deflection::rotationFromFixedAngles<double>(reading.own);
   if (!(sum.determinant() > 0)) return std::nullopt;  // turns all over
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -85,11 +83,10 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
                            checked.units.angles.name};
   mend.sentence += ": `rpy` of the tool is " + rpyText(checked, *R_TM);
   mend.numbers_fitted = is_order ? 0 : 3;
-  mend.change = [R_MT = Eigen::Matrix3d(R_TM->transpose())](std::vector<Measurement>& readings) {
-    for (auto& reading : readings)
-      if (statesFrame(reading))
-        reading.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(reading.own) * R_MT);
-  };
+  mend.change = toEach([R_MT = Eigen::Matrix3d(R_TM->transpose())](Measurement& reading) {
+    if (statesFrame(reading))
+      reading.own = deflection::fixedAnglesOf(deflection::rotationFromFixedAngles<double>(reading.own) * R_MT);
+  });
   return mend;
 }
 

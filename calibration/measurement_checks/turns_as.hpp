@@ -22,10 +22,9 @@ inline std::optional<Mend> mend(const CheckedReadings&, const std::string& value
   Mend mend{"turns-as", value,
             "the numbers under roll, pitch, yaw are turns in the form " + value + " (" + form->words +
                 "), as `readings --orientation " + value + "` takes them"};
-  mend.change = [turn = form->turn](std::vector<Measurement>& readings) {
-    for (auto& reading : readings)
-      if (statesFrame(reading)) reading.own = deflection::fixedAnglesOf(turn(reading.own));
-  };
+  mend.change = toEach([turn = form->turn](Measurement& reading) {
+    if (statesFrame(reading)) reading.own = deflection::fixedAnglesOf(turn(reading.own));
+  });
   return mend;
 }
 
