@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
 #include "calibration/estimation/held_out.hpp"

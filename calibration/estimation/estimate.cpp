@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "calibration/estimation/base_calibration.hpp"
 #include "calibration/estimation/fit.hpp"

@@ -31,12 +31,11 @@ LeastSquaresProblem problemOf(const std::shared_ptr<CampaignResidual>& residual,
   problem.start = x;
   problem.lower.resize(n);
   problem.upper.resize(n);
-  problem.scale.resize(n);
+  problem.scale = typicalsOf(unknowns);
   for (Index k = 0; k < n; ++k) {
     const Unknown& unknown = unknowns[static_cast<std::size_t>(k)];
     problem.lower[k] = unknown.lower;
     problem.upper[k] = unknown.upper;
-    problem.scale[k] = unknown.typical;
   }
   problem.evaluate = [residual](const VectorXd& at, VectorXd& r, MatrixXd* jacobian) {
     return residual->evaluate(at, r, jacobian);

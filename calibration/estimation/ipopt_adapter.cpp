@@ -2,7 +2,6 @@
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
 #include <IpTNLP.hpp>
-#include <algorithm>
 #include <cmath>
 #include <mutex>
 

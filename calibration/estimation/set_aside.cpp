@@ -1,7 +1,6 @@
 #include "calibration/estimation/set_aside.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "calibration/estimation/fit.hpp"

@@ -1,6 +1,5 @@
 #include "calibration/estimation/touch_fit.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "calibration/estimation/fit.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "calibration/measurements/reading_prediction.hpp"
@@ -20,14 +19,7 @@ constexpr std::size_t kQuickReadings = 40;
 /// Indices of the readings to look at: all, or whole groups drawn by the seed; those of one unknown place are a
 /// group.
 std::vector<std::size_t> drawReadings(const std::vector<Measurement>& readings, std::size_t most, std::uint64_t seed) {
-  std::map<std::string, std::vector<std::size_t>> points;
-  std::vector<std::vector<std::size_t>> groups;
-  for (std::size_t k = 0; k < readings.size(); ++k)
-    if (hasUnknownPlace(readings[k]))
-      points[placeOf(readings[k])].push_back(k);
-    else
-      groups.push_back({k});
-  for (auto& [point, members] : points) groups.push_back(std::move(members));
+  auto groups = groupsByPlace(readings);
   std::vector<std::size_t> drawn;
   if (readings.size() > most) RandomStream(seed).shuffle(groups);
   for (const auto& group : groups) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "calibration/estimation/campaign_residual.hpp"
 #include "calibration/estimation/fit.hpp"
@@ -21,6 +22,15 @@ constexpr int kScaleSteps = 40;
 constexpr double kTellingFreedom = 12;  // from which chi-square says anything of the noise
 constexpr double kConverged = 0.05;     // fall of the lack of fit by a step that asks for no further one
 constexpr int kMostTrials = 6;          // of a step, each shorter than the one before
+
+/// The sum of the least values, such a share of all, and how many they are.
+std::pair<double, std::size_t> sumOfLeast(std::vector<double> values, double share) {
+  std::ranges::sort(values);
+  const auto kept = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+  double sum = 0;
+  for (std::size_t k = 0; k < kept; ++k) sum += values[k];
+  return {sum, kept};
+}
 
 /// Student's t about a common scale, for the whitened residuals of readings.
 class StudentLoss {
@@ -66,12 +76,7 @@ class StudentLoss {
   /// Chi-square of the readings that fit best over what so many degrees of freedom of all expect of them.
   [[nodiscard]] double chi2PerFreedom(double degrees_of_freedom) const {
     constexpr double kShareOfBest = 0.74;  // the tenth that fits worst holds a quarter of chi-square of three
-    auto sorted = square_;
-    std::ranges::sort(sorted);
-    const auto kept = static_cast<std::size_t>(std::ceil(kBest * static_cast<double>(sorted.size())));
-    double sum = 0;
-    for (std::size_t k = 0; k < kept; ++k) sum += sorted[k];
-    return sum / (degrees_of_freedom * kShareOfBest);
+    return sumOfLeast(square_, kBest).first / (degrees_of_freedom * kShareOfBest);
   }
 
  private:
@@ -82,11 +87,8 @@ class StudentLoss {
 };
 
 double bestError(const VectorXd& lengths, double share) {
-  std::vector<double> sorted(lengths.begin(), lengths.end());
-  std::ranges::sort(sorted);
-  const auto kept = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  double sum = 0;
-  for (std::size_t k = 0; k < kept; ++k) sum += sorted[k] * sorted[k];
+  const VectorXd squares = lengths.cwiseAbs2();
+  const auto [sum, kept] = sumOfLeast({squares.begin(), squares.end()}, share);
   return std::sqrt(sum / static_cast<double>(kept));
 }
 

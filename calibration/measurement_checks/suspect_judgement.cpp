@@ -1,7 +1,6 @@
 #include "calibration/measurement_checks/suspect_judgement.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "calibration/measurements/reading_problems.hpp"

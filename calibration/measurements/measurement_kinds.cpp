@@ -73,6 +73,20 @@ int placeNumbers(const Measurement& reading) {
 
 std::string placeOf(const Measurement& reading) { return kindOf(reading).name + (" " + reading.point); }
 
+std::vector<std::vector<int>> groupsByPlace(const std::vector<Measurement>& readings) {
+  std::map<std::string, std::vector<int>> places;
+  std::vector<std::vector<int>> groups;
+  for (int k = 0; k < static_cast<int>(readings.size()); ++k) {
+    const Measurement& reading = readings[static_cast<std::size_t>(k)];
+    if (hasUnknownPlace(reading))
+      places[placeOf(reading)].push_back(k);
+    else
+      groups.push_back({k});
+  }
+  for (auto& [place, members] : places) groups.push_back(std::move(members));
+  return groups;
+}
+
 double ownNumber(const Measurement& reading, std::string_view name) {
   const auto columns = kindOf(reading).columns;
   for (std::size_t k = 0; k < columns.size(); ++k)

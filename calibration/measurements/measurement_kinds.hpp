@@ -129,7 +129,10 @@ void linkReferences(std::vector<Measurement>& readings);
 /// Returns the name of the unknown place: "touch P1", "plane table".
 [[nodiscard]] std::string placeOf(const Measurement& reading);
 
-/// Returns the least number of readings of an unknown place that carry information: one more than determine it.
+/// Returns the places among these readings of each alone and then of those that share one unknown place, together.
+[[nodiscard]] std::vector<std::vector<int>> groupsByPlace(const std::vector<Measurement>& readings);
+
+/// How many readings of an unknown place say something: one more than place it.
 [[nodiscard]] inline int leastOfPlace(const Measurement& reading) {
   return placeNumbers(reading) / rowsOf(reading) + 1;
 }

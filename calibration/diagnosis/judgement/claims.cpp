@@ -1,7 +1,6 @@
 #include "calibration/diagnosis/judgement/claims.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "calibration/statistics.hpp"
 

@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "calibration/diagnosis/model_selection/model_evidence.hpp"
 #include "calibration/diagnosis/model_selection/model_fit.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <utility>
 
@@ -35,17 +34,8 @@ std::vector<double> discrepancySizes(double noise) {
 
 /// Blocks of readings; those of one unknown place stay together.
 std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& readings) {
-  std::map<std::string, std::vector<int>> touching;
-  std::vector<std::vector<int>> groups;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    if (hasUnknownPlace(readings[k]))
-      touching[placeOf(readings[k])].push_back(static_cast<int>(k));
-    else
-      groups.push_back({static_cast<int>(k)});
-  }
-  for (auto& [point, members] : touching) groups.push_back(members);
   std::vector<std::vector<int>> blocks;
-  for (const auto& group : groups) {
+  for (const auto& group : groupsByPlace(readings)) {
     if (blocks.empty() || blocks.back().size() + group.size() > kReadingsInMemory) blocks.emplace_back();
     blocks.back().insert(blocks.back().end(), group.begin(), group.end());
   }
