@@ -24,7 +24,7 @@ ARROWS = {
     # The stages of a diagnosis, each upon those before it; its verb stands on top (docs/design.md).
     'calibration/diagnosis/causes': 'calibration calibration/measurements calibration/estimation',
     'calibration/diagnosis/discrepancy': 'calibration calibration/measurements calibration/estimation',
-    'calibration/diagnosis/evidence': 'calibration',
+    'calibration/diagnosis/evidence': 'calibration calibration/estimation',
     'calibration/diagnosis/explanations': 'calibration calibration/measurements calibration/estimation '
                                           'calibration/diagnosis/causes',
     'calibration/diagnosis/model_selection': 'calibration calibration/measurements calibration/estimation '

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "calibration/estimation/prior.hpp"
+
 namespace tubeplan::calibration {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
@@ -91,14 +93,10 @@ LinearEvidence::LinearEvidence(const EvidenceGram& gram, const std::vector<Unkno
 void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector<Unknown>& fitted) {
   MatrixXd K = gram.products.selfadjointView<Eigen::Lower>();
   const Index n = gram.fitted, rest = K.rows() - n;
-  VectorXd mean(n), scale(n), information(n);
-  for (Index k = 0; k < n; ++k) {
-    const Unknown& unknown = fitted[static_cast<std::size_t>(k)];
-    mean[k] = unknown.prior_mean;
-    scale[k] = unknown.typical;
-    information[k] = std::pow(unknown.typical / unknown.prior_sigma, 2);
-  }
+  const VectorXd scale = typicalsOf(fitted), information = priorInformation(fitted);
   if (n > 0) {
+    VectorXd mean(n);
+    for (Index k = 0; k < n; ++k) mean[k] = fitted[static_cast<std::size_t>(k)].prior_mean;
     const VectorXd of_mean = K.leftCols(n) * mean;
     const Index y = K.rows() - 1;
     const double square = K(y, y) - 2 * of_mean[y] + mean.dot(of_mean.head(n));
