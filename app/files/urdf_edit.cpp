@@ -8,10 +8,9 @@
 #include <numbers>
 
 #include "app/files/input_error.hpp"
-#include "app/files/urdf_joint_tags.hpp"
 #include "app/files/urdf_reader.hpp"
+#include "app/files/urdf_text.hpp"
 #include "app/files/urdf_writer.hpp"
-#include "app/files/xml_changes.hpp"
 #include "deflection/chain.hpp"
 #include "deflection/rotation.hpp"
 #include "deflection/weights.hpp"

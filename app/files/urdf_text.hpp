@@ -1,14 +1,47 @@
-// Changes of single values of an XML text, the rest of it byte for byte as it was.
+// The text of a URDF by the places of its tags, and changes of single values that leave every other byte as it is.
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "app/files/xml_tags.hpp"
-
 namespace tubeplan::app {
+
+/// `value` lies within the text, without its quotes and with its entities as they are written.
+struct XmlAttribute {
+  std::string_view name, value;
+};
+
+/// `whole` runs from < to >.
+struct XmlTag {
+  std::string_view whole, name;
+  std::vector<XmlAttribute> attributes;
+  bool opens = false;   ///< <a> and <a/>
+  bool closes = false;  ///< </a> and <a/>
+
+  /// Null where there is none of that name.
+  [[nodiscard]] const XmlAttribute* find(std::string_view attribute) const;
+};
+
+struct UrdfJointTags {
+  XmlTag joint;
+  std::optional<XmlTag> origin, limit;  ///< the first of each
+};
+
+/// All views lie within the text.
+struct UrdfTags {
+  std::map<std::string, UrdfJointTags> joints;  ///< by name
+  std::set<std::string> links;
+  std::string_view robot_end;  ///< </robot>
+};
+
+/// Returns the joints of a URDF text that readUrdfTree reads. Joints that transmissions and controllers name are none.
+[[nodiscard]] UrdfTags urdfTagsOf(std::string_view text);
 
 /// m, rad: what the twelve digits of an arm file leave of a number.
 inline constexpr double kAsWritten = 5e-11;
