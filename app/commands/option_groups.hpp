@@ -26,7 +26,7 @@ void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options);
 /// --assume alone, of commands that take readings beside their own question.
 void addAssumeOption(CLI::App& cli, std::vector<std::string>& assume);
 
-/// --column, of every command whose --tubes may be a work list: what its columns are (chosen_tube_columns.hpp).
+/// --column, of every command whose --tubes may be a work list: what its columns are (app/files/command_inputs.cpp).
 CLI::Option* addListColumns(CLI::App& cli, std::vector<std::string>& columns);
 
 /// A page about what was found: --report FILE, and --open.

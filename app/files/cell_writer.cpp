@@ -196,6 +196,15 @@ void requireReproduced(const CellFiles& files, const calibration::Identification
                    "the reported " + length(result.after.rms), "nothing was written; please report this");
 }
 
+/// The cell's text with the name of its arm's file, and in both the same word by which they are known as a pair.
+void makePair(std::string& cell, TextFile& arm) {
+  // Of the same arm always the same word.
+  const std::string pair = '"' + fingerprintOf(withYamlValue(arm.text, "pair", "\"\"")) + '"';
+  cell = withYamlValue(cell, "arm", '"' + arm.path.filename().string() + '"');
+  cell = withYamlValue(cell, "pair", pair);
+  arm.text = withYamlValue(arm.text, "pair", pair);
+}
+
 /// Everything but whether it gives the reported error.
 CellFiles filesOf(const Cell& cell, const calibration::Identification& result, const fs::path& out) {
   const auto numbers = foundNumbers(cell, result);
@@ -249,14 +258,6 @@ CellFiles identifiedCell(const Cell& cell, const calibration::Identification& re
   return files;
 }
 
-void makePair(std::string& cell, TextFile& arm) {
-  // Of the same arm always the same word.
-  const std::string pair = '"' + fingerprintOf(withYamlValue(arm.text, "pair", "\"\"")) + '"';
-  cell = withYamlValue(cell, "arm", '"' + arm.path.filename().string() + '"');
-  cell = withYamlValue(cell, "pair", pair);
-  arm.text = withYamlValue(arm.text, "pair", pair);
-}
-
 std::vector<std::string> freedNames(const deflection::Arm& arm, const deflection::Effect& effect) {
   std::vector<std::string> names;
   for (const auto& parameter : deflection::numbersOf(effect))
@@ -291,6 +292,14 @@ std::string cellTextAt(const Cell& cell, const fs::path& out) {
   std::string text = moved(moved(cell.source.text, cell, "arm", out), cell, "tubesheet.map", out);
   for (const SceneMesh& mesh : cell.meshes) text = moved(text, cell, mesh.key, out);
   return text;
+}
+
+std::vector<TextFile> cellFiles(const Cell& cell, const fs::path& out) {
+  std::string text = cellTextAt(cell, out);
+  if (cell.arm_source.text.empty()) return {{out, text}};
+  TextFile arm{armBeside(out), cell.arm_source.text};
+  makePair(text, arm);
+  return {{out, text}, arm};
 }
 
 std::string cellTextWithBase(const Cell& cell, const BaseChange& base, const fs::path& out) {

@@ -43,15 +43,12 @@ struct CellFiles {
 /// The cell with the numbers that were found, to be written at `out`. Where its arm stands in a file of its own that
 /// file is written too, beside the cell under the cell's name and "-arm". A base that was not known is written where
 /// there is one set-up; of several, each has a cell of its own beside it, under the name and "-setup-" and the
-/// set-up's, and the cell itself keeps the base it has. How well the readings determined the arm's numbers goes with them.
-/// What is written is read back: throws InputError, and nothing is to be written, where it does not give the error of
-/// `readings` that the identification reports.
+/// set-up's, and the cell itself keeps the base it has. How well the readings determined the arm's numbers goes with
+/// them. What is written is read back: throws InputError, and nothing is to be written, where it does not give the
+/// error of `readings` that the identification reports.
 [[nodiscard]] CellFiles identifiedCell(const Cell& cell, const calibration::Identification& result,
                                        const std::vector<calibration::Measurement>& readings,
                                        const std::filesystem::path& out);
-
-/// The cell's text with the name of its arm's file, and in both the same word by which they are known as a pair.
-void makePair(std::string& cell, TextFile& arm);
 
 /// Names of an effect's numbers that a fit may free: all but a step's time, which has no derivative.
 [[nodiscard]] std::vector<std::string> freedNames(const deflection::Arm& arm, const deflection::Effect& effect);
@@ -68,5 +65,8 @@ void makePair(std::string& cell, TextFile& arm);
 
 /// The cell's text unchanged but for the names of its files, relative to `out`.
 [[nodiscard]] std::string cellTextAt(const Cell& cell, const std::filesystem::path& out);
+
+/// The cell at that place, its arm beside it where that stands in a file of its own; the cell is the first.
+[[nodiscard]] std::vector<TextFile> cellFiles(const Cell& cell, const std::filesystem::path& out);
 
 }  // namespace tubeplan::app

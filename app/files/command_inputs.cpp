@@ -7,12 +7,13 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/files/chosen_tube_columns.hpp"
 #include "app/files/input_error.hpp"
 #include "app/files/joint_units.hpp"
 #include "app/files/lower_case.hpp"
+#include "app/files/suggestion.hpp"
 #include "app/files/text_file.hpp"
 #include "tubesheets/csv_table.hpp"
+#include "tubesheets/tube_table.hpp"
 
 namespace tubeplan::app {
 
@@ -48,13 +49,44 @@ bool namesCsvFile(const std::string& request) {
   return lowerCase(std::filesystem::path(request).extension().string()) == ".csv";
 }
 
-/// Those of the chosen columns that do not name another list.
-std::vector<std::string> columnsOfList(std::vector<std::string> columns, const std::string& list) {
-  std::erase_if(columns, [&](const std::string& column) {
-    const std::string theirs = column.substr(std::min(column.find('='), column.size() - 1) + 1);
-    return lowerCase(theirs).find(".csv:") != std::string::npos && !theirs.starts_with(list + ":");
-  });
-  return columns;
+using tubesheets::ChosenTubeColumn, tubesheets::TubeQuantity;
+
+/// "x_mm" or "row": a quantity, and the unit of those that have one.
+ChosenTubeColumn quantityOf(const std::string& name) {
+  std::vector<std::string> known;
+  for (const TubeQuantity& quantity : tubesheets::tubeQuantities()) {
+    known.emplace_back(quantity.name);
+    if (quantity.units.empty() && name == quantity.name) return {quantity.column, 0, nullptr};
+    for (const std::string_view unit : quantity.units)
+      if (name == fmt::format("{}_{}", quantity.name, unit))
+        return {quantity.column, 0, tubesheets::findLengthUnit(unit)};
+  }
+  throw InputError("--column", inQuotes(name), "a column of a work list, lengths with their unit (x_mm)",
+                   suggestion(name, known));
+}
+
+std::size_t placeOfChosen(const std::string& theirs, const std::vector<std::string>& columns, const std::string& file) {
+  std::vector<std::size_t> found;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (theirs == columns[c] || theirs == file + ":" + columns[c]) found.push_back(c);
+  if (found.size() == 1) return found.front();
+  throw InputError("--column", fmt::format("{} columns {}", found.size(), inQuotes(theirs)), "one",
+                   found.empty() ? suggestion(theirs, columns) : "give each column a name of its own");
+}
+
+/// Returns the list's table with those columns and no others: "row=Reihe", "x_mm=list.csv:Lage"; `file` is its name.
+tubesheets::TubeTable tubeTableBy(const std::vector<std::string>& columns, const std::string& text,
+                                  const std::string& file) {
+  auto table = tubesheets::parseTubeText(text);
+  if (table.problem) refuseText(file, *table.problem);
+  std::vector<ChosenTubeColumn> chosen;
+  for (const std::string& column : columns) {
+    const std::size_t equals = column.find('=');
+    if (equals == std::string::npos) throw InputError("--column", inQuotes(column), "NAME=COLUMN, such as row=Reihe");
+    chosen.push_back(quantityOf(column.substr(0, equals)));
+    chosen.back().place = placeOfChosen(column.substr(equals + 1), table.columns, file);
+  }
+  return tubesheets::tubeTableOf(std::move(table), chosen);
 }
 
 tubesheets::Selection selectedOrRefused(tubesheets::Selection selection, const std::string& request,

@@ -41,7 +41,8 @@ namespace tubeplan::app {
 void requireWorkList(const std::vector<std::string>& columns, const std::vector<std::string>& requests);
 
 /// Returns the tubes that the text of a work list names; `name` is its file's, for messages. `columns` say what its
-/// columns are where their headings do not (chosen_tube_columns.hpp). Throws InputError.
+/// columns are where their headings do not, as "row=Reihe" or "x_mm=list.csv:Lage". Throws InputError for a list that
+/// is no table, for a quantity that lists have not and for a column that is not there or there twice.
 [[nodiscard]] tubesheets::Selection readWorkList(const std::string& text, const std::string& name,
                                                  const tubesheets::Sheet& sheet, const std::string& option = "--tubes",
                                                  const std::vector<std::string>& columns = {});

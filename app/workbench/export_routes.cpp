@@ -17,7 +17,6 @@
 #include "app/files/touch_input.hpp"
 #include "app/report/plan_report.hpp"
 #include "app/workbench/job_routes.hpp"
-#include "app/workbench/model_files.hpp"
 #include "app/workbench/project.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"

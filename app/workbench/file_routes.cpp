@@ -1,7 +1,7 @@
 // Files of the opened folder: cells and projects opened, and saved.
 #include "app/files/atomic_file.hpp"
+#include "app/files/cell_places.hpp"
 #include "app/files/input_error.hpp"
-#include "app/workbench/cell_names.hpp"
 #include "app/workbench/project.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
@@ -10,6 +10,14 @@
 namespace tubeplan::app {
 
 namespace {
+
+/// Of the folder's YAML files those that name an arm; a cell with a fault in it is one too, and says so when it is
+/// opened.
+std::vector<std::string> cellNames(const OpenedFolder& folder) {
+  auto names = folder.names(".yaml");
+  std::erase_if(names, [&](const std::string& name) { return !isCellFile(folder.path() / name); });
+  return names;
+}
 
 Answer files(Workbench& workbench, const Request&) {
   const OpenedFolder& folder = workbench.folder();

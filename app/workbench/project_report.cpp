@@ -7,13 +7,13 @@
 #include <string_view>
 
 #include "app/documents/ladder_json.hpp"
+#include "app/files/cell_writer.hpp"
 #include "app/files/commit.hpp"
 #include "app/files/measurements_writer.hpp"
 #include "app/files/sha256.hpp"
 #include "app/files/units_json.hpp"
 #include "app/studies/positioning/base_standing.hpp"
 #include "app/version.hpp"
-#include "app/workbench/model_files.hpp"
 #include "app/workbench/project.hpp"
 
 namespace tubeplan::app {

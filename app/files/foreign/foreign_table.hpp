@@ -6,12 +6,17 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/foreign/stated_units.hpp"
+#include "app/files/units.hpp"
 #include "tubesheets/text_table.hpp"
 
 namespace tubeplan::app {
 
 using ForeignRow = tubesheets::CsvRow;
+
+struct StatedUnit {
+  const Unit* unit = nullptr;
+  std::string line;  ///< that states it
+};
 
 /// One table of a text and the file that it stands in, for messages.
 struct ForeignTable : tubesheets::TextTable {
