@@ -1,5 +1,6 @@
 #include "app/files/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -125,7 +126,7 @@ OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
   std::error_code error;
   if (fs::exists(path_, error) && !fs::is_directory(path_)) failToWrite(option, path_, "a file, not a folder");
   made_.make(path_, option);
-  if (!lock_.tryTake(path_))
+  if (lock_.tryTake(path_, O_RDONLY | O_DIRECTORY) == FileLock::Outcome::kHeldByAnother)
     throw InputError(option, fmt::format("'{}', to which another tubeplan writes{}", path_.string(), holderOf(path_)),
                      "a folder of its own", "wait until that one has finished, or choose another folder");
   removeLeftovers(path_, kScratch);

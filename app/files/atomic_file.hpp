@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/files/made_folders.hpp"
 #include "app/files/staged_files.hpp"
 
 namespace tubeplan::app {
@@ -61,7 +60,7 @@ class OutputFolder {
 
  private:
   MadeFolders made_;
-  FolderLock lock_;
+  FileLock lock_;
   std::filesystem::path path_, scratch_;
   std::string option_;
   StagedFiles staged_;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -134,6 +135,43 @@ void StagedFiles::takeBack() {
       fs::remove(file->place, failure);
     if (file->has_old && failure) file->aside.clear();  // the old file stays there, for somebody to look for
   }
+}
+
+MadeFolders::~MadeFolders() {
+  std::error_code ignored;
+  for (auto folder = paths_.rbegin(); folder != paths_.rend(); ++folder) fs::remove(*folder, ignored);
+}
+
+void MadeFolders::make(const fs::path& folder, const std::string& option) {
+  std::vector<fs::path> missing;
+  std::error_code error;
+  for (fs::path at = folder; !at.empty() && !fs::exists(at, error); at = at.parent_path()) {
+    missing.insert(missing.begin(), at);
+    if (at == at.parent_path()) break;
+  }
+  paths_.insert(paths_.end(), missing.begin(), missing.end());
+  fs::create_directories(folder, error);
+  if (error) failToWrite(option, folder, error.message());
+  if (!fs::is_directory(folder, error)) failToWrite(option, folder, "not a folder");
+}
+
+void MadeFolders::sync(const std::string& option) const {
+  for (const fs::path& folder : paths_)
+    if (const auto error = syncFolder(parentOf(folder))) failToWrite(option, folder, error.message());
+}
+
+FileLock::Outcome FileLock::tryTake(const fs::path& place, int flags) {
+  release();
+  descriptor_ = ::open(place.c_str(), flags | O_CLOEXEC, 0600);
+  if (descriptor_ < 0) return Outcome::kNotPossible;
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return Outcome::kTaken;
+  const bool is_held = errno == EWOULDBLOCK;
+  release();
+  return is_held ? Outcome::kHeldByAnother : Outcome::kNotPossible;
+}
+
+void FileLock::release() {
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
 }
 
 }  // namespace tubeplan::app

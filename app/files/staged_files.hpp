@@ -1,4 +1,5 @@
-// Files that are written beside their places, brought to the disk, and go to their places together.
+// Files that are written beside their places, brought to the disk, and go to their places together; folders that are
+// made for them, and gone again where none comes.
 #pragma once
 
 #include <filesystem>
@@ -47,6 +48,42 @@ class StagedFiles {
 
   std::string option_;
   std::vector<File> files_;
+};
+
+class MadeFolders {
+ public:
+  MadeFolders() = default;
+  ~MadeFolders();  ///< those still empty go
+  MadeFolders(const MadeFolders&) = delete;
+  MadeFolders& operator=(const MadeFolders&) = delete;
+
+  /// All that are missing on the way to `folder`. Throws InputError naming the option.
+  void make(const std::filesystem::path& folder, const std::string& option);
+
+  /// Waits until they are on the disk themselves, not only what is in them. Throws InputError.
+  void sync(const std::string& option) const;
+
+ private:
+  std::vector<std::filesystem::path> paths_;  ///< outermost first
+};
+
+/// One program at a time holds a folder or file, until it releases it or ends, however it does: nothing is left that
+/// could be stale.
+class FileLock {
+ public:
+  enum class Outcome { kTaken, kHeldByAnother, kNotPossible };
+
+  FileLock() = default;
+  ~FileLock() { release(); }
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+  /// `flags` are those of open(). What cannot be opened, or has no locks in its file system, is nobody's.
+  [[nodiscard]] Outcome tryTake(const std::filesystem::path& place, int flags);
+  void release();
+
+ private:
+  int descriptor_ = -1;
 };
 
 }  // namespace tubeplan::app

@@ -2,8 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -62,37 +60,17 @@ SessionKeeper::SessionKeeper(fs::path folder) : folder_(std::move(folder)) {
   if (error) throw InputError("--state", error.message(), "a folder that can be made");
 }
 
-SessionKeeper::~SessionKeeper() { unlock(); }
-
-/// Held until this program ends, however it does.
-bool SessionKeeper::lock(const fs::path& file) {
-  const auto place = fs::path(file).concat(".lock");
-  const int descriptor = ::open(place.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
-  if (descriptor < 0) return false;
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-    ::close(descriptor);
-    return false;
-  }
-  lock_ = descriptor;
-  return true;
-}
-
-void SessionKeeper::unlock() {
-  if (lock_ >= 0) ::close(lock_);
-  lock_ = -1;
-}
-
 std::optional<Session> SessionKeeper::begin(const std::string& cell) {
   if (folder_.empty()) return std::nullopt;
   const std::lock_guard guard(mutex_);
-  unlock();
+  lock_.release();
   file_.clear();
   kept_ = 0;
   const std::string name = sessionName(cell);
   for (int k = 1; k <= kMostAtOnce && file_.empty(); ++k) {
     const auto file =
         folder_ / (k == 1 ? name + kProjectExtension : fmt::format("{}-{}{}", name, k, kProjectExtension));
-    if (lock(file)) file_ = file;
+    if (lock_.tryTake(fs::path(file).concat(".lock"), O_CREAT | O_RDWR) == FileLock::Outcome::kTaken) file_ = file;
   }
   std::error_code error;
   if (file_.empty() || !fs::exists(file_, error)) return std::nullopt;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "app/files/staged_files.hpp"
 #include "app/workbench/session.hpp"
 
 namespace tubeplan::app {
@@ -20,9 +21,6 @@ class SessionKeeper {
  public:
   /// `folder` is made; empty: nothing is kept. Throws InputError where it cannot be.
   explicit SessionKeeper(std::filesystem::path folder);
-  ~SessionKeeper();
-  SessionKeeper(const SessionKeeper&) = delete;
-  SessionKeeper& operator=(const SessionKeeper&) = delete;
 
   /// The session kept of this cell's file, where there is one that no other program works on; from now on that file is
   /// kept. One that cannot be read is put aside with a word on standard error.
@@ -45,11 +43,8 @@ class SessionKeeper {
   [[nodiscard]] std::filesystem::path file() const;
 
  private:
-  [[nodiscard]] bool lock(const std::filesystem::path& file);
-  void unlock();
-
   std::filesystem::path folder_, file_;
-  int lock_ = -1;  ///< descriptor
+  FileLock lock_;  ///< beside the file
   mutable std::mutex mutex_;
   std::uint64_t kept_ = 0;  ///< revision
   std::string problem_;
