@@ -230,4 +230,11 @@ const tubesheets::SteppedTool& requireTool(const Cell& cell, const std::string& 
   return *cell.tool;
 }
 
+void requireToolAxis(const Cell& cell, const std::string& purpose) {
+  if (!cell.tool_axis_stated)
+    throw InputError(
+        cell.path, "no insertion direction of the tool", "it: needed to " + purpose,
+        "add tool: {axis: [x, y, z]} to the arm file, or a scene whose sheet allows a capsule of the tool");
+}
+
 }  // namespace tubeplan::app

@@ -40,4 +40,7 @@ struct Cell : CellModel {
 [[nodiscard]] const tubesheets::Sheet& requireSheet(const Cell& cell, const std::string& purpose);
 [[nodiscard]] const tubesheets::SteppedTool& requireTool(const Cell& cell, const std::string& purpose);
 
+/// Throws InputError where neither the arm's file nor the scene says which way the tool points.
+void requireToolAxis(const Cell& cell, const std::string& purpose);
+
 }  // namespace tubeplan::app

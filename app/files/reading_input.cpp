@@ -111,19 +111,8 @@ void requireDefinedFormulas(const std::vector<Measurement>& readings, const Cell
   }
 }
 
-namespace {
-
-std::vector<Measurement> asFitsWant(std::vector<Measurement> readings, const std::string& file, const Cell& cell,
-                                    double sigma) {
-  stateSigma(readings, cell, file, sigma);
-  requireDefinedFormulas(readings, cell, file);
-  return readings;
-}
-
-}  // namespace
-
 std::vector<Measurement> readReadings(const std::string& file, const Cell& cell, double sigma) {
-  return asFitsWant(readMeasurements(file, cell.arm, cell.sheet ? &*cell.sheet : nullptr), file, cell, sigma);
+  return parseReadings(readTextFile(file), file, cell, sigma);
 }
 
 CellReadings readCellReadings(const std::string& cell, const ReadingFiles& measurements,
@@ -247,7 +236,9 @@ std::vector<Measurement> parseReadings(const std::string& text, const std::strin
   checkText(file, text);
   auto table = parseMeasurementTable(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr, before);
   requireWithinLimits(table, cell.arm, file);
-  return asFitsWant(std::move(table.readings), file, cell, sigma);
+  stateSigma(table.readings, cell, file, sigma);
+  requireDefinedFormulas(table.readings, cell, file);
+  return std::move(table.readings);
 }
 
 InputError inputErrorOf(const calibration::ReadingProblem& problem, const std::vector<Measurement>& readings,

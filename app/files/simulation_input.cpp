@@ -82,10 +82,7 @@ int countReadings(const SimulationRequest& request, const CampaignFile& file) {
 void requireHoles(const Cell& cell, const CampaignDesign& design) {
   if (design.place != CampaignPlace::kHoles) return;
   (void)requireSheet(cell, "measure at its holes");
-  if (!cell.tool_axis_stated)
-    throw InputError(
-        cell.path, "no insertion direction of the tool", "it: needed to measure at holes",
-        "add tool: {axis: [x, y, z]} to the arm file, or a scene whose sheet allows a capsule of the tool");
+  requireToolAxis(cell, "measure at holes");
 }
 
 std::vector<calibration::CampaignPoint> openHoles(const Cell& cell) {

@@ -10,10 +10,7 @@ namespace {
 
 void refuseWhatIsNotPlannedFor(const Cell& cell, const std::string& purpose) {
   const std::string needed = ": needed to " + purpose;
-  if (!cell.tool_axis_stated)
-    throw InputError(
-        cell.path, "no insertion direction of the tool", "it" + needed,
-        "add tool: {axis: [x, y, z]} to the arm file, or a scene whose sheet allows a capsule of the tool");
+  requireToolAxis(cell, purpose);
   for (const auto& row : cell.arm.rows) {
     if (!row.joint.follows.empty())
       throw InputError(cell.path, "the joint " + row.joint.name + ", which follows others",

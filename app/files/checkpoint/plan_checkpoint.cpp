@@ -32,12 +32,6 @@ bool isThere(const fs::path& path) {
   return fs::exists(path, error);
 }
 
-std::string summaryOf(const planner::PlanCache& cache) {
-  if (cache.reach.empty()) return "";
-  return fmt::format("the reach of {} tubes, {} travels and {} proofs", cache.reach.size(), cache.travels.size(),
-                     cache.proofs.size());
-}
-
 }  // namespace
 
 PlanCheckpoint::PlanCheckpoint(fs::path folder, bool must_resume, const std::string& from)
@@ -127,7 +121,11 @@ void PlanCheckpoint::discard() {
   fs::remove(folder_ / kProgressFile, ignored);
 }
 
-std::string PlanCheckpoint::summary() const { return summaryOf(cache_); }
+std::string PlanCheckpoint::summary() const {
+  if (cache_.reach.empty()) return "";
+  return fmt::format("the reach of {} tubes, {} travels and {} proofs", cache_.reach.size(), cache_.travels.size(),
+                     cache_.proofs.size());
+}
 
 std::string PlanCheckpoint::text() const { return checkpointText(kPlanFormat, question_, cacheJson(cache_).dump()); }
 
