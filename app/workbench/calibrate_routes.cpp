@@ -16,7 +16,6 @@
 #include "app/studies/measurements/touched_holes.hpp"
 #include "app/workbench/job_routes.hpp"
 #include "app/workbench/request_body.hpp"
-#include "app/workbench/request_numbers.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
 #include "calibration/simulation/simulated_touch.hpp"

@@ -32,8 +32,8 @@ class Connection : public httplib::Stream {
   [[nodiscard]] bool is_writable() const override;
   ssize_t read(char* to, std::size_t size) override;
   ssize_t write(const char* from, std::size_t size) override;
-  void get_remote_ip_and_port(std::string& ip, int& port) const override;
-  void get_local_ip_and_port(std::string& ip, int& port) const override;
+  void get_remote_ip_and_port(std::string&, int&) const override {}  // no rule and no record asks for addresses
+  void get_local_ip_and_port(std::string&, int&) const override {}
   [[nodiscard]] int socket() const override { return socket_; }
 
   /// Says good-bye: what the peer still sends is read for a moment, so that it sees the answer, and the socket closed.

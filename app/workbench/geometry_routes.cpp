@@ -6,7 +6,6 @@
 #include "app/workbench/geometry_json.hpp"
 #include "app/workbench/posture_answer.hpp"
 #include "app/workbench/request_body.hpp"
-#include "app/workbench/request_numbers.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
 #include "calibration/diagnosis/causes/confounding.hpp"

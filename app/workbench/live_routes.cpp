@@ -1,7 +1,6 @@
 // What a running arm sends: its encoders, and readings one by one.
 #include "app/workbench/live.hpp"
 #include "app/workbench/request_body.hpp"
-#include "app/workbench/request_numbers.hpp"
 #include "app/workbench/routes.hpp"
 
 namespace tubeplan::app {

@@ -94,19 +94,6 @@ Answer compare(Workbench& workbench, const Request& request) {
                          booleanOf(body, "ladder", false));
 }
 
-/// Puts a fitted model on the stack with its figures, and the ladder over the stack with it.
-void finishFit(Workbench& workbench, const Session& began, const std::string& label, const std::string& origin,
-               const Cell& fitted, const nlohmann::json& figures, std::uint64_t seed, JobContext& context) {
-  auto stack = stackOf(began);
-  stack.push_back({label, fitted});
-  const auto climbed = ladderOver(stack, began, seed, hooksOf(context));
-  finishJob(workbench, began, JobInput::kModelAndReadings, [&](Session& session) {
-    const int id = pushModel(session, label, origin, fitted);
-    putResult(session, "identify", id, figures);
-    putResult(session, "ladder", id, climbed);
-  });
-}
-
 void requireFitted(const IdentificationOutcome& outcome, const CellReadings& input) {
   if (outcome.fit.status == calibration::IdentificationStatus::kNotRun)
     throw InputError(input.file, outcome.fit.reason, "readings that allow a verdict");
@@ -115,19 +102,42 @@ void requireFitted(const IdentificationOutcome& outcome, const CellReadings& inp
                      "readings that determine the numbers");
 }
 
+/// A fit of the current model as a job, and the model that it puts on the stack.
+struct FitJob {
+  std::string kind, label, name, origin;
+  IdentificationRequest asked;
+  std::function<std::string(const Cell&)> changed = {};  ///< the text of the cell that is fitted; empty: as it is
+};
+
+/// Puts the fitted model on the stack with its figures, and the ladder over the stack with it.
+Answer beginFit(Workbench& workbench, const FitJob& fit) {
+  return beginJob(workbench, fit.kind, fit.label, [fit, &workbench](JobContext& context) {
+    const Session began = workbench.session();
+    CellReadings input = inputOf(began);
+    if (fit.changed) {
+      input.cell = rereadCell(input.cell, fit.changed(input.cell));
+      requireDefinedFormulas(input.readings, input.cell, input.file);
+    }
+    const auto outcome = identifyModel(input, fit.asked, hooksOf(context));
+    requireFitted(outcome, input);
+    auto stack = stackOf(began);
+    stack.push_back({fit.name, fittedCell(input.cell, outcome)});
+    const auto climbed = ladderOver(stack, began, fit.asked.seed, hooksOf(context));
+    finishJob(workbench, began, JobInput::kModelAndReadings, [&](Session& session) {
+      const int id = pushModel(session, fit.name, fit.origin, stack.back().cell);
+      putResult(session, "identify", id, outcome.figures);
+      putResult(session, "ladder", id, climbed);
+    });
+    return "identify";
+  });
+}
+
 Answer identify(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   IdentificationRequest asked;
   asked.free = textsOf(body, "free");
   asked.seed = seedOf(body);
-  return beginJob(workbench, "identify", "the numbers of the model", [&workbench, asked](JobContext& context) {
-    const Session began = workbench.session();
-    const CellReadings input = inputOf(began);
-    const auto outcome = identifyModel(input, asked, hooksOf(context));
-    requireFitted(outcome, input);
-    finishFit(workbench, began, "fitted", "fit", fittedCell(input.cell, outcome), outcome.figures, asked.seed, context);
-    return "identify";
-  });
+  return beginFit(workbench, {"identify", "the numbers of the model", "fitted", "fit", asked});
 }
 
 /// {"causes": ["base-slip@base:time=90", ...]} or {"formula"}, as AdditionRequest has them.
@@ -144,44 +154,28 @@ AdditionRequest additionAsked(const nlohmann::json& body) {
 Answer add(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const AdditionRequest asked = additionAsked(body);
-  const std::uint64_t seed = seedOf(body);
+  IdentificationRequest fit;
+  fit.seed = seedOf(body);
   const Addition first = addToCell(currentModel(workbench.session()).cell, asked);  // refused at once, if at all
   const std::string label =
       fmt::format("+ {}", asked.formula.empty() ? fmt::format("{}", fmt::join(first.names, " + ")) : asked.formula);
-  return beginJob(workbench, "add", label, [=, &workbench](JobContext& context) {
-    const Session began = workbench.session();
-    CellReadings input = inputOf(began);
-    input.cell = rereadCell(input.cell, cellTextWith(input.cell, addToCell(input.cell, asked), input.cell.path));
-    requireDefinedFormulas(input.readings, input.cell, input.file);
-    IdentificationRequest fit;
-    fit.seed = seed;
-    const auto outcome = identifyModel(input, fit, hooksOf(context));
-    requireFitted(outcome, input);
-    finishFit(workbench, began, label, asked.formula.empty() ? "effect" : "formula", fittedCell(input.cell, outcome),
-              outcome.figures, seed, context);
-    return "identify";
-  });
+  return beginFit(workbench,
+                  {"add", label, label, asked.formula.empty() ? "effect" : "formula", fit,
+                   [asked](const Cell& cell) { return cellTextWith(cell, addToCell(cell, asked), cell.path); }});
 }
 
 /// {"causes": ["hysteresis@theta4", "free@tool.tip"]}: a model without these effects, these numbers held, fitted again.
 Answer remove(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const auto causes = textsOf(body, "causes");
-  const std::uint64_t seed = seedOf(body);
+  IdentificationRequest fit;
+  fit.seed = seedOf(body);
   (void)withoutCauses(currentModel(workbench.session()).cell, causes);  // refused at once, if at all
   const std::string label = fmt::format("\u2212 {}", fmt::join(causes, ", "));
-  return beginJob(workbench, "remove", label, [=, &workbench](JobContext& context) {
-    const Session began = workbench.session();
-    CellReadings input = inputOf(began);
-    const Cell without = withoutCauses(input.cell, causes);
-    input.cell = rereadCell(input.cell, cellTextWithEffects(without, without.arm, {}, without.path));
-    IdentificationRequest fit;
-    fit.seed = seed;
-    const auto outcome = identifyModel(input, fit, hooksOf(context));
-    requireFitted(outcome, input);
-    finishFit(workbench, began, label, "without", fittedCell(input.cell, outcome), outcome.figures, seed, context);
-    return "identify";
-  });
+  return beginFit(workbench, {"remove", label, label, "without", fit, [causes](const Cell& cell) {
+                                const Cell without = withoutCauses(cell, causes);
+                                return cellTextWithEffects(without, without.arm, {}, without.path);
+                              }});
 }
 
 Answer improve(Workbench& workbench, const Request& request) {

@@ -21,7 +21,6 @@
 #include "app/workbench/posture_answer.hpp"
 #include "app/workbench/reach_jobs.hpp"
 #include "app/workbench/request_body.hpp"
-#include "app/workbench/request_numbers.hpp"
 #include "app/workbench/routes.hpp"
 #include "tubesheets/csv_table.hpp"
 

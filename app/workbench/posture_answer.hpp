@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
-#include "app/workbench/model.hpp"
+#include "app/workbench/session.hpp"
 
 namespace tubeplan::app {
 

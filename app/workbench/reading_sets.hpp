@@ -1,7 +1,10 @@
-// Sets of readings for a session: read from files or text, read otherwise, and joined by others.
+// Sets of readings for a session: read from files or text, read otherwise, and joined by others, which came from a
+// running arm.
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -32,5 +35,24 @@ void keepMarks(const ReadingSet& before, ReadingSet& again);
 
 /// What the readings are taken with, otherwise than their source says.
 [[nodiscard]] std::vector<std::string> assumedOf(const ReadingSet& set);
+
+/// Readings that came from a running arm and wait to join the others.
+class Arrivals {
+ public:
+  static constexpr std::size_t kMost = 20000;  ///< with those that are there
+
+  /// How many wait then. Ids of `known`, or that wait already, are passed over or refused. Throws InputError for these,
+  /// and for too many.
+  std::size_t take(std::vector<calibration::Measurement> readings, const ReadingSet* known, bool passes_known);
+
+  [[nodiscard]] bool isEmpty() const;
+
+  /// All that wait; none waits any more.
+  [[nodiscard]] std::vector<calibration::Measurement> hand();
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<calibration::Measurement> waiting_;
+};
 
 }  // namespace tubeplan::app

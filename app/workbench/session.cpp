@@ -4,6 +4,20 @@
 
 namespace tubeplan::app {
 
+ModelPointer makeModel(int id, std::string label, std::string origin, Cell cell) {
+  auto model = std::make_shared<Model>();
+  model->id = id;
+  model->label = std::move(label);
+  model->origin = std::move(origin);
+  model->cell = std::move(cell);
+  model->posed.arm = model->cell.arm;
+  model->posed.X_WB = model->cell.X_WB;
+  model->posed.scene = model->cell.scene;
+  if (!model->cell.scene.bodies.empty())
+    model->pairs = std::make_shared<const planner::NearestPairs>(model->cell.scene);
+  return model;
+}
+
 std::vector<calibration::Measurement> readingsInUse(const ReadingSet& set) {
   auto readings = set.readings;
   std::erase_if(readings, [&](const auto& reading) { return set.set_aside.contains(reading.id); });
@@ -60,26 +74,21 @@ std::size_t readingsListed(const ResultDocument& result) {
 /// Of models other than the current one the oldest such documents go, as far as there are too many: going back to such
 /// a model has them made again.
 void boundResults(Session& session) {
-  struct Listed {
-    std::uint64_t revision;
-    std::string name;
-    int model;
-    std::size_t readings;
-  };
-  std::vector<Listed> others;
-  std::size_t all = 0;
-  for (const auto& [name, by_model] : session.results)
-    for (const auto& [model, result] : by_model) {
-      const std::size_t readings = readingsListed(*result);
-      all += readings;
-      if (model != currentModel(session).id && readings > 0)
-        others.push_back({result->revision, name, model, readings});
-    }
-  std::sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.revision < b.revision; });
-  for (const auto& oldest : others) {
-    if (all <= kMostListed) return;
-    session.results[oldest.name].erase(oldest.model);
-    all -= oldest.readings;
+  for (;;) {
+    std::size_t all = 0;
+    std::map<int, ResultPointer>* of_oldest = nullptr;
+    ResultPointer oldest;
+    for (auto& [name, by_model] : session.results)
+      for (const auto& [model, result] : by_model) {
+        const std::size_t readings = readingsListed(*result);
+        all += readings;
+        if (model == currentModel(session).id || readings == 0) continue;
+        if (oldest && oldest->revision <= result->revision) continue;
+        oldest = result;
+        of_oldest = &by_model;
+      }
+    if (all <= kMostListed || !oldest) return;
+    of_oldest->erase(oldest->model);
   }
 }
 

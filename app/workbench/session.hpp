@@ -12,12 +12,27 @@
 #include <vector>
 
 #include "app/documents/plan_outcome.hpp"
-#include "app/workbench/model.hpp"
+#include "app/files/cell_reader.hpp"
 #include "calibration/estimation/base_calibration.hpp"
 #include "calibration/measurement.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
+#include "planner/collision/nearest_pairs.hpp"
+#include "planner/workcell.hpp"
 
 namespace tubeplan::app {
+
+/// A cell in memory, as it would stand in its files, and where it comes from.
+struct Model {
+  int id = 0;
+  std::string label;
+  std::string origin;  ///< given, effect, formula, fit, calibration
+  Cell cell;
+  planner::Workcell posed;                             ///< arm, base and scene alone: what a posture is asked of
+  std::shared_ptr<const planner::NearestPairs> pairs;  ///< none where the cell has no bodies
+};
+using ModelPointer = std::shared_ptr<const Model>;
+
+[[nodiscard]] ModelPointer makeModel(int id, std::string label, std::string origin, Cell cell);
 
 /// Where readings were read from, to be read again with what is said to be wrong with them.
 struct ReadingSource {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/arrivals.hpp"
 #include "app/workbench/events.hpp"
 #include "app/workbench/jobs.hpp"
 #include "app/workbench/opened_folder.hpp"
+#include "app/workbench/reading_sets.hpp"
 #include "app/workbench/session.hpp"
 #include "app/workbench/session_keeper.hpp"
 
