@@ -15,13 +15,14 @@ constexpr std::size_t kHoles = 200;
 
 /// Postures under holes spread over a cell's sheet: where an arm works.
 struct SpreadPostures {
-  std::vector<int> tubes;                 ///< in reach, indices in the sheet
-  std::vector<Eigen::VectorXd> postures;  ///< of each of them, the first branch that reaches it
-  int asked = 0;                          ///< holes, those out of reach included
+  std::vector<int> tubes;                 ///< tubes in reach, as indices in the sheet
+  std::vector<Eigen::VectorXd> postures;  ///< first branch that reaches each of these tubes
+  int asked = 0;                          ///< number of holes, those out of reach included
 };
 
-/// At most so many holes; fewer for arms whose inverse kinematics is a search. None where the cell has no sheet or does
-/// not say which way the tool enters. Collisions are not asked about. Of no use once `stop` has said yes.
+/// Returns postures for at most that many holes; fewer for arms whose inverse kinematics is a search. None if the cell
+/// has no sheet or does not state the direction in which the tool enters. Collisions are not checked. The result is
+/// unusable once `stop` has returned true.
 SpreadPostures spreadPostures(const CellModel& cell, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                               std::size_t most, const calibration::StopQuestion& stop) {
   SpreadPostures spread;
