@@ -89,6 +89,15 @@ tubesheets::TubeTable tubeTableBy(const std::vector<std::string>& columns, const
   return tubesheets::tubeTableOf(std::move(table), chosen);
 }
 
+/// Those of the chosen columns that do not name another list.
+std::vector<std::string> columnsOfList(std::vector<std::string> columns, const std::string& list) {
+  std::erase_if(columns, [&](const std::string& column) {
+    const std::string theirs = column.substr(std::min(column.find('='), column.size() - 1) + 1);
+    return lowerCase(theirs).find(".csv:") != std::string::npos && !theirs.starts_with(list + ":");
+  });
+  return columns;
+}
+
 tubesheets::Selection selectedOrRefused(tubesheets::Selection selection, const std::string& request,
                                         const std::string& option) {
   if (selection.status == tubesheets::SelectionStatus::kSelected) return selection;
