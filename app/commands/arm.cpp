@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
+#include "app/commands/option_groups.hpp"
 #include "app/documents/arm_drawing.hpp"
 #include "app/documents/arm_figures.hpp"
 #include "app/files/arm_reader.hpp"
@@ -34,7 +34,8 @@ namespace tubeplan::app {
 namespace {
 
 struct ArmOptions {
-  std::string action, file, tip, nominal, convention, out, into, cell, svg, json;
+  std::string action, file, tip, nominal, convention, out, into, cell, svg;
+  FiguresTarget figures;
   bool is_kinematics = false;
 };
 
@@ -183,10 +184,9 @@ int exportKinematics(const ArmOptions& options) {
 
 int show(const ArmOptions& options) {
   const ShownArm shown = readAnyArm(options.file, options.tip);
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   if (!options.svg.empty()) writeFileAtomically(options.svg, armDrawing(shown.arm, shown.units), "--svg");
-  writeJson(options.json, armJson(shown.arm, shown.units));
-  if (printsText(options.json)) fmt::print("{}", armText(shown.arm, shown.units));
+  showFigures(options.figures, armJson(shown.arm, shown.units), armText(shown.arm, shown.units));
   return kDone;
 }
 
@@ -205,6 +205,7 @@ int exportArm(const ArmOptions& options) {
 /// An option of another action would do nothing.
 void requireOptionsOf(const ArmOptions& options) {
   const std::string kinematics = options.is_kinematics ? "on" : "";
+  const std::string format = printsText({"", options.figures.format}) ? "" : options.figures.format;
   const struct {
     const char* name;
     const std::string& value;
@@ -216,7 +217,8 @@ void requireOptionsOf(const ArmOptions& options) {
              {"--convention", options.convention, {"export"}},
              {"--kinematics", kinematics, {"export"}},
              {"--svg", options.svg, {"show"}},
-             {"--json", options.json, {"show"}}};
+             {"--json", options.figures.json, {"show"}},
+             {"--format", format, {"show"}}};
   for (const auto& [name, value, actions] : own)
     if (!value.empty() && std::ranges::find(actions, options.action) == actions.end())
       throw InputError(name, "an option of " + fmt::format("`arm {}`", fmt::join(actions, "` or `arm ")),
@@ -263,7 +265,7 @@ Run configureArm(CLI::App& cli) {
   cli.add_option("--tip", options->tip, "of a URDF: the link at the tool's tip, where the robot has several end links");
   cli.add_option("--cell", options->cell, "import: write a cell with the arm and its solids too");
   cli.add_option("--svg", options->svg, "show: draw the arm from the side and from above");
-  cli.add_option("--json", options->json, "show: write the figures as JSON to this file, or - for standard output");
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

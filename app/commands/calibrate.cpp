@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/calibration_json.hpp"
@@ -25,7 +24,8 @@ namespace {
 using calibration::CalibrationStatus;
 
 struct CalibrateOptions {
-  std::string cell, measurements, out, json, setup;
+  std::string cell, measurements, out, setup;
+  FiguresTarget figures;
   std::vector<std::string> assume;
   double sigma = 0;
 };
@@ -35,7 +35,7 @@ int run(const CalibrateOptions& options) {
   cell.base_known = false;  // it is what is asked for
   const auto [readings, checks] = readAndCheck({options.measurements}, cell, {options.sigma, {}, options.assume});
   const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   if (!options.out.empty()) checkWritableCell(cell, options.out, "--out");
   const CalibrationOutcome outcome = calibrateCell(cell, touches, options.measurements);
   const auto& result = outcome.calibration;
@@ -43,9 +43,8 @@ int run(const CalibrateOptions& options) {
   if (is_written) writeFileAtomically(options.out, calibratedCellText(cell, outcome, options.out), "--out");
   nlohmann::json json = outcome.figures;
   addChecks(checks, cell.units, json);
-  writeJson(options.json, json);
-  if (printsText(options.json)) fmt::print("{}{}", checksText(checks, cell.units), calibrationText(result, cell));
-  if (printsText(options.json) && is_written)
+  showFigures(options.figures, json, checksText(checks, cell.units) + calibrationText(result, cell));
+  if (printsText(options.figures) && is_written)
     fmt::print("wrote {}{}\n", options.out, calibration::isFitRefused(result) ? ", with touches that do not fit" : "");
   return answerOver(checks, result.status == CalibrationStatus::kDone && !calibration::isFitRefused(result));
 }
@@ -60,7 +59,7 @@ Run configureCalibrate(CLI::App& cli) {
   cli.add_option("--setup", options->setup, "which set-up of the file, where it has several");
   addSigma(cli, options->sigma, "where neither file nor tool states one");
   addAssumeOption(cli, options->assume);
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

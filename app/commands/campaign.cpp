@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/stop_signal.hpp"
 #include "app/commands/option_groups.hpp"
@@ -26,7 +25,8 @@ namespace {
 
 struct CampaignOptions {
   CampaignRequest request;
-  std::string kind = "centre", out, json;
+  std::string kind = "centre", out;
+  FiguresTarget figures;
   std::int64_t runs = 0;
   int jobs = 0;
   bool resume = false;
@@ -46,7 +46,7 @@ class CampaignDesk {
  public:
   CampaignDesk(const CampaignOptions& options, const Campaign& campaign)
       : options_(options), campaign_(campaign), runs_(static_cast<std::uint64_t>(options.runs)) {
-    checkJsonTarget(options.json);
+    checkFigures(options.figures);
     if (options.resume && options.out.empty())
       throw InputError("--resume", "no folder to continue in", "--out DIR", "name the folder of the stopped campaign");
     RunSet done;
@@ -100,8 +100,8 @@ class CampaignDesk {
       for (const auto& file : campaign_.files(figures)) folder_->write(file.name, file.content);
       folder_->commit();
     }
-    writeJson(options_.json, figures);
-    if (!printsText(options_.json)) return;
+    writeFigures(options_.figures, figures);
+    if (!printsText(options_.figures)) return;
     fmt::print("{}", campaign_.text(figures));
     if (folder_) fmt::print("wrote {}\n", (folder_->path() / "campaign.json").string());
   }
@@ -262,7 +262,7 @@ Run configureCampaign(CLI::App& cli) {
   cli.add_option("--out", options->out,
                  "the folder for results and checkpoint: after a stop the same command continues, also with more runs");
   cli.add_flag("--resume", options->resume, "continue the campaign in the folder; refuse if its options differ");
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   configureCentring(cli, options->request);
   configureDiagnosis(cli, options->request);
   return [options, &cli] {

@@ -1,12 +1,9 @@
 // tubeplan compare: where the model fails, by how much, and what its error follows.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
@@ -21,7 +18,8 @@ namespace tubeplan::app {
 namespace {
 
 struct CompareOptions {
-  std::string cell, json;
+  std::string cell;
+  FiguresTarget figures;
   ReportTarget report;
   ReadingFiles measurements;
   MeasurementOptions given;
@@ -30,17 +28,13 @@ struct CompareOptions {
 
 int run(const CompareOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   checkReportTarget(options.report);
   const auto [comparison, readings, set_aside, warnings, figures] =
       compareModel(input, options.request, terminalWorkHooks());
-  writeJson(options.json, figures);
   if (options.report.isWanted()) writeReport(options.report, comparisonPage(input, options.request.seed, figures));
-  if (printsText(options.json)) {
-    fmt::print("{}{}{}", checksText(input.checks, input.cell.units), comparisonText(figures),
-               setAsideText(set_aside, input.readings.size()));
-    for (const auto& warning : warnings) fmt::print("  warning: {}\n", warning);
-  }
+  showFigures(options.figures, figures,
+              checksText(input.checks, input.cell.units) + comparisonText(figures) + warningsText(warnings));
   return answerOver(input.checks, comparison.verdict == calibration::Adequacy::kAdequate);
 }
 
@@ -55,7 +49,7 @@ Run configureCompare(CLI::App& cli) {
   cli.add_option("--folds", options->request.folds, "folds of the cross-validation by pose; 0 for none")
       ->check(CLI::Range(0, 100));
   addSeed(cli, options->request.seed, "seed of the folds");
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

@@ -6,13 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
+#include "app/documents/diagnosis_json.hpp"
 #include "app/documents/diagnosis_pages.hpp"
-#include "app/documents/diagnosis_text.hpp"
-#include "app/documents/discrimination_json.hpp"
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/fill_in_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
@@ -25,42 +23,40 @@ namespace tubeplan::app {
 namespace {
 
 struct DiagnoseOptions {
-  std::string cell, json, run_sheet;
+  std::string cell, run_sheet;
+  FiguresTarget figures;
   ReportTarget report;
   ReadingFiles measurements;
   MeasurementOptions given;
   DiagnosisRequest request;
 };
 
+/// What became of --run-sheet, and what to do with it.
+std::string sheetText(const DiagnoseOptions& options, const CellReadings& input,
+                      const std::vector<calibration::ProposedMeasurement>& sheet) {
+  if (options.run_sheet.empty() || calibration::grossMistake(input.checks)) return "";
+  if (sheet.empty()) return "no run sheet: no reading is proposed\n";
+  return fmt::format("wrote {}: {} and give it after the readings\n", options.run_sheet,
+                     fillInText(sheet, input.cell.arm, input.cell.units));
+}
+
 int run(const DiagnoseOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   checkReportTarget(options.report);
   if (!options.run_sheet.empty()) checkWritableFile(options.run_sheet, "--run-sheet");
   const auto outcome = diagnoseModel(input, options.request, terminalWorkHooks());
   if (options.report.isWanted())
     writeReport(options.report, diagnosisPage(input, options.request.seed, outcome.figures,
                                               testedPatterns(input, options.request.seed, terminalWorkHooks())));
-  writeJson(options.json, outcome.figures);
   const auto& sheet = outcome.run_sheet;
   const Units& units = input.cell.units;
   if (!options.run_sheet.empty() && !sheet.empty())
     writeFileAtomically(options.run_sheet, runSheetCsv(sheet, input.cell.arm, units), "--run-sheet");
-  const ExitCode answer = answerOver(input.checks, true);
-  if (!printsText(options.json)) return answer;
-  fmt::print("{}", checksText(input.checks, units));
-  if (calibration::grossMistake(input.checks)) {
-    fmt::print("{}\n{}\n", nameOf(outcome.diagnosis.verdict), diagnosisSentence(outcome.diagnosis, units));
-    return answer;
-  }
-  fmt::print("{}{}", diagnosisText(outcome.diagnosis, input.readings, units), discriminationText(outcome.figures));
-  if (!options.run_sheet.empty())
-    fmt::print("{}", sheet.empty() ? "no run sheet: no reading is proposed\n"
-                                   : fmt::format("wrote {}: {} and give it after the readings\n", options.run_sheet,
-                                                 fillInText(sheet, input.cell.arm, units)));
-  fmt::print("{}", additionCommand(outcome.diagnosis, options.cell, units));
-  for (const auto& warning : warningTexts(outcome.warnings, units)) fmt::print("  warning: {}\n", warning);
-  return answer;
+  showFigures(options.figures, outcome.figures,
+              checksText(input.checks, units) + diagnosisText(outcome.figures) + sheetText(options, input, sheet) +
+                  additionCommand(outcome.figures, options.cell) + warningsText(warningTexts(outcome.warnings, units)));
+  return answerOver(input.checks, true);
 }
 
 }  // namespace
@@ -79,7 +75,7 @@ Run configureDiagnose(CLI::App& cli) {
   cli.add_option("--run-sheet", options->run_sheet,
                  "write the proposed readings (CSV), to be filled in and given back after the readings");
   addReportOptions(cli, options->report, "write a self-contained report (HTML) to this file");
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

@@ -1,12 +1,9 @@
 // tubeplan effects: the physical effects that a cell's arm can have, and where.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/effect_catalogue.hpp"
 #include "app/documents/figures.hpp"
@@ -20,7 +17,8 @@ namespace tubeplan::app {
 namespace {
 
 struct EffectsOptions {
-  std::string cell, effect, json;
+  std::string cell, effect;
+  FiguresTarget figures;
 };
 
 void requireEffect(const deflection::Arm& arm, const std::string& name) {
@@ -32,9 +30,8 @@ void requireEffect(const deflection::Arm& arm, const std::string& name) {
 int run(const EffectsOptions& options) {
   const Cell cell = readCell(options.cell);
   requireEffect(cell.arm, options.effect);
-  checkJsonTarget(options.json);
-  writeJson(options.json, catalogueJson(cell));
-  if (printsText(options.json)) fmt::print("{}", catalogueText(cell, options.effect));
+  checkFigures(options.figures);
+  showFigures(options.figures, catalogueJson(cell), catalogueText(cell, options.effect));
   return kDone;
 }
 
@@ -44,7 +41,7 @@ Run configureEffects(CLI::App& cli) {
   const auto options = std::make_shared<EffectsOptions>();
   addCell(cli, options->cell);
   cli.add_option("EFFECT", options->effect, "this one only");
-  cli.add_option("--json", options->json, "write all as JSON to this file, or - for standard output");
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

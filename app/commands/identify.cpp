@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
@@ -29,7 +28,8 @@ namespace {
 using calibration::IdentificationStatus;
 
 struct IdentifyOptions {
-  std::string cell, out, json;
+  std::string cell, out;
+  FiguresTarget figures;
   ReadingFiles measurements;
   MeasurementOptions given;
   bool verbose = false;
@@ -46,21 +46,22 @@ void printIteration(std::FILE* out, const calibration::LeastSquaresIteration& no
 
 /// Says in the words of a diagnosis why nothing is found.
 void printWithheld(const IdentifyOptions& options, const IdentificationOutcome& outcome) {
-  fmt::print("{}\n{}\n{}", nameOf(calibration::Verdict::kInconclusive), noVerdictSentence(outcome.fit.reason),
-             options.out.empty() ? "" : "nothing was written\n");
-  for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warning);
+  fmt::print("{}\n{}\n{}{}", nameOf(calibration::Verdict::kInconclusive), noVerdictSentence(outcome.fit.reason),
+             options.out.empty() ? "" : "nothing was written\n", warningsText(outcome.warnings));
 }
 
 int run(const IdentifyOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
   const auto& [cell, file, readings, checks] = input;
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   if (!options.out.empty()) checkWritableCellAndArm(cell, options.out, "--out");
   IdentificationRequest request = options.request;
-  if (printsText(options.json)) fmt::print("{}", checksText(checks, cell.units));
+  if (printsText(options.figures)) fmt::print("{}", checksText(checks, cell.units));
   if (options.verbose)
-    request.observe = [out = printsText(options.json) ? stdout : stderr](const auto& now) { printIteration(out, now); };
-  if (printsText(options.json))
+    request.observe = [out = printsText(options.figures) ? stdout : stderr](const auto& now) {
+      printIteration(out, now);
+    };
+  if (printsText(options.figures))
     request.stage_done = [&](int stage, const calibration::Identification& fit) {
       fmt::print("stage {}\n{}", stage + 1,
                  identificationText(identificationJson(fit, input.readings, 0, input.cell.units)));
@@ -68,15 +69,14 @@ int run(const IdentifyOptions& options) {
   const auto outcome = identifyModel(input, request, terminalWorkHooks());
   if (!options.out.empty() && outcome.fit.status == IdentificationStatus::kDone)
     writeFilesTogether(identifiedCell(cell, outcome.fit, outcome.readings, options.out).inOrder(), "--out");
-  writeJson(options.json, outcome.figures);
-  if (printsText(options.json) && outcome.fit.status == IdentificationStatus::kNotRun) {
+  writeFigures(options.figures, outcome.figures);
+  if (printsText(options.figures) && outcome.fit.status == IdentificationStatus::kNotRun) {
     printWithheld(options, outcome);
-  } else if (printsText(options.json)) {
-    fmt::print("{}{}{}{}", setAsideText(outcome.set_aside, readings.size()), identificationText(outcome.figures),
+  } else if (printsText(options.figures)) {
+    fmt::print("{}{}{}{}{}", identificationText(outcome.figures),
                cell.sheet ? predictedCentringText(outcome.figures["predicted_centring_error"]) : "",
-               overlapText(outcome.overlaps));
-    for (const auto& warning : outcome.warnings) fmt::print("  warning: {}\n", warning);
-    for (const auto& warning : warningTexts(outcome.of_effects, cell.units)) fmt::print("  warning: {}\n", warning);
+               overlapText(outcome.overlaps), warningsText(outcome.warnings),
+               warningsText(warningTexts(outcome.of_effects, cell.units)));
   }
   return answerOver(checks, outcome.fit.status == IdentificationStatus::kDone && !outcome.is_base_refused);
 }
@@ -114,7 +114,7 @@ Run configureIdentify(CLI::App& cli) {
   addSeed(cli, options->request.seed, "seed of the initial values and the folds");
   cli.add_flag("-v,--verbose", options->verbose,
                "print every iteration of the fit: chi-square (with the priors' part), length of the step, damping");
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
@@ -26,7 +25,8 @@ namespace tubeplan::app {
 namespace {
 
 struct ImproveOptions {
-  std::string cell, out, json;
+  std::string cell, out;
+  FiguresTarget figures;
   ReportTarget report;
   ReadingFiles measurements;
   MeasurementOptions given;
@@ -53,7 +53,7 @@ class Keeper {
       write(files);
     else
       first_ = files;
-    if (printsText(options_.json))
+    if (printsText(options_.figures))
       fmt::print("{}{}: held-out error {}\n", model.name, withoutText(model.set_aside.size()),
                  errorText(model.fit.heldout.rms, errorUnitOf(model.fit.after.are_angles, input_.cell.units)));
     std::fflush(stdout);
@@ -87,7 +87,7 @@ std::string endText(const Improvement& result, const ImproveOptions& options) {
 
 int run(const ImproveOptions& options) {
   const CellReadings input = readCellReadings(options.cell, options.measurements, options.given);
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   checkReportTarget(options.report);
   checkWritableCellAndArm(input.cell, options.out, "--out");
   Keeper keeper(input, options);
@@ -98,10 +98,9 @@ int run(const ImproveOptions& options) {
     keeper.finish(result.isUsable());
     nlohmann::json json = improvementJson(result, input.readings, input.cell.units);
     addChecks(input.checks, input.cell.units, json);
-    writeJson(options.json, json);
     if (options.report.isWanted()) writeReport(options.report, improvementPage(input, options.request.seed, result));
-    if (printsText(options.json))
-      fmt::print("{}{}{}", checksText(input.checks, input.cell.units), improvementText(json), endText(result, options));
+    showFigures(options.figures, json,
+                checksText(input.checks, input.cell.units) + improvementText(json) + endText(result, options));
     return answerOver(input.checks, result.isUsable());
   } catch (const JobStopped&) {
     if (keeper.steps() == 0) throw;
@@ -120,7 +119,7 @@ Run configureImprove(CLI::App& cli) {
   addMeasurementOptions(cli, options->given);
   addSeed(cli, options->request.seed, "seed of the simulated noise and the folds");
   addReportOptions(cli, options->report, "write a self-contained report (HTML) to this file");
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

@@ -1,14 +1,11 @@
 // tubeplan ladder: the error of each model in turn, fitted and held-out, against the noise floor.
 #include "app/jobs/ladder.hpp"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
@@ -21,7 +18,8 @@ namespace tubeplan::app {
 namespace {
 
 struct LadderOptions {
-  std::string measurements, json;
+  std::string measurements;
+  FiguresTarget figures;
   ReportTarget report;
   std::vector<std::string> cells;
   MeasurementOptions given;
@@ -43,17 +41,15 @@ std::vector<LadderModel> modelsOf(const LadderOptions& options) {
 
 int run(const LadderOptions& options) {
   const auto models = modelsOf(options);
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   checkReportTarget(options.report);
   const auto outcome = climbLadder(models, options.request, terminalWorkHooks());
   nlohmann::json figures = outcome.figures;
   addChecks(models.back().input.checks, models.front().input.cell.units, figures);
-  writeJson(options.json, figures);
   if (options.report.isWanted())
     writeReport(options.report, ladderPage(outcome.figures, options.measurements, options.request.seed));
-  if (printsText(options.json))
-    fmt::print("{}{}{}", checksText(models.back().input.checks, models.front().input.cell.units),
-               ladderText(outcome.figures), setAsideText(outcome.set_aside, models.back().input.readings.size()));
+  showFigures(options.figures, figures,
+              checksText(models.back().input.checks, models.front().input.cell.units) + ladderText(figures));
   return answerOver(models.back().input.checks, true);
 }
 
@@ -75,7 +71,7 @@ Run configureLadder(CLI::App& cli) {
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   addSeed(cli, options->request.seed, "seed of the folds and the holes");
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

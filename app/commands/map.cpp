@@ -1,16 +1,13 @@
 // tubeplan map: the holes of a cell's tube sheet.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
+#include "app/documents/figures_text.hpp"
 #include "app/documents/sheet_json.hpp"
 #include "app/files/atomic_file.hpp"
 #include "app/files/cell_reader.hpp"
@@ -23,7 +20,8 @@ namespace tubeplan::app {
 namespace {
 
 struct MapOptions {
-  std::string cell, csv, json;
+  std::string cell, csv;
+  FiguresTarget figures;
 };
 
 Eigen::AlignedBox2d extentsOf(const tubesheets::Sheet& sheet) {
@@ -60,22 +58,15 @@ nlohmann::json mapJson(const Cell& cell, const tubesheets::Sheet& sheet) {
       {"units", unitsJson(cell.units)}};
 }
 
-void printMap(const Cell& cell, const tubesheets::Sheet& sheet) {
-  const auto box = extentsOf(sheet);
-  const auto length = [&](double metres) { return cell.units.toFile(metres, dimension::kLength); };
-  const auto unit = cell.units.length().name;
-  std::set<int> rows, columns;
-  for (const auto& tube : sheet.tubes) rows.insert(tube.row), columns.insert(tube.column);
-  fmt::print("{}: {} holes, {} rows, {} columns\n", cell.name, sheet.tubes.size(), rows.size(), columns.size());
-  fmt::print("layout {}, pitch {} {}, hole diameter {} {}\n", sheet.layout_type, length(sheet.pitch), unit,
-             length(sheet.hole_diameter), unit);
-  fmt::print("{} leg, viewed from {}\n", tubesheets::legName(sheet.leg), tubesheets::viewedFromName(sheet.viewed_from));
-  fmt::print("x {} to {} {}, y {} to {} {}\n", length(box.min().x()), length(box.max().x()), unit,
-             length(box.min().y()), length(box.max().y()), unit);
-  for (const auto& [state, count] : countStates(sheet)) fmt::print("{} {}\n", count, state);
-  fmt::print("fingerprint {}\n", sheet.fingerprint());
-  for (const auto& warning : cell.warnings) fmt::print("warning: {}\n", warning);
-}
+constexpr TextLine kMapWords[] = {
+    {"",
+     "{name}: {holes} holes, rows up to {rows}, columns up to {columns}\n"
+     "layout {layout}, pitch {pitch: units/length}, hole diameter {hole_diameter: units/length}\n"
+     "{leg} leg, viewed from {viewed_from}\n"
+     "x {extents/x/0} to {extents/x/1: units/length}, y {extents/y/0} to {extents/y/1: units/length}\n{states}\n"},
+    {"manway", "manway of diameter {diameter: units/length} at {center: units/length}\n"},
+    {"", "fingerprint {fingerprint}\n"},
+    {"warnings", "warning: {}\n"}};
 
 // The map's format knows in, mm and m.
 const tubesheets::LengthUnit& csvUnit(const Cell& cell) {
@@ -86,10 +77,10 @@ const tubesheets::LengthUnit& csvUnit(const Cell& cell) {
 int run(const MapOptions& options) {
   const Cell cell = readCell(options.cell);
   const tubesheets::Sheet& sheet = requireSheet(cell, "list its holes");
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   if (!options.csv.empty()) writeFileAtomically(options.csv, tubesheets::formatHoleMap(sheet, csvUnit(cell)), "--csv");
-  writeJson(options.json, mapJson(cell, sheet));
-  if (printsText(options.json)) printMap(cell, sheet);
+  const nlohmann::json figures = mapJson(cell, sheet);
+  showFigures(options.figures, figures, textOf(figures, kMapWords));
   return kDone;
 }
 
@@ -99,7 +90,7 @@ Run configureMap(CLI::App& cli) {
   const auto options = std::make_shared<MapOptions>();
   addCell(cli, options->cell);
   cli.add_option("--csv", options->csv, "write the hole map to this file: row,column,x,y,state");
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

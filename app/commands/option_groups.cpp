@@ -31,8 +31,11 @@ void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of) {
       ->capture_default_str();
 }
 
-void addJson(CLI::App& cli, std::string& json) {
-  cli.add_option("--json", json, "write the figures as JSON to this file, or - for standard output");
+void addFigures(CLI::App& cli, FiguresTarget& target) {
+  cli.add_option("--json", target.json, "write the figures as JSON to this file, or - for standard output");
+  cli.add_option("--format", target.format, "of standard output: text, or the figures as json, csv or markdown")
+      ->check(CLI::IsMember(figureFormats()))
+      ->capture_default_str();
 }
 
 void addSigma(CLI::App& cli, double& sigma, const std::string& when) {

@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/figures_target.hpp"
 #include "app/files/reading_input.hpp"
 
 namespace tubeplan::app {
 
 void addCell(CLI::App& cli, std::string& cell);
 void addReadings(CLI::App& cli, ReadingFiles& files);  ///< MEASUREMENTS, one or several files
-void addJson(CLI::App& cli, std::string& json);
+void addFigures(CLI::App& cli, FiguresTarget& target);  ///< --json and --format
 
 /// --seed; `of`: what it is the seed of, for --help.
 void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of);

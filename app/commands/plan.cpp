@@ -26,6 +26,7 @@ namespace {
 struct PlanOptions {
   PlanRequest request;
   std::string out, from;
+  FiguresTarget figures;
   bool resume = false, trajectory = false, open = false;
 };
 
@@ -83,6 +84,7 @@ void requireOtherNames(const PlanOptions& options) {
 int run(const PlanOptions& options) {
   requireOtherNames(options);
   if (options.trajectory) requireAccelerations(readCell(options.request.cell).arm);
+  checkFigures(options.figures);
   noteStopSignals();  // from the first folder on, so that none is left behind
   OutputFolder folder(options.out, "--out");
   std::vector<std::string> names(std::begin(kPlanFiles), std::end(kPlanFiles));
@@ -103,9 +105,10 @@ int run(const PlanOptions& options) {
   else
     folder.remove(kTrajectoryFile);
   writePlan(options.request, outcome, folder);
-  fmt::print("{}{}wrote {}\n", planText(options.request, outcome),
-             options.from.empty() ? "" : keptText(options.from, outcome),
-             (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string());
+  showFigures(options.figures, planFileJson(options.request, outcome),
+              planText(options.request, outcome) + (options.from.empty() ? "" : keptText(options.from, outcome)) +
+                  fmt::format("wrote {}\n",
+                              (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string()));
   if (options.open) openInBrowser(std::filesystem::absolute(folder.path() / "report.html").string());
   return kDone;
 }
@@ -157,6 +160,7 @@ Run configurePlan(CLI::App& cli) {
                  "the folder of an earlier plan: reuse what is still valid of it and plan the rest anew");
   cli.add_flag("--open", options->open, "open the report in a browser");
   cli.add_flag("--trajectory", options->trajectory, "write trajectory.yaml too, a ROS 2 JointTrajectory");
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

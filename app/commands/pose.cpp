@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
@@ -24,7 +23,8 @@ namespace tubeplan::app {
 namespace {
 
 struct PoseOptions {
-  std::string cell, joints, side_joints, json;
+  std::string cell, joints, side_joints;
+  FiguresTarget figures;
   std::vector<double> force, moment;
   double load = 0;
   bool all = false;
@@ -89,7 +89,7 @@ int run(const PoseOptions& options) {
   if (!options.side_joints.empty())
     posture.side_q = parseJointsOf(options.side_joints, deflection::sideJoints(cell.arm), cell.units, "--side-joints",
                                    "the arm's side chains");
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   const auto shape = deflection::solveFlexibleKinematics(cell.arm, posture);
   if (shape.status == deflection::KinematicsStatus::kUndefined)
     throw InputError("--joints", shape.reason, "a posture at which every formula of the cell has a value");
@@ -102,9 +102,8 @@ int run(const PoseOptions& options) {
   json["units"] = unitsJson(cell.units);
   json["segments"] = segmentsJson(cell, posture, shape);
   if (options.all) json["intermediates"] = intermediatesJson(cell.arm, shape, cell.units);
-  writeJson(options.json, json);
   json["deflection"] = lengthJson(poseChange(shape).position.norm(), cell.units);
-  if (printsText(options.json)) fmt::print("{}", textOf(json, kPoseWords));
+  showFigures(options.figures, json, textOf(json, kPoseWords));
   return kDone;
 }
 
@@ -125,7 +124,7 @@ Run configurePose(CLI::App& cli) {
       ->delimiter(',')
       ->allow_extra_args(false);
   cli.add_flag("--all", options->all, "with every frame, force, moment and component's deflection in the JSON");
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

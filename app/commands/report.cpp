@@ -9,7 +9,6 @@
 
 #include "app/cli/browser.hpp"
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/printed_page.hpp"
@@ -23,7 +22,8 @@ namespace tubeplan::app {
 namespace {
 
 struct ReportOptions {
-  std::string project, out, pdf, files, json;
+  std::string project, out, pdf, files;
+  FiguresTarget figures;
   bool open = false;
 };
 
@@ -39,7 +39,7 @@ void writeProjectFiles(const Session& session, const std::string& folder) {
 
 int run(const ReportOptions& options) {
   const std::string out = options.out.empty() ? besideProject(options.project, ".html").string() : options.out;
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   checkWritableFile(out, "--out");
   if (!options.pdf.empty()) {
     checkWritableFile(options.pdf, "--pdf");
@@ -55,8 +55,8 @@ int run(const ReportOptions& options) {
   writeFileAtomically(out, renderProjectReport(report), "--out");
   if (!options.pdf.empty()) printPage(out, options.pdf);
   if (options.open) openInBrowser(std::filesystem::absolute(out).string());
-  writeJson(options.json, report);
-  if (!printsText(options.json)) return kDone;
+  writeFigures(options.figures, report);
+  if (!printsText(options.figures)) return kDone;
   fmt::print("wrote {}\n", out);
   for (const auto& more : {options.pdf, options.files})
     if (!more.empty()) fmt::print("wrote {}\n", more);
@@ -73,7 +73,7 @@ Run configureReport(CLI::App& cli) {
   cli.add_option("--pdf", options->pdf, "print it to this file too, by headless Chromium");
   cli.add_option("--files", options->files,
                  "write the readings in use and every model into this folder, as the report's command lines take them");
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

@@ -5,11 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/cli/stop_signal.hpp"
 #include "app/commands/option_groups.hpp"
@@ -35,8 +35,9 @@ namespace tubeplan::app {
 namespace {
 
 struct ScoreOptions {
-  std::string cell, truth, tubes, json;
+  std::string cell, truth, tubes;
   std::vector<std::string> columns;
+  FiguresTarget figures;
   int runs = 0;
   double unmodelled = -1, stiffness = -1;
   std::uint64_t seed = 1;
@@ -96,6 +97,31 @@ nlohmann::json scoresJson(const ModeScores& scores, const Units& units) {
   return json;
 }
 
+/// What becomes of all tubes by each compensation; without an error where no tube has a posture.
+nlohmann::json compensationsJson(const std::vector<ModeScores>& scores, std::size_t steps, const Units& units) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const auto counts = countByMode(scores, static_cast<int>(steps));
+  nlohmann::json list = nlohmann::json::array();
+  for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
+    double sum = 0, worst = kNone, approach = kNone;
+    std::size_t found = 0;
+    for (const auto& score : scores) {
+      if (!score[mode]) continue;
+      ++found;
+      sum += score[mode]->error;
+      worst = std::fmax(worst, score[mode]->error);
+      approach = std::fmax(approach, score[mode]->approach_deviation);
+    }
+    list.push_back({{"name", planner::nameOf(kCompensations[mode])},
+                    {"counts", counts[mode]},
+                    {"mean_centring_error", lengthJson(sum / static_cast<double>(found), units)},
+                    {"worst_centring_error", lengthJson(worst, units)},
+                    {"worst_approach_deviation", lengthJson(approach, units)},
+                    {"no_posture", scores.size() - found}});
+  }
+  return list;
+}
+
 std::vector<ModeScores> modeScores(const Scored& scored) {
   std::vector<ModeScores> scores;
   for (const auto& tube : scored.tubes)
@@ -116,48 +142,35 @@ nlohmann::json scoredJson(const Scored& scored, const planner::Workcell& cell, c
     if (scored_tube.q.size() > 0) entry["joints"] = jointValuesJson(scored_tube.q, nominal);
     tubes.push_back(entry);
   }
-  const auto counts = countByMode(modeScores(scored), static_cast<int>(cell.tool.steps.size()));
+  const auto scores = modeScores(scored);
+  const auto counts = countByMode(scores, static_cast<int>(cell.tool.steps.size()));
   const auto& base = scored.calibration.flexible;
   return {{"units", unitsJson(units)},
           {"base", placedBaseJson(base.X_WB, standingOf(nominal, &base), units)},
           {"calibration", calibrationJson(base, nominal)},
           {"tubes", tubes},
+          {"scored", scores.size()},
+          {"unreachable", scored.tubes.size() - scores.size()},
+          {"by_compensation", compensationsJson(scores, cell.tool.steps.size(), units)},
           {"warnings", scored.warnings},
           {"counts", {{kModeKeys[0], counts[0]}, {kModeKeys[1], counts[1]}, {kModeKeys[2], counts[2]}}}};
 }
 
-void printScored(const Scored& scored, const planner::Workcell& cell, const Cell& nominal) {
-  const Units& units = nominal.units;
-  fmt::print("scored with the base that {} simulated touches of the true arm give\n",
-             scored.calibration.flexible.residuals.size());
-  fmt::print("{}", calibrationText(scored.calibration.flexible, nominal));
-  for (const auto& warning : scored.warnings) fmt::print("warning: {}\n", warning);
-  const auto scores = modeScores(scored);
-  fmt::print("{} tubes scored {}, {} unreachable\n", scores.size(),
-             wordsOf(standingOf(nominal, &scored.calibration.flexible)), scored.tubes.size() - scores.size());
-  const auto counts = countByMode(scores, static_cast<int>(cell.tool.steps.size()));
-  fmt::print("{:<14}", "compensation");
-  for (std::size_t steps = 0; steps <= cell.tool.steps.size(); ++steps)
-    fmt::print("{:>7}", steps == 0 ? "steps 0" : std::to_string(steps));
-  fmt::print("   mean error  worst, {0}   worst on approach, {0}\n", units.length().name);
-  for (std::size_t mode = 0; mode < kCompensations.size(); ++mode) {
-    double sum = 0, worst = 0, approach = 0;
-    int found = 0;
-    for (const auto& score : scores)
-      if (score[mode]) {
-        sum += score[mode]->error;
-        ++found;
-        worst = std::max(worst, score[mode]->error);
-        approach = std::max(approach, score[mode]->approach_deviation);
-      }
-    fmt::print("{:<14}", planner::nameOf(kCompensations[mode]));
-    for (int count : counts[mode]) fmt::print("{:7}", count);
-    const double unit = units.factor(dimension::kLength);
-    const int decimals = lengthDecimals(units.length());
-    const auto none = static_cast<int>(scores.size()) - found;
-    fmt::print("   {:8.{}f}  {:8.{}f}  {:8.{}f}{}\n", sum / unit / std::max(1, found), decimals, worst / unit, decimals,
-               approach / unit, decimals, none > 0 ? fmt::format("   ({} without a posture)", none) : "");
-  }
+constexpr TextLine kWithoutPosture[] = {{"no_posture", "   ({} without a posture)"}, {"", "\n"}};
+constexpr TextLine kScoredWords[] = {
+    {"warnings", "warning: {}\n"},
+    {"", "{scored} tubes scored {base/words}, {unreachable} unreachable\n"},
+    {"",
+     "tubes by number of inserted steps, from none; mean and worst centring error, worst deviation on approach, "
+     "{units/length}\n"},
+    {"by_compensation",
+     "{name:<14}{counts:*7}   {mean_centring_error:>8l}  {worst_centring_error:>8l}  {worst_approach_deviation:>8l}",
+     kWithoutPosture}};
+
+std::string scoredText(const nlohmann::json& figures, const Scored& scored, const Cell& nominal) {
+  return textOf(figures,
+                "scored with the base that {#calibration/residuals} simulated touches of the true arm give\n") +
+         calibrationText(scored.calibration.flexible, nominal) + textOf(figures, kScoredWords);
 }
 
 /// The thesis's experiment (Calkins 1994, section 5.5, table 5.7), as a campaign's trials that touch the first of the
@@ -274,8 +287,7 @@ int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, co
   }
   const double touch_error = meanTouchError(trialsOf({}, kFittedHoles, TouchRule::kRandom));
   const auto figures = runsJson(scored, touch_error, static_cast<int>(model.tool.steps.size()), cell.units);
-  writeJson(options.json, figures);
-  if (printsText(options.json)) fmt::print("{}", textOf(figures, kExperimentWords));
+  showFigures(options.figures, figures, textOf(figures, kExperimentWords));
   return scored.is_stopped ? kStoppedExitCode : kDone;
 }
 
@@ -286,7 +298,7 @@ int run(const ScoreOptions& options) {
   const auto model = workcellOf(cell, "score positioning"), truth = workcellOf(true_cell, "score against it");
   if (model.sheet.fingerprint() != truth.sheet.fingerprint())
     throw InputError(options.truth, "another tube sheet", "the cell's, fingerprint " + model.sheet.fingerprint());
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   const std::size_t spread = options.runs > 0 ? kTubesOfRuns : kTubes;
   requireWorkList(options.columns, {options.tubes});
   const auto selection = readTubes(tubesOrSpread(options.tubes, model.sheet, spread), model.sheet, options.columns);
@@ -298,8 +310,8 @@ int run(const ScoreOptions& options) {
     fmt::print(stderr, "{}", calibrationText(scored.calibration.flexible, cell));
     return kNegativeAnswer;
   }
-  writeJson(options.json, scoredJson(scored, model, cell));
-  if (printsText(options.json)) printScored(scored, model, cell);
+  const nlohmann::json figures = scoredJson(scored, model, cell);
+  showFigures(options.figures, figures, scoredText(figures, scored, cell));
   return kDone;
 }
 
@@ -326,7 +338,7 @@ Run configureScore(CLI::App& cli) {
       ->needs(runs)
       ->check(CLI::NonNegativeNumber);
   addSeed(cli, options->seed, "seed of the random numbers");
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

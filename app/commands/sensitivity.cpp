@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/measurement_checks_json.hpp"
@@ -29,7 +28,8 @@ namespace {
 constexpr int kWorkedPostures = 60, kTouchable = 40, kChosenTouches = 3;
 
 struct SensitivityOptions {
-  std::string cell, tubes, readings, json;
+  std::string cell, tubes, readings;
+  FiguresTarget figures;
   std::vector<std::string> assume, columns;
   double load = 0;
   int postures = kWorkedPostures;
@@ -96,7 +96,7 @@ std::vector<double> posteriorSigmas(const calibration::Estimate& estimate, const
 
 int run(const SensitivityOptions& options) {
   Cell cell = readCell(options.cell);
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   if (!options.tubes.empty()) (void)requireSheet(cell, "choose --tubes");
   requireWorkList(options.columns, {options.tubes});
   SensitivityReport report;
@@ -129,8 +129,7 @@ int run(const SensitivityOptions& options) {
   }
   nlohmann::json json = sensitivityJson(report, cell);
   if (!options.readings.empty()) addChecks(checks, cell.units, json);
-  writeJson(options.json, json);
-  if (printsText(options.json)) fmt::print("{}{}", checksText(checks, cell.units), sensitivityText(json));
+  showFigures(options.figures, json, checksText(checks, cell.units) + sensitivityText(json));
   return answerOver(checks, true);
 }
 
@@ -150,7 +149,7 @@ Run configureSensitivity(CLI::App& cli) {
       ->check(CLI::Range(3, 10000))
       ->capture_default_str();
   addSeed(cli, options->seed, "seed of the random postures");
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/fill_in_json.hpp"
@@ -23,7 +22,8 @@ namespace {
 
 struct TouchesOptions {
   TouchRequest request;
-  std::string optimality = "D", json, csv;
+  std::string optimality = "D", csv;
+  FiguresTarget figures;
 };
 
 calibration::Optimality optimalityOf(const std::string& name) {
@@ -46,7 +46,7 @@ std::string sheetText(const TouchesOptions& options, const TouchOutcome& outcome
 int run(const TouchesOptions& options) {
   TouchRequest request = options.request;
   request.optimality = optimalityOf(options.optimality);
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   if (!options.csv.empty()) checkWritableFile(options.csv, "--csv");
   const TouchOutcome outcome = proposeTouches(request);
   const ExitCode answer = answerOver(outcome.checks, isProposed(outcome.base) && isProposed(outcome.parameters));
@@ -56,10 +56,9 @@ int run(const TouchesOptions& options) {
   json["seed"] = request.seed;
   json["optimality"] = options.optimality;
   addChecks(outcome.checks, outcome.cell.units, json);
-  writeJson(options.json, json);
-  if (printsText(options.json))
-    fmt::print("{}{}{}", checksText(outcome.checks, outcome.cell.units), proposalsText(outcome),
-               is_written ? sheetText(options, outcome) : "");
+  showFigures(options.figures, json,
+              checksText(outcome.checks, outcome.cell.units) + proposalsText(outcome) +
+                  (is_written ? sheetText(options, outcome) : ""));
   return answer;
 }
 
@@ -100,7 +99,7 @@ Run configureTouches(CLI::App& cli) {
       "--csv", options->csv,
       "write the proposals as a run sheet (CSV): a measurement table in which what is measured is to be filled in");
   addSeed(cli, request.seed, "seed of the random postures and draws");
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

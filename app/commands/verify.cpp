@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
-#include "app/cli/json_target.hpp"
 #include "app/cli/planning_hooks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/plan_identity.hpp"
@@ -29,7 +28,8 @@ namespace tubeplan::app {
 namespace {
 
 struct VerifyOptions {
-  std::string cell, folder, json;
+  std::string cell, folder;
+  FiguresTarget figures;
 };
 
 /// Differences between the arm of the cell and the arm that the plan was made with, as their files have them.
@@ -132,7 +132,7 @@ int run(const VerifyOptions& options) {
   const Cell cell = readCell(options.cell);
   const Cell planned = readCell((std::filesystem::path(options.folder) / "cell.yaml").string());
   const PlanFiles files = readPlanFiles(options.folder, planned);
-  checkJsonTarget(options.json);
+  checkFigures(options.figures);
   const planner::Workcell work = checkedWorkcell(cell, planned, files);
   if (files.padding_sigmas > 0 && work.base_covariance.isZero(0))
     throw InputError(options.folder + "/plan.json padding", "a plan kept off by what the base may be out",
@@ -156,8 +156,7 @@ int run(const VerifyOptions& options) {
   if (auto moved = baseDifference(cell, planned); !moved.empty()) warnings.push_back(std::move(moved));
   if (auto states = statesText(work.sheet, files.plan); !states.empty()) warnings.push_back(std::move(states));
   const nlohmann::json figures = checkJson(check, planned, cell.units, warnings);
-  writeJson(options.json, figures);
-  if (printsText(options.json)) fmt::print("{}", textOf(figures, kPlanCheckWords));
+  showFigures(options.figures, figures, textOf(figures, kPlanCheckWords));
   return check.findings.empty() ? kDone : kNegativeAnswer;
 }
 
@@ -167,7 +166,7 @@ Run configureVerify(CLI::App& cli) {
   const auto options = std::make_shared<VerifyOptions>();
   cli.add_option("CELL", options->cell, "the cell file: sheet, tool and scene to verify against")->required();
   cli.add_option("DIR", options->folder, "the folder of the plan")->required();
-  addJson(cli, options->json);
+  addFigures(cli, options->figures);
   return [options] { return run(*options); };
 }
 

@@ -41,8 +41,7 @@ void judgeFit(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdic
     verdict.warnings.push_back(fmt::format(
         "the touches do not fit: their error is {:.3g} times what their noise and the uncertainty of the arm's numbers "
         "explain ({})",
-        std::sqrt(base.chi2 / std::max(1, base.degrees_of_freedom)),
-        chanceText(base.p_value)));
+        std::sqrt(base.chi2 / std::max(1, base.degrees_of_freedom)), chanceText(base.p_value)));
     if (base.odd_touch >= 0) {
       const auto& odd = base.residuals[static_cast<std::size_t>(base.odd_touch)];
       verdict.to_do.push_back(fmt::format(
@@ -174,24 +173,6 @@ nlohmann::json baseVerdictJson(const BaseVerdict& verdict, const BaseCalibration
                      {"pitches", pitches},
                      {"implausible", verdict.is_implausible}};
   return json;
-}
-
-std::string baseVerdictText(const BaseVerdict& verdict, const BaseCalibration& base, const Units& units,
-                            bool with_to_do) {
-  const FromNominalSigma sigma = sigmaOf(base);
-  std::string text;
-  if (base.status == calibration::CalibrationStatus::kDone)
-    text = fmt::format("from nominal {:.4g} {}{} (sigma {:.2g}) and {:.4g} {} (sigma {:.2g})\n",
-                       lengthOf(verdict.distance, units), units.length().name,
-                       verdict.pitches.allFinite() ? fmt::format(", {:+.2f} pitches along x and {:+.2f} along y",
-                                                                 verdict.pitches.x(), verdict.pitches.y())
-                                                   : "",
-                       lengthOf(sigma.distance, units), angleOf(verdict.angle, units), units.angle().name,
-                       angleOf(sigma.angle, units));
-  for (const auto& warning : verdict.warnings) text += "warning: " + warning + "\n";
-  if (with_to_do)
-    for (const auto& step : verdict.to_do) text += "  to do: " + step + "\n";
-  return text;
 }
 
 }  // namespace tubeplan::app

@@ -32,8 +32,4 @@ struct BaseVerdict {
 [[nodiscard]] nlohmann::json baseVerdictJson(const BaseVerdict& verdict, const calibration::BaseCalibration& base,
                                              const Units& units);
 
-/// The distance from nominal beside its uncertainty, the warnings and, where asked for, what to do.
-[[nodiscard]] std::string baseVerdictText(const BaseVerdict& verdict, const calibration::BaseCalibration& base,
-                                          const Units& units, bool with_to_do = true);
-
 }  // namespace tubeplan::app

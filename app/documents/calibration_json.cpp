@@ -68,6 +68,13 @@ constexpr TextLine kCalibrationWords[] = {
     {"+degrees_of_freedom", " (p = {p_value:.3g})"},
     {"", "\n", kResidualWords}};
 
+constexpr TextLine kFromNominal[] = {
+    {"pitches", ", {pitches/0:+.2f} pitches along x and {pitches/1:+.2f} along y", {}, {}, 1},
+    {"", " (sigma {sigma/distance:.2g}) and {angle:.4r} {units/angle} (sigma {sigma/angle:.2g})\n"}};
+constexpr TextLine kBaseVerdictWords[] = {{"nominal", "from nominal {distance:.4r} {units/length}", kFromNominal},
+                                          {"warnings", "warning: {}\n"}};
+constexpr TextLine kToDoWords[] = {{"to_do", "  to do: {}\n"}};
+
 constexpr TextLine kDistanceWords[] = {{"distances",
                                         "  {from:n} to {to:n}: {by_arm:l} by the arm, {on_sheet:l} on the sheet, "
                                         "{difference:+l} (sigma {sigma:l}) {units/length}\n"}};
@@ -118,7 +125,7 @@ nlohmann::json calibrationJson(const BaseCalibration& result, const Cell& cell) 
 
 std::string calibrationText(const BaseCalibration& result, const Cell& cell, bool in_full) {
   const nlohmann::json figures = calibrationJson(result, cell);
-  const std::string verdict = baseVerdictText(judgeBase(result, cell), result, cell.units, in_full);
+  const std::string verdict = textOf(figures, kBaseVerdictWords) + (in_full ? textOf(figures, kToDoWords) : "");
   if (result.status != CalibrationStatus::kDone)
     return textOf(figures, "calibration {status}: {reason}\n") + textOf(figures, kResidualWords) + verdict +
            "the base stays where it was: what is planned holds " + wordsOf(standingOf(cell)) + "\n";

@@ -199,7 +199,8 @@ constexpr TextLine kComparisonWords[] = {
     {"", "  {#tested} patterns tested, {#patterns} found\n"},
     {"worst", "  worst: reading {id:n} is off by {size:.3r unit} ({sigmas:.1f} sigmas)\n", {}, {}, 3},
     {"joint_equivalents/after_refit/joints",
-     "  as an error of {joint}: mean {mean:+.2g}, spread {spread:.2g} {unit}\n"}};
+     "  as an error of {joint}: mean {mean:+.2g}, spread {spread:.2g} {unit}\n"},
+    {"set_aside", kSetAsideWords, {}, {}, 1}};
 
 }  // namespace
 

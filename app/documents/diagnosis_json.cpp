@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
-#include "app/documents/diagnosis_text.hpp"
+#include "app/documents/diagnosis_sentences.hpp"
 #include "app/documents/diagnosis_views_json.hpp"
+#include "app/documents/discrimination_json.hpp"
 #include "app/documents/effect_words_json.hpp"
 #include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
+#include "app/documents/measurement_checks_json.hpp"
 #include "app/files/effects_reader.hpp"
 #include "app/files/units_json.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -25,7 +29,8 @@ nlohmann::json numberJson(const FoundNumber& number, const Units& units) {
   nlohmann::json json = {{"name", number.name},
                          {"value", finiteJson(number.value / units.factor(unit))},
                          {"sigma", finiteJson(number.sigma / units.factor(unit))},
-                         {"unit", units.nameOf(unit)}};
+                         {"unit", units.nameOf(unit)},
+                         {"words", numberText(number, units)}};
   if (std::isfinite(number.lower))
     json["interval"] = {number.lower / units.factor(unit), number.upper / units.factor(unit)};
   return json;
@@ -58,6 +63,8 @@ nlohmann::json effectJson(const FoundEffect& effect, const deflection::Arm& arm,
                          {"parameters", parameters},
                          {"also", also},
                          {"add", additionText(effect, arm, units)}};
+  for (const auto& number : effect.numbers)
+    if (number.is_beyond_usual) json["beyond_usual"].push_back(number.name);
   if (!effect.also.empty()) json["also_words"] = alsoText(effect);
   if (!effect.frees.empty()) json["frees"] = effect.frees;
   addModes(effect, units, json);
@@ -94,6 +101,7 @@ nlohmann::json effectsJson(const Explanation& explanation, const Diagnosis& resu
 nlohmann::json explanationJson(const Explanation& explanation, const Diagnosis& result, const Units& units) {
   const ErrorUnit unit = errorUnitOf(result.before.are_angles, units);
   return {{"effects", effectsJson(explanation, result, units)},
+          {"found", sizesText(explanation, units)},
           {"chi2", finiteJson(explanation.chi2)},
           {"probability", finiteJson(explanation.probability)},
           {"remainder_probability", finiteJson(explanation.remainder_probability)},
@@ -122,7 +130,77 @@ nlohmann::json remainderJson(const Diagnosis& result, const ErrorUnit& unit) {
           {"follows", follows}};
 }
 
+/// The least of each kind that would have been seen is `best` of its places.
+nlohmann::json detectableJson(const std::vector<calibration::DetectableEffect>& detectable, const Units& units) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& entry : detectable) {
+    const auto best = std::ranges::min_element(detectable, {}, [&](const auto& other) {
+      return std::tuple(other.effect != entry.effect, !std::isfinite(other.size), other.is_beyond_plausible,
+                        other.size);
+    });
+    list.push_back({{"effect", entry.effect},
+                    {"at", entry.at},
+                    {"number", entry.number},
+                    {"size", finiteJson(entry.size / units.factor(dimensionOf(entry.quantity)))},
+                    {"unit", units.nameOf(dimensionOf(entry.quantity))},
+                    {"beyond_plausible", entry.is_beyond_plausible},
+                    {"best", &*best == &entry}});
+  }
+  return list;
+}
+
+constexpr TextLine kFoundEffectWords[] = {
+    {"also_words", "         {}\n"},
+    {"beyond_usual", "         {} of {effect} at {at} is larger than in real machines\n"}};
+constexpr TextLine kFoundWords[] = {{"", "  {probability:.3f}  {found}\n"}, {"effects", "", kFoundEffectWords}};
+
+constexpr TextLine kLeastWords[] = {{"size", "{size:>9.3r} {unit}"},
+                                    {"!size", "not detectable: it moves none of these readings"},
+                                    {"beyond_plausible", " (more than in real machines)"},
+                                    {"", "\n"}};
+constexpr TextLine kDetectableWords[] = {
+    {"detectable", "  smallest size that would be detected with a power of 80 %:\n", {}, {}, 1},
+    {"detectable/best", "    {effect:<24} {at:<22} ", kLeastWords}};
+
+constexpr TextLine kDiagnosisWords[] = {
+    {"", "{verdict}\n"},
+    {"sentences", "{}\n"},
+    {"degrees_of_freedom", "chi-square {chi2_per_dof:.3r} for each of {} degrees of freedom ({p_value:p})\n"},
+    {"probability/nothing_missing", "nothing missing has probability {:.3r}\n"},
+    {"+model_error",
+     "scatter of about {:.3r error_unit} in each coordinate (one standard deviation) beyond the stated noise follows "
+     "no slow function of what the readings record\n"},
+    {"error_budget", "{words}\n"},
+    {"explanations/enough", "", kFoundWords},
+    {"ranking",
+     "  effect                   at                     is there   chi2 falls by   size   ({probability_words})\n",
+     {},
+     {},
+     1},
+    {"ranking", "  {effect:<24} {at:<22} {probability:>8.3f} {chi2_fall:>15.1f}   {size/words}\n", {}, {}, 10},
+    {"closest",
+     "  fitted: {found}: probability {probability:.3f}, chi-square {chi2:.1f}, rms {rms:.4r error_unit}\n",
+     {},
+     {},
+     6},
+    {"set_aside", kSetAsideWords, {}, {}, 1},
+    {"not_tried", "  not tried: {}\n"},
+    {"!alternatives", "", kDetectableWords}};
+
+constexpr TextLine kAdditionWords[] = {
+    {"", "to add it: tubeplan add {cell}"}, {"effects", " '{add}'"}, {"", " --out better.yaml\n"}};
+constexpr TextLine kNextStepWords[] = {{"explanations/enough", "", kAdditionWords, {}, 1}};
+
 }  // namespace
+
+std::string diagnosisText(const nlohmann::json& figures) {
+  return textOf(figures, kDiagnosisWords) + discriminationText(figures);
+}
+
+std::string additionCommand(nlohmann::json figures, const std::string& cell) {
+  figures["cell"] = cell;
+  return textOf(figures, kNextStepWords);
+}
 
 nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
   const ErrorUnit unit = errorUnitOf(result.before.are_angles, units);
@@ -157,14 +235,7 @@ nlohmann::json diagnosisJson(const Diagnosis& result, const std::vector<Measurem
   if (result.repeats.groups > 0)
     json["repeats"] = {{"groups", result.repeats.groups}, {"noise_ratio", finiteJson(result.repeats.noise_ratio)}};
   if (std::isfinite(result.remainder.floor)) json["remainder"] = remainderJson(result, unit);
-  json["detectable"] = nlohmann::json::array();
-  for (const auto& entry : result.detectable)
-    json["detectable"].push_back({{"effect", entry.effect},
-                                  {"at", entry.at},
-                                  {"number", entry.number},
-                                  {"size", finiteJson(entry.size / units.factor(dimensionOf(entry.quantity)))},
-                                  {"unit", units.nameOf(dimensionOf(entry.quantity))},
-                                  {"beyond_plausible", entry.is_beyond_plausible}});
+  json["detectable"] = detectableJson(result.detectable, units);
   json["not_tried"] = result.not_tried;
   json["set_aside"] = idsOf(result.set_aside, readings);
   json["next_readings"] = nlohmann::json::array();

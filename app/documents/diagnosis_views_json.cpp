@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/documents/diagnosis_text.hpp"
+#include "app/documents/diagnosis_sentences.hpp"
 #include "app/documents/error_figures.hpp"
 #include "app/documents/model_comparison_json.hpp"
 #include "app/files/joint_units.hpp"

@@ -98,8 +98,8 @@ std::string writtenValue(const json& value, const FigureFormat& format, const js
   if (value.is_number_integer() && !format.type && format.sign.empty()) return value.dump();
   if (value.is_number()) return writtenNumber(value.get<double>(), format, document);
   std::vector<std::string> all;
-  for (const auto& entry : value) {
-    all.push_back(writtenValue(entry, format, document));
+  for (const auto& [key, entry] : value.items()) {
+    all.push_back(writtenValue(entry, format, document) + (value.is_object() ? " " + key : ""));
     if (format.in_columns) all.back() = fmt::format("{:>{}}", all.back(), format.width);
   }
   return fmt::format("{}", fmt::join(all, format.in_columns ? "" : ", "));

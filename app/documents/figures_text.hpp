@@ -18,7 +18,7 @@ namespace tubeplan::app {
 /// fmt's [<>][+][WIDTH][.DIGITS][TYPE] with more types: r, significant digits, whole numbers without an exponent; a,
 /// the same of the size without its sign; l, with the decimals of a length; %, a share; p, the probability of chance;
 /// i, an interval, to as many digits; n, a name of the user's. A list is written with commas, or after * in columns of
-/// that width, and a number that does not exist as "none".
+/// that width, an object as "4 open, 2 plugged", and a number that does not exist as "none".
 struct TextLine {
   std::string_view of, words;
   std::span<const TextLine> inner = {};  ///< behind it, about the same entry

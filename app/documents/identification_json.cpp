@@ -9,6 +9,7 @@
 #include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
+#include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/pose_json.hpp"
 #include "app/files/units_json.hpp"
 #include "calibration/measurements/surfaces.hpp"
@@ -131,7 +132,8 @@ constexpr TextLine kIdentificationWords[] = {
     {"surfaces", "  {kind} {point:n}: ", kSurfaceWords},
     {"dropped", "  dropped {}\n"},
     {"correlations", "  correlation {value:+.3f} of {a} and {b}\n"},
-    {"outliers", "  outlier: reading {id:n} is off by {size:.4r error_unit} ({sigmas:.1f} sigmas)\n"}};
+    {"outliers", "  outlier: reading {id:n} is off by {size:.4r error_unit} ({sigmas:.1f} sigmas)\n"},
+    {"set_aside", kSetAsideWords, {}, {}, 1}};
 
 }  // namespace
 

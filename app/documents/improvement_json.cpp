@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/documents/diagnosis_text.hpp"
+#include "app/documents/diagnosis_sentences.hpp"
 #include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
+#include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/model_comparison_json.hpp"
 
 namespace tubeplan::app {
@@ -70,10 +71,9 @@ constexpr TextLine kImprovementStepWords[] = {
     {"not_needed", "  without {not_needed}: fitted, they are none within two standard deviations\n", {}, {}, 1},
     {"also", "  with this tool no reading tells it apart from: {also}\n", {}, {}, 1}};
 
-constexpr TextLine kImprovementWords[] = {
-    {"", "{sentence}\n"},
-    {"steps", "step {number}: {verdict}: {sentence}\n", kImprovementStepWords},
-    {"set_aside", "set aside as outliers, in no fit and no error: readings {set_aside:n}\n", {}, {}, 1}};
+constexpr TextLine kImprovementWords[] = {{"", "{sentence}\n"},
+                                          {"steps", "step {number}: {verdict}: {sentence}\n", kImprovementStepWords},
+                                          {"set_aside", kSetAsideWords, {}, {}, 1}};
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
+#include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/model_comparison_json.hpp"
 #include "app/files/origin.hpp"
 #include "app/report/diagnosis_report.hpp"
@@ -25,7 +26,8 @@ constexpr TextLine kTrueArmWords[] = {
     {"step_table/reason", "no step table: {}\n"},
     {"step_table/real_arm", "true arm: {}"},
     {"+step_table/unmodelled_sigma", " (sigma {:.3r units/length} per coordinate)"},
-    {"step_table/real_arm", "; {holes} random holes within its reach ({out_of_reach} drawn beyond it)\n"}};
+    {"step_table/real_arm", "; {holes} random holes within its reach ({out_of_reach} drawn beyond it)\n"},
+    {"set_aside", kSetAsideWords, {}, {}, 1}};
 
 }  // namespace
 

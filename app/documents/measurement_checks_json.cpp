@@ -1,13 +1,10 @@
 #include "app/documents/measurement_checks_json.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figures.hpp"
-#include "app/files/input_error.hpp"
+#include "app/documents/figures_text.hpp"
+#include "app/files/units_json.hpp"
 
 namespace tubeplan::app {
 
@@ -19,39 +16,50 @@ const char* severityName(CheckSeverity severity) { return severity == CheckSever
 
 nlohmann::json orNull(const std::string& text) { return text.empty() ? nlohmann::json() : nlohmann::json(text); }
 
+nlohmann::json checkJson(const MeasurementCheck& check, const Units& units) {
+  return {{"name", check.name},
+          {"severity", severityName(check.severity)},
+          {"sentence", check.sentence},
+          {"error_as_is", lengthJson(check.error_as_is, units)},
+          {"error_if_mended", lengthJson(check.error_if_mended, units)},
+          {"assume", orNull(check.assume)},
+          {"equally", check.equally}};
+}
+
+constexpr TextLine kMendedWords[] = {
+    {"error_if_mended", "; corrected, the error falls from {error_as_is:.4r units/length} to {:.4r units/length}"}};
+constexpr TextLine kCheckWords[] = {{"", "{sentence}"},
+                                    {"error_as_is", "", kMendedWords},
+                                    {"assume", " (--assume {})"},
+                                    {"equally", ", or equally --assume {}"}};
+constexpr TextLine kCheckLine[] = {{"", "", kCheckWords}, {"", "\n"}};
+constexpr TextLine kWarningWords[] = {{"warnings", "  warning: {}\n"}};
+constexpr TextLine kChecksWords[] = {{"checks", "  {severity}: ", kCheckLine}};
+
 }  // namespace
 
 void addChecks(const MeasurementChecks& checks, const Units& units, nlohmann::json& document) {
   document["checks"] = nlohmann::json::array();
-  for (const auto& check : checks.checks)
-    document["checks"].push_back({{"name", check.name},
-                                  {"severity", severityName(check.severity)},
-                                  {"sentence", check.sentence},
-                                  {"error_as_is", lengthJson(check.error_as_is, units)},
-                                  {"error_if_mended", lengthJson(check.error_if_mended, units)},
-                                  {"assume", orNull(check.assume)},
-                                  {"equally", check.equally}});
+  for (const auto& check : checks.checks) document["checks"].push_back(checkJson(check, units));
   document["missing_columns"] = nlohmann::json::array();
   for (const auto& [column, sentence] : checks.missing)
     document["missing_columns"].push_back({{"column", column}, {"sentence", sentence}});
 }
 
 std::string checkText(const MeasurementCheck& check, const Units& units) {
-  std::string text = check.sentence;
-  if (std::isfinite(check.error_as_is) && std::isfinite(check.error_if_mended))
-    text += fmt::format("; corrected, the error falls from {} to {}", lengthText(check.error_as_is, units),
-                        lengthText(check.error_if_mended, units));
-  if (!check.assume.empty()) text += fmt::format(" (--assume {})", check.assume);
-  if (!check.equally.empty()) text += fmt::format(", or equally --assume {}", fmt::join(check.equally, " or --assume "));
-  return text;
+  nlohmann::json figures = checkJson(check, units);
+  figures["units"] = unitsJson(units);
+  return textOf(figures, kCheckWords);
 }
 
 std::string checksText(const MeasurementChecks& checks, const Units& units) {
-  std::string text;
-  for (const auto& check : checks.checks)
-    text += fmt::format("  {}: {}\n", check.severity == CheckSeverity::kMistake ? "MISTAKE SUSPECTED" : "remark",
-                        checkText(check, units));
-  return text;
+  nlohmann::json figures = {{"units", unitsJson(units)}};
+  addChecks(checks, units, figures);
+  return textOf(figures, kChecksWords);
+}
+
+std::string warningsText(const std::vector<std::string>& warnings) {
+  return textOf(nlohmann::json{{"warnings", warnings}}, kWarningWords);
 }
 
 std::string mistakeText(const MeasurementChecks& checks, const Units& units) {
@@ -72,14 +80,6 @@ std::vector<std::string> warningsWithChecks(const MeasurementChecks& checks, std
       all.push_back(checkText(check, units));
   all.insert(all.end(), warnings.begin(), warnings.end());
   return all;
-}
-
-std::string setAsideText(const std::vector<std::string>& ids, std::size_t readings) {
-  if (ids.empty()) return "";
-  std::vector<std::string> names;
-  for (const std::string& id : ids) names.push_back(nameInLine(id));
-  return fmt::format("  set aside as outliers: {} of {} readings ({:.2g} %): {}\n", names.size(), readings,
-                     100. * static_cast<double>(names.size()) / static_cast<double>(readings), fmt::join(names, ", "));
 }
 
 }  // namespace tubeplan::app

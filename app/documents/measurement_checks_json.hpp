@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/files/units.hpp"
@@ -34,7 +35,11 @@ inline constexpr const char* kMistakeWords = "Inconclusive: a mistake in the rea
 [[nodiscard]] std::vector<std::string> warningsWithChecks(const calibration::MeasurementChecks& checks,
                                                           std::vector<std::string> warnings, const Units& units);
 
-/// A line that names the readings set aside as outliers, and their share of all; empty where there are none.
-[[nodiscard]] std::string setAsideText(const std::vector<std::string>& ids, std::size_t readings);
+/// A line for each.
+[[nodiscard]] std::string warningsText(const std::vector<std::string>& warnings);
+
+/// Of a document's `set_aside`, once.
+inline constexpr std::string_view kSetAsideWords =
+    "  set aside as outliers, in no fit and no error: readings {set_aside:n} ({#set_aside})\n";
 
 }  // namespace tubeplan::app

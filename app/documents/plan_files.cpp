@@ -211,11 +211,15 @@ json planJson(const PlanRequest& request, const PlanOutcome& outcome) {
   return result;
 }
 
-std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome) {
+json planFileJson(const PlanRequest& request, const PlanOutcome& outcome) {
   json plan = planJson(request, outcome);
   plan["path_fingerprint"] = pathFingerprintOf(outcome);
   stateOrigin(plan);
-  return plan.dump(1) + "\n";
+  return plan;
+}
+
+std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome) {
+  return planFileJson(request, outcome).dump(1) + "\n";
 }
 
 std::string pathCsv(const PlanOutcome& outcome) {

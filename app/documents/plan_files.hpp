@@ -18,6 +18,7 @@ namespace tubeplan::app {
 [[nodiscard]] int expectedSteps(const PlanOutcome& outcome, std::size_t k);
 
 /// plan.json's text: planJson() with the fingerprint of the path's numbers, by which `verify` knows them again.
+[[nodiscard]] nlohmann::json planFileJson(const PlanRequest& request, const PlanOutcome& outcome);
 [[nodiscard]] std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome);
 
 /// time_s,segment,kind,<joint>_<angle>...,leg,row,column: the tube that the row leads to or from

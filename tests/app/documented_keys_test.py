@@ -1,4 +1,7 @@
-"""documented_keys_test.py TUBEPLAN SOURCE: the keys that docs/files.md names are those that the commands write."""
+"""documented_keys_test.py TUBEPLAN SOURCE: the keys that docs/files.md names are those that the commands write, and what
+they print as CSV and Markdown holds all figures."""
+import csv
+import io
 import json
 import pathlib
 import re
@@ -23,12 +26,49 @@ def documented():
     return rows
 
 
+def is_plain(value):
+    return all(map(is_plain, value)) if isinstance(value, list) else not (isinstance(value, dict) and value)
+
+
+def leaves(value, path=()):
+    """Paths of figures; a list of plain values is one."""
+    if is_plain(value):
+        return [path]
+    inner = value.items() if isinstance(value, dict) else enumerate(value)
+    return [leaf for key, one in inner for leaf in leaves(one, (*path, key))]
+
+
+def in_markdown(text):
+    """Keys of the first table, and of the others (list, row, column)."""
+    first, *others = re.split(r"^## ", text, flags=re.M)
+    cells = [re.split(r"(?<!\\) ?\| ?", line)[1:-1] for line in first.splitlines()[2:] if line]
+    keys = {row[0] for row in cells}
+    for other in others:
+        name, _, heading, _, *rows = other.rstrip().splitlines()
+        columns = [re.sub(r" \[[^]]*\]$", "", cell) for cell in re.split(r" ?\| ?", heading)[1:-1]]
+        keys.update((name, len(rows), column) for column in columns)
+    return keys
+
+
 class DocumentedKeys(unittest.TestCase):
+    def expect_all(self, figures, as_csv, as_markdown):
+        keys = {row["key"] for row in csv.DictReader(io.StringIO(as_csv))}
+        tables = in_markdown(as_markdown)
+        for leaf in leaves(figures):
+            self.assertIn("/".join(map(str, leaf)), keys)
+            place = next((k for k, part in enumerate(leaf) if isinstance(part, int)), None)
+            if place is None:
+                self.assertIn("/".join(leaf), tables)
+                continue
+            name, column = "/".join(leaf[:place]), "/".join(map(str, leaf[place + 1:]))
+            self.assertTrue(any(t[0] == name and t[1] > leaf[place] and t[2] == column for t in tables if len(t) == 3), leaf)
+
     def test_every_key_that_is_written_is_named(self):
         rows = documented()
         with tempfile.TemporaryDirectory() as folder:
             def run(words):
-                subprocess.run([PROGRAM, *words.split()], cwd=folder, capture_output=True, timeout=240, check=False)
+                return subprocess.run([PROGRAM, *words.split()], cwd=folder, capture_output=True, text=True, timeout=240,
+                                      check=False).stdout
 
             bench, mockup = CELLS / "bench.yaml", CELLS / "mockup.yaml"
             run(f"simulate {bench} --design bench --readings 40 --seed 7 --spread 0.1 --hide hysteresis@theta4:0.06deg --out s")
@@ -43,9 +83,11 @@ class DocumentedKeys(unittest.TestCase):
             seen = {}
             for words in asked:
                 command = words.split()[0]
-                run(words + " --json figures.json")
-                figures = set(json.loads((pathlib.Path(folder) / "figures.json").read_text()))
+                as_csv = run(words + " --json figures.json --format csv")
+                document = json.loads((pathlib.Path(folder) / "figures.json").read_text())
+                figures = set(document)
                 with self.subTest(words):
+                    self.expect_all(document, as_csv, run(words + " --format markdown"))
                     self.assertEqual(figures - rows[command] - COMMON, set(), "written and not named")
                 seen.setdefault(command, set()).update(figures)
             self.assertEqual(set(rows), set(seen))

@@ -45,6 +45,21 @@ TEST_F(Program, mapsTheMockUp) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4675);
 }
 
+TEST_F(Program, printsFiguresInEveryFormat) {
+  const std::string map = "map " + shipped("mockup.yaml");
+  for (const char* words : {" --format json", " --json -", " --json - --format json"})
+    EXPECT_EQ(nlohmann::json::parse(run(map + words).out)["holes"], 4674) << words;
+  for (const auto& [format, row] : {std::pair("csv", "\npitch,pitch,1.0625,in,\n"),
+                                    std::pair("markdown", "\n| pitch | pitch | 1.0625 | in |  |\n")}) {
+    const Outcome outcome = run(map + " --json beside.json --format " + format);
+    expectSays(outcome.out, row);
+    EXPECT_EQ(nlohmann::json::parse(contentOf(folder / "beside.json"))["holes"], 4674);
+    expectRefused(map + " --json - --format " + format, {"--format", format, "standard output"});
+  }
+  expectSays(run(map).out, "4674 holes");
+  expectRefused(map + " --format yaml", {"--format"});
+}
+
 TEST_F(Program, helpsWithAnExampleForEachCommand) {
   for (const char* words : {"", "help", "--help"}) {
     const Outcome outcome = run(words);

@@ -13,7 +13,7 @@ const nlohmann::json kDocument = nlohmann::json::parse(R"({
   "units": {"length": "in"}, "unit": "deg", "size": 0.0123456, "large": 1331.2, "fall": -0.5, "nothing": null,
   "count": 3, "none": 0, "zero": 0.0, "share": 0.125, "p": 0.0123, "is_known": true, "is_free": false, "empty": [],
   "list": [1, 2.5], "closed": [1, 2], "from": [1.5, null], "to": [null, 2], "open": [null, null], "name": "a\nb",
-  "rms": {"before": 4, "unit": "mm"},
+  "rms": {"before": 4, "unit": "mm"}, "states": {"open": 4, "plugged": 2},
   "bases": [{"setup": "first", "at": [1, 2], "notes": ["x", "y"]}, {"setup": "", "at": [3, null]}]})");
 
 TEST(DocumentText, fillsInFigures) {
@@ -32,6 +32,7 @@ TEST(DocumentText, fillsInFigures) {
                 {"{list/1} of {#list}, {count}, {none}", "2.5 of 2, 3, 0"},
                 {"{closed:.3i}, {from:.3i}, {to:.3i}, {open:.3i}", "1 to 2, 1.5 or more, 2 or less, anything"},
                 {"{unit:>5}{unit:<5}|{count:5}|{unit:5}|", "  degdeg  |    3|deg  |"},
+                {"{states}", "4 open, 2 plugged"},
                 {"{rms/before} {rms/unit}", "4 mm"}};
   for (const auto& [words, text] : kCases) EXPECT_EQ(textOf(kDocument, words), text);
   EXPECT_EQ(textOf(kDocument, "{name:n}").find('\n'), std::string::npos);

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/cli/json_target.hpp"
+#include "app/commands/figures_target.hpp"
 #include "app/documents/figures.hpp"
 #include "app/files/cell_reader.hpp"
 #include "app/files/units_json.hpp"
@@ -82,7 +82,7 @@ TEST_F(CommandInputs, writeJsonWithUnits) {
                             {"p", vectorJson(Eigen::Vector3d(0.0254, 0, -0.0127), cell.units, dimension::kLength)}};
   EXPECT_EQ(json["units"]["length"], "in");
   EXPECT_EQ(json["p"], nlohmann::json({1.0, 0.0, -0.5}));
-  writeJson((folder / "out.json").string(), json);
+  writeFigures({(folder / "out.json").string()}, json);
   nlohmann::json written = nlohmann::json::parse(contentOf(folder / "out.json"));
   EXPECT_TRUE(written.contains("version"));
   written.erase("version");

@@ -1,4 +1,4 @@
-// A diagnosis in words: its sentences, which pages and reports show as they are, and a screen for people.
+// A diagnosis in words: its sentences, which texts, pages and reports show as they are.
 #pragma once
 
 #include <string>
@@ -9,9 +9,6 @@
 
 namespace tubeplan::app {
 
-/// Of what remains where no term of the unknown discrepancy, smooth functions all, takes it.
-inline constexpr const char* kFollowsNothing = "follows no slow function of what the readings record";
-
 /// What the probabilities of a ranking are: each is of the models that the effect is part of.
 inline constexpr const char* kProbabilityWords =
     "the probability of an effect is that it is there; several may be, so that these do not add to 100 %";
@@ -19,6 +16,12 @@ inline constexpr const char* kProbabilityWords =
 /// The ids of the readings at these places.
 [[nodiscard]] std::vector<std::string> idsOf(const std::vector<int>& places,
                                              const std::vector<calibration::Measurement>& readings);
+
+/// "half width 0.0586 ± 0.0010 deg"; of a size that the readings leave open "x -0.040 to 0.042 in".
+[[nodiscard]] std::string numberText(const calibration::FoundNumber& number, const Units& units);
+
+/// "hysteresis at theta4 (half width 0.0586 ± 0.0010 deg) and ...".
+[[nodiscard]] std::string sizesText(const calibration::Explanation& explanation, const Units& units);
 
 /// "hysteresis at theta4 and link-bending at 4 places".
 [[nodiscard]] std::string namesText(const calibration::Explanation& explanation);
@@ -31,13 +34,6 @@ inline constexpr const char* kProbabilityWords =
 
 /// The same as one text.
 [[nodiscard]] std::string diagnosisSentence(const calibration::Diagnosis& result, const Units& units);
-
-[[nodiscard]] std::string diagnosisText(const calibration::Diagnosis& result,
-                                        const std::vector<calibration::Measurement>& readings, const Units& units);
-
-/// The command that adds the first alternative to the cell of this path; empty where there is none.
-[[nodiscard]] std::string additionCommand(const calibration::Diagnosis& result, const std::string& cell,
-                                          const Units& units);
 
 /// An effect that a diagnosis found, as AdditionRequest::causes takes it.
 [[nodiscard]] std::string additionText(const calibration::FoundEffect& found, const deflection::Arm& arm,

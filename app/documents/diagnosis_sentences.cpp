@@ -1,18 +1,15 @@
-#include "app/documents/diagnosis_text.hpp"
+#include "app/documents/diagnosis_sentences.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/files/effects_reader.hpp"
-#include "app/files/input_error.hpp"
 #include "calibration/estimation/size_modes.hpp"
 
 namespace tubeplan::app {
@@ -24,6 +21,9 @@ using calibration::Diagnosis, calibration::Explanation, calibration::FoundEffect
 
 constexpr int kDigits = 3;  // of a length in a sentence
 
+/// Of what remains where no term of the unknown discrepancy, smooth functions all, takes it.
+constexpr const char* kFollowsNothing = "follows no slow function of what the readings record";
+
 /// "0.0586 ± 0.0010": sigma to two digits, the value to the same decimals.
 std::string withSigmaText(double value, double sigma) {
   constexpr double kLeastPlain = 1e-3, kMostPlain = 1e5;
@@ -31,19 +31,6 @@ std::string withSigmaText(double value, double sigma) {
   if (!(sigma > 0) || size < kLeastPlain || size >= kMostPlain) return fmt::format("{:.3g} ± {:.2g}", value, sigma);
   const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 9);
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sigma, decimals);
-}
-
-/// "half width 0.0586 ± 0.0010 deg"; of a size that the readings leave open "x -0.040 to 0.042 in".
-std::string numberText(const FoundNumber& number, const Units& units) {
-  const Dimension unit = dimensionOf(number.quantity);
-  const std::string unit_name = units.nameOf(unit) == "1" ? "" : " " + units.nameOf(unit);
-  const double factor = units.factor(unit), value = number.value / factor, sigma = number.sigma / factor;
-  std::string name = number.name;
-  std::replace(name.begin(), name.end(), '_', ' ');
-  if (std::isfinite(number.lower))
-    return fmt::format("{} {:.3g} to {:.3g}{}", name, number.lower / factor, number.upper / factor, unit_name);
-  return fmt::format("{} {}{}", name, std::isnan(sigma) ? fmt::format("{:.3g}", value) : withSigmaText(value, sigma),
-                     unit_name);
 }
 
 std::string effectAtPlace(const std::string& effect, const std::string& at) {
@@ -60,12 +47,6 @@ std::string foundText(const FoundEffect& effect, const Units& units) {
   const std::string name = effectAtPlace(effect.effect, effect.at);
   if (numbers.size() > kMost) return fmt::format("{} ({} numbers)", name, numbers.size());
   return numbers.empty() ? name : fmt::format("{} ({})", name, fmt::join(numbers, ", "));
-}
-
-std::string sizesText(const Explanation& explanation, const Units& units) {
-  std::vector<std::string> effects;
-  for (const auto& effect : explanation.effects) effects.push_back(foundText(effect, units));
-  return fmt::format("{}", fmt::join(effects, " and "));
 }
 
 /// With sizes where that is short.
@@ -219,6 +200,24 @@ std::vector<std::string> sentencesOf(const Diagnosis& result, const Units& units
 
 }  // namespace
 
+std::string numberText(const FoundNumber& number, const Units& units) {
+  const Dimension unit = dimensionOf(number.quantity);
+  const std::string unit_name = units.nameOf(unit) == "1" ? "" : " " + units.nameOf(unit);
+  const double factor = units.factor(unit), value = number.value / factor, sigma = number.sigma / factor;
+  std::string name = number.name;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (std::isfinite(number.lower))
+    return fmt::format("{} {:.3g} to {:.3g}{}", name, number.lower / factor, number.upper / factor, unit_name);
+  return fmt::format("{} {}{}", name, std::isnan(sigma) ? fmt::format("{:.3g}", value) : withSigmaText(value, sigma),
+                     unit_name);
+}
+
+std::string sizesText(const Explanation& explanation, const Units& units) {
+  std::vector<std::string> effects;
+  for (const auto& effect : explanation.effects) effects.push_back(foundText(effect, units));
+  return fmt::format("{}", fmt::join(effects, " and "));
+}
+
 std::vector<std::string> idsOf(const std::vector<int>& places, const std::vector<Measurement>& readings) {
   std::vector<std::string> ids;
   for (const int place : places) ids.push_back(readings.at(static_cast<std::size_t>(place)).id);
@@ -254,96 +253,6 @@ std::vector<std::string> diagnosisSentences(const Diagnosis& result, const Units
 
 std::string diagnosisSentence(const Diagnosis& result, const Units& units) {
   return fmt::format("{}", fmt::join(diagnosisSentences(result, units), " "));
-}
-
-namespace {
-
-/// One alternative with its other names.
-std::string alternativeText(const Explanation& alternative, const Units& units) {
-  std::string text = fmt::format("  {:.3f}  {}\n", alternative.probability, sizesText(alternative, units));
-  for (const auto& effect : alternative.effects) {
-    if (const std::string also = alsoText(effect); !also.empty()) text += fmt::format("         {}\n", also);
-    for (const auto& number : effect.numbers)
-      if (number.is_beyond_usual)
-        text += fmt::format("         {} of {} is larger than in real machines\n", number.name,
-                            effectAtPlace(effect.effect, effect.at));
-  }
-  return text;
-}
-
-/// The most probable models that were fitted; of several with the same effects the first.
-std::string closestText(const Diagnosis& result, const Units& units) {
-  constexpr std::size_t kMost = 6;
-  std::vector<std::string> names;
-  std::string text;
-  for (const Explanation& model : result.closest) {
-    const std::string name = shortText(model, units);
-    if (names.size() == kMost || std::find(names.begin(), names.end(), name) != names.end()) continue;
-    names.push_back(name);
-    text += fmt::format("  fitted: {}: probability {:.3f}, chi-square {:.1f}, rms {}\n", name, model.probability,
-                        model.chi2, errorText(model.after.rms, result, units, 4));
-  }
-  return text;
-}
-
-/// The least of each kind that would have been seen, at the place where it shows best.
-std::string detectableText(const Diagnosis& result, const Units& units) {
-  std::map<std::string, const calibration::DetectableEffect*> least;
-  for (const auto& entry : result.detectable) {
-    const auto*& kept = least[entry.effect];
-    if (!kept ||
-        std::make_pair(entry.is_beyond_plausible, entry.size) < std::make_pair(kept->is_beyond_plausible, kept->size))
-      kept = &entry;
-  }
-  std::string text = least.empty() ? "" : "  smallest size that would be detected with a power of 80 %:\n";
-  for (const auto& [effect, entry] : least) {
-    const Dimension unit = dimensionOf(entry->quantity);
-    if (!std::isfinite(entry->size)) {
-      text += fmt::format("    {:<24} {:<22} not detectable: it moves none of these readings\n", effect, entry->at);
-      continue;
-    }
-    text += fmt::format("    {:<24} {:<22} {:>9.3g} {}{}\n", effect, entry->at, entry->size / units.factor(unit),
-                        units.nameOf(unit), entry->is_beyond_plausible ? " (more than in real machines)" : "");
-  }
-  return text;
-}
-
-}  // namespace
-
-std::string additionCommand(const Diagnosis& result, const std::string& cell, const Units& units) {
-  if (result.alternatives.empty()) return "";
-  std::string causes;
-  for (const auto& effect : result.alternatives.front().effects)
-    causes += " '" + additionText(effect, result.baseline.fitted.arm, units) + "'";
-  return fmt::format("to add it: tubeplan add {}{} --out better.yaml\n", cell, causes);
-}
-
-std::string diagnosisText(const Diagnosis& result, const std::vector<Measurement>& readings, const Units& units) {
-  std::string text = fmt::format("{}\n{}\n", nameOf(result.verdict), diagnosisSentence(result, units));
-  if (result.verdict == Verdict::kNotRun) return text;
-  text += fmt::format("chi-square {:.1f} for {} degrees of freedom\n", result.chi2, result.degrees_of_freedom);
-  if (std::isfinite(result.nothing_probability))
-    text += fmt::format("nothing missing has probability {:.3g}\n", result.nothing_probability);
-  if (result.model_error > 0)
-    text += fmt::format("scatter of about {} (root mean square) beyond the stated noise {}\n",
-                        errorText(calibration::lengthOfRows(readings) * result.model_error, result, units),
-                        kFollowsNothing);
-  if (const std::string budget = errorBudgetText(budgetOf(result), result.set_aside.size(), units); !budget.empty())
-    text += budget + "\n";
-  for (const auto& alternative : result.alternatives) text += alternativeText(alternative, units);
-  if (!result.ranking.empty())
-    text +=
-        fmt::format("  {:<40} {:>9} {:>15}   size   ({})\n", "effect", "is there", "chi2 falls by", kProbabilityWords);
-  for (std::size_t k = 0; k < result.ranking.size() && k < 10; ++k) {
-    const auto& entry = result.ranking[k];
-    text += fmt::format("  {:<40} {:>9.3f} {:>15.1f}   {}\n", entry.effect + "@" + entry.at, entry.probability,
-                        entry.fall, numberText(entry.size, units));
-  }
-  text += closestText(result, units) + setAsideText(idsOf(result.set_aside, readings), readings.size());
-  for (const auto& lack : result.not_tried) text += "  not tried: " + lack + "\n";
-  if (result.verdict == Verdict::kAdequate || result.verdict == Verdict::kInconclusive)
-    text += detectableText(result, units);
-  return text;
 }
 
 std::string additionText(const calibration::FoundEffect& found, const deflection::Arm& arm, const Units& units) {

@@ -1,0 +1,61 @@
+#include "app/commands/figures_target.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/documents/figure_list.hpp"
+#include "app/files/atomic_file.hpp"
+#include "app/files/input_error.hpp"
+#include "app/files/origin.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+struct OutputFormat {
+  std::string_view name;
+  std::string (*write)(const nlohmann::json& figures);  ///< null: each command has its own text
+};
+
+std::string jsonText(const nlohmann::json& figures) { return figures.dump(2) + "\n"; }
+
+constexpr OutputFormat kFormats[] = {
+    {"text", nullptr}, {"json", jsonText}, {"csv", figuresCsv}, {"markdown", figuresMarkdown}};
+
+/// What standard output is for: --json - says the same as --format json.
+const OutputFormat& formatOf(const FiguresTarget& target) {
+  const std::string name = target.json == "-" ? "json" : target.format;
+  return *std::ranges::find(kFormats, name, &OutputFormat::name);
+}
+
+}  // namespace
+
+std::vector<std::string> figureFormats() {
+  std::vector<std::string> names;
+  for (const auto& format : kFormats) names.emplace_back(format.name);
+  return names;
+}
+
+void checkFigures(const FiguresTarget& target) {
+  if (target.json == "-" && target.format != "text" && target.format != "json")
+    throw InputError("--format", target.format + " with --json -", "one document on standard output",
+                     "give --json a file");
+  if (!target.json.empty() && target.json != "-") checkWritableFile(target.json, "--json");
+}
+
+void writeFigures(const FiguresTarget& target, nlohmann::json figures) {
+  stateOrigin(figures);
+  if (!target.json.empty() && target.json != "-") writeFileAtomically(target.json, jsonText(figures), "--json");
+  if (!printsText(target)) fmt::print("{}", formatOf(target).write(figures));
+}
+
+bool printsText(const FiguresTarget& target) { return !formatOf(target).write; }
+
+void showFigures(const FiguresTarget& target, nlohmann::json figures, const std::string& text) {
+  writeFigures(target, std::move(figures));
+  if (printsText(target)) fmt::print("{}", text);
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,105 @@
+#include "app/documents/figure_units.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <ranges>
+
+namespace tubeplan::app {
+
+namespace {
+
+using nlohmann::json;
+
+/// Keys that end the path of a figure, or with a stroke behind them stand anywhere in it; the first row that has one
+/// counts. A unit's name is the first of `units` that is found, from the figure outwards; behind = it is stated.
+struct UnitRow {
+  std::string_view units, keys;
+};
+
+constexpr UnitRow kUnitRows[] = {
+    {"",
+     "bits/ by_size/size calibrated/ correlations/value false_alarms/ in_all_holes/ inconclusive/ missed/ named/ "
+     "prior/sigma probability/ refused/ repeats/ truth_among_answers/ wrong/"},
+    {"units/length",
+     "base/sigma compensated/max compensated/rms heldout_rms/with heldout_rms/without mean/sigma "
+     "mean/value none/max none/rms patterns/size quantiles/ readings/after readings/before readings/explained "
+     "scored/goal_point/error scored/none/error scored/via_point/error surfaces/rms "
+     "tested/size tip_sigma/ tip_sigma_then/ trend/error worst/error"},
+    {"units/angle", "angle base_turn_sigma fixed_angles rotation rpy tilt turn worst_tilt"},
+    {"unit",
+     "error_budget/explained filed high interval joints/encoder_sigma joints/mean joints/spread low modes neutral "
+     "noise "
+     "off plausible sigma/after sigma/now sigma/random sigma_before start total trend/at value"},
+    {"=of the joint", "encoder_sigma/ joint_corrections joints posture/"},
+    {"unit error_unit units/length", "remainder sigma size"},
+    {"size_unit", "size_after size_before size_explained"},
+    {"error_unit units/length",
+     "after after_base as_it_stands before fitted floor heldout heldout_after heldout_before heldout_rms max mean "
+     "model_error noise_floor rms worst"},
+    {"units/length",
+     "approach_deviation base_shift_sigma by_arm center centre centring_error clearance_required deflection "
+     "deflection_per_percent diameter difference displacement distance dx dy error_after error_as_is error_before "
+     "error_if_mended error_per_percent error_per_percent_base_known error_per_sigma extents/ followed_rms height hole "
+     "hole_diameter insertion least_margin_proved least_play_in_tube line_deviation mean_centring_error "
+     "mean_deflection mean_touch_error mean_uncompensated_error measured min_clearance on_sheet padding/added pitch "
+     "place position position_after position_before predicted_tip radius reach residual shift step_tolerances tip "
+     "tip_error touch_sigma uncompensated_per_percent unmodelled_sigma worst_approach_deviation worst_centring "
+     "worst_centring_error worst_statics_difference"},
+    {"units/force", "force force_base force_link load weight"},
+    {"units/force*units/length", "moment moment_base moment_link"},
+    {"=s", "lower_bound_s row_by_row_time_s total_time_s travel_time_s"}};
+
+bool isAtEnd(std::string_view path, std::string_view key) {
+  const std::string within = fmt::format("/{}", path), at = fmt::format("/{}", key);
+  return key.ends_with('/') ? within.find(at) != within.npos : within.ends_with(at);
+}
+
+template <class Each>
+bool anyOf(std::string_view text, char mark, Each&& holds) {
+  for (const auto part : std::views::split(text, mark))
+    if (holds(std::string_view(part.begin(), part.end()))) return true;
+  return false;
+}
+
+std::string nameAt(std::string_view path, std::span<const json* const> scopes) {
+  const json::json_pointer pointer(fmt::format("/{}", path));
+  for (const json* scope : std::views::reverse(scopes))
+    if (scope->is_object() && scope->contains(pointer) && (*scope)[pointer].is_string())
+      return (*scope)[pointer].get<std::string>();
+  return "";
+}
+
+/// Of several that are multiplied "lbf*in".
+std::string productAt(std::string_view paths, std::span<const json* const> scopes) {
+  std::string product;
+  (void)anyOf(paths, '*', [&](std::string_view path) {
+    product += (product.empty() ? "" : "*") + nameAt(path, scopes);
+    return false;
+  });
+  return product;
+}
+
+/// Conditions are stated with their units in the document.
+std::string conditionUnit(std::string_view path, const json& document) {
+  const json::json_pointer conditions("/units/conditions");
+  if (!document.contains(conditions)) return "";
+  for (const auto& condition : document[conditions])
+    if (isAtEnd(path, condition.at("name").get<std::string>())) return condition.at("unit").get<std::string>();
+  return "";
+}
+
+}  // namespace
+
+std::string figureUnit(std::string_view path, std::span<const json* const> scopes) {
+  for (const auto& [units, keys] : kUnitRows) {
+    if (!anyOf(keys, ' ', [&](std::string_view key) { return isAtEnd(path, key); })) continue;
+    if (units.starts_with('=')) return std::string(units.substr(1));
+    std::string unit;
+    (void)anyOf(units, ' ', [&](std::string_view one) { return !(unit = productAt(one, scopes)).empty(); });
+    return unit == "1" ? "" : unit;
+  }
+  return conditionUnit(path, *scopes.front());
+}
+
+}  // namespace tubeplan::app
