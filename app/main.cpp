@@ -12,7 +12,7 @@
 #include "app/cli/command.hpp"
 #include "app/cli/stop_signal.hpp"
 #include "app/commands/command_line.hpp"
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/studies/job_steps.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/workcell.hpp"
 #include "benchmarks/run_benchmarks.hpp"
 #include "deflection/frames_along_chords.hpp"
 #include "deflection/prepared_arm.hpp"

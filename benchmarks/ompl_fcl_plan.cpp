@@ -9,7 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/workcell.hpp"
 #include "benchmarks/library_plan.hpp"
 #include "planner/collision/arm_clearance.hpp"
 #include "planner/timing/trapezoid_timing.hpp"

@@ -2,7 +2,7 @@
 // of the mock-up's tubes and the whole sheet, straight moves.
 #include <benchmark/benchmark.h>
 
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/workcell.hpp"
 #include "benchmarks/run_benchmarks.hpp"
 #include "planner/order/visit_order.hpp"
 #include "planner/reach/tube_reach.hpp"

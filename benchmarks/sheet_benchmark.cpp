@@ -2,7 +2,7 @@
 // add to that, and the score of one visit to each.
 #include <benchmark/benchmark.h>
 
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/workcell.hpp"
 #include "planner/reach/scoring.hpp"
 #include "planner/reach/tube_reach.hpp"
 

@@ -7,12 +7,12 @@
 
 #include "app/cli/command.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/files/atomic_file.hpp"
-#include "app/files/cell_places.hpp"
-#include "app/files/cell_writer.hpp"
-#include "app/files/effects_reader.hpp"
-#include "app/files/input_error.hpp"
+#include "app/formats/cell/cell_places.hpp"
+#include "app/formats/cell/cell_writer.hpp"
+#include "app/formats/cell/effects_reader.hpp"
 #include "app/jobs/effect_addition.hpp"
+#include "app/storage/atomic_file.hpp"
+#include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
 

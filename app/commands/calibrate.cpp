@@ -10,12 +10,12 @@
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/files/atomic_file.hpp"
-#include "app/files/cell_places.hpp"
-#include "app/files/cell_writer.hpp"
-#include "app/files/reading_input.hpp"
-#include "app/files/touch_input.hpp"
+#include "app/formats/cell/cell_places.hpp"
+#include "app/formats/cell/cell_writer.hpp"
+#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/sheet/touch_input.hpp"
 #include "app/jobs/calibration.hpp"
+#include "app/storage/atomic_file.hpp"
 
 namespace tubeplan::app {
 

@@ -8,9 +8,9 @@
 #include <map>
 
 #include "app/commands/command_table.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/origin.hpp"
-#include "app/files/suggestion.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/origin.hpp"
+#include "app/storage/suggestion.hpp"
 #include "app/version.hpp"
 
 namespace tubeplan::app {

@@ -10,8 +10,8 @@
 #include "app/documents/comparison_json.hpp"
 #include "app/documents/diagnosis_pages.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/files/atomic_file.hpp"
 #include "app/jobs/comparison.hpp"
+#include "app/storage/atomic_file.hpp"
 
 namespace tubeplan::app {
 

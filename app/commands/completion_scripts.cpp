@@ -5,8 +5,8 @@
 #include <array>
 
 #include "app/commands/command_words.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/suggestion.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
 
 namespace tubeplan::app {
 

@@ -14,9 +14,9 @@
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/fill_in_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/files/atomic_file.hpp"
 #include "app/jobs/comparison.hpp"
 #include "app/jobs/diagnosis.hpp"
+#include "app/storage/atomic_file.hpp"
 
 namespace tubeplan::app {
 

@@ -7,9 +7,9 @@
 #include "app/commands/option_groups.hpp"
 #include "app/documents/effect_catalogue.hpp"
 #include "app/documents/figures.hpp"
-#include "app/files/cell_reader.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/suggestion.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
 #include "deflection/effects/effect.hpp"
 
 namespace tubeplan::app {

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figure_list.hpp"
-#include "app/files/atomic_file.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/origin.hpp"
+#include "app/storage/atomic_file.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/origin.hpp"
 
 namespace tubeplan::app {
 

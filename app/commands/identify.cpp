@@ -15,10 +15,10 @@
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/overlap_report.hpp"
 #include "app/documents/predicted_centring_json.hpp"
-#include "app/files/atomic_file.hpp"
-#include "app/files/cell_places.hpp"
-#include "app/files/cell_writer.hpp"
+#include "app/formats/cell/cell_places.hpp"
+#include "app/formats/cell/cell_writer.hpp"
 #include "app/jobs/identification.hpp"
+#include "app/storage/atomic_file.hpp"
 #include "calibration/diagnosis/judgement/verdict.hpp"
 
 namespace tubeplan::app {

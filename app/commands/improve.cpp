@@ -15,10 +15,10 @@
 #include "app/documents/error_figures.hpp"
 #include "app/documents/improvement_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/files/atomic_file.hpp"
-#include "app/files/cell_places.hpp"
-#include "app/files/cell_writer.hpp"
+#include "app/formats/cell/cell_places.hpp"
+#include "app/formats/cell/cell_writer.hpp"
 #include "app/jobs/improvement.hpp"
+#include "app/storage/atomic_file.hpp"
 
 namespace tubeplan::app {
 

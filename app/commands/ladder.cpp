@@ -11,7 +11,7 @@
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/ladder_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/files/atomic_file.hpp"
+#include "app/storage/atomic_file.hpp"
 
 namespace tubeplan::app {
 

@@ -9,10 +9,10 @@
 #include "app/commands/option_groups.hpp"
 #include "app/documents/figures_text.hpp"
 #include "app/documents/sheet_json.hpp"
-#include "app/files/atomic_file.hpp"
-#include "app/files/cell_reader.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/units_json.hpp"
+#include "app/storage/atomic_file.hpp"
+#include "app/storage/input_error.hpp"
 #include "tubesheets/hole_map_csv.hpp"
 
 namespace tubeplan::app {

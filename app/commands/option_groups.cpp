@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "app/cli/browser.hpp"
-#include "app/files/assumptions.hpp"
-#include "app/files/atomic_file.hpp"
-#include "app/files/suggestion.hpp"
+#include "app/formats/measurements/assumptions.hpp"
+#include "app/storage/atomic_file.hpp"
+#include "app/storage/suggestion.hpp"
 #include "tubesheets/csv_table.hpp"
 #include "tubesheets/tube_columns.hpp"
 

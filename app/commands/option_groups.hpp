@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "app/commands/figures_target.hpp"
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 
 namespace tubeplan::app {
 
 void addCell(CLI::App& cli, std::string& cell);
-void addReadings(CLI::App& cli, ReadingFiles& files);  ///< MEASUREMENTS, one or several files
+void addReadings(CLI::App& cli, ReadingFiles& files);   ///< MEASUREMENTS, one or several files
 void addFigures(CLI::App& cli, FiguresTarget& target);  ///< --json and --format
 
 /// --seed; `of`: what it is the seed of, for --help.
@@ -27,7 +27,8 @@ void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options);
 /// --assume alone, of commands that take readings beside their own question.
 void addAssumeOption(CLI::App& cli, std::vector<std::string>& assume);
 
-/// --column, of every command whose --tubes may be a work list: what its columns are (app/files/command_inputs.cpp).
+/// --column, of every command whose --tubes may be a work list: what its columns are
+/// (app/formats/cell/command_inputs.cpp).
 CLI::Option* addListColumns(CLI::App& cli, std::vector<std::string>& columns);
 
 /// A page about what was found: --report FILE, and --open.

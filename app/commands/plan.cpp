@@ -17,7 +17,7 @@
 #include "app/documents/plan_files.hpp"
 #include "app/documents/plan_text.hpp"
 #include "app/documents/trajectory_yaml.hpp"
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/plan_reader.hpp"
+#include "app/formats/plan/plan_reader.hpp"
 #include "tubesheets/sheet.hpp"
 
 namespace tubeplan::app {

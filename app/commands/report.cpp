@@ -12,8 +12,8 @@
 #include "app/commands/option_groups.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/printed_page.hpp"
-#include "app/files/atomic_file.hpp"
 #include "app/report/diagnosis_report.hpp"
+#include "app/storage/atomic_file.hpp"
 #include "app/workbench/project.hpp"
 #include "app/workbench/project_report.hpp"
 

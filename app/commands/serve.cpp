@@ -12,7 +12,7 @@
 #include "app/cli/browser.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/stop_signal.hpp"
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/workbench/http_server.hpp"
 #include "app/workbench/line_server.hpp"
 #include "app/workbench/live.hpp"

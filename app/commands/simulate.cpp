@@ -9,10 +9,10 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/stop_signal.hpp"
 #include "app/commands/option_groups.hpp"
-#include "app/files/atomic_file.hpp"
-#include "app/files/measurements_writer.hpp"
-#include "app/files/simulation_input.hpp"
-#include "app/files/truth_file.hpp"
+#include "app/formats/cell/simulation_input.hpp"
+#include "app/formats/cell/truth_file.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
+#include "app/storage/atomic_file.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {

@@ -13,8 +13,8 @@
 #include "app/documents/fill_in_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/touch_proposals.hpp"
-#include "app/files/atomic_file.hpp"
-#include "app/files/measurements_writer.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
+#include "app/storage/atomic_file.hpp"
 
 namespace tubeplan::app {
 

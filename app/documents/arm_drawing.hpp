@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 #include "deflection/arm.hpp"
 
 namespace tubeplan::app {

@@ -8,7 +8,7 @@
 
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/units_json.hpp"
 #include "deflection/effects/rigid_frames.hpp"
 #include "deflection/weights.hpp"
 

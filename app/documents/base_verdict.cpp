@@ -8,8 +8,8 @@
 
 #include "app/documents/figures.hpp"
 #include "app/documents/pattern_json.hpp"
-#include "app/files/joint_units.hpp"
-#include "app/files/units.hpp"
+#include "app/formats/arm/joint_units.hpp"
+#include "app/formats/units.hpp"
 #include "calibration/patterns/comparison.hpp"
 
 namespace tubeplan::app {

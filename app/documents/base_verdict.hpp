@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "calibration/estimation/base_calibration.hpp"
 
 namespace tubeplan::app {
@@ -27,8 +27,8 @@ struct BaseVerdict {
 /// Judges a base against `cell` as it was before, its base the nominal one; of one that was refused, its touches alone.
 [[nodiscard]] BaseVerdict judgeBase(const calibration::BaseCalibration& base, const Cell& cell);
 
-/// {verdict: adequate | falls-short, warnings, to_do, nominal: {shift, turn, distance, angle, pitches, implausible}}; without
-/// `nominal` for a base that was refused.
+/// {verdict: adequate | falls-short, warnings, to_do, nominal: {shift, turn, distance, angle, pitches, implausible}};
+/// without `nominal` for a base that was refused.
 [[nodiscard]] nlohmann::json baseVerdictJson(const BaseVerdict& verdict, const calibration::BaseCalibration& base,
                                              const Units& units);
 

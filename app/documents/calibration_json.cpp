@@ -6,9 +6,9 @@
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
 #include "app/documents/pose_json.hpp"
-#include "app/files/joint_units.hpp"
-#include "app/files/units.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/arm/joint_units.hpp"
+#include "app/formats/units.hpp"
+#include "app/formats/units_json.hpp"
 
 namespace tubeplan::app {
 

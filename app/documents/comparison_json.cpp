@@ -15,8 +15,8 @@
 #include "app/documents/identification_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/pattern_json.hpp"
-#include "app/files/joint_units.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/arm/joint_units.hpp"
+#include "app/formats/units_json.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 #include "calibration/patterns/comparison.hpp"
 
 namespace tubeplan::app {

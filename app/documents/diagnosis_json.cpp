@@ -13,8 +13,8 @@
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/files/effects_reader.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/cell/effects_reader.hpp"
+#include "app/formats/units_json.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {

@@ -12,8 +12,8 @@
 #include "app/documents/ladder_json.hpp"
 #include "app/documents/leverage_json.hpp"
 #include "app/documents/moments_json.hpp"
-#include "app/files/origin.hpp"
 #include "app/report/diagnosis_report.hpp"
+#include "app/storage/origin.hpp"
 
 namespace tubeplan::app {
 

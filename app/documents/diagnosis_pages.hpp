@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "app/studies/model/improvement.hpp"
 
 namespace tubeplan::app {

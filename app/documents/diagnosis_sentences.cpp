@@ -9,7 +9,7 @@
 #include "app/documents/error_figures.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/files/effects_reader.hpp"
+#include "app/formats/cell/effects_reader.hpp"
 #include "calibration/estimation/size_modes.hpp"
 
 namespace tubeplan::app {
@@ -20,9 +20,6 @@ using calibration::Diagnosis, calibration::Explanation, calibration::FoundEffect
     calibration::Measurement, calibration::Verdict;
 
 constexpr int kDigits = 3;  // of a length in a sentence
-
-/// Of what remains where no term of the unknown discrepancy, smooth functions all, takes it.
-constexpr const char* kFollowsNothing = "follows no slow function of what the readings record";
 
 /// "0.0586 ± 0.0010": sigma to two digits, the value to the same decimals.
 std::string withSigmaText(double value, double sigma) {

@@ -4,10 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
 
 namespace tubeplan::app {
+
+/// Predicate of a remainder that no slow function of the measurements' conditions explains.
+inline constexpr const char* kFollowsNothing = "follows no slow function of what the readings record";
 
 /// What the probabilities of a ranking are: each is of the models that the effect is part of.
 inline constexpr const char* kProbabilityWords =

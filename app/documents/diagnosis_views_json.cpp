@@ -11,7 +11,7 @@
 #include "app/documents/diagnosis_sentences.hpp"
 #include "app/documents/error_figures.hpp"
 #include "app/documents/model_comparison_json.hpp"
-#include "app/files/joint_units.hpp"
+#include "app/formats/arm/joint_units.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
 
 namespace tubeplan::app {

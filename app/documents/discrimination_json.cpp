@@ -10,8 +10,8 @@
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
 #include "app/documents/fill_in_json.hpp"
-#include "app/files/joint_units.hpp"
-#include "app/files/measurements_writer.hpp"
+#include "app/formats/arm/joint_units.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {

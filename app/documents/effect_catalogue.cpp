@@ -8,7 +8,7 @@
 
 #include "app/documents/effect_words_json.hpp"
 #include "app/documents/figures.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/units_json.hpp"
 #include "deflection/effects/effect.hpp"
 
 namespace tubeplan::app {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 #include "calibration/diagnosis/effect_warnings.hpp"
 
 namespace tubeplan::app {

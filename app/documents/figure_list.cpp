@@ -9,7 +9,7 @@
 
 #include "app/documents/figure_units.hpp"
 #include "app/documents/figures.hpp"
-#include "app/files/utf8.hpp"
+#include "app/storage/utf8.hpp"
 
 namespace tubeplan::app {
 

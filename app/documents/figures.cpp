@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 
 namespace tubeplan::app {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 
 namespace tubeplan::app {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/documents/figures.hpp"
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
 

@@ -13,9 +13,9 @@ namespace tubeplan::app {
 /// is missing, null, false, empty or a count of none has no line; "+rms" and "-rms" are positive and negative numbers
 /// alone. "!rms" and "!+rms" have a line where those have none, "" has one always.
 ///
-/// {PATH:FORMAT UNIT} in `words` is a figure of the entry, else of what holds it, else of the document; UNIT is the
-/// path of its unit's name. {} is the entry itself, {#PATH} the length of a list, {@} the line's `name`. FORMAT is
-/// fmt's [<>][+][WIDTH][.DIGITS][TYPE] with more types: r, significant digits, whole numbers without an exponent; a,
+/// `{PATH:FORMAT UNIT}` in `words` is a figure of the entry, else of what holds it, else of the document; UNIT is the
+/// path of its unit's name. `{}` is the entry itself, `{#PATH}` the length of a list, `{@}` the line's `name`. FORMAT
+/// is fmt's [<>][+][WIDTH][.DIGITS][TYPE] with more types: r, significant digits, whole numbers without an exponent; a,
 /// the same of the size without its sign; l, with the decimals of a length; %, a share; p, the probability of chance;
 /// i, an interval, to as many digits; n, a name of the user's. A list is written with commas, or after * in columns of
 /// that width, an object as "4 open, 2 plugged", and a number that does not exist as "none".

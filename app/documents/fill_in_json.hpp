@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/measurements_writer.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
 
 namespace tubeplan::app {
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/files/foreign/clock_time.hpp"
-#include "app/files/foreign/foreign_heading.hpp"
+#include "app/formats/foreign/clock_time.hpp"
+#include "app/formats/foreign/foreign_heading.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/files/cell_reader.hpp"
-#include "app/files/foreign/foreign_readings.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/foreign/foreign_readings.hpp"
 
 namespace tubeplan::app {
 

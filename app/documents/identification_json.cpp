@@ -11,7 +11,7 @@
 #include "app/documents/figures_text.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/pose_json.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/units_json.hpp"
 #include "calibration/measurements/surfaces.hpp"
 #include "deflection/rotation.hpp"
 

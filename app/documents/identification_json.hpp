@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 #include "calibration/estimation/identification.hpp"
 
 namespace tubeplan::app {

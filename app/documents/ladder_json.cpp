@@ -6,8 +6,8 @@
 #include "app/documents/figures_text.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/model_comparison_json.hpp"
-#include "app/files/origin.hpp"
 #include "app/report/diagnosis_report.hpp"
+#include "app/storage/origin.hpp"
 
 namespace tubeplan::app {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 #include "app/studies/model/ladder_steps.hpp"
 
 namespace tubeplan::app {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/documents/figures.hpp"
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 

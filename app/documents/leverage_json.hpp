@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "calibration/measurement.hpp"
 
 namespace tubeplan::app {

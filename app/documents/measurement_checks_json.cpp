@@ -4,7 +4,7 @@
 
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/units_json.hpp"
 
 namespace tubeplan::app {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
 
 namespace tubeplan::app {

@@ -10,7 +10,7 @@
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
 #include "app/documents/step_table_json.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/units_json.hpp"
 #include "app/studies/model/ladder_steps.hpp"
 
 namespace tubeplan::app {

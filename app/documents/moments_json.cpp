@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/files/effects_reader.hpp"
+#include "app/formats/cell/effects_reader.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "deflection/effects/user_formula.hpp"

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 
 namespace tubeplan::app {
 

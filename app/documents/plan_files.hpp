@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/documents/plan_outcome.hpp"
-#include "app/files/atomic_file.hpp"
+#include "app/storage/atomic_file.hpp"
 
 namespace tubeplan::app {
 
@@ -21,7 +21,7 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json planFileJson(const PlanRequest& request, const PlanOutcome& outcome);
 [[nodiscard]] std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome);
 
-/// time_s,segment,kind,<joint>_<angle>...,leg,row,column: the tube that the row leads to or from
+/// Returns path.csv: `time_s,segment,kind,<joint>_<angle>...,leg,row,column`, the tube that the row leads to or from.
 [[nodiscard]] std::string pathCsv(const PlanOutcome& outcome);
 
 /// What the report page shows.

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/cell_reader.hpp"
-#include "app/files/plan_conditions.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/plan/plan_conditions.hpp"
 #include "app/studies/measurements/simulated_calibration.hpp"
 #include "app/studies/positioning/base_standing.hpp"
 #include "app/studies/positioning/step_chances.hpp"

@@ -12,9 +12,9 @@
 #include "app/documents/plan_files.hpp"
 #include "app/documents/sheet_json.hpp"
 #include "app/documents/step_chances_json.hpp"
-#include "app/files/origin.hpp"
-#include "app/files/units.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/units.hpp"
+#include "app/formats/units_json.hpp"
+#include "app/storage/origin.hpp"
 #include "deflection/flexible_kinematics.hpp"
 #include "planner/scene/scene_shapes.hpp"
 

@@ -7,7 +7,7 @@
 #include "app/documents/figures_text.hpp"
 #include "app/documents/plan_files.hpp"
 #include "app/documents/step_chances_json.hpp"
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 
 namespace tubeplan::app {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "app/documents/figures.hpp"
-#include "app/files/joint_units.hpp"
+#include "app/formats/arm/joint_units.hpp"
 #include "deflection/discretisation.hpp"
 #include "deflection/rotation.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/files/cell_reader.hpp"
-#include "app/files/units.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/units.hpp"
 #include "app/studies/positioning/base_standing.hpp"
 #include "deflection/flexible_kinematics.hpp"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 #include "app/studies/positioning/predicted_centring.hpp"
 
 namespace tubeplan::app {

@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figures.hpp"
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 
 namespace tubeplan::app {
 

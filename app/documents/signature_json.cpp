@@ -3,9 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/files/input_error.hpp"
-#include "app/files/joint_units.hpp"
-#include "app/files/suggestion.hpp"
+#include "app/formats/arm/joint_units.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
 #include "deflection/effects/signature.hpp"
 
 namespace tubeplan::app {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/figures_text.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/units_json.hpp"
 #include "calibration/statistics.hpp"
 
 namespace tubeplan::app {

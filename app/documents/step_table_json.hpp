@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 #include "app/studies/positioning/step_table.hpp"
 
 namespace tubeplan::app {

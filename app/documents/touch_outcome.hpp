@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "app/studies/measurements/touch_proposals.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
 

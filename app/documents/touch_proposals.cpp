@@ -8,9 +8,9 @@
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
 #include "app/documents/fill_in_json.hpp"
-#include "app/files/joint_units.hpp"
-#include "app/files/units.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/arm/joint_units.hpp"
+#include "app/formats/units.hpp"
+#include "app/formats/units_json.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 
 namespace tubeplan::app {

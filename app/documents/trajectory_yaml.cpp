@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 #include "planner/trajectory.hpp"
 
 namespace tubeplan::app {

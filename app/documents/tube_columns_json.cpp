@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/files/foreign/foreign_columns.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/text_file.hpp"
+#include "app/formats/foreign/foreign_columns.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/text_file.hpp"
 #include "tubesheets/tube_table.hpp"
 
 namespace tubeplan::app {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "app/files/units.hpp"
+#include "app/formats/units.hpp"
 #include "tubesheets/csv_table.hpp"
 #include "tubesheets/length_unit.hpp"
 #include "tubesheets/table_text.hpp"

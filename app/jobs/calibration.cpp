@@ -2,8 +2,8 @@
 
 #include "app/documents/calibration_json.hpp"
 #include "app/documents/step_chances_json.hpp"
-#include "app/files/cell_writer.hpp"
-#include "app/files/touch_input.hpp"
+#include "app/formats/cell/cell_writer.hpp"
+#include "app/formats/sheet/touch_input.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/positioning/step_chances.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "calibration/estimation/base_calibration.hpp"
 
 namespace tubeplan::app {

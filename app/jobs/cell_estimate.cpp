@@ -1,8 +1,8 @@
 #include "app/jobs/cell_estimate.hpp"
 
-#include "app/files/input_error.hpp"
-#include "app/files/reading_input.hpp"
-#include "app/files/suggestion.hpp"
+#include "app/formats/measurements/reading_input.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
 
 namespace tubeplan::app {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/cell_reader.hpp"
-#include "app/files/reading_input.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "calibration/estimation/estimate.hpp"
 
 namespace tubeplan::app {

@@ -4,8 +4,8 @@
 
 #include "app/documents/comparison_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/reading_input.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/studies/model/cell_fit.hpp"
 
 namespace tubeplan::app {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "app/jobs/outliers.hpp"
 #include "app/studies/job_steps.hpp"
 #include "calibration/patterns/comparison.hpp"

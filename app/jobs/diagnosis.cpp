@@ -4,8 +4,8 @@
 #include "app/documents/discrimination_json.hpp"
 #include "app/documents/effect_warnings_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/files/measurements_writer.hpp"
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "app/studies/measurements/discrimination_candidates.hpp"
 #include "app/studies/model/cell_fit.hpp"
 

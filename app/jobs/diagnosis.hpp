@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "app/studies/job_steps.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/diagnosis/discrimination/discriminating_measurements.hpp"

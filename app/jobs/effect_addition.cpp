@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "app/documents/overlap_report.hpp"
-#include "app/files/cell_writer.hpp"
-#include "app/files/effects_reader.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/suggestion.hpp"
+#include "app/formats/cell/cell_writer.hpp"
+#include "app/formats/cell/effects_reader.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "calibration/diagnosis/causes/cause.hpp"
 #include "calibration/diagnosis/causes/formula_overlap.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "app/studies/model/explained_model.hpp"
 
 namespace tubeplan::app {

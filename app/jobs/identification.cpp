@@ -10,10 +10,10 @@
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/documents/overlap_report.hpp"
 #include "app/documents/predicted_centring_json.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/reading_input.hpp"
-#include "app/files/suggestion.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "app/jobs/outliers.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
 #include "app/studies/model/cell_fit.hpp"
 
 namespace tubeplan::app {

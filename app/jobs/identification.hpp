@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "app/studies/job_steps.hpp"
 #include "app/studies/positioning/predicted_centring.hpp"
 #include "calibration/diagnosis/causes/formula_overlap.hpp"

@@ -1,7 +1,7 @@
 // Repeated diagnosis, addition and identification, until no further cause is certain: for a cell and its readings.
 #pragma once
 
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "app/studies/model/improvement.hpp"
 
 namespace tubeplan::app {

@@ -4,7 +4,7 @@
 
 #include "app/documents/ladder_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/workcell.hpp"
 #include "app/jobs/outliers.hpp"
 #include "app/studies/model/cell_fit.hpp"
 

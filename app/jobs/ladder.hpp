@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "app/studies/model/ladder_steps.hpp"
 
 namespace tubeplan::app {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/documents/plan_outcome.hpp"
-#include "app/files/checkpoint/plan_checkpoint.hpp"
+#include "app/formats/checkpoint/plan_checkpoint.hpp"
 #include "planner/visit_plan.hpp"
 
 namespace tubeplan::app {

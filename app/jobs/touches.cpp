@@ -6,10 +6,10 @@
 #include <set>
 
 #include "app/documents/touch_outcome.hpp"
-#include "app/files/command_inputs.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/command_inputs.hpp"
+#include "app/formats/cell/workcell.hpp"
 #include "app/jobs/cell_estimate.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/statistics.hpp"

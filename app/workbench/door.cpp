@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/files/lower_case.hpp"
+#include "app/storage/lower_case.hpp"
 
 namespace tubeplan::app {
 

@@ -1,6 +1,6 @@
 #include "app/workbench/exchange.hpp"
 
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
 

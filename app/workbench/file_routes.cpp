@@ -1,7 +1,7 @@
 // Files of the opened folder: cells and projects opened, and saved.
-#include "app/files/atomic_file.hpp"
-#include "app/files/cell_places.hpp"
-#include "app/files/input_error.hpp"
+#include "app/formats/cell/cell_places.hpp"
+#include "app/storage/atomic_file.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/workbench/project.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"

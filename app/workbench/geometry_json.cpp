@@ -7,8 +7,8 @@
 #include "app/documents/figures.hpp"
 #include "app/documents/pose_json.hpp"
 #include "app/documents/sheet_json.hpp"
-#include "app/files/units.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/units.hpp"
+#include "app/formats/units_json.hpp"
 #include "planner/scene/scene_shapes.hpp"
 
 namespace tubeplan::app {

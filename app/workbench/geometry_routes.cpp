@@ -1,7 +1,7 @@
 // Sheet, scene, postures and the catalogue: what is answered at once.
 #include "app/documents/effect_catalogue.hpp"
 #include "app/documents/signature_json.hpp"
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "app/workbench/geometry_json.hpp"
 #include "app/workbench/posture_answer.hpp"

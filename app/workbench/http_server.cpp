@@ -9,7 +9,7 @@
 #include <cstring>
 #include <thread>
 
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/workbench/connection.hpp"
 #include "app/workbench/page_files.hpp"
 #include "app/workbench/routes.hpp"

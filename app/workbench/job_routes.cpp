@@ -1,7 +1,7 @@
 #include "app/workbench/job_routes.hpp"
 
-#include "app/files/cell_writer.hpp"
-#include "app/files/input_error.hpp"
+#include "app/formats/cell/cell_writer.hpp"
+#include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
 

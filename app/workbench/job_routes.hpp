@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "app/jobs/comparison.hpp"
 #include "app/jobs/diagnosis.hpp"
 #include "app/jobs/identification.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/workbench/exchange.hpp"
 
 namespace tubeplan::app {

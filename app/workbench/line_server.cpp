@@ -10,8 +10,8 @@
 #include <sstream>
 #include <thread>
 
-#include "app/files/command_inputs.hpp"
-#include "app/files/input_error.hpp"
+#include "app/formats/cell/command_inputs.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/workbench/live.hpp"
 #include "tubesheets/csv_table.hpp"
 

@@ -9,10 +9,10 @@
 #include <sstream>
 
 #include "app/documents/figures.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/joint_units.hpp"
-#include "app/files/measurements_reader.hpp"
-#include "app/files/reading_input.hpp"
+#include "app/formats/arm/joint_units.hpp"
+#include "app/formats/measurements/measurements_reader.hpp"
+#include "app/formats/measurements/reading_input.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/workbench/exchange.hpp"
 #include "app/workbench/job_routes.hpp"
 #include "app/workbench/reading_sets.hpp"

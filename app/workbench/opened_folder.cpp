@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
 

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/files/input_error.hpp"
-#include "app/files/joint_units.hpp"
-#include "app/files/units.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/arm/joint_units.hpp"
+#include "app/formats/units.hpp"
+#include "app/formats/units_json.hpp"
+#include "app/storage/input_error.hpp"
 #include "planner/collision/arm_clearance.hpp"
 
 namespace tubeplan::app {

@@ -8,9 +8,9 @@
 
 #include "app/documents/figures.hpp"
 #include "app/documents/pose_json.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/units.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/units.hpp"
+#include "app/formats/units_json.hpp"
+#include "app/storage/input_error.hpp"
 #include "planner/collision/arm_clearance.hpp"
 #include "planner/collision/deflection_travel.hpp"
 

@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/comparison_json.hpp"
-#include "app/files/cell_writer.hpp"
-#include "app/files/checkpoint/checkpoint_file.hpp"
-#include "app/files/checkpoint/whole_number.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/measurements_writer.hpp"
-#include "app/files/reading_input.hpp"
-#include "app/files/touch_input.hpp"
+#include "app/formats/cell/cell_writer.hpp"
+#include "app/formats/checkpoint/checkpoint_file.hpp"
+#include "app/formats/checkpoint/whole_number.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
+#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/sheet/touch_input.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/version.hpp"
 #include "app/workbench/reading_sets.hpp"
 

@@ -7,11 +7,11 @@
 #include <string_view>
 
 #include "app/documents/ladder_json.hpp"
-#include "app/files/cell_writer.hpp"
-#include "app/files/commit.hpp"
-#include "app/files/measurements_writer.hpp"
-#include "app/files/sha256.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/cell/cell_writer.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
+#include "app/formats/units_json.hpp"
+#include "app/storage/commit.hpp"
+#include "app/storage/sha256.hpp"
 #include "app/studies/positioning/base_standing.hpp"
 #include "app/version.hpp"
 #include "app/workbench/project.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/cell_writer.hpp"
+#include "app/formats/cell/cell_writer.hpp"
 #include "app/workbench/session.hpp"
 
 namespace tubeplan::app {

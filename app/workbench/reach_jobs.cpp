@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/files/input_error.hpp"
-#include "app/files/units.hpp"
-#include "app/files/units_json.hpp"
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/workcell.hpp"
+#include "app/formats/units.hpp"
+#include "app/formats/units_json.hpp"
+#include "app/storage/input_error.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "planner/reach/scoring.hpp"

@@ -7,10 +7,10 @@
 #include <map>
 #include <utility>
 
-#include "app/files/assumptions.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/measurements_writer.hpp"
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/assumptions.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
+#include "app/formats/measurements/reading_input.hpp"
+#include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
 

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "app/files/command_inputs.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/json_value.hpp"
+#include "app/formats/cell/command_inputs.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/json_value.hpp"
 #include "tubesheets/csv_table.hpp"
 #include "tubesheets/work_list.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "app/workbench/exchange.hpp"
 
 namespace tubeplan::app {

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/files/input_error.hpp"
-#include "app/files/json_value.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/json_value.hpp"
 
 namespace tubeplan::app {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/documents/plan_outcome.hpp"
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "calibration/estimation/base_calibration.hpp"
 #include "calibration/measurement.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"

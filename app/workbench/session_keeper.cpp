@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "app/files/atomic_file.hpp"
-#include "app/files/checkpoint/plan_key.hpp"
-#include "app/files/input_error.hpp"
+#include "app/formats/checkpoint/plan_key.hpp"
+#include "app/storage/atomic_file.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/workbench/project.hpp"
 
 namespace tubeplan::app {

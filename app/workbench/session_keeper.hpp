@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "app/files/staged_files.hpp"
+#include "app/storage/staged_files.hpp"
 #include "app/workbench/session.hpp"
 
 namespace tubeplan::app {

@@ -1,7 +1,7 @@
 // The shared state, its results, undo and the jobs.
 #include <limits>
 
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/files/input_error.hpp"
-#include "app/files/measurements_reader.hpp"
-#include "app/files/reading_input.hpp"
+#include "app/formats/measurements/measurements_reader.hpp"
+#include "app/formats/measurements/reading_input.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/workbench/project.hpp"
 #include "app/workbench/reading_sets.hpp"
 

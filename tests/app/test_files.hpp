@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "calibration/simulation/simulated_campaign.hpp"
 #include "tests/units.hpp"
 

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <random>
 
-#include "app/files/arm_reader.hpp"
-#include "app/files/yaml/strict_yaml.hpp"
+#include "app/formats/arm/arm_reader.hpp"
+#include "app/formats/yaml/strict_yaml.hpp"
 #include "deflection/flexible_kinematics.hpp"
 #include "tests/units.hpp"
 

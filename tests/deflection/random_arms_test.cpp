@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/files/arm_reader.hpp"
-#include "app/files/arm_writer.hpp"
-#include "app/files/yaml/strict_yaml.hpp"
+#include "app/formats/arm/arm_reader.hpp"
+#include "app/formats/arm/arm_writer.hpp"
+#include "app/formats/yaml/strict_yaml.hpp"
 #include "deflection/inverse/inverse_kinematics.hpp"
 #include "deflection/kinematics.hpp"
 #include "tests/deflection/central_difference.hpp"

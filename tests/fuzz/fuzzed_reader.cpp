@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "app/files/input_error.hpp"
-#include "app/files/text_file.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/text_file.hpp"
 
 namespace {
 

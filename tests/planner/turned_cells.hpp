@@ -7,9 +7,9 @@
 #include <map>
 #include <random>
 
-#include "app/files/arm_writer.hpp"
-#include "app/files/workcell.hpp"
-#include "app/files/yaml/strict_yaml.hpp"
+#include "app/formats/arm/arm_writer.hpp"
+#include "app/formats/cell/workcell.hpp"
+#include "app/formats/yaml/strict_yaml.hpp"
 #include "tests/planner/workcell.hpp"
 
 namespace tubeplan::planner::testing {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/workcell.hpp"
 #include "planner/visit_plan.hpp"
 #include "tests/planner/toy_arm.hpp"
 #include "tests/units.hpp"

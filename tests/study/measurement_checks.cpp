@@ -7,7 +7,7 @@
 #include <chrono>
 #include <map>
 
-#include "app/files/text_file.hpp"
+#include "app/storage/text_file.hpp"
 #include "deflection/effects/effect.hpp"
 #include "tests/calibration/measurement_checks/seeded_pairs.hpp"
 

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "app/files/cell_reader.hpp"
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/cell/workcell.hpp"
 #include "app/studies/measurements/simulated_calibration.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 #include "app/studies/monte_carlo/random_draw.hpp"

@@ -5,8 +5,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/files/effects_reader.hpp"
-#include "app/files/reading_input.hpp"
+#include "app/formats/cell/effects_reader.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "app/jobs/diagnosis.hpp"
 #include "app/studies/model/cell_fit.hpp"
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/checkpoint/plan_key.hpp"
+#include "app/formats/checkpoint/plan_key.hpp"
 #include "app/studies/monte_carlo/experiment.hpp"
 
 namespace tubeplan::app {

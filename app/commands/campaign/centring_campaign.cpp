@@ -1,6 +1,6 @@
 // The campaign of centring: its runs, and what is made of their tally.
 #include "app/commands/campaign/centring_figures.hpp"
-#include "app/files/touch_input.hpp"
+#include "app/formats/sheet/touch_input.hpp"
 
 namespace tubeplan::app {
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/files/command_inputs.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/suggestion.hpp"
-#include "app/files/touched_base.hpp"
-#include "app/files/uncertainty_reader.hpp"
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/command_inputs.hpp"
+#include "app/formats/cell/uncertainty_reader.hpp"
+#include "app/formats/cell/workcell.hpp"
+#include "app/formats/sheet/touched_base.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
 #include "app/studies/measurements/simulated_calibration.hpp"
 #include "app/studies/measurements/touched_holes.hpp"
 

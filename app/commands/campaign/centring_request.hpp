@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/commands/campaign/campaign.hpp"
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "app/studies/monte_carlo/centring_trial.hpp"
 
 namespace tubeplan::app {

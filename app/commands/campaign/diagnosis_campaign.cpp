@@ -6,10 +6,10 @@
 #include "app/documents/effect_words_json.hpp"
 #include "app/documents/figures.hpp"
 #include "app/documents/figures_text.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/suggestion.hpp"
-#include "app/files/units_json.hpp"
+#include "app/formats/units_json.hpp"
 #include "app/report/campaign_report.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
 #include "app/studies/monte_carlo/confidence.hpp"
 #include "deflection/effects/effect.hpp"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "app/files/simulation_input.hpp"
+#include "app/formats/cell/simulation_input.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
 
 namespace tubeplan::app {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "tests/app/program.hpp"
 
@@ -162,8 +162,7 @@ TEST_F(CompareCommand, anOutlierIsSetAsideAsDiagnoseDoes) {
   EXPECT_EQ(clean["set_aside"], json::array());
   for (const char* command : {"compare", "identify", "diagnose"}) {
     const std::string free = command == std::string("identify") ? " --free tool.joint_stiffness.z" : "";
-    const Outcome outcome =
-        run(fmt::format("{} {} readings.csv{} --json -", command, shipped("bench.yaml"), free));
+    const Outcome outcome = run(fmt::format("{} {} readings.csv{} --json -", command, shipped("bench.yaml"), free));
     EXPECT_EQ(outcome.exit_code, 0) << command << outcome.err;
     EXPECT_EQ(json::parse(outcome.out)["set_aside"], json::array({"18"})) << command;
   }

@@ -1,7 +1,7 @@
 // The loop from outside: hide an effect, diagnose it, add it, identify, and watch the error fall.
 #include <nlohmann/json.hpp>
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "deflection/effects/effect.hpp"
 #include "tests/app/program.hpp"
 

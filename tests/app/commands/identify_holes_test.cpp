@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/files/touch_input.hpp"
+#include "app/formats/sheet/touch_input.hpp"
 #include "tests/app/program.hpp"
 #include "tests/calibration/estimation/cobra_touches.hpp"
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/files/cell_reader.hpp"
-#include "app/files/measurements_reader.hpp"
-#include "app/files/measurements_writer.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/measurements/measurements_reader.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {

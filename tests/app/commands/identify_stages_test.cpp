@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/files/cell_reader.hpp"
-#include "tests/app/files/readings_csv.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "tests/app/formats/measurements/readings_csv.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/files/cell_reader.hpp"
-#include "app/files/measurements_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/measurements/measurements_reader.hpp"
 #include "calibration/estimation/held_out.hpp"
-#include "tests/app/files/readings_csv.hpp"
+#include "tests/app/formats/measurements/readings_csv.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "app/files/arm_reader.hpp"
-#include "app/files/yaml/strict_yaml.hpp"
+#include "app/formats/arm/arm_reader.hpp"
+#include "app/formats/yaml/strict_yaml.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {

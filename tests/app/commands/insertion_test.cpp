@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/files/plan_reader.hpp"
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/workcell.hpp"
+#include "app/formats/plan/plan_reader.hpp"
 #include "planner/reach/compensation.hpp"
 #include "tests/app/program.hpp"
 #include "tests/units.hpp"

@@ -1,7 +1,7 @@
 // From outside: what a diagnosis proposes to measure next, and the warnings about effects in the cell.
 #include <nlohmann/json.hpp>
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {

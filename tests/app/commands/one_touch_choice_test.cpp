@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "app/files/reading_input.hpp"
-#include "app/files/touch_input.hpp"
+#include "app/formats/measurements/reading_input.hpp"
+#include "app/formats/sheet/touch_input.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {

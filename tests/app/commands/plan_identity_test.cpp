@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/files/yaml/strict_yaml.hpp"
+#include "app/formats/yaml/strict_yaml.hpp"
 #include "tests/app/program.hpp"
 
 namespace tubeplan::app {

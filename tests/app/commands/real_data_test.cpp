@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <numbers>
 
-#include "app/files/cell_reader.hpp"
-#include "app/files/measurements_reader.hpp"
-#include "app/files/text_file.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/measurements/measurements_reader.hpp"
+#include "app/storage/text_file.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
 #include "tests/app/test_files.hpp"

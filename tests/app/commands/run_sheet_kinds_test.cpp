@@ -8,8 +8,8 @@
 #include <set>
 
 #include "app/documents/discrimination_json.hpp"
-#include "app/files/measurements_writer.hpp"
-#include "app/files/simulation_input.hpp"
+#include "app/formats/cell/simulation_input.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
 #include "app/studies/measurements/discrimination_candidates.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "tests/app/program.hpp"

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "deflection/effects/effect.hpp"
 #include "tests/app/program.hpp"

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/files/cell_reader.hpp"
-#include "app/files/measurements_reader.hpp"
-#include "app/files/yaml/strict_yaml.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/measurements/measurements_reader.hpp"
+#include "app/formats/yaml/strict_yaml.hpp"
 #include "deflection/flexible_kinematics.hpp"
 #include "deflection/rotation.hpp"
 #include "planner/collision/arm_clearance.hpp"

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/touch_outcome.hpp"
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/workcell.hpp"
 #include "app/jobs/calibration.hpp"
 #include "calibration/design/touch_reserve.hpp"
 #include "calibration/simulation/simulated_touch.hpp"

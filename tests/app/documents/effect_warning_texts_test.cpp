@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/effect_warnings_json.hpp"
-#include "app/files/yaml/strict_yaml.hpp"
+#include "app/formats/yaml/strict_yaml.hpp"
 
 namespace tubeplan::app {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "app/documents/comparison_json.hpp"
 #include "app/documents/diagnosis_json.hpp"
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "calibration/measurements/measurement_kinds.hpp"
 #include "tests/app/program.hpp"
 #include "tests/calibration/synthetic_readings.hpp"

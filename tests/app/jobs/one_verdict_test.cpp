@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/documents/measurement_checks_json.hpp"
-#include "app/files/measurements_writer.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
 #include "app/jobs/comparison.hpp"
 #include "app/jobs/diagnosis.hpp"
 #include "app/jobs/identification.hpp"

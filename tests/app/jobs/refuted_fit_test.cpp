@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/files/measurements_writer.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
 #include "app/jobs/identification.hpp"
 #include "tests/app/program.hpp"
 

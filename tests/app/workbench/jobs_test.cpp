@@ -5,7 +5,7 @@
 
 #include <future>
 
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 
 namespace tubeplan::app {
 namespace {

@@ -7,9 +7,9 @@
 #include <boost/asio.hpp>
 #include <sstream>
 
-#include "app/files/cell_reader.hpp"
-#include "app/files/input_error.hpp"
-#include "app/files/reading_input.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/measurements/reading_input.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/workbench/line_server.hpp"
 #include "app/workbench/reading_sets.hpp"
 #include "tests/app/workbench/running_server.hpp"

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/files/workcell.hpp"
+#include "app/formats/cell/workcell.hpp"
 #include "deflection/effects/effect.hpp"
 #include "planner/collision/arm_clearance.hpp"
 

@@ -1,5 +1,5 @@
 // Keeping the work: what is written is what is taken up, whole or not at all, and nothing is dropped unasked.
-#include "app/files/atomic_file.hpp"
+#include "app/storage/atomic_file.hpp"
 #include "app/workbench/project.hpp"
 #include "tests/app/workbench/running_server.hpp"
 

@@ -1,5 +1,5 @@
 // The loop in the workbench: compare, add, undo, export; what it gives is what the commands give.
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/workbench/running_server.hpp"
 

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "calibration/diagnosis/causes/cause.hpp"
+#include "calibration/estimation/fit.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "tests/calibration/bench_readings.hpp"
 #include "tests/calibration/synthetic_readings.hpp"

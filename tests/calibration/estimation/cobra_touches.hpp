@@ -1,7 +1,7 @@
 // The Cobra arm under the mock-up's sheet, and touches of it.
 #pragma once
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "calibration/estimation/base_calibration.hpp"
 #include "calibration/measurements/reading_prediction.hpp"
 #include "calibration/random_stream.hpp"

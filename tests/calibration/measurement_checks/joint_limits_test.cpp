@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "app/files/input_error.hpp"
+#include "app/storage/input_error.hpp"
 #include "tests/calibration/measurement_checks/seeded_sets.hpp"
 
 namespace tubeplan::calibration {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/files/assumptions.hpp"
+#include "app/formats/measurements/assumptions.hpp"
 #include "tests/calibration/measurement_checks/seeded_pairs.hpp"
 
 namespace tubeplan::calibration {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/files/assumptions.hpp"
+#include "app/formats/measurements/assumptions.hpp"
 #include "calibration/measurement_checks/copies.hpp"
 #include "calibration/measurement_checks/shifted_rows.hpp"
 #include "calibration/patterns/comparison.hpp"

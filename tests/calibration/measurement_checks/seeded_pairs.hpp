@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/assumptions.hpp"
-#include "app/files/input_error.hpp"
+#include "app/formats/measurements/assumptions.hpp"
+#include "app/storage/input_error.hpp"
 #include "calibration/measurement_checks/mistake_trials.hpp"
 #include "tests/calibration/measurement_checks/seeded_mistakes.hpp"
 

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "app/files/cell_reader.hpp"
-#include "app/files/measurements_reader.hpp"
-#include "app/files/measurements_writer.hpp"
-#include "app/files/reading_input.hpp"
-#include "app/files/simulation_input.hpp"
+#include "app/formats/cell/cell_reader.hpp"
+#include "app/formats/cell/simulation_input.hpp"
+#include "app/formats/measurements/measurements_reader.hpp"
+#include "app/formats/measurements/measurements_writer.hpp"
+#include "app/formats/measurements/reading_input.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "calibration/measurement_checks/measurement_checks.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "calibration/simulation/campaign_random.hpp"
 #include "deflection/tip_derivatives.hpp"
 

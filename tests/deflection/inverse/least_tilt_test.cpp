@@ -5,7 +5,7 @@
 #include <Eigen/SVD>
 #include <random>
 
-#include "app/files/arm_reader.hpp"
+#include "app/formats/arm/arm_reader.hpp"
 #include "deflection/inverse/inverse_solver.hpp"
 #include "tests/deflection/cobra.hpp"
 

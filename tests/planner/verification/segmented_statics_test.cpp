@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "app/files/cell_reader.hpp"
+#include "app/formats/cell/cell_reader.hpp"
 #include "deflection/effects/effect.hpp"
 
 namespace tubeplan::planner {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/measurements/steps.hpp"
 #include "tests/calibration/measurement_checks/seeded_sets.hpp"
 #include "tests/calibration/synthetic_readings.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
 #include "tests/calibration/bench_readings.hpp"
 

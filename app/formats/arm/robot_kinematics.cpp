@@ -1,0 +1,169 @@
+#include "app/formats/arm/robot_kinematics.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <variant>
+
+#include "app/formats/arm/arm_reader.hpp"
+#include "app/formats/yaml/yaml_edit.hpp"
+#include "app/formats/yaml/yaml_text.hpp"
+#include "app/storage/input_error.hpp"
+#include "deflection/chain.hpp"
+#include "deflection/rotation.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using LinkOrigin = deflection::Origin<double>;
+
+constexpr std::array<const char*, 6> kLinks{"shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3"};
+
+LinkOrigin readLinkOrigin(const YamlNode& node) {
+  node.expectKeys({"x", "y", "z", "roll", "pitch", "yaw"}, {});
+  const auto number = [&](const char* key) { return node.at(key).number(); };
+  return {{number("x"), number("y"), number("z")}, {number("roll"), number("pitch"), number("yaw")}, 0};
+}
+
+double angleBetween(const LinkOrigin& a, const LinkOrigin& b) {
+  using deflection::rotationFromFixedAngles;
+  const Eigen::Matrix3d turn =
+      rotationFromFixedAngles<double>(a.rpy).transpose() * rotationFromFixedAngles<double>(b.rpy);
+  return Eigen::AngleAxisd(turn).angle();
+}
+
+/// The same place seen from a base half a turn about z.
+LinkOrigin halfTurned(const LinkOrigin& origin) {
+  return {{-origin.position.x(), -origin.position.y(), origin.position.z()},
+          {origin.rpy.x(), origin.rpy.y(), origin.rpy.z() + std::numbers::pi},
+          0};
+}
+
+/// The row's origin in its file. Throws InputError where it has none.
+const LinkOrigin& originIn(const std::string& file, const deflection::Row<double>& row) {
+  const auto* origin = std::get_if<LinkOrigin>(&row.placement);
+  if (!origin)
+    throw InputError(file, "the row " + inQuotes(row.name) + " by dh", "rows by origin, as the robot's URDF",
+                     "take the arm that `arm import robot.urdf` makes, or `arm export --convention origin`");
+  return *origin;
+}
+
+/// The same in the nominal file, where it may be replaced.
+const LinkOrigin& nominalOrigin(const YamlFile& nominal, const deflection::Row<double>& row) {
+  const LinkOrigin& origin = originIn(nominal.path, row);
+  if (row.joint.type != deflection::JointType::kRevolute || row.joint.offset != 0 || origin.beta != 0)
+    throw InputError(nominal.path, "the row " + inQuotes(row.name),
+                     "revolute joints without offset or beta: the origins hold all that was calibrated");
+  return origin;
+}
+
+void requireSixJoints(const std::string& file, std::size_t joints) {
+  if (joints != kLinks.size())
+    throw InputError(file, fmt::format("{} joints", joints), "6, as the kinematics file has origins");
+}
+
+/// The row's origin, with its lean and its joint's offset; its own numbers where it has neither.
+LinkOrigin calibratedOrigin(const std::string& file, const deflection::Row<double>& row) {
+  const LinkOrigin& own = originIn(file, row);
+  if (own.beta == 0 && row.joint.offset == 0) return own;
+  const Eigen::Matrix3d turn =
+      deflection::rotationFromPrevious<double>(row) * deflection::rotationZ<double>(row.joint.offset);
+  return {own.position, deflection::fixedAnglesOf(turn), 0};
+}
+
+/// The second origin, which stands in the frame of the first, as seen from where the first does.
+LinkOrigin behind(const LinkOrigin& first, const LinkOrigin& second) {
+  const Eigen::Matrix3d turn = deflection::rotationFromFixedAngles<double>(first.rpy);
+  return {first.position + turn * second.position,
+          deflection::fixedAnglesOf(turn * deflection::rotationFromFixedAngles<double>(second.rpy)), 0};
+}
+
+void refuseOtherModel(const YamlFile& nominal, const std::string& row, const LinkOrigin& from, const LinkOrigin& to) {
+  constexpr double kFarthest = 0.05, kMostTurned = 10 * std::numbers::pi / 180;
+  const double moved = (from.position - to.position).norm(), turned = angleBetween(from, to);
+  if (moved <= kFarthest && turned <= kMostTurned) return;
+  throw InputError(nominal.path,
+                   fmt::format("the row {}, which would move by {:.1f} mm and {:.2f} deg", inQuotes(row), moved * 1000,
+                               turned * 180 / std::numbers::pi),
+                   "no more than 50 mm and 10 deg: the nominal arm of the same model, joints turning about z",
+                   "import the URDF of ur_description of this model and name that arm with --nominal");
+}
+
+}  // namespace
+
+RobotKinematics readRobotKinematics(const YamlNode& root) {
+  root.expectKeys({"kinematics"}, {});
+  const YamlNode& node = root.at("kinematics");
+  node.expectKeys({kLinks.begin(), kLinks.end()}, {"hash"});
+  RobotKinematics kinematics;
+  for (std::size_t k = 0; k < kLinks.size(); ++k) kinematics.origins[k] = readLinkOrigin(node.at(kLinks[k]));
+  if (const YamlNode* hash = node.find("hash")) kinematics.hash = hash->text();
+  return kinematics;
+}
+
+std::string withRobotKinematics(const YamlFile& nominal, const RobotKinematics& kinematics) {
+  const ArmSource source = readArm(nominal.root);
+  const auto active = deflection::activeRows(source.arm);
+  requireSixJoints(nominal.path, active.size());
+  std::string text = nominal.text;
+  const auto write = [&](const std::string& row, const char* list, const Eigen::Vector3d& values, Dimension unit) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string name = fmt::format("{}.origin.{}.{}", row, list, (unit.angle == 0 ? "xyz" : "rpy")[axis]);
+      text = withYamlValue(text, armPath(nominal.root, name), formatNumber(source.units.toFile(values[axis], unit)));
+    }
+  };
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    const auto& row = source.arm.rows[static_cast<std::size_t>(active[k])];
+    const LinkOrigin& drawn = nominalOrigin(nominal, row);
+    LinkOrigin origin = kinematics.origins[k];
+    if (k == 0 && angleBetween(drawn, origin) > std::numbers::pi / 2) origin = halfTurned(origin);
+    refuseOtherModel(nominal, row.name, drawn, origin);
+    write(row.name, "position", origin.position, dimension::kLength);
+    write(row.name, "rpy", origin.rpy, dimension::kAngle);
+  }
+  return text;
+}
+
+std::string robotKinematicsText(const RobotKinematics& kinematics) {
+  std::string text = "kinematics:\n";
+  for (std::size_t k = 0; k < kLinks.size(); ++k) {
+    const LinkOrigin& origin = kinematics.origins[k];
+    text += fmt::format("  {}:\n", kLinks[k]);
+    for (int axis = 0; axis < 3; ++axis) text += fmt::format("    {}: {}\n", "xyz"[axis], origin.position[axis] + 0.);
+    constexpr std::array kTurns{"roll", "pitch", "yaw"};
+    for (int axis = 0; axis < 3; ++axis)
+      text += fmt::format("    {}: {}\n", kTurns[static_cast<std::size_t>(axis)], origin.rpy[axis] + 0.);
+  }
+  return kinematics.hash.empty() ? text : text + fmt::format("  hash: {}\n", yamlName(kinematics.hash));
+}
+
+RobotKinematics robotKinematicsOf(const deflection::Arm& arm, const std::string& file) {
+  RobotKinematics kinematics;
+  requireSixJoints(file, deflection::activeRows(arm).size());
+  std::size_t joints = 0;
+  std::optional<LinkOrigin> passive;  // what stands before the next joint
+  for (const auto& row : arm.rows) {
+    if (joints == kinematics.origins.size()) break;
+    const LinkOrigin own = calibratedOrigin(file, row);
+    const LinkOrigin origin = passive ? behind(*passive, own) : own;
+    passive.reset();
+    if (row.joint.type == deflection::JointType::kPassive)
+      passive = origin;
+    else if (row.joint.type == deflection::JointType::kRevolute && row.joint.follows.empty())
+      kinematics.origins[joints++] = origin;
+    else
+      throw InputError(file, "the joint " + inQuotes(row.joint.name), "joints that turn, each by itself");
+  }
+  LinkOrigin& base = kinematics.origins.front();
+  if (angleBetween(base, LinkOrigin{}) > std::numbers::pi / 2) {
+    base = halfTurned(base);
+    base.rpy.z() = std::remainder(base.rpy.z(), 2 * std::numbers::pi);
+  }
+  return kinematics;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,183 @@
+#include "app/formats/cell/simulation_input.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "app/formats/cell/campaign_reader.hpp"
+#include "app/formats/cell/effects_reader.hpp"
+#include "app/formats/cell/truth_file.hpp"
+#include "app/formats/sheet/touch_input.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
+#include "app/studies/measurements/campaign_clearance.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "planner/workcell.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::CampaignDesign, calibration::CampaignPlace;
+using calibration::kMostReadings;
+
+/// The error of a base that is not known, where no other is asked for.
+constexpr double kBaseShift = 0.0127;                     // m (0.5 in)
+constexpr double kBaseTurn = 0.5 * 0.017453292519943295;  // rad
+
+CampaignFile findDesign(const SimulationRequest& request, const Cell& cell) {
+  const bool has_sheet = cell.sheet.has_value();
+  if (const auto* named = calibration::findCampaignDesign(request.design))
+    return {named->make(has_sheet), std::nullopt};
+  std::error_code error;
+  const auto extension = std::filesystem::path(request.design).extension();
+  if (extension == ".yaml" || extension == ".yml" || std::filesystem::exists(request.design, error))
+    return readCampaignFile(request.design, cell.arm, cell.units, has_sheet);
+  std::vector<std::string> names;
+  for (const auto& named : calibration::campaignDesigns()) names.emplace_back(named.name);
+  const std::string near = suggestion(request.design, names);
+  names.emplace_back("a design file (.yaml)");
+  throw InputError("--design", "the unknown design " + inQuotes(request.design), alternatives(names), near);
+}
+
+void checkNotNegative(const std::string& option, double value, const std::string& expected) {
+  if (!(value >= 0) || !std::isfinite(value)) throw InputError(option, fmt::format("{}", value), expected);
+}
+
+void applyOptions(const SimulationRequest& request, const Units& units, CampaignDesign& design) {
+  if (!request.loads.empty()) design.loads.clear();
+  for (const double load : request.loads) {
+    checkNotNegative("--loads", load, fmt::format("weights in {}, zero or more", units.force().name));
+    design.loads.push_back(units.toInternal(load, dimension::kForce));
+  }
+  if (request.sigma) {
+    checkNotNegative("--sigma", *request.sigma, fmt::format("a length in {}, zero or more", units.length().name));
+    design.sigma = units.toInternal(*request.sigma, dimension::kLength);
+    design.sigma_W.reset();
+    design.correlation_W.reset();
+  }
+  if (request.push) {
+    checkNotNegative("--push", *request.push, fmt::format("a force in {}, zero or more", units.force().name));
+    design.push = units.toInternal(*request.push, dimension::kForce);
+  }
+  if (!request.held_out) return;
+  if (!(*request.held_out >= 0 && *request.held_out < 1))
+    throw InputError("--held-out", fmt::format("{}", *request.held_out), "a fraction from 0 to below 1");
+  design.held_out = *request.held_out;
+}
+
+int countReadings(const SimulationRequest& request, const CampaignFile& file) {
+  const std::string expected = fmt::format("a whole number from 1 to {}", kMostReadings);
+  if (!request.readings && !file.postures)
+    throw InputError("--readings", "nothing", expected, "add --readings N, or `postures` to the design file");
+  const auto readings = request.readings
+                            ? *request.readings
+                            : *file.postures * static_cast<std::int64_t>(calibration::readingsPerPosture(file.design));
+  if (readings < 1 || readings > kMostReadings)
+    throw InputError(request.readings ? "--readings" : request.design, fmt::format("{} readings", readings), expected);
+  return static_cast<int>(readings);
+}
+
+void requireHoles(const Cell& cell, const CampaignDesign& design) {
+  if (design.place != CampaignPlace::kHoles) return;
+  (void)requireSheet(cell, "measure at its holes");
+  requireToolAxis(cell, "measure at holes");
+}
+
+std::vector<calibration::CampaignPoint> openHoles(const Cell& cell) {
+  std::vector<calibration::CampaignPoint> holes;
+  if (!cell.sheet) return holes;
+  for (const auto& tube : cell.sheet->tubes)
+    if (tube.state == tubesheets::TubeState::kOpen)
+      holes.push_back({tubesheets::tubeName(tube.row, tube.column), planner::holeCentre(tube)});
+  return holes;
+}
+
+BaseError baseErrorOf(const SimulationRequest& request, const Cell& cell, const CampaignDesign& design) {
+  if (cell.base_known && !request.base_error.empty())
+    throw InputError("--base-error", "a base that is known", "base: {..., known: false} in " + cell.path);
+  if (cell.base_known && design.setups > 1)
+    throw InputError(cell.path, fmt::format("one known base for {} set-ups", design.setups),
+                     "base: {..., known: false}, since each set-up has a base of its own");
+  if (cell.base_known) return {};
+  if (request.base_error.empty()) return {kBaseShift, kBaseTurn};
+  if (request.base_error.size() != 2)
+    throw InputError("--base-error", fmt::format("{} numbers", request.base_error.size()), "two: LENGTH,ANGLE");
+  for (const double error : request.base_error) checkNotNegative("--base-error", error, "LENGTH,ANGLE, zero or more");
+  return {cell.units.toInternal(request.base_error[0], dimension::kLength),
+          cell.units.toInternal(request.base_error[1], dimension::kAngle)};
+}
+
+/// An effect as large as machines often have it: a fifth of what is plausible.
+deflection::Effect ofTypicalSize(deflection::Effect effect) {
+  const auto& kind = deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
+  for (std::size_t v = 0; v < effect.values.size(); ++v)
+    if (!kind.parameters[v].is_shape)
+      effect.values[v] = kind.parameters[v].neutral + 0.2 * kind.parameters[v].plausible;
+  return effect;
+}
+
+/// The arm and the bases that the readings are made with: whatever is hidden from the cell is put in here.
+calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cell& cell, const CampaignDesign& design,
+                                     const BaseError& base) {
+  checkNotNegative("--spread", request.spread, "a fraction of each stiffness, zero or more");
+  if (request.spread > 1) throw InputError("--spread", fmt::format("{}", request.spread), "a fraction up to 1");
+  calibration::TruthOptions truth;
+  truth.parameters = identifiedParameters(cell);
+  if (request.spread > 0 && truth.parameters.empty())
+    throw InputError(cell.path, "no parameters under `identify`", "them: needed for --spread");
+  truth.spread = request.spread;
+  truth.base_shift_sigma = base.shift;
+  truth.base_turn_sigma = base.turn;
+  truth.setups = design.setups;
+  truth.seed = request.seed;
+  calibration::CampaignTruth drawn = calibration::drawTruth(cell.arm, cell.X_WB, truth);
+  for (const std::string& text : request.hide) {
+    const auto parsed = parseEffect(text, cell.arm, cell.units, "--hide");
+    drawn.arm.effects.push_back(parsed.has_sizes ? parsed.effect : ofTypicalSize(parsed.effect));
+  }
+  return drawn;
+}
+
+/// From the centring error to the steps that went in; visits without one say nothing and are left out.
+void countSteps(const tubesheets::SteppedTool& tool, std::vector<calibration::Measurement>& readings) {
+  for (auto& reading : readings) reading.own[0] = tubesheets::stepsInserted(tool, reading.own[1]);
+  std::erase_if(readings, [](const auto& reading) { return reading.own[0] == 0; });
+  settleSteps(readings, tool, "simulated visits");
+}
+
+}  // namespace
+
+SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& request) {
+  CampaignFile file = findDesign(request, cell);
+  applyOptions(request, cell.units, file.design);
+  SimulationTask task;
+  task.readings = countReadings(request, file);
+  task.design = file.design;
+  if (const auto problem = calibration::findDesignProblem(task.design, task.readings); !problem.empty())
+    throw InputError("--design " + request.design, problem, "measurements that can be simulated",
+                     "see `tubeplan simulate --help`");
+  requireHoles(cell, task.design);
+  if (kindOf(task.design.kind).counts_steps) (void)requireTool(cell, "count its steps");
+  task.base = baseErrorOf(request, cell, task.design);
+  task.truth = makeTruth(request, cell, task.design, task.base);
+  return task;
+}
+
+calibration::SimulatedCampaign simulateReadings(const Cell& cell, const SimulationTask& task, std::uint64_t seed,
+                                                const calibration::CampaignHooks& hooks) {
+  const CampaignDesign& design = task.design;
+  calibration::CampaignOptions campaign;
+  campaign.readings = task.readings;
+  campaign.seed = seed;
+  campaign.holes = openHoles(cell);
+  campaign.hole_axis_W = planner::kHoleAxis_W;
+  const bool touches_holes = kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;
+  campaign.is_clear = clearanceOf(cell, task.truth, touches_holes);
+  auto simulated = calibration::simulateCampaign(task.truth, design, campaign, hooks);
+  if (kindOf(design.kind).counts_steps) countSteps(*cell.tool, simulated.readings);
+  return simulated;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,132 @@
+#include "app/formats/checkpoint/plan_checkpoint.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/formats/checkpoint/checkpoint_file.hpp"
+#include "app/formats/checkpoint/plan_cache_json.hpp"
+#include "app/storage/atomic_file.hpp"
+#include "app/storage/input_error.hpp"
+
+namespace tubeplan::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using nlohmann::json;
+
+constexpr CheckpointFormat kPlanFormat{"tubeplan plan memory 1", "a file written by tubeplan plan",
+                                       "remove it and plan again"};
+
+planner::PlanCache cacheOf(const CheckpointFile& file, const fs::path& path) {
+  planner::PlanCache cache;
+  readPayload(kPlanFormat, path, file, [&](const json& payload) { cache = cacheFrom(payload); });
+  return cache;
+}
+
+bool isThere(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+}  // namespace
+
+PlanCheckpoint::PlanCheckpoint(fs::path folder, bool must_resume, const std::string& from)
+    : folder_(std::move(folder)), must_resume_(must_resume), from_(from) {
+  removeLeftovers(folder_, kProgressFile);
+  if (from.empty()) return;
+  const fs::path path = fs::path(from) / kCacheFile;
+  if (!isThere(path))
+    throw InputError("--from", inQuotes(from) + " without " + kCacheFile, "the folder of a plan that was completed",
+                     "plan without --from");
+  const CheckpointFile file = readCheckpoint(kPlanFormat, path);
+  from_fingerprint_ = file.checksum;
+  from_question_ = file.question;
+  from_cache_ = cacheOf(file, path);
+}
+
+void PlanCheckpoint::begin(const PlanKey& question) {
+  question_ = question;
+  if (takeStopped(question)) return;
+  if (must_resume_ && !takeDone(question))
+    throw InputError("--resume", "no stopped plan in " + inQuotes(folder_.string()),
+                     std::string("a folder with ") + kProgressFile, "omit --resume to start again");
+  if (!must_resume_ && !from_.empty()) takeFrom(question);
+}
+
+bool PlanCheckpoint::takeStopped(const PlanKey& question) {
+  const fs::path path = folder_ / kProgressFile;
+  if (!isThere(path)) return false;
+  const CheckpointFile file = readCheckpoint(kPlanFormat, path);
+  const auto differences = findDifferences(file.question, question);
+  if (differences.empty()) {
+    cache_ = cacheOf(file, path);
+    say(fmt::format("continuing from {}: {} are done", path.string(), summary()));
+    return true;
+  }
+  if (must_resume_)
+    throw InputError("--resume", fmt::format("{} stopped with {}", path.string(), fmt::join(differences, ", ")),
+                     "the same options as the stopped run", "repeat them, or omit --resume to start again");
+  putAside(path, differences);
+  return false;
+}
+
+bool PlanCheckpoint::takeDone(const PlanKey& question) {
+  const fs::path path = folder_ / kCacheFile;
+  if (!isThere(path)) return false;
+  const CheckpointFile file = readCheckpoint(kPlanFormat, path);
+  if (!findDifferences(file.question, question).empty()) return false;
+  cache_ = cacheOf(file, path);
+  say(fmt::format("the plan in {} is complete and is written again", folder_.string()));
+  return true;
+}
+
+void PlanCheckpoint::takeFrom(const PlanKey& question) {
+  if (partOf(from_question_, "sheet") != partOf(question, "sheet"))
+    throw InputError("--from", fmt::format("a plan for another sheet, fingerprint {}", partOf(from_question_, "sheet")),
+                     fmt::format("one for the cell's, {}", partOf(question, "sheet")),
+                     "check leg and map, or plan without --from");
+  const auto differences = findModelDifferences(from_question_, question);
+  cache_.visiting_order = from_cache_.visiting_order;
+  if (!differences.empty()) {
+    say(fmt::format("of {} only the order is reused ({}); postures and motions are planned and verified again", from_,
+                    fmt::join(differences, ", ")));
+    return;
+  }
+  cache_ = std::move(from_cache_);
+  cache_.orders.clear();
+  if (partOf(from_question_, kEndsPart) == partOf(question, kEndsPart)) return;
+  const auto meetsAnEnd = [](const auto& entry) { return entry.first.first.tube < 0 || entry.first.second.tube < 0; };
+  std::erase_if(cache_.travels, meetsAnEnd);
+  std::erase_if(cache_.proofs, meetsAnEnd);
+}
+
+void PlanCheckpoint::saveNowAndThen() {
+  if (Clock::now() - saved_ < pause_) return;
+  const auto start = Clock::now();
+  save();
+  pause_ = std::max<Clock::duration>(pause_, kLeastShareOfWriting * (Clock::now() - start));
+}
+
+void PlanCheckpoint::save() {
+  writeFileAtomically(folder_ / kProgressFile, text(), "--out");
+  saved_ = Clock::now();
+}
+
+void PlanCheckpoint::discard() {
+  std::error_code ignored;
+  fs::remove(folder_ / kProgressFile, ignored);
+}
+
+std::string PlanCheckpoint::summary() const {
+  if (cache_.reach.empty()) return "";
+  return fmt::format("the reach of {} tubes, {} travels and {} proofs", cache_.reach.size(), cache_.travels.size(),
+                     cache_.proofs.size());
+}
+
+std::string PlanCheckpoint::text() const { return checkpointText(kPlanFormat, question_, cacheJson(cache_).dump()); }
+
+}  // namespace tubeplan::app

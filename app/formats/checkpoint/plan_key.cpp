@@ -1,0 +1,154 @@
+#include "app/formats/checkpoint/plan_key.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <sstream>
+
+#include "app/formats/plan/plan_conditions.hpp"
+#include "app/version.hpp"
+#include "planner/reach/compensation.hpp"
+#include "tubesheets/fingerprint.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+// What proved motions and postures do not depend on, of a cell's keys. The sheet has its own fingerprint, the base its
+// own part; of the tool what shapes a plan is the tilt that it allows and, where it enters tubes, its play there: parts
+// too.
+constexpr std::array<std::string_view, 10> kOtherKeys{
+    "name", "base",        "identify", "tubesheet",   "calibration_tool",
+    "park", "model_error", "pair",     "uncertainty", "touched"};
+constexpr std::array<std::string_view, 10> kModelParts{"program",   "arm and scene", "base",      "load",
+                                                       "clearance", "compensation",  "insertion", "tilt allowed",
+                                                       "travel",    "sheet"};
+
+/// Values without their places and comments; files by what is in them.
+void append(const YamlNode& node, const std::vector<SceneMesh>& meshes, std::string& text) {
+  const auto mesh = std::find_if(meshes.begin(), meshes.end(), [&](const SceneMesh& m) { return m.key == node.path; });
+  const std::string& scalar = mesh == meshes.end() ? node.scalar : mesh->fingerprint;
+  if (node.kind == YamlNode::Kind::kScalar) text += fmt::format("{}:{}", scalar.size(), scalar);
+  if (node.kind == YamlNode::Kind::kNull) text += '~';
+  if (node.items.empty()) return;
+  text += node.keys.empty() ? '[' : '{';
+  for (std::size_t k = 0; k < node.items.size(); ++k) {
+    if (!node.keys.empty()) text += node.keys[k] + "=";
+    append(node.items[k], meshes, text);
+    text += ',';
+  }
+  text += ']';
+}
+
+std::string modelText(const Cell& cell) {
+  std::string text;
+  const YamlNode& root = cell.source.root;
+  for (std::size_t k = 0; k < root.items.size(); ++k) {
+    if (std::find(kOtherKeys.begin(), kOtherKeys.end(), root.keys[k]) != kOtherKeys.end()) continue;
+    // The arm's file by its content: a copy elsewhere is the same arm.
+    text += root.keys[k] + "=";
+    const bool is_arm_file = root.keys[k] == "arm" && !cell.arm_source.text.empty();
+    append(is_arm_file ? cell.arm_source.root : root.items[k], cell.meshes, text);
+    text += '\n';
+  }
+  return text;
+}
+
+std::vector<std::string> differencesIn(const PlanKey& before, const PlanKey& now, const auto& counts) {
+  std::vector<std::string> differences;
+  for (const auto& [name, value] : now)
+    if (const std::string was = partOf(before, name); counts(name) && was != value)
+      differences.push_back(fmt::format("{}{} ({}, now {})", name.starts_with("other ") ? "" : "another ", name,
+                                        was.empty() ? "none" : was, value.empty() ? "none" : value));
+  return differences;
+}
+
+std::string clearanceText(const PlanKeyInputs& inputs) {
+  const std::string clearance = fmt::format("{} m", inputs.model.scene.clearance);
+  return inputs.padding == 0 ? clearance
+                             : fmt::format("{} and {} sigmas of {}", clearance, inputs.padding,
+                                           numbersFingerprint(inputs.model.base_covariance));
+}
+
+}  // namespace
+
+std::string fingerprintOf(std::string_view bytes) {
+  tubesheets::Fingerprint fingerprint;
+  fingerprint.addBytes(bytes);
+  return fingerprint.text();
+}
+
+std::string programText() {
+  std::ifstream stream("/proc/self/exe", std::ios::binary);
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  return std::string(kVersion) + " " + fingerprintOf(bytes.str());
+}
+
+std::string modelFingerprint(const Cell& cell) { return fingerprintOf(modelText(cell)); }
+
+std::string numbersFingerprint(const Eigen::Ref<const Eigen::MatrixXd>& numbers) {
+  std::string text;
+  for (const double number : numbers.reshaped()) text += fmt::format("{:a} ", number);
+  return fingerprintOf(text);
+}
+
+/// The depth, and what of the tool says whether it has play there.
+std::string insertionText(const planner::Workcell& model) {
+  if (!(model.insertion > 0)) return "none";
+  std::string text = fmt::format("{} m by steps of", model.insertion);
+  for (const auto& step : model.tool.steps) text += fmt::format(" {}", step.tolerance);
+  text += " m over";
+  for (const double length : model.tool.lengths) text += fmt::format(" {}", length);
+  return text + " m";
+}
+
+/// Of the base, and of the arm's numbers as the touches that placed it have them.
+std::string baseFingerprint(const planner::Workcell& model) {
+  const auto parameters = deflection::parametersOf(model.arm);
+  Eigen::VectorXd numbers(16 + static_cast<Eigen::Index>(parameters.size()));
+  numbers.head<16>() = model.X_WB.matrix().reshaped();
+  for (std::size_t k = 0; k < parameters.size(); ++k) numbers[16 + static_cast<Eigen::Index>(k)] = parameters[k].value;
+  return numbersFingerprint(numbers);
+}
+
+PlanKey planKeyOf(const PlanKeyInputs& inputs, const std::vector<int>& tubes) {
+  std::string tubes_text;
+  for (const int tube : tubes) tubes_text += fmt::format("{} ", tube);
+  return {{"program", programText()},
+          {"arm and scene", modelFingerprint(inputs.cell)},
+          {"base", baseFingerprint(inputs.model)},
+          {"load", fmt::format("{} N", inputs.model.load)},
+          {"clearance", clearanceText(inputs)},
+          {"compensation", fmt::format("{}, standoff {} m", inputs.compensation, inputs.standoff)},
+          {"insertion", insertionText(inputs.model)},
+          {"tilt allowed", fmt::format("{} rad", tubesheets::toleratedTilt(inputs.model.tool))},
+          {"travel", std::string(planner::nameOf(inputs.travel))},
+          {"sheet", inputs.model.sheet.fingerprint()},
+          {"seed", std::to_string(inputs.seed)},
+          {"list of tubes", fmt::format("{} tubes, {}", tubes.size(), fingerprintOf(tubes_text))},
+          {kEndsPart, endsText(inputs.conditions)},
+          {"other conditions", conditionsText(inputs.conditions)},
+          {"plan to start from", inputs.from}};
+}
+
+std::vector<std::string> findDifferences(const PlanKey& before, const PlanKey& now) {
+  return differencesIn(before, now, [](const std::string&) { return true; });
+}
+
+std::vector<std::string> findModelDifferences(const PlanKey& before, const PlanKey& now) {
+  return differencesIn(before, now, [](const std::string& name) {
+    return std::find(kModelParts.begin(), kModelParts.end(), name) != kModelParts.end();
+  });
+}
+
+std::string partOf(const PlanKey& question, std::string_view name) {
+  const auto found =
+      std::find_if(question.begin(), question.end(), [&](const auto& part) { return part.first == name; });
+  return found == question.end() ? "" : found->second;
+}
+
+}  // namespace tubeplan::app

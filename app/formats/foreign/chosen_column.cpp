@@ -1,0 +1,87 @@
+#include "app/formats/foreign/chosen_column.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/formats/foreign/foreign_heading.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+/// "log.csv:S*-0.00012" or "S/1341.4": a column, and what its numbers are multiplied by.
+struct ScaledName {
+  std::string column;
+  double factor = 1;
+};
+
+/// The text as it is, and taken apart where a number stands behind its last * or /.
+std::vector<ScaledName> readingsOf(const std::string& text) {
+  std::vector<ScaledName> readings{{text}};
+  const std::size_t at = text.find_last_of("*/");
+  if (at == std::string::npos) return readings;
+  const auto number = tubesheets::parseNumber(tubesheets::trimBlanks(std::string_view(text).substr(at + 1)));
+  if (number && *number != 0)
+    readings.push_back({std::string(tubesheets::trimBlanks(std::string_view(text).substr(0, at))),
+                        text[at] == '*' ? *number : 1 / *number});
+  return readings;
+}
+
+/// "x_mm" or "x": a quantity, and the unit where the name states one.
+std::pair<std::size_t, const Unit*> targetOf(const std::string& name, const std::vector<ColumnTarget>& targets) {
+  std::vector<std::string> known;
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const auto& target = targets[k];
+    known.push_back(target.quantity);
+    if (name == target.quantity) return {k, nullptr};
+    if (!target.unit || !name.starts_with(target.quantity + "_")) continue;
+    const std::string_view word = std::string_view(name).substr(target.quantity.size() + 1);
+    if (const Unit* unit = unitOfKind(findUnitWord(word), *target.unit)) return {k, unit};
+  }
+  throw InputError("--column", inQuotes(name), "a column of a measurement table", suggestion(name, known));
+}
+
+struct FoundColumn {
+  std::size_t table = 0, column = 0;
+  double factor = 1;
+};
+
+FoundColumn columnOf(const std::string& theirs, const std::vector<ForeignTable>& tables) {
+  std::vector<FoundColumn> found;
+  std::vector<std::string> known;
+  for (const auto& [name, factor] : readingsOf(theirs)) {
+    for (std::size_t t = 0; t < tables.size(); ++t)
+      for (std::size_t c = 0; c < tables[t].columns.size(); ++c) {
+        known.push_back(tables[t].columns[c]);
+        if (name == tables[t].columns[c] || name == tables[t].file + ":" + tables[t].columns[c])
+          found.push_back({t, c, factor});
+      }
+    if (!found.empty()) break;
+  }
+  if (found.size() == 1) return found.front();
+  if (found.empty())
+    throw InputError("--column", "no column " + inQuotes(theirs), alternatives(known), suggestion(theirs, known));
+  throw InputError("--column", fmt::format("{} columns {}", found.size(), inQuotes(theirs)), "one",
+                   fmt::format("write {}:{}", tables[found.front().table].file, theirs));
+}
+
+}  // namespace
+
+ChosenColumn parseChosenColumn(const std::string& chosen, const std::vector<ForeignTable>& tables,
+                               const std::vector<ColumnTarget>& targets) {
+  const std::size_t equals = chosen.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == chosen.size())
+    throw InputError("--column", inQuotes(chosen), "NAME=COLUMN, such as x_mm=X", "");
+  const auto [target, unit] = targetOf(chosen.substr(0, equals), targets);
+  const auto [table, column, factor] = columnOf(chosen.substr(equals + 1), tables);
+  if (factor != 1 && (!targets[target].is_number || targets[target].form))
+    throw InputError("--column", fmt::format("a factor in {}", inQuotes(chosen)),
+                     "none but of joints, coordinates and other single numbers", "");
+  return {target, table, column, unit, factor};
+}
+
+}  // namespace tubeplan::app

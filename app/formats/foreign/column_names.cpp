@@ -1,0 +1,241 @@
+#include "app/formats/foreign/column_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "app/formats/foreign/angle_fields.hpp"
+#include "app/formats/foreign/foreign_heading.hpp"
+#include "app/formats/foreign/joint_patterns.hpp"
+#include "app/storage/input_error.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+/// How many columns at the front are of text: the collection, the group and the name of a tracker's point.
+std::size_t textsInFront(const ForeignTable& table) {
+  const auto& first = table.rows.front().fields;
+  const auto isNumber = [](const std::string& field) { return tubesheets::parseNumber(field).has_value(); };
+  return static_cast<std::size_t>(std::find_if(first.begin(), first.end(), isNumber) - first.begin());
+}
+
+bool areDifferent(const ForeignTable& table, std::size_t column) {
+  std::set<std::string> seen;
+  return std::ranges::all_of(table.rows, [&](const auto& row) { return seen.insert(row.fields[column]).second; });
+}
+
+/// Whether a column may be of running numbers.
+bool areCounts(const ForeignTable& table, std::size_t column) {
+  return areDifferent(table, column) && std::ranges::all_of(table.rows, [&](const auto& row) {
+           return tubesheets::parseInteger(row.fields[column]).has_value();
+         });
+}
+
+/// Of the texts at the front the last that differs from row to row, else the last; nothing where there are none.
+std::optional<std::size_t> pointAmong(const ForeignTable& table, std::size_t texts) {
+  for (std::size_t c = texts; c-- > 0;)
+    if (areDifferent(table, c)) return c;
+  return texts > 0 ? std::optional(texts - 1) : std::nullopt;
+}
+
+/// What the columns of a table without headings are by how many there are: texts in front, the last of which names the
+/// point; before a place a running number, or the point's where no text differs; then the joints, the place, or both.
+std::vector<ForeignHeading> headingsByShape(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
+  std::vector<std::string> joints;
+  for (const auto& target : targets)
+    if (target.is_joint) joints.push_back(target.aliases.front());
+  const std::size_t texts = textsInFront(table), columns = table.columns.size();
+  std::vector<ForeignHeading> headings(columns);
+  const auto isWhole = [&](std::size_t numbers) {
+    return numbers == joints.size() + 3 || (numbers == joints.size()) != (numbers == 3);
+  };
+  const auto point = pointAmong(table, texts);
+  const bool is_named = point && areDifferent(table, *point);
+  const std::size_t counted = columns - texts - 1;  // numbers behind the first
+  const bool may_be_counted = !is_named && isWhole(counted) && counted != joints.size() && areCounts(table, texts);
+  const bool is_counted = !isWhole(columns - texts);
+  if (is_counted ? !may_be_counted : texts > 1 && may_be_counted) return headings;  // unknown, or one of two
+  if (is_counted)
+    headings[texts].name = texts == 0 ? "id" : "point";
+  else if (point)
+    headings[*point].name = "point";
+  std::size_t at = texts + (is_counted ? 1 : 0);
+  const std::size_t numbers = columns - at;
+  if (numbers != 3)
+    for (const auto& joint : joints) headings[at++].name = joint;
+  if (numbers != joints.size())
+    for (const char* axis : {"x", "y", "z"}) headings[at++].name = axis;
+  return headings;
+}
+
+/// The name of a heading that is this target's and no other's.
+std::string settledName(const ColumnTarget& target) { return "=" + target.quantity; }
+
+/// Joints counted from zero are counted from one here: q0 to q5 of six, where there is no q6.
+void countFromOne(std::vector<std::vector<ForeignHeading>>& tables, std::size_t joints) {
+  const auto find = [&](const std::string& name) -> ForeignHeading* {
+    for (auto& headings : tables)
+      for (auto& heading : headings)
+        if (heading.name == name) return &heading;
+    return nullptr;
+  };
+  for (const char* word : kJointWords) {
+    std::vector<ForeignHeading*> counted;
+    for (std::size_t k = 0; k < joints; ++k) counted.push_back(find(fmt::format("{}{}", word, k)));
+    const bool are_all = std::all_of(counted.begin(), counted.end(), [](const auto* heading) { return heading; });
+    if (!are_all || find(fmt::format("{}{}", word, joints))) continue;
+    for (std::size_t k = 0; k < joints; ++k) counted[k]->name = fmt::format("{}{}", word, k + 1);
+  }
+}
+
+/// What controllers call all joints of an arm, from its base.
+const std::vector<std::vector<std::string>> kControllersNames{
+    {"s", "l", "u", "r", "b", "t"},
+    {"s", "l", "e", "u", "r", "b", "t"},
+    {"base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3"},
+};
+
+/// Names of a controller, where one table has each of as many as there are joints: T is no time there.
+void settleControllersNames(std::vector<std::vector<ForeignHeading>>& tables,
+                            const std::vector<const ColumnTarget*>& joints) {
+  for (auto& headings : tables)
+    for (const auto& names : kControllersNames) {
+      if (names.size() != joints.size()) continue;
+      std::vector<ForeignHeading*> found;
+      for (const auto& name : names)
+        for (auto& heading : headings)
+          if (heading.name == name) found.push_back(&heading);
+      const bool are_all = found.size() == names.size() && std::ranges::all_of(names, [&](const auto& name) {
+                             return std::ranges::any_of(found, [&](const auto* h) { return h->name == name; });
+                           });
+      if (!are_all) continue;
+      for (std::size_t k = 0; k < joints.size(); ++k) found[k]->name = settledName(*joints[k]);
+    }
+}
+
+/// A joint's own name goes before its number among the joints: `slide, A1, A2` are no numbers. The numbers of those
+/// that are left count them alone where there are as many: `slide, J1, J2`.
+void settleNames(std::vector<std::vector<ForeignHeading>>& tables, const std::vector<ColumnTarget>& targets) {
+  const auto called = [&](const std::string& name) {
+    std::vector<ForeignHeading*> found;
+    for (auto& headings : tables)
+      for (auto& heading : headings)
+        if (heading.name == name) found.push_back(&heading);
+    return found;
+  };
+  std::vector<const ColumnTarget*> rest;
+  bool is_any_named = false;
+  for (const auto& target : targets) {
+    if (!target.is_joint) continue;
+    const auto found = called(target.aliases.front());
+    if (found.size() == 1 && fits(target, *found.front())) {
+      found.front()->name = settledName(target);
+      is_any_named = true;
+    } else if (isNumbered(target)) {
+      rest.push_back(&target);
+    }
+  }
+  if (!is_any_named) settleControllersNames(tables, rest);
+  for (const char* word : kJointWords) {
+    const auto numbered = [&](std::size_t number) { return called(fmt::format("{}{}", word, number)); };
+    bool are_all = is_any_named && !rest.empty() && numbered(rest.size() + 1).empty();
+    for (std::size_t number = 1; number <= rest.size(); ++number) are_all = are_all && numbered(number).size() == 1;
+    if (!are_all) continue;
+    std::vector<ForeignHeading*> columns;
+    for (std::size_t number = 1; number <= rest.size(); ++number) columns.push_back(numbered(number).front());
+    for (std::size_t k = 0; k < rest.size(); ++k) columns[k]->name = settledName(*rest[k]);
+    return;
+  }
+}
+
+/// Joints between the same words, where no heading is a joint's without them and one set of columns stands for all.
+void settlePattern(const std::vector<ForeignTable>& tables, std::vector<std::vector<ForeignHeading>>& headings,
+                   const std::vector<ColumnTarget>& targets) {
+  const auto isJoint = [&](const ForeignHeading& heading) {
+    return std::ranges::any_of(targets,
+                               [&](const auto& target) { return isNumbered(target) && fits(target, heading); });
+  };
+  for (const auto& of_table : headings)
+    if (std::ranges::any_of(of_table, isJoint)) return;
+  const auto patterns = jointPatterns(tables, headings, targets);
+  if (patterns.size() != 1) return;
+  std::size_t k = 0;
+  for (const auto& target : targets)
+    if (isNumbered(target)) headings[patterns.front().table][patterns.front().columns[k++]].name = settledName(target);
+}
+
+/// Counts joints from one where they were counted from zero, and settles those that are called by their own names, by
+/// letters (S, L, U, R, B, T of Yaskawa) or, of those that are left, by numbers; else all of them by jointPatterns(),
+/// where that is one set.
+void settleJoints(const std::vector<ForeignTable>& tables, std::vector<std::vector<ForeignHeading>>& headings,
+                  const std::vector<ColumnTarget>& targets) {
+  countFromOne(headings, static_cast<std::size_t>(std::ranges::count_if(targets, isNumbered)));
+  settleNames(headings, targets);
+  settlePattern(tables, headings, targets);
+}
+
+/// Surveyors' axes, where all three stand in one table and none is called x, y or z.
+void takeSurveyAxes(std::vector<std::vector<ForeignHeading>>& tables) {
+  static const std::array<std::set<std::string>, 3> kNames{
+      {{"east", "easting", "e"}, {"north", "northing", "n"}, {"elev", "elevation", "up", "height", "h"}}};
+  static const std::array<std::string, 3> kAxes{"x", "y", "z"};
+  for (const auto& headings : tables)
+    for (const auto& heading : headings)
+      if (std::ranges::find(kAxes, heading.name) != kAxes.end()) return;
+  for (auto& headings : tables) {
+    std::array<std::vector<ForeignHeading*>, 3> found;
+    for (auto& heading : headings)
+      for (std::size_t a = 0; a < 3; ++a)
+        if (kNames[a].contains(heading.name)) found[a].push_back(&heading);
+    if (std::ranges::any_of(found, [](const auto& columns) { return columns.size() != 1; })) continue;
+    for (std::size_t a = 0; a < 3; ++a) found[a].front()->name = kAxes[a];
+  }
+}
+
+}  // namespace
+
+bool fits(const ColumnTarget& target, const ForeignHeading& heading) {
+  if (heading.unit && !(target.unit && unitOfKind(heading.unit, *target.unit))) return false;
+  if (heading.is_count && !target.is_joint) return false;
+  return heading.name == settledName(target) ||
+         std::find(target.aliases.begin(), target.aliases.end(), heading.name) != target.aliases.end();
+}
+
+const Unit* unitOf(const ForeignTable& table, const ForeignHeading& heading, UnitKind kind, const UsualUnits& usual) {
+  if (heading.unit) return unitOfKind(heading.unit, kind);
+  if (heading.is_count) return nullptr;
+  const auto above = table.units.find(kind);
+  const auto asked = usual.find(kind);
+  if (above == table.units.end()) return asked == usual.end() ? nullptr : asked->second;
+  if (asked != usual.end() && asked->second->name != above->second.unit->name)
+    throw InputError(table.file,
+                     fmt::format("the unit {} by {}", above->second.unit->name, inQuotes(above->second.line)),
+                     fmt::format("{} as --units says", asked->second->name),
+                     "leave that unit out of --units, or take out the line where it is not true");
+  return above->second.unit;
+}
+
+std::vector<ForeignHeading> columnNames(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
+  if (!table.has_heading) return headingsByShape(table, targets);
+  std::vector<ForeignHeading> headings;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    headings.push_back(parseHeading(table.columns[c]));
+    if (!headings.back().unit && !headings.back().is_count) headings.back().unit = unitOfForm(sixtiethForm(table, c));
+  }
+  return headings;
+}
+
+std::vector<std::vector<ForeignHeading>> columnNames(const std::vector<ForeignTable>& tables,
+                                                     const std::vector<ColumnTarget>& targets) {
+  std::vector<std::vector<ForeignHeading>> headings;
+  for (const auto& table : tables) headings.push_back(columnNames(table, targets));
+  settleJoints(tables, headings, targets);
+  takeSurveyAxes(headings);
+  return headings;
+}
+
+}  // namespace tubeplan::app

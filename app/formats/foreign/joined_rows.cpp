@@ -1,0 +1,126 @@
+#include "app/formats/foreign/joined_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "app/storage/input_error.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+/// Of each row of the leading table the row of another that goes beside it.
+using Partners = std::vector<std::optional<std::size_t>>;
+
+class RowJoiner {
+ public:
+  RowJoiner(const std::vector<ForeignTable>& tables, std::size_t lead,
+            const std::vector<std::optional<std::size_t>>& names)
+      : tables_(tables), names_(names) {
+    out_.lead = lead;
+  }
+
+  JoinedRows join() {
+    out_.rows.resize(tables_.size());
+    std::vector<Partners> partners(tables_.size());
+    for (std::size_t t = 0; t < tables_.size(); ++t)
+      if (t != out_.lead) partners[t] = partnersOf(t);
+    for (std::size_t k = 0; k < lead().rows.size(); ++k) {
+      const bool is_whole = std::all_of(partners.begin(), partners.end(),
+                                        [&](const auto& partner) { return partner.empty() || partner[k]; });
+      if (!is_whole) continue;
+      for (std::size_t t = 0; t < tables_.size(); ++t)
+        out_.rows[t].push_back(partners[t].empty() ? k : *partners[t][k]);
+    }
+    const std::size_t kept = out_.rows[out_.lead].size();
+    if (kept == 0)
+      throw InputError(lead().file, "no row that another table has a point for", "rows with the same names", "");
+    if (const std::size_t lost = lead().rows.size() - kept; lost > 0)
+      out_.left_out.push_back(fmt::format("{} rows of {} whose names another table does not have", lost, lead().file));
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] const ForeignTable& table(std::size_t t) const { return tables_[t]; }
+  [[nodiscard]] const ForeignTable& lead() const { return tables_[out_.lead]; }
+
+  [[nodiscard]] Partners partnersOf(std::size_t t) {
+    const auto ours = names_[out_.lead], theirs = names_[t];
+    if (ours && theirs) {
+      auto partners = partnersByName(t, *ours, *theirs);
+      if (std::any_of(partners.begin(), partners.end(), [](const auto& partner) { return partner.has_value(); }))
+        return partners;
+      refuseOtherNames(t, *ours, *theirs);
+    }
+    return partnersByOrder(t);
+  }
+
+  /// Running numbers may count anything; names of points are names of points.
+  void refuseOtherNames(std::size_t t, std::size_t ours, std::size_t theirs) const {
+    const auto areNames = [](const ForeignTable& table, std::size_t column) {
+      return std::none_of(table.rows.begin(), table.rows.end(),
+                          [&](const auto& row) { return tubesheets::parseNumber(row.fields[column]).has_value(); });
+    };
+    if (areNames(lead(), ours) && areNames(table(t), theirs))
+      throw InputError(table(t).file, fmt::format("names of which {} has none", lead().file), "the same names in both",
+                       "give the points the same names, or remove them to match by order");
+  }
+
+  Partners partnersByName(std::size_t t, std::size_t ours, std::size_t theirs) {
+    std::map<std::string, std::size_t> index;
+    for (std::size_t k = 0; k < table(t).rows.size(); ++k) {
+      const auto& row = table(t).rows[k];
+      if (!index.emplace(pointName(row.fields[theirs]), k).second)
+        throw InputError(fmt::format("{}:{}", table(t).file, row.line),
+                         fmt::format("the name {} twice", inQuotes(row.fields[theirs])), "every name once",
+                         "give the points different names, or remove the names to match rows by their order");
+    }
+    Partners partners;
+    std::set<std::size_t> used;
+    for (const auto& row : lead().rows) {
+      const auto found = index.find(pointName(row.fields[ours]));
+      partners.push_back(found == index.end() ? std::nullopt : std::optional(found->second));
+      if (partners.back()) used.insert(*partners.back());
+    }
+    if (!used.empty()) {
+      out_.how = "by name";
+      if (used.size() < index.size())
+        out_.left_out.push_back(fmt::format("{} rows of {} whose names {} does not have", index.size() - used.size(),
+                                            table(t).file, lead().file));
+    }
+    return partners;
+  }
+
+  Partners partnersByOrder(std::size_t t) {
+    const std::size_t ours = lead().rows.size(), theirs = table(t).rows.size();
+    if (ours != theirs)
+      throw InputError(table(t).file, fmt::format("{} rows, and none with a name that {} has", theirs, lead().file),
+                       fmt::format("{} rows, as {} has, or the same names in both", ours, lead().file), "");
+    out_.how = "row by row";
+    Partners partners;
+    for (std::size_t k = 0; k < ours; ++k) partners.emplace_back(k);
+    return partners;
+  }
+
+  const std::vector<ForeignTable>& tables_;
+  const std::vector<std::optional<std::size_t>>& names_;
+  JoinedRows out_;
+};
+
+}  // namespace
+
+std::string pointName(const std::string& field) {
+  const std::size_t colons = field.rfind("::");
+  return std::string(tubesheets::trimBlanks(colons == std::string::npos ? field : field.substr(colons + 2)));
+}
+
+JoinedRows joinRows(const std::vector<ForeignTable>& tables, std::size_t lead,
+                    const std::vector<std::optional<std::size_t>>& names) {
+  return RowJoiner(tables, lead, names).join();
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,31 @@
+// Joint columns whose headings have the same words around each joint's name or number: `panda_joint1`,
+// `joint_1_position`, `/joint_states/position[0]`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/formats/foreign/foreign_columns.hpp"
+#include "app/formats/foreign/foreign_heading.hpp"
+
+namespace tubeplan::app {
+
+/// Columns of one table, one for each joint of the chain to the tip.
+struct JointColumns {
+  std::size_t table = 0;
+  std::vector<std::size_t> columns;  ///< in the order of the joints
+
+  friend bool operator==(const JointColumns&, const JointColumns&) = default;
+};
+
+/// Returns whether a joint may be called by its number: one of the chain to the tip.
+[[nodiscard]] bool isNumbered(const ColumnTarget& target);
+
+/// Returns all sets of columns that stand for all joints by the words between the same words: by the joints' names, by
+/// these without the words that they share, or by numbers from 0 or 1 beside a word for joints or positions. Words for
+/// speeds, torques and the like speak against a set.
+[[nodiscard]] std::vector<JointColumns> jointPatterns(const std::vector<ForeignTable>& tables,
+                                                      const std::vector<std::vector<ForeignHeading>>& headings,
+                                                      const std::vector<ColumnTarget>& targets);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,91 @@
+#include "app/formats/measurements/assumptions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
+#include "app/studies/model/cell_fit.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+std::vector<std::string> namesOfMistakes() {
+  std::vector<std::string> names;
+  for (const auto& kind : calibration::mistakeKinds()) names.emplace_back(kind.name);
+  names.emplace_back(kAsIs);
+  return names;
+}
+
+const calibration::MistakeKind* mistakeOf(const std::string& assumption) {
+  return calibration::findMistakeKind(assumption.substr(0, assumption.find('=')));
+}
+
+/// `is_sigma_settled`: an assumption of its own says what the noise is.
+void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable& table, Cell& cell) {
+  const std::size_t equals = assumption.find('=');
+  const std::string name = assumption.substr(0, equals);
+  const auto* kind = mistakeOf(assumption);
+  if (!kind || equals == std::string::npos)
+    throw InputError("--assume", inQuotes(assumption), "NAME=VALUE with a NAME of " + alternatives(namesOfMistakes()),
+                     kind ? fmt::format("write {}={}", name, kind->value) : suggestion(name, namesOfMistakes()));
+  const calibration::CheckedReadings checked{startOf(cell, table.readings), table.readings, freeNumbersOf(cell),
+                                             table.units, cell.sheet ? &*cell.sheet : nullptr};
+  auto mend = kind->mend(checked, assumption.substr(equals + 1));
+  if (!mend) throw InputError("--assume " + name, inQuotes(assumption.substr(equals + 1)), kind->expected);
+  if (is_sigma_settled && !kind->settles_sigma) mend->change_sigma = nullptr;
+  mend->apply(table.readings);
+  if (table.readings.empty())
+    throw InputError("--assume", inQuotes(assumption), "one that keeps some readings", "leave fewer out");
+  if (mend->frees_base) cell.base_known = false;
+}
+
+/// What an assumption is about: two of one subject cannot both hold. A unit is of what stands before it; of any other
+/// kind the value belongs to the subject, since there may be several of it.
+std::string subjectOf(const std::string& assumption) {
+  const std::size_t equals = assumption.find('=');
+  const auto* kind = mistakeOf(assumption);
+  if (!kind || !std::string_view(kind->value).ends_with("UNIT")) return assumption;
+  const std::size_t colon = assumption.find(':', equals);
+  return assumption.substr(0, colon == std::string::npos ? equals : colon);
+}
+
+/// Of several about one subject the last.
+std::vector<std::string> inForce(const std::vector<std::string>& assume) {
+  std::vector<std::string> kept;
+  for (const auto& text : assume)
+    for (const auto& assumption : calibration::partedAssumptions(text)) {
+      std::erase_if(kept, [&](const auto& earlier) { return subjectOf(earlier) == subjectOf(assumption); });
+      kept.push_back(assumption);
+    }
+  return kept;
+}
+
+}  // namespace
+
+std::string assumptionsText() {
+  std::string text;
+  for (const auto& kind : calibration::mistakeKinds())
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", kind.name, kind.value);
+  return text;
+}
+
+bool takeAssumptions(const std::vector<std::string>& assume, MeasurementTable& table, Cell& cell) {
+  bool is_overruled = false;
+  const auto in_force = inForce(assume);
+  const bool is_sigma_settled = std::ranges::any_of(in_force, [](const auto& assumption) {
+    const auto* kind = mistakeOf(assumption);
+    return kind && kind->settles_sigma;
+  });
+  for (const auto& assumption : in_force)
+    if (assumption == kAsIs)
+      is_overruled = true;
+    else
+      take(assumption, is_sigma_settled, table, cell);
+  return is_overruled;
+}
+
+}  // namespace tubeplan::app

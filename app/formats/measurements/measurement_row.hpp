@@ -1,0 +1,54 @@
+// One line of a table of measurements.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/formats/measurements/measurement_columns.hpp"
+#include "calibration/measurement.hpp"
+#include "deflection/arm.hpp"
+#include "tubesheets/sheet.hpp"
+
+namespace tubeplan::app {
+
+/// One row of the table, for reading its fields and complaining about them.
+class RowReader {
+ public:
+  RowReader(const tubesheets::CsvTable& table, const tubesheets::CsvRow& row, const std::string& file)
+      : table_(table), row_(row), file_(file) {}
+
+  [[nodiscard]] const std::string& field(std::size_t index) const { return row_.fields[index]; }
+  [[nodiscard]] std::string textOr(const std::optional<std::size_t>& index) const { return index ? field(*index) : ""; }
+  [[nodiscard]] double number(std::size_t index) const;
+  [[nodiscard]] double number(const NumberColumn& column) const;  ///< in internal units
+
+  /// NaN where there is no such column or nothing in it.
+  [[nodiscard]] double numberOrNaN(const std::optional<NumberColumn>& column) const;
+
+  [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected,
+                         const std::string& advice = "") const;
+  [[noreturn]] void failRow(const std::string& found, const std::string& expected,
+                            const std::string& advice = "") const;
+
+  [[nodiscard]] int line() const { return row_.line; }
+
+ private:
+  const tubesheets::CsvTable& table_;
+  const tubesheets::CsvRow& row_;
+  const std::string& file_;
+};
+
+/// The reading of a row; one that is taken from another has none yet. Throws InputError naming line and column.
+[[nodiscard]] calibration::Measurement readMeasurement(const RowReader& row, const MeasurementColumns& columns,
+                                                       const deflection::Arm& arm, const tubesheets::Sheet* sheet);
+
+/// The reading that a relative one is taken from, by its id: any other of the same set-up, whatever its kind. `known`
+/// has the reading of every id.
+[[nodiscard]] std::shared_ptr<const calibration::Measurement> readReference(
+    const RowReader& row, const MeasurementColumns& columns,
+    const std::map<std::string, const calibration::Measurement*>& known, const calibration::Measurement& m);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,271 @@
+#include "app/formats/measurements/reading_input.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/formats/cell/priors_reader.hpp"
+#include "app/formats/measurements/assumptions.hpp"
+#include "app/formats/measurements/measurements_reader.hpp"
+#include "app/formats/sheet/touch_input.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
+#include "app/storage/text_file.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
+#include "app/studies/model/cell_fit.hpp"
+#include "calibration/measurement_checks/copies.hpp"
+#include "calibration/measurement_checks/joint_limits.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/measurement_posture.hpp"
+#include "calibration/measurements/reading_prediction.hpp"
+#include "calibration/measurements/reading_problems.hpp"
+#include "deflection/effects/formula.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Identification, calibration::Measurement;
+
+/// Set-ups of the cell that no reading names: a name mistyped would leave its rows compliant without a word.
+std::vector<std::string> unnamedSetups(const deflection::Arm& arm, const std::vector<Measurement>& readings) {
+  std::vector<std::string> named, warnings;
+  for (const auto& reading : readings)
+    if (std::find(named.begin(), named.end(), reading.setup) == named.end()) named.push_back(reading.setup);
+  for (const auto& mounting : arm.mountings) {
+    if (std::find(named.begin(), named.end(), mounting.setup) != named.end()) continue;
+    const std::string near = suggestion(mounting.setup, named);
+    warnings.push_back("no reading is of the set-up " + inQuotes(mounting.setup) +
+                       ", whose rows the cell has as rigid" + (near.empty() ? "" : "; " + near));
+  }
+  return warnings;
+}
+
+/// Touches of places that nobody measured reward a smaller arm: nothing in them is a length, but of a ball its radius.
+std::string shrunkenArm(const Identification& result, const std::vector<Measurement>& readings) {
+  constexpr double kTooGood = 0.5;  // of chi-square per degree of freedom
+  constexpr int kMany = 30;         // degrees of freedom from which that is no chance
+  const bool is_blind = std::all_of(readings.begin(), readings.end(), [](const Measurement& reading) {
+    return hasUnknownPlace(reading) && std::isnan(reading.own[0]);
+  });
+  if (!is_blind || result.degrees_of_freedom < kMany) return "";
+  const double per_degree = result.chi2 / result.degrees_of_freedom;
+  if (!(per_degree < kTooGood)) return "";
+  return fmt::format(
+      "the residuals are far below the noise (chi-square per degree of freedom {:.2g}): touches of points of unknown "
+      "position are fitted best by an arm that shrinks; hold its lengths or measure one, unless sigma is too large",
+      per_degree);
+}
+
+void settleCounts(std::vector<Measurement>& readings, const Cell& cell, const std::string& file) {
+  const auto counts = [](const Measurement& reading) { return kindOf(reading).counts_steps; };
+  const auto first = std::find_if(readings.begin(), readings.end(), counts);
+  if (first == readings.end()) return;
+  if (!cell.tool)
+    throw InputError(fmt::format("{}:{}", file, first->line), "steps without a calibration tool in the cell",
+                     "its steps and tolerances", "add `calibration_tool` to " + cell.path);
+  settleSteps(readings, *cell.tool, file);
+}
+
+/// A reading of nothing but angles has their noise at the lever as its own.
+void stateTurnSigma(Measurement& reading, const std::string& file, const Cell& cell) {
+  const auto& kind = kindOf(reading);
+  if (kind.turn_rows == 0) return;
+  if (!std::isfinite(reading.turn_sigma))
+    throw InputError(fmt::format("{}:{}", file, reading.line),
+                     fmt::format("a reading of kind {} without turn_sigma", kind.name), "the noise of its angles",
+                     fmt::format("add a column turn_sigma_{}", cell.units.angle().name));
+  if (kind.rows <= kind.turn_rows) reading.sigma = calibration::kTurnLever * reading.turn_sigma;
+}
+
+}  // namespace
+
+void stateSigma(std::vector<Measurement>& readings, const Cell& cell, const std::string& file, double sigma) {
+  if (!std::isfinite(sigma) || sigma < 0)
+    throw InputError("--sigma", fmt::format("{}", sigma),
+                     "a noise above zero, in " + std::string(cell.units.length().name));
+  settleCounts(readings, cell, file);
+  for (auto& reading : readings) {
+    stateTurnSigma(reading, file, cell);
+    if (std::isfinite(reading.sigma)) continue;
+    if (sigma > 0)
+      reading.sigma = cell.units.toInternal(sigma, dimension::kLength);
+    else if (isTouch(reading) && cell.tool)
+      reading.sigma = touchSigmaOf(*cell.tool);
+    else
+      throw InputError(fmt::format("{}:{}", file, reading.line), "a reading without sigma", "its noise",
+                       fmt::format("add a column sigma_{} or --sigma", cell.units.length().name));
+  }
+}
+
+void requireDefinedFormulas(const std::vector<Measurement>& readings, const Cell& cell, const std::string& file) {
+  for (const auto& reading : readings) {
+    const auto posture = calibration::postureOf(reading, cell.arm, cell.X_WB);
+    const auto undefined = deflection::findUndefinedFormula(cell.arm, posture);
+    if (!undefined.empty())
+      throw InputError(fmt::format("{}:{} (reading {})", file, reading.line, reading.id), undefined,
+                       "a formula with a finite value at every reading", "change the formula in " + cell.path);
+  }
+}
+
+std::vector<Measurement> readReadings(const std::string& file, const Cell& cell, double sigma) {
+  return parseReadings(readTextFile(file), file, cell, sigma);
+}
+
+CellReadings readCellReadings(const std::string& cell, const ReadingFiles& measurements,
+                              const MeasurementOptions& options) {
+  CellReadings read{readCell(cell), nameOf(measurements), {}};
+  takePriors(options.priors, read.cell);
+  auto [readings, checks] = readAndCheck(measurements, read.cell, options);
+  read.readings = std::move(readings);
+  read.checks = std::move(checks);
+  return read;
+}
+
+namespace {
+
+/// Of what has no column: the cell's.
+void nameUnits(const Cell& cell, calibration::ReadingUnits& units) {
+  const auto name = [](const Unit& unit, calibration::NamedUnit& named) {
+    if (named.name.empty()) named = {std::string(unit.name), unit.factor};
+  };
+  name(cell.units.length(), units.coordinates);
+  name(cell.units.length(), units.sigma);
+  name(cell.units.force(), units.loads);
+}
+
+calibration::CheckedReadings asChecked(const MeasurementTable& table, const Cell& cell) {
+  return {startOf(cell, table.readings), table.readings, freeNumbersOf(cell), table.units,
+          cell.sheet ? &*cell.sheet : nullptr};
+}
+
+bool isAnyPastLimits(const MeasurementTable& table, const Cell& cell) {
+  return std::ranges::any_of(table.readings,
+                             [&](const Measurement& reading) { return isPastLimits(reading, cell.arm); });
+}
+
+/// What to do about joint readings past their limits: the mistake that would bring them back, where there is one.
+struct LimitAdvice {
+  std::string text;
+  bool brings_back = false;  ///< by what it says all readings are within
+};
+LimitAdvice adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
+  const auto checks = calibration::checkMeasurements(asChecked(table, cell));
+  const auto* mistake = calibration::grossMistake(checks);
+  if (!mistake || mistake->assume.empty()) return {};
+  MeasurementTable mended = table;
+  Cell of_mended = cell;
+  (void)takeAssumptions({mistake->assume}, mended, of_mended);
+  return {fmt::format("{}? try --assume {}", mistake->sentence, mistake->assume), !isAnyPastLimits(mended, of_mended)};
+}
+
+/// Takes readings a whole turn back within their limits, unless a mistake that brings all of them within explains them
+/// otherwise. Throws InputError for those that stay past, with the advice.
+std::optional<calibration::MeasurementCheck> settleLimits(MeasurementTable& table, const std::string& file,
+                                                          const Cell& cell) {
+  if (!isAnyPastLimits(table, cell)) return std::nullopt;
+  const auto advice = adviceOnLimits(table, cell);
+  if (advice.brings_back) requireWithinLimits(table, cell.arm, file, advice.text);
+  auto checked = asChecked(table, cell);
+  auto unwound = calibration::unwindJoints(checked);
+  table.readings = std::move(checked.readings);
+  requireWithinLimits(table, cell.arm, file, advice.text);
+  return unwound;
+}
+
+MeasurementTable tableOf(const std::string& text, const std::string& file, const Cell& cell,
+                         const MeasurementOptions& options, const std::vector<Measurement>& before = {}) {
+  checkText(file, text);
+  MeasurementTable table = parseMeasurementTable(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr, before);
+  nameUnits(cell, table.units);
+  stateSigma(table.readings, cell, file, options.sigma);
+  return table;
+}
+
+/// The tables one after another, every reading with an id of its own.
+MeasurementTable tableOfAll(const ReadingFiles& files, const Cell& cell, const MeasurementOptions& options) {
+  MeasurementTable all;
+  std::set<std::string> ids;
+  for (const auto& file : files) {
+    MeasurementTable table = tableOf(readTextFile(file), file, cell, options, all.readings);
+    for (const auto& reading : table.readings)
+      if (!ids.insert(reading.id).second)
+        throw InputError(fmt::format("{}:{} (id)", file, reading.line), inQuotes(reading.id) + " again",
+                         "an id of its own in all files");
+    if (!all.readings.empty()) table.readings.insert(table.readings.begin(), all.readings.begin(), all.readings.end());
+    all = std::move(table);
+  }
+  return all;
+}
+
+ReadingsWithChecks checkTable(MeasurementTable table, const std::string& file, Cell& cell,
+                              const MeasurementOptions& options) {
+  const bool is_overruled = takeAssumptions(options.assume, table, cell);
+  const auto unwound = settleLimits(table, file, cell);
+  requireDefinedFormulas(table.readings, cell, file);
+  auto checked = asChecked(table, cell);
+  const auto copies = is_overruled ? std::nullopt : calibration::takeCopiesOut(checked);
+  auto checks = calibration::checkMeasurements(checked);
+  if (is_overruled)
+    for (auto& check : checks.checks) check.severity = calibration::CheckSeverity::kRemark;
+  for (const auto& done : {unwound, copies})
+    if (done) checks.checks.push_back(*done);
+  checks.is_overruled = is_overruled;
+  return {std::move(checked.readings), std::move(checks)};
+}
+
+}  // namespace
+
+ReadingsWithChecks parseAndCheck(const std::string& text, const std::string& file, Cell& cell,
+                                 const MeasurementOptions& options) {
+  return checkTable(tableOf(text, file, cell, options), file, cell, options);
+}
+
+std::string nameOf(const ReadingFiles& files) { return fmt::format("{}", fmt::join(files, " + ")); }
+
+ReadingsWithChecks readAndCheck(const ReadingFiles& files, Cell& cell, const MeasurementOptions& options) {
+  if (files.empty()) throw InputError("measurements", "no file", "one file of readings or more");
+  return checkTable(tableOfAll(files, cell, options), nameOf(files), cell, options);
+}
+
+std::vector<Measurement> parseReadings(const std::string& text, const std::string& file, const Cell& cell, double sigma,
+                                       const std::vector<Measurement>& before) {
+  checkText(file, text);
+  auto table = parseMeasurementTable(text, file, cell.arm, cell.sheet ? &*cell.sheet : nullptr, before);
+  requireWithinLimits(table, cell.arm, file);
+  stateSigma(table.readings, cell, file, sigma);
+  requireDefinedFormulas(table.readings, cell, file);
+  return std::move(table.readings);
+}
+
+InputError inputErrorOf(const calibration::ReadingProblem& problem, const std::vector<Measurement>& readings,
+                        const std::string& file) {
+  const std::string where =
+      problem.reading < 0 ? file
+                          : fmt::format("{}:{}", file, readings.at(static_cast<std::size_t>(problem.reading)).line);
+  return InputError(where, problem.found, problem.expected, problem.advice);
+}
+
+std::vector<std::string> fitWarnings(const Identification& result, const std::vector<Measurement>& readings) {
+  std::vector<std::string> warnings = unnamedSetups(result.fitted.arm, readings);
+  if (auto shrunken = shrunkenArm(result, readings); !shrunken.empty()) warnings.push_back(std::move(shrunken));
+  if (result.not_judged > 0)
+    warnings.push_back(
+        fmt::format("{} held-out reading{} not judged: a single touch of a point that nobody measured, or a set-up "
+                    "without a fitted reading, has nothing to be compared with",
+                    result.not_judged, result.not_judged == 1 ? " is" : "s are"));
+  return warnings;
+}
+
+InputError refusalOf(const std::optional<calibration::ReadingProblem>& problem, const std::string& reason,
+                     const CellReadings& input) {
+  if (problem) return inputErrorOf(*problem, input.readings, input.file);
+  if (input.cell.base_known && freeNumbersOf(input.cell).names.empty())
+    return {input.cell.path, "no free parameter", "a base to be found (base: {known: false}) or a list `identify`", ""};
+  return {input.file, reason, "readings that determine the free parameters", ""};
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,114 @@
+#include "app/formats/sheet/touch_input.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "app/formats/measurements/measurements_writer.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
+#include "calibration/measurements/measurement_kinds.hpp"
+#include "calibration/measurements/steps.hpp"
+#include "calibration/simulation/simulated_touch.hpp"
+#include "planner/workcell.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using calibration::Measurement;
+
+double sigmaOf(const Measurement& reading, const Cell& cell, const std::string& file) {
+  if (std::isfinite(reading.sigma)) return reading.sigma;
+  if (cell.tool) return touchSigmaOf(*cell.tool);
+  throw InputError(fmt::format("{}:{}", file, reading.line), "a touch without sigma", "its centring noise",
+                   "add a column sigma_" + std::string(cell.units.length().name));
+}
+
+/// A touch that names a hole and gives its place must mean the same hole by both.
+void requireNamedHole(const Measurement& reading, const Cell& cell, const std::string& file) {
+  const auto name = tubesheets::parseTubeName(reading.point);
+  const auto* tube = name && cell.sheet ? cell.sheet->find(name->row, name->column) : nullptr;
+  if (!tube || (*reading.p_W - planner::holeCentre(*tube)).norm() < cell.sheet->pitch / 4) return;
+  throw InputError(fmt::format("{}:{}", file, reading.line), "coordinates that are not those of " + reading.point,
+                   "the hole's position on the sheet", "correct the name or the coordinates");
+}
+
+void requireOneSetup(const std::vector<Measurement>& readings, const std::string& file, const std::string& setup) {
+  std::set<std::string> setups;
+  for (const auto& reading : readings)
+    if (isTouch(reading)) setups.insert(reading.setup);
+  if (!setup.empty() && !setups.contains(setup)) throw InputError("--setup", inQuotes(setup), "a set-up of " + file);
+  if (setup.empty() && setups.size() > 1)
+    throw InputError(file, std::to_string(setups.size()) + " set-ups", "touches with one base pose",
+                     "choose one with --setup");
+}
+
+}  // namespace
+
+void settleSteps(std::vector<Measurement>& readings, const tubesheets::SteppedTool& tool, const std::string& file) {
+  const auto most = static_cast<double>(tool.steps.size());
+  for (auto& reading : readings) {
+    if (!kindOf(reading).counts_steps) continue;
+    const double steps = reading.own[0];
+    if (steps < 1 || steps > most || steps != std::round(steps))
+      throw InputError(fmt::format("{}:{}", file, reading.line), fmt::format("{} steps", steps),
+                       fmt::format("1 to {} steps, as the tool has", tool.steps.size()),
+                       steps == 0 ? "omit the visit: with no step inserted the centring error is not bounded" : "");
+    const auto last = static_cast<std::size_t>(steps);
+    reading.own[1] = last < tool.steps.size() ? tool.steps[last].tolerance : 0;
+    reading.own[2] = tool.steps[last - 1].tolerance;
+    reading.sigma = calibration::steps::sigmaBetween(reading.own[1], reading.own[2]);
+  }
+}
+
+std::vector<Measurement> touchesOf(const std::vector<Measurement>& readings, const Cell& cell, const std::string& file,
+                                   const std::string& setup) {
+  requireOneSetup(readings, file, setup);
+  std::vector<Measurement> touches;
+  for (const auto& reading : readings) {
+    if (!touchesKnownPoint(reading) || (!setup.empty() && reading.setup != setup)) continue;
+    requireNamedHole(reading, cell, file);
+    touches.push_back(reading);
+    if (reading.point.empty()) touches.back().point = reading.id;
+    touches.back().sigma = sigmaOf(reading, cell, file);
+  }
+  if (touches.empty())
+    throw InputError(file, "no touch of a known hole", "rows of kind touch with a hole's name (R10C20) or x, y, z");
+  return touches;
+}
+
+std::vector<calibration::TouchPlan> requireTouches(BestTouches touches) {
+  if (!touches.reason.empty())
+    throw InputError("--touches auto", touches.reason, "holes to touch",
+                     "check base, scene and joint limits of the cell");
+  return std::move(touches.plans);
+}
+
+std::vector<Measurement> touchesByTrueArm(const planner::Workcell& model, const Cell& cell,
+                                          const planner::Workcell& truth, std::uint64_t seed) {
+  constexpr int kCandidates = 24, kTouches = 3;
+  const auto plans =
+      requireTouches(bestTouches(model, touchCandidates(model, kCandidates), kTouches, doubtBeside(cell)));
+  calibration::TouchSimulationOptions options;
+  options.sigma = touchSigmaOf(model.tool);
+  options.load = truth.load;
+  options.seed = seed;
+  auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, plans, options);
+  if (simulation.status != calibration::TouchSimulationStatus::kDone)
+    throw InputError("--touches auto", simulation.reason, "holes that the true arm can touch",
+                     "give touches in a file");
+  return std::move(simulation.touches);
+}
+
+void requireEnoughTouches(const std::vector<Measurement>& touches, const std::string& file) {
+  if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
+    throw InputError(file, problem, "three or more different holes, well spread", "touch another hole");
+}
+
+std::string touchesCsv(const std::vector<Measurement>& touches, const Cell& cell) {
+  return measurementsCsv(touches, cell.arm, cell.units);
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,25 @@
+#include "app/formats/units_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "deflection/conditions.hpp"
+
+namespace tubeplan::app {
+
+nlohmann::json unitsJson(const Units& units) {
+  return {{"length", units.length().name},
+          {"angle", units.angle().name},
+          {"force", units.force().name},
+          {"temperature", units.temperature().name},
+          {"time", units.time().name}};
+}
+
+nlohmann::json readingUnitsJson(const Units& units) {
+  nlohmann::json json = unitsJson(units), conditions = nlohmann::json::array();
+  for (const auto& kind : deflection::kConditionKinds)
+    conditions.push_back({{"name", kind.name}, {"unit", units.nameOf(kind.unit)}});
+  json["conditions"] = conditions;
+  return json;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,16 @@
+// The units of a document, which its reader compares.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/formats/units.hpp"
+
+namespace tubeplan::app {
+
+/// {"length": "in", "angle": "deg", ...}.
+[[nodiscard]] nlohmann::json unitsJson(const Units& units);
+
+/// Returns the units with the conditions that readings may state, as `conditions: [{name, unit}]`.
+[[nodiscard]] nlohmann::json readingUnitsJson(const Units& units);
+
+}  // namespace tubeplan::app

@@ -1,0 +1,324 @@
+#include "app/formats/urdf/urdf_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+#include "app/formats/units.hpp"
+#include "app/formats/urdf/urdf_remarks.hpp"
+#include "app/formats/urdf/urdf_tree.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
+#include "deflection/rotation.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using deflection::JointType;
+using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::Vector3d;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+using Link = UrdfTree::Link;
+
+/// The smallest turn that takes z to the joint's axis.
+Isometry3d alignment(const UrdfTree::Joint& joint) {
+  Isometry3d X = Isometry3d::Identity();
+  if (joint.type != "fixed")
+    X.linear() = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), joint.axis).toRotationMatrix();
+  return X;
+}
+
+bool isMoving(const UrdfTree::Joint& joint) { return joint.type != "fixed"; }
+bool isTurning(const UrdfTree::Joint& joint) { return joint.type == "revolute" || joint.type == "continuous"; }
+
+using Chain = std::vector<const Link*>;
+
+/// The links from the first behind the root to this one. Links may hang on each other in a circle.
+Chain chainTo(const UrdfTree& tree, const Link& tip, const std::string& file) {
+  Chain chain;
+  for (const Link* link = &tip; link->joint; link = link->parent) {
+    if (chain.size() == tree.links.size())
+      throw InputError(file, "links that form a closed loop, " + inQuotes(tip.name) + " behind them",
+                       "a tree of links with one root");
+    chain.push_back(link);
+  }
+  std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+const Link& findTip(const UrdfTree& tree, const std::string& name, const std::string& file) {
+  const auto depthOf = [&](const Link& link) {
+    const Chain chain = chainTo(tree, link, file);
+    return std::count_if(chain.begin(), chain.end(), [](const auto& at) { return isMoving(*at->joint); });
+  };
+  std::vector<std::string> names;
+  for (const auto& [link_name, link] : tree.links) names.push_back(link_name);
+  if (!name.empty()) {
+    if (const auto link = tree.links.find(name); link != tree.links.end()) return link->second;
+    throw InputError(file, "no link " + inQuotes(name), "a link of the robot", suggestion(name, names));
+  }
+  Chain deepest;
+  for (const auto& [link_name, link] : tree.links) {
+    if (!link.children.empty()) continue;
+    const auto depth = depthOf(link), most = deepest.empty() ? -1 : depthOf(*deepest.front());
+    if (depth > most) deepest.clear();
+    if (depth >= most) deepest.push_back(&link);
+  }
+  if (deepest.size() == 1) return *deepest.front();
+  std::vector<std::string> tips;
+  for (const auto& link : deepest) tips.push_back(link->name);
+  throw InputError(file, fmt::format("{} links at the end of equally long chains", tips.size()),
+                   "one, named by --tip: " + alternatives(tips));
+}
+
+/// The chain as rows; `X_LK` leads from a row's frame to its link's.
+class ChainReader {
+ public:
+  ChainReader(const UrdfTree& tree, const Link& tip, const std::string& file)
+      : tree_(tree), file_(file), links_(chainTo(tree, tip, file)) {
+    last_moving_ = links_.size();
+    while (last_moving_ > 0 && !isMoving(*links_[last_moving_ - 1]->joint)) --last_moving_;
+    if (last_moving_ == 0)
+      throw InputError(file_, "no moving joint between the root and " + inQuotes(tip.name), "one or more",
+                       "another link may be meant by --tip");
+  }
+
+  UrdfArm read() {
+    out_.arm.name = tree_.name;
+    out_.tip = links_.back()->name;
+    leaveOutStanding(*tree_.root);
+    for (std::size_t k = 0; k < last_moving_; ++k) addRow(*links_[k]);
+    for (std::size_t k = 0; k < last_moving_; ++k) addFollowing(k);
+    for (std::size_t k = 0; k < last_moving_; ++k) addAside(k, *links_[k], X_LK_[k]);
+    Isometry3d X_LT = X_LK_.back();
+    for (std::size_t k = last_moving_; k < links_.size(); ++k) {
+      X_LT = X_LT * addJoint(*links_[k]->joint, Isometry3d::Identity());
+      addBody(last_moving_ - 1, *links_[k], X_LT);
+      addAside(last_moving_ - 1, *links_[k], X_LT);
+    }
+    out_.arm.p_LT = X_LT.translation();
+    out_.arm.tool_axis_L = X_LT.linear().col(2);
+    out_.arm.R_LT = X_LT.linear();
+    if (has_inertia_) out_.left_out.emplace_back("moments of inertia: not needed for statics");
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] bool isOnChain(const Link& link) const {
+    return std::any_of(links_.begin(), links_.end(), [&](const Link* other) { return other == &link; });
+  }
+
+  /// Its origin.
+  Isometry3d addJoint(const UrdfTree::Joint& joint, const Isometry3d& X_CL) {
+    const Isometry3d X_PC = joint.origin.pose();
+    out_.joints.push_back({joint.name, X_PC, X_CL, joint.origin.rpy});
+    return X_PC;
+  }
+
+  void addRow(const Link& link) {
+    const UrdfTree::Joint& joint = *link.joint;
+    const Isometry3d X_KL = alignment(joint), before = X_LK_.empty() ? Isometry3d::Identity() : X_LK_.back();
+    const Isometry3d X = before * addJoint(joint, X_KL) * X_KL;
+    auto& row = out_.arm.rows.emplace_back();
+    row.name = nameOfRow(link.name);
+    row.placement = deflection::Origin<double>{X.translation(), deflection::fixedAnglesOf(X.linear())};
+    if (isMoving(joint)) row.joint = jointOf(joint);
+    X_LK_.push_back(X_KL.inverse());
+    addBody(out_.arm.rows.size() - 1, link, X_LK_.back());
+  }
+
+  /// Without the characters that paths to an arm's numbers are made of.
+  [[nodiscard]] std::string nameOfRow(std::string name) const {
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '.' || c == '[' || c == ']' || c == ' '; }, '_');
+    const auto isTaken = [&](const std::string& one) {
+      return std::any_of(out_.arm.rows.begin(), out_.arm.rows.end() - 1,
+                         [&](const auto& row) { return row.name == one; });
+    };
+    while (isTaken(name)) name += '_';
+    return name;
+  }
+
+  [[nodiscard]] std::string at(const UrdfTree::Joint& joint) const {
+    return fmt::format("{} (joint {})", file_, nameInLine(joint.name));
+  }
+
+  deflection::Joint<double> jointOf(const UrdfTree::Joint& from) {
+    deflection::Joint<double> joint;
+    joint.name = from.name;
+    if (from.type == "floating" || from.type == "planar")
+      throw InputError(at(from), "a floating or planar joint", "joints that turn about or slide along one axis");
+    joint.type = isTurning(from) ? JointType::kRevolute : JointType::kPrismatic;
+    if (from.axis.isZero()) throw InputError(at(from), "an axis of length zero", "a direction");
+    if (from.limits && from.type != "continuous") setLimits(from, joint);
+    if (from.limits && from.limits->velocity > 0) joint.max_speed = from.limits->velocity;
+    return joint;
+  }
+
+  /// Two zeros are what URDF has where no limits are written.
+  void setLimits(const UrdfTree::Joint& from, deflection::Joint<double>& joint) {
+    const double lower = from.limits->lower, upper = from.limits->upper;
+    if (lower == 0 && upper == 0) {
+      out_.left_out.push_back(
+          fmt::format("limits of joint {}: lower and upper are both 0, so it has none", nameInLine(from.name)));
+      return;
+    }
+    if (!(lower < upper))
+      throw InputError(at(from), fmt::format("limits from {} to {}", formatNumber(lower), formatNumber(upper)),
+                       "lower below upper", "one that is not written is 0; a joint that stands still is of type fixed");
+    joint.lower = lower;
+    joint.upper = upper;
+  }
+
+  /// How a joint follows one that has a reading of its own, through those between.
+  struct Following {
+    std::size_t leader;  ///< of links_
+    double ratio, offset;
+  };
+
+  [[nodiscard]] Following followingOf(const UrdfTree::Joint& from) const {
+    const UrdfTree::Joint* at_joint = &from;
+    Following found{0, 1, 0};
+    for (std::size_t steps = 0; at_joint->mimic; ++steps) {
+      const auto& mimic = *at_joint->mimic;
+      const auto leader = std::find_if(links_.begin(), links_.end(),
+                                       [&](const auto& link) { return link->joint->name == mimic.joint; });
+      found = {static_cast<std::size_t>(leader - links_.begin()), found.ratio * mimic.multiplier,
+               found.offset + found.ratio * mimic.offset};
+      if (found.leader >= last_moving_ || steps > links_.size())
+        throw InputError(
+            at(from), "a joint that mimics " + inQuotes(mimic.joint),
+            leader == links_.end() ? "a joint on the way to the tip" : "a moving joint of its own reading");
+      at_joint = &*links_[found.leader]->joint;
+    }
+    return found;
+  }
+
+  /// A joint that mimics another: a passive row that follows it.
+  void addFollowing(std::size_t k) {
+    const UrdfTree::Joint& from = *links_[k]->joint;
+    if (!from.mimic) return;
+    auto& joint = out_.arm.rows[k].joint;
+    const Following following = followingOf(from);
+    if (joint.type != JointType::kRevolute || !isTurning(*links_[following.leader]->joint))
+      throw InputError(at(from), "a joint that mimics " + inQuotes(from.mimic->joint), "turning joints");
+    joint = {.name = joint.name, .type = JointType::kPassive, .offset = following.offset};
+    joint.follows = {{static_cast<int>(following.leader), following.ratio}};
+  }
+
+  void addBody(std::size_t row, const Link& link, const Isometry3d& X_LK) {
+    if (link.mass > 0) {
+      out_.arm.rows[row].weight.lumps.push_back({kWeightOfKilogram * link.mass, X_LK * link.centre});
+      has_inertia_ = has_inertia_ || link.has_inertia;
+    }
+    for (const auto& solid : link.solids) addShape(out_.arm.rows[row].name, solid, X_LK);
+  }
+
+  /// What hangs on a link of the chain beside it: fixed parts with it, others not.
+  void addAside(std::size_t row, const Link& link, const Isometry3d& X_LK) {
+    for (const auto& child : link.children) {
+      if (isOnChain(*child)) continue;
+      if (isMoving(*child->joint)) {
+        out_.left_out.push_back(sideBranch(*child));
+        continue;
+      }
+      const Isometry3d X = X_LK * child->joint->origin.pose();
+      addBody(row, *child, X);
+      addAside(row, *child, X);
+    }
+  }
+
+  /// Solids of what stands with the root do not move with a row.
+  void leaveOutStanding(const Link& link) {
+    if (!link.solids.empty())
+      out_.left_out.push_back(
+          fmt::format("the solids of link {}, which stands still: write them into the cell's scene", link.name));
+    for (const auto& child : link.children) {
+      if (isOnChain(*child)) continue;
+      if (isMoving(*child->joint))
+        out_.left_out.push_back(sideBranch(*child));
+      else
+        leaveOutStanding(*child);
+    }
+  }
+
+  static std::string sideBranch(const Link& link) {
+    return fmt::format("link {} and what it carries: joint {} is not on the way to the tip", link.name,
+                       link.joint->name);
+  }
+
+  void addShape(const std::string& row, const UrdfTree::Solid& solid, const Isometry3d& X_LK) {
+    const Isometry3d X = X_LK * solid.origin.pose();
+    const auto text = [](const Vector3d& v) {
+      return fmt::format("[{}, {}, {}]", formatNumber(v.x()), formatNumber(v.y()), formatNumber(v.z()));
+    };
+    if (solid.kind == "mesh") {
+      out_.left_out.push_back(
+          fmt::format("the mesh {} of row {}: write it into the cell's link_shapes", solid.file, row));
+      return;
+    }
+    const Vector3d at = X.translation(), half = X.linear().col(2) * solid.size[1] / 2;
+    const std::string radius = formatNumber(solid.size[0]);
+    out_.shapes.push_back({row, solid.kind == "cylinder" ? fmt::format("cylinder: {{from: {}, to: {}, radius: {}}}",
+                                                                       text(at - half), text(at + half), radius)
+                                : solid.kind == "sphere"
+                                    ? fmt::format("sphere: {{center: {}, radius: {}}}", text(at), radius)
+                                    : fmt::format("box: {{center: {}, size: {}, rpy: {}}}", text(at), text(solid.size),
+                                                  text(deflection::fixedAnglesOf(X.linear()) / kDegree))});
+  }
+
+  const UrdfTree& tree_;
+  const std::string& file_;
+  Chain links_;
+  std::size_t last_moving_ = 0;   ///< rows: links up to the last one that a moving joint carries
+  std::vector<Isometry3d> X_LK_;  ///< of each row
+  bool has_inertia_ = false;
+  UrdfArm out_;
+};
+
+/// What is told to the controllers of the chain's joints, a sentence of each sort.
+std::vector<std::string> leftToControllers(const Chain& chain) {
+  using Words = UrdfTree::ControllerWords;
+  const struct {
+    std::string Words::*words;
+    const char *what, *instead;
+  } sorts[] = {
+      {&Words::soft_limits, "soft limits (safety_controller)", "the arm has the hard ones of <limit>"},
+      {&Words::reference_marks, "reference marks (calibration)",
+       "readings count from the joint's zero, as the controller shows them"},
+      {&Words::transmission, "transmissions", "readings are the joint's, not its motor's"},
+  };
+  std::vector<std::string> sentences;
+  for (const auto& [words, what, instead] : sorts) {
+    std::vector<std::string> joints;
+    for (const auto& link : chain)
+      if (const auto& said = link->joint->controller.*words; !said.empty())
+        joints.push_back(nameInLine(link->joint->name) + said);
+    if (!joints.empty()) sentences.push_back(fmt::format("{}: {}; {}", what, fmt::join(joints, ", "), instead));
+  }
+  return sentences;
+}
+
+}  // namespace
+
+UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::string& tip) {
+  const UrdfTree tree = readUrdfTree(text, file);
+  const Link& end = findTip(tree, tip, file);
+  UrdfArm read = ChainReader(tree, end, file).read();
+  const Chain chain = chainTo(tree, end, file);
+  read.remarks = remarksOnNumbers(chain);
+  std::ranges::move(leftToControllers(chain), std::back_inserter(read.left_out));
+  read.left_out.insert(read.left_out.begin(), tree.left_out.begin(), tree.left_out.end());
+  const auto problems = deflection::findProblems(read.arm);
+  if (!problems.empty())
+    throw InputError(fmt::format("{} ({})", file, problems.front().path), problems.front().found,
+                     problems.front().expected);
+  return read;
+}
+
+}  // namespace tubeplan::app

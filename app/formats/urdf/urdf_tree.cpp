@@ -1,0 +1,397 @@
+#include "app/formats/urdf/urdf_tree.hpp"
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "app/storage/input_error.hpp"
+#include "app/storage/suggestion.hpp"
+#include "app/storage/utf8.hpp"
+#include "deflection/rotation.hpp"
+#include "tubesheets/csv_table.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+using tinyxml2::XMLDocument, tinyxml2::XMLElement;
+
+constexpr double kAnyNumber = -std::numeric_limits<double>::infinity();
+
+/// An attribute's text; empty where there is no such element or attribute.
+std::string attributeOf(const XMLElement* element, const char* name) {
+  const char* value = element ? element->Attribute(name) : nullptr;
+  return value ? value : "";
+}
+
+/// Finite numbers apart by blanks; nothing where a piece is none.
+std::optional<std::vector<double>> writtenNumbers(std::string_view text) {
+  std::vector<double> numbers;
+  for (text = tubesheets::trimBlanks(text); !text.empty(); text = tubesheets::trimBlanks(text)) {
+    const std::string_view piece = text.substr(0, text.find_first_of(" \t\r\n"));
+    const bool has_plus = piece.starts_with('+') && !piece.starts_with("+-");
+    const auto number = tubesheets::parseNumber(piece.substr(has_plus ? 1 : 0));
+    if (!number) return {};
+    numbers.push_back(*number);
+    text.remove_prefix(piece.size());
+  }
+  if (numbers.empty()) return {};
+  return numbers;
+}
+
+/// "robot.urdf:12 (joint elbow)", of an element that has a name.
+std::string placeOf(const XMLElement& named, const std::string& file) {
+  return fmt::format("{}:{} ({} {})", file, named.GetLineNum(), named.Name(), nameInLine(attributeOf(&named, "name")));
+}
+
+/// Why a text may be no number.
+const char* adviceOn(std::string_view text) {
+  if (text.find('$') != std::string_view::npos) return "convert xacro files first: xacro FILE > robot.urdf";
+  if (text.find(',') != std::string_view::npos) return "numbers have a decimal point and stand apart by blanks";
+  const auto begin_unit = [](char before, char c) { return before >= '0' && before <= '9' && (c == 'm' || c == 'd'); };
+  if (std::ranges::adjacent_find(text, begin_unit) != text.end()) return "URDF has metres and radians, without units";
+  return "";
+}
+
+/// A text without which an element says nothing.
+std::string requiredText(const XMLElement* element, const char* attribute, const std::string& where) {
+  std::string text = attributeOf(element, attribute);
+  if (text.empty())
+    throw InputError(where, fmt::format("a {} without a {}", element->Name(), attribute),
+                     fmt::format("<{} {}=\"...\"/>", element->Name(), attribute));
+  return text;
+}
+
+/// A word that is mistyped there would leave a zero in its place.
+void checkAttributes(const XMLElement* element, const std::vector<std::string>& known, const std::string& where) {
+  for (const auto* attribute = element ? element->FirstAttribute() : nullptr; attribute; attribute = attribute->Next())
+    if (std::ranges::find(known, attribute->Name()) == known.end())
+      throw InputError(where, fmt::format("{} {}", element->Name(), inQuotes(attribute->Name())), alternatives(known),
+                       suggestion(attribute->Name(), known));
+}
+
+/// The child elements of this name.
+template <typename Element>
+std::vector<Element*> childrenOf(Element& element, const char* name) {
+  std::vector<Element*> children;
+  for (auto* child = element.FirstChildElement(name); child; child = child->NextSiblingElement(name))
+    children.push_back(child);
+  return children;
+}
+
+/// " offset 0.2" of an element with a text.
+std::string wordsIn(const XMLElement* element) {
+  return element && element->GetText() ? fmt::format(" {} {}", element->Name(), nameInLine(element->GetText())) : "";
+}
+
+/// What the `<transmission>`s of the robot say, by their joints' names.
+std::map<std::string, std::string> transmissionsOf(XMLElement& robot) {
+  std::map<std::string, std::string> words_by_joint;
+  for (XMLElement* transmission : childrenOf(robot, "transmission")) {
+    std::string words = wordsIn(transmission->FirstChildElement("mechanicalReduction"));
+    for (const char* part : {"joint", "actuator"})
+      for (XMLElement* element : childrenOf(*transmission, part))
+        for (const char* number : {"mechanicalReduction", "offset"})
+          words += wordsIn(element->FirstChildElement(number));
+    for (XMLElement* joint : childrenOf(*transmission, "joint")) words_by_joint[attributeOf(joint, "name")] += words;
+  }
+  return words_by_joint;
+}
+
+UrdfTree::ControllerWords controllerWordsOf(const XMLElement& joint) {
+  UrdfTree::ControllerWords words;
+  const auto* soft = joint.FirstChildElement("safety_controller");
+  const std::string lower = attributeOf(soft, "soft_lower_limit"), upper = attributeOf(soft, "soft_upper_limit");
+  if (!lower.empty() || !upper.empty())
+    words.soft_limits = fmt::format(" {} to {}", nameInLine(lower), nameInLine(upper));
+  for (const char* edge : {"rising", "falling", "reference_position"})
+    if (const auto at = attributeOf(joint.FirstChildElement("calibration"), edge); !at.empty())
+      words.reference_marks += fmt::format(" {} {}", edge, nameInLine(at));
+  return words;
+}
+
+std::string linkNamedBy(const XMLElement& joint, const char* element) {
+  return attributeOf(joint.FirstChildElement(element), "link");
+}
+
+/// Takes breaks of lines within an attribute for blanks, and refuses characters, written by their numbers, that no name
+/// has.
+void settleAttributes(XMLElement& element, const std::string& file) {
+  for (auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
+    std::string value = attribute->Value();
+    if (!isPlainText(value))
+      throw InputError(fmt::format("{}:{}", file, element.GetLineNum()), "a control character in " + inQuotes(value),
+                       "plain text");
+    const auto isBreak = [](char c) { return c == '\n' || c == '\r' || c == '\t'; };
+    if (std::none_of(value.begin(), value.end(), isBreak)) continue;
+    std::replace_if(value.begin(), value.end(), isBreak, ' ');
+    element.SetAttribute(attribute->Name(), value.c_str());
+  }
+  for (auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+    settleAttributes(*child, file);
+}
+
+/// The numbers of the elements within one, each refused where it is not what it should be.
+class UrdfNumbers {
+ public:
+  UrdfNumbers(const XMLElement& parent, std::string where) : parent_(parent), where_(std::move(where)) {}
+
+  double number(const char* element, const char* attribute, const char* expected, double otherwise,
+                double least = kAnyNumber) const {
+    const auto numbers = find(element, attribute, 1, expected, least, false);
+    return numbers ? numbers->front() : otherwise;
+  }
+
+  Eigen::Vector3d vector(const char* element, const char* attribute, const char* expected,
+                         const Eigen::Vector3d& otherwise) const {
+    const auto numbers = find(element, attribute, 3, expected, kAnyNumber, false);
+    return numbers ? Eigen::Vector3d(numbers->data()) : otherwise;
+  }
+
+  /// Lengths that must be there.
+  double length(const char* element, const char* attribute) const {
+    return find(element, attribute, 1, "a length in m", 0, true)->front();
+  }
+  Eigen::Vector3d lengths(const char* element, const char* attribute) const {
+    return Eigen::Vector3d(find(element, attribute, 3, "three lengths in m", 0, true)->data());
+  }
+
+  UrdfTree::Origin origin() const {
+    checkAttributes(parent_.FirstChildElement("origin"), {"xyz", "rpy"}, where_);
+    const Eigen::Vector3d xyz = vector("origin", "xyz", "three numbers in m", Eigen::Vector3d::Zero());
+    return {xyz, vector("origin", "rpy", "three numbers in rad", Eigen::Vector3d::Zero())};
+  }
+
+ private:
+  /// So many numbers of the first element of that name, none below `least`; nothing where they are left out.
+  [[nodiscard]] std::optional<std::vector<double>> find(const char* name, const char* attribute, std::size_t count,
+                                                        const char* expected, double least, bool is_required) const {
+    const XMLElement* element = parent_.FirstChildElement(name);
+    if (!element || (!is_required && !element->Attribute(attribute))) return {};
+    const std::string text = attributeOf(element, attribute);
+    auto numbers = writtenNumbers(text);
+    if (!numbers || numbers->size() != count || std::ranges::min(*numbers) < least)
+      throw InputError(where_, fmt::format("{} {}={}", name, attribute, inQuotes(text)), expected, adviceOn(text));
+    return numbers;
+  }
+
+  const XMLElement& parent_;
+  std::string where_;
+};
+
+/// What stands in the place of a link's body: a box, a cylinder, a sphere or a mesh.
+UrdfTree::Solid solidOf(const XMLElement& geometry, const std::string& kind, const UrdfTree::Origin& origin,
+                        const std::string& where) {
+  const UrdfNumbers numbers(geometry, where);
+  UrdfTree::Solid solid{kind, "", origin};
+  if (kind == "box") solid.size = numbers.lengths("box", "size");
+  if (kind == "sphere") solid.size.x() = numbers.length("sphere", "radius");
+  if (kind == "cylinder")
+    solid.size = Eigen::Vector3d(numbers.length("cylinder", "radius"), numbers.length("cylinder", "length"), 0);
+  if (kind == "mesh") solid.file = requiredText(geometry.FirstChildElement("mesh"), "filename", where);
+  return solid;
+}
+
+/// The names of a kind, each its own, in the order of the file.
+std::vector<std::string> namesOfKind(const XMLElement& robot, const char* kind, const std::string& file) {
+  std::vector<std::string> names;
+  std::set<std::string> seen;
+  for (const XMLElement* one : childrenOf(robot, kind)) {
+    const std::string name = attributeOf(one, "name");
+    if (name.empty())
+      throw InputError(fmt::format("{}:{}", file, one->GetLineNum()), fmt::format("a {} without a name", kind),
+                       fmt::format("<{} name=\"...\">", kind));
+    if (!seen.insert(name).second)
+      throw InputError(placeOf(*one, file), fmt::format("a second {} {}", kind, inQuotes(name)),
+                       "a name of its own for each");
+    names.push_back(name);
+  }
+  return names;
+}
+
+void checkJointWords(const XMLElement& joint, const std::string& file) {
+  static const std::vector<std::string> kTypes{"revolute", "continuous", "prismatic", "fixed", "floating", "planar"};
+  const std::string type = attributeOf(&joint, "type");
+  if (std::ranges::find(kTypes, type) == kTypes.end())
+    throw InputError(placeOf(joint, file), type.empty() ? "a joint without a type" : "the type " + inQuotes(type),
+                     alternatives(kTypes), suggestion(type, kTypes));
+  for (const char* end : {"parent", "child"})
+    if (attributeOf(joint.FirstChildElement(end), "link").empty())
+      throw InputError(placeOf(joint, file), fmt::format("no {} link", end), fmt::format("<{} link=\"...\"/>", end));
+}
+
+class TreeReader {
+ public:
+  TreeReader(const std::string& text, const std::string& file) : file_(file) {
+    if (document_.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS)
+      throw InputError(
+          fmt::format("{}:{}", file_, std::max(1, document_.ErrorLineNum())),
+          text.find("<robot") == std::string::npos ? "no XML" : "XML that breaks off, or whose tags do not match",
+          "a URDF robot");
+    robot_ = document_.FirstChildElement("robot");
+    const XMLElement* root = document_.FirstChildElement();
+    if (!robot_)
+      throw InputError(file_, "no robot" + (root ? ", but " + inQuotes(root->Name()) : ""), "a URDF robot",
+                       "a file with another root, as SDF, is to be converted first");
+    refuseXacro(*robot_);
+    settleAttributes(*robot_, file_);
+    checkRobot();
+    const auto links = namesOfKind(*robot_, "link", file_);
+    (void)namesOfKind(*robot_, "joint", file_);
+    for (const XMLElement* joint : childrenOf(*robot_, "joint")) checkJointWords(*joint, file_);
+    checkTree(links);
+  }
+
+  UrdfTree read() {
+    tree_.name = attributeOf(robot_, "name");
+    for (XMLElement* link : childrenOf(*robot_, "link")) readLink(*link);
+    auto transmissions = transmissionsOf(*robot_);
+    std::map<std::string, XMLElement*> joints;
+    for (XMLElement* joint : childrenOf(*robot_, "joint")) joints.emplace(attributeOf(joint, "name"), joint);
+    for (const auto& [name, joint] : joints) {
+      auto &parent = tree_.links.at(linkNamedBy(*joint, "parent")),
+           &child = tree_.links.at(linkNamedBy(*joint, "child"));
+      child.joint = readJoint(*joint);
+      child.joint->controller.transmission = transmissions[name];
+      child.parent = &parent;
+      parent.children.push_back(&child);
+    }
+    for (const auto& [name, link] : tree_.links)
+      if (!link.joint) tree_.root = &link;
+    return std::move(tree_);
+  }
+
+ private:
+  [[noreturn]] void refuseAsXacro(const XMLElement& element, const char* found) const {
+    throw InputError(fmt::format("{}:{}", file_, element.GetLineNum()), inQuotes(found), "plain URDF",
+                     "convert xacro files first: xacro FILE > robot.urdf");
+  }
+
+  void refuseXacro(const XMLElement& element) const {
+    if (std::string_view(element.Name()).starts_with("xacro:")) refuseAsXacro(element, element.Name());
+    for (const auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next())
+      if (std::string_view(attribute->Value()).find("${") != std::string_view::npos)
+        refuseAsXacro(element, attribute->Value());
+    for (auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) refuseXacro(*child);
+  }
+
+  void checkRobot() const {
+    const std::string where = fmt::format("{}:{}", file_, robot_->GetLineNum());
+    if (attributeOf(robot_, "name").empty()) throw InputError(where, "a robot without a name", "<robot name=\"...\">");
+    if (const char* version = robot_->Attribute("version"); version && std::string_view(version) != "1.0")
+      throw InputError(where, "the version " + inQuotes(version), "1.0");
+    if (!robot_->FirstChildElement("link")) throw InputError(file_, "a robot without links", "links and joints");
+  }
+
+  /// One root, and every other link behind one joint.
+  void checkTree(const std::vector<std::string>& links) const {
+    const std::set<std::string> known(links.begin(), links.end());
+    std::map<std::string, std::string> carrier;
+    for (XMLElement* joint : childrenOf(*robot_, "joint")) {
+      const std::string name = attributeOf(joint, "name"), child = linkNamedBy(*joint, "child");
+      for (const auto& link : {linkNamedBy(*joint, "parent"), child})
+        if (!known.contains(link))
+          throw InputError(placeOf(*joint, file_), "no link " + inQuotes(link),
+                           "links of the robot as parent and child", suggestion(link, links));
+      if (const auto [first, is_new] = carrier.emplace(child, name); !is_new)
+        throw InputError(placeOf(*joint, file_),
+                         fmt::format("the link {} behind the joint {} too", inQuotes(child), inQuotes(first->second)),
+                         "a tree: each link behind one joint", "closed chains cannot be taken");
+    }
+    std::vector<std::string> roots;
+    for (const auto& link : links)
+      if (!carrier.contains(link)) roots.push_back(link);
+    if (roots.empty())
+      throw InputError(file_, "links that form a closed loop, each behind a joint", "a tree of links with one root");
+    if (roots.size() > 1)
+      throw InputError(file_, fmt::format("{} links behind no joint: {}", roots.size(), alternatives(roots)),
+                       "one root, with all other links behind it");
+  }
+
+  void readLink(const XMLElement& element) {
+    const std::string name = attributeOf(&element, "name");
+    auto& link = tree_.links[name];
+    link.name = name;
+    for (const XMLElement* inertial : childrenOf(element, "inertial")) {
+      const auto origin = UrdfNumbers(*inertial, placeOf(element, file_)).origin();
+      const double mass = massOf(*inertial, element);
+      if (inertial != element.FirstChildElement("inertial")) continue;
+      link.mass = mass;
+      link.centre = origin.xyz;
+      const auto ixx = writtenNumbers(attributeOf(inertial->FirstChildElement("inertia"), "ixx"));
+      link.has_inertia = ixx && ixx->front() > 0;
+    }
+    for (const XMLElement* collision : childrenOf(element, "collision")) readCollision(*collision, element, link);
+  }
+
+  void readCollision(const XMLElement& collision, const XMLElement& element, UrdfTree::Link& link) {
+    const std::string where = placeOf(element, file_);
+    const auto origin = UrdfNumbers(collision, where).origin();
+    const XMLElement* geometry = collision.FirstChildElement("geometry");
+    const XMLElement* solid = geometry ? geometry->FirstChildElement() : nullptr;
+    if (solid && std::set<std::string_view>{"box", "cylinder", "sphere", "mesh"}.contains(solid->Name()))
+      link.solids.push_back(solidOf(*geometry, solid->Name(), origin, where));
+    else
+      tree_.left_out.push_back(solid ? fmt::format("the {} of link {}: write it into the cell's link_shapes",
+                                                   nameInLine(solid->Name()), link.name)
+                                     : fmt::format("a collision of link {}: it has no solid", link.name));
+  }
+
+  /// Masses count, and where they are; what turns them does not, and need not be there.
+  [[nodiscard]] double massOf(const XMLElement& inertial, const XMLElement& link) const {
+    const std::string mass = attributeOf(inertial.FirstChildElement("mass"), "value");
+    const auto number = writtenNumbers(mass);
+    if (!number || number->size() != 1 || number->front() < 0)
+      throw InputError(placeOf(link, file_), mass.empty() ? "an inertial without mass" : "the mass " + inQuotes(mass),
+                       "<mass value=\"...\"/>, 0 kg or more");
+    return number->front();
+  }
+
+  [[nodiscard]] UrdfTree::Joint readJoint(const XMLElement& element) const {
+    const std::string where = placeOf(element, file_);
+    const UrdfNumbers numbers(element, where);
+    UrdfTree::Joint joint;
+    joint.name = attributeOf(&element, "name");
+    joint.type = attributeOf(&element, "type");
+    joint.controller = controllerWordsOf(element);
+    joint.origin = numbers.origin();
+    const XMLElement *axis = element.FirstChildElement("axis"), *limit = element.FirstChildElement("limit"),
+                     *mimic = element.FirstChildElement("mimic");
+    checkAttributes(axis, {"xyz"}, where);
+    if (axis) joint.axis = numbers.vector("axis", "xyz", "three numbers, a direction", Eigen::Vector3d::Zero());
+    if (limit)
+      joint.limits = {numbers.number("limit", "lower", "a number in rad or m", 0),
+                      numbers.number("limit", "upper", "a number in rad or m", 0),
+                      numbers.number("limit", "velocity", "a number, 0 or more", 0, 0)};
+    if (mimic)
+      joint.mimic = {requiredText(mimic, "joint", where), numbers.number("mimic", "multiplier", "a number", 1),
+                     numbers.number("mimic", "offset", "a number in rad or m", 0)};
+    if (!limit && (joint.type == "revolute" || joint.type == "prismatic"))
+      throw InputError(where, "no <limit>", "the limits of a " + joint.type + " joint",
+                       joint.type == "revolute" ? "a joint that turns without end is continuous" : "");
+    return joint;
+  }
+
+  const std::string& file_;
+  XMLDocument document_;
+  XMLElement* robot_ = nullptr;
+  UrdfTree tree_;
+};
+
+}  // namespace
+
+Eigen::Isometry3d UrdfTree::Origin::pose() const {
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.linear() = deflection::rotationFromFixedAngles<double>(rpy);
+  X.translation() = xyz;
+  return X;
+}
+
+UrdfTree readUrdfTree(const std::string& text, const std::string& file) { return TreeReader(text, file).read(); }
+
+}  // namespace tubeplan::app

@@ -1,0 +1,215 @@
+#include "app/formats/yaml/strict_yaml.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "app/formats/yaml/yaml_scan.hpp"
+#include "app/storage/input_error.hpp"
+#include "app/storage/text_file.hpp"
+#include "app/storage/utf8.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+// Builds the tree from the parser's events. Its own node type hides a double key (the first or last one wins,
+// silently).
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  TreeBuilder(const std::string& text, const std::string& file)
+      : text_(text), file_(std::make_shared<std::string>(file)) {}
+
+  YamlNode takeRoot() { return std::move(root_); }
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    refuseAnchor(mark, anchor);
+    refuseTag(mark, "");
+    YamlNode node = makeNode(mark, YamlNode::Kind::kNull);
+    if (expectsKey()) node.fail("no key before the colon", "a word", "");
+    finish(std::move(node));
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+    makeNode(mark, YamlNode::Kind::kNull).fail("an alias (*)", "the value itself", "write it out");
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    refuseAnchor(mark, anchor);
+    refuseTag(mark, tag);
+    if (tag == "!") refuseOpenQuote(mark);
+    if (!isPlainText(value))
+      makeNode(mark, YamlNode::Kind::kNull).fail("a control character in " + inQuotes(value), "plain text", "");
+    if (expectsKey()) {
+      startEntry(mark, value);
+      return;
+    }
+    YamlNode node = makeNode(mark, YamlNode::Kind::kScalar);
+    node.scalar = value;
+    node.is_quoted = tag == "!";
+    finish(std::move(node));
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value style) override {
+    open(mark, tag, anchor, style, YamlNode::Kind::kList);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value style) override {
+    open(mark, tag, anchor, style, YamlNode::Kind::kMap);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  [[nodiscard]] bool expectsKey() const {
+    return !open_.empty() && open_.back().kind == YamlNode::Kind::kMap &&
+           open_.back().keys.size() == open_.back().items.size();
+  }
+
+  // The path and key of the value that comes next.
+  YamlNode makeNode(const YAML::Mark& mark, YamlNode::Kind kind) const {
+    YamlNode node;
+    node.file = file_;
+    node.kind = kind;
+    node.line = mark.line + 1;
+    node.column = mark.column + 1;
+    node.begin = static_cast<std::size_t>(mark.pos);
+    if (open_.empty()) return node;
+    const YamlNode& parent = open_.back();
+    node.path = parent.path;
+    if (parent.kind == YamlNode::Kind::kList) node.path += fmt::format("[{}]", parent.items.size());
+    if (parent.kind != YamlNode::Kind::kMap || expectsKey()) return node;
+    node.path += (node.path.empty() ? "" : ".") + parent.keys.back();
+    node.key_begin = key_begin_;
+    return node;
+  }
+
+  void startEntry(const YAML::Mark& mark, const std::string& key) {
+    YamlNode& map = open_.back();
+    const auto first = std::find(map.keys.begin(), map.keys.end(), key);
+    if (first != map.keys.end())
+      makeNode(mark, YamlNode::Kind::kNull)
+          .fail("the key " + inQuotes(key) + " a second time", "every key once",
+                fmt::format("it already stands at line {}",
+                            map.items[static_cast<std::size_t>(first - map.keys.begin())].line));
+    map.keys.push_back(key);
+    key_begin_ = static_cast<std::size_t>(mark.pos);
+  }
+
+  void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value style,
+            YamlNode::Kind kind) {
+    refuseAnchor(mark, anchor);
+    refuseTag(mark, tag);
+    YamlNode node = makeNode(mark, kind);
+    if (expectsKey()) node.fail("a list or map as a key", "a word", "");
+    node.is_flow = style == YAML::EmitterStyle::Flow;
+    open_.push_back(std::move(node));
+  }
+
+  void close() {
+    YamlNode node = std::move(open_.back());
+    open_.pop_back();
+    finish(std::move(node));
+  }
+
+  void finish(YamlNode node) {
+    if (open_.empty())
+      root_ = std::move(node);
+    else
+      open_.back().items.push_back(std::move(node));
+  }
+
+  void refuseAnchor(const YAML::Mark& mark, YAML::anchor_t anchor) const {
+    if (anchor != 0) makeNode(mark, YamlNode::Kind::kNull).fail("an anchor (&)", "the value alone", "");
+  }
+
+  // The parser takes the file's end for the quote that is missing.
+  void refuseOpenQuote(const YAML::Mark& mark) const {
+    const auto at = static_cast<std::size_t>(mark.pos);
+    const bool is_quote = text_[at] == '"' || text_[at] == '\'';  // else a block text (| or >)
+    if (is_quote && pastQuoted(text_, at) == std::string::npos)
+      makeNode(mark, YamlNode::Kind::kNull).fail("an unclosed quote", "quotes in pairs", "");
+  }
+
+  // The parser gives "?" for plain values and "!" for quoted ones, and nothing for some collections; a "!" that stands
+  // in the text is where its value begins.
+  void refuseTag(const YAML::Mark& mark, const std::string& tag) const {
+    const auto at = static_cast<std::size_t>(mark.pos);
+    const bool is_written = at < text_.size() && text_[at] == '!';
+    if (is_written || (!tag.empty() && tag != "?" && tag != "!"))
+      makeNode(mark, YamlNode::Kind::kNull).fail("the tag " + inQuotes(tag), "the value alone", "");
+  }
+
+  const std::string& text_;
+  std::shared_ptr<const std::string> file_;
+  YamlNode root_;
+  std::vector<YamlNode> open_;
+  std::size_t key_begin_ = 0;
+};
+
+// Only outside comments, where a tab does no harm.
+void refuseTabs(const std::string& text, const std::string& file) {
+  int line = 1, column = 1;
+  bool in_comment = false;
+  for (const char c : text) {
+    if (c == '#') in_comment = true;
+    if (c == '\t' && !in_comment)
+      throw InputError(fmt::format("{}:{}:{}", file, line, column), "a tab", "spaces", "replace the tab by spaces");
+    ++column;
+    if (c != '\n') continue;
+    in_comment = false;
+    column = 1;
+    ++line;
+  }
+}
+
+}  // namespace
+
+YamlNode parseYaml(const std::string& text, const std::string& file) {
+  refuseTabs(text, file);
+  TreeBuilder builder(text, file);
+  try {
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    if (!parser.HandleNextDocument(builder)) throw InputError(file, "nothing but comments", "keys and values", "");
+    TreeBuilder second(text, file);
+    if (parser.HandleNextDocument(second))
+      throw InputError(file, "a second document (---)", "one document", "split the file");
+  } catch (const YAML::Exception& error) {
+    throw InputError(fmt::format("{}:{}:{}", file, error.mark.line + 1, error.mark.column + 1),
+                     "text that is not YAML (" + error.msg + ")", "keys and values in YAML",
+                     "check brackets, colons and indentation up to this place");
+  }
+  YamlNode root = builder.takeRoot();
+  if (root.kind != YamlNode::Kind::kMap) root.fail("a map of keys and values");
+  return root;
+}
+
+YamlFile readYamlFile(const std::string& path) {
+  YamlFile file{path, readTextFile(path), {}};
+  file.root = parseYaml(file.text, path);
+  return file;
+}
+
+const YamlNode* findNode(const YamlNode& root, std::string_view path) {
+  if (root.path == path) return &root;
+  for (const YamlNode& item : root.items) {
+    const bool leads_there = path == item.path || (path.starts_with(item.path) &&
+                                                   (path[item.path.size()] == '.' || path[item.path.size()] == '['));
+    if (!leads_there) continue;
+    if (const YamlNode* found = findNode(item, path)) return found;
+  }
+  return nullptr;
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,170 @@
+#include "app/storage/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cassert>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <system_error>
+
+#include "app/storage/input_error.hpp"
+#include "app/storage/origin.hpp"
+
+namespace tubeplan::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+fs::path temporaryBeside(const fs::path& path) {
+  return folderOf(path) / fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
+}
+
+std::string asideName(const fs::path& path) { return path.filename().string() + ".old"; }
+
+/// The number in ".NAME.1234.part"; 0 in any other name.
+int writerOf(const std::string& file, const std::string& name) {
+  const std::string before = "." + name + ".", after = ".part";
+  if (!file.starts_with(before) || !file.ends_with(after) || file.size() <= before.size() + after.size()) return 0;
+  int number = 0;
+  const char* end = file.data() + file.size() - after.size();
+  const auto [read_to, error] = std::from_chars(file.data() + before.size(), end, number);
+  return error == std::errc() && read_to == end && number > 0 ? number : 0;
+}
+
+bool isRunning(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
+
+// A device or pipe (/dev/null, /dev/stdout) is written to; a rename would put a file in its place.
+bool isSpecialFile(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+// The file behind a link is replaced, not the link.
+fs::path behindLink(const fs::path& named) {
+  std::error_code error;
+  return fs::is_symlink(named, error) ? fs::weakly_canonical(named, error) : named;
+}
+
+constexpr const char* kScratch = "tubeplan";  // of an OutputFolder, within it
+
+/// " (process 1234)": the one whose scratch stands in the folder.
+std::string holderOf(const fs::path& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (const int writer = writerOf(entry.path().filename().string(), kScratch); writer > 0 && isRunning(writer))
+      return fmt::format(" (process {})", writer);
+  return "";
+}
+
+void refuseFolder(const fs::path& path, const std::string& option) {
+  std::error_code error;
+  if (path.filename().empty() || fs::is_directory(path, error))
+    throw InputError(option, fmt::format("'{}', a folder", path.string()), "the name of a file", "add a file name");
+  if (path == "-") throw InputError(option, "'-'", "the name of a file", "--json alone writes to standard output by -");
+}
+
+fs::path absoluteFolder(const fs::path& path, const std::string& option) {
+  if (path.empty()) throw InputError(option, "''", "the name of a folder");
+  return fs::absolute(path).lexically_normal();
+}
+
+}  // namespace
+
+void checkWritableFile(const fs::path& named, const std::string& option) {
+  refuseFolder(named, option);
+  const fs::path path = behindLink(named);
+  if (isSpecialFile(path)) return;
+  claimOutput(path, option);
+  MadeFolders made;
+  made.make(folderOf(path), option);
+  removeLeftovers(folderOf(path), path.filename().string());
+  removeLeftovers(folderOf(path), asideName(path));
+  StagedFiles(option).add(temporaryBeside(path), {}, path, "");
+}
+
+void writeFileAtomically(const fs::path& path, const std::string& content, const std::string& option) {
+  writeFilesTogether({{path, content}}, option);
+}
+
+void writeFilesTogether(const std::vector<TextFile>& files, const std::string& option) {
+  MadeFolders made;
+  StagedFiles staged(option);
+  for (const TextFile& file : files) {
+    refuseFolder(file.path, option);
+    const fs::path path = behindLink(file.path);
+    if (isSpecialFile(path)) {
+      if (const auto error = writeToDisk(path, file.text)) failToWrite(option, path, error.message());
+      continue;
+    }
+    claimOutput(path, option);
+    made.make(folderOf(path), option);
+    staged.add(temporaryBeside(path), temporaryBeside(folderOf(path) / asideName(path)), path, file.text);
+  }
+  made.sync(option);
+  staged.putInPlace();
+}
+
+void removeLeftovers(const fs::path& folder, const std::string& name) {
+  std::error_code error;
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (const int writer = writerOf(entry.path().filename().string(), name); writer > 0 && !isRunning(writer))
+      left.push_back(entry.path());
+  for (const fs::path& path : left) fs::remove_all(path, error);
+}
+
+OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
+    : path_(absoluteFolder(path, option)), option_(option), staged_(option) {
+  if (!path_.has_filename()) path_ = path_.parent_path();  // a name that ends with a slash
+  std::error_code error;
+  if (fs::exists(path_, error) && !fs::is_directory(path_)) failToWrite(option, path_, "a file, not a folder");
+  made_.make(path_, option);
+  if (lock_.tryTake(path_, O_RDONLY | O_DIRECTORY) == FileLock::Outcome::kHeldByAnother)
+    throw InputError(option, fmt::format("'{}', to which another tubeplan writes{}", path_.string(), holderOf(path_)),
+                     "a folder of its own", "wait until that one has finished, or choose another folder");
+  removeLeftovers(path_, kScratch);
+  scratch_ = path_ / fmt::format(".{}.{}.part", kScratch, ::getpid());
+  fs::create_directory(scratch_, error);
+  if (error) failToWrite(option, path_, error.message());
+}
+
+// Without anything that could fail for want of memory.
+OutputFolder::~OutputFolder() {
+  staged_.discard();
+  std::error_code ignored;
+  fs::remove(scratch_, ignored);
+}
+
+void OutputFolder::requireOwn(const std::vector<std::string>& marks, const std::vector<std::string>& names) const {
+  const auto isThere = [this](const std::string& name) {
+    std::error_code error;
+    return fs::exists(path_ / name, error);
+  };
+  if (std::ranges::any_of(marks, isThere)) return;
+  if (const auto other = std::ranges::find_if(names, isThere); other != names.end())
+    throw InputError(option_, inQuotes((path_ / *other).string()) + ", which no run of this command has left",
+                     "an empty folder, or that of an earlier run", "choose another folder: it would be lost");
+}
+
+void OutputFolder::write(const std::string& name, const std::string& content) {
+  assert(name.find('/') == std::string::npos);
+  staged_.add(scratch_ / name, scratch_ / (name + ".old"), path_ / name, content);
+}
+
+void OutputFolder::remove(const std::string& name) { stale_.push_back(path_ / name); }
+
+void OutputFolder::commit() {
+  made_.sync(option_);
+  staged_.putInPlace();
+  std::error_code ignored;  // a stale file that stays does no harm beyond itself
+  for (const fs::path& path : stale_) fs::remove(path, ignored);
+}
+
+}  // namespace tubeplan::app

@@ -1,0 +1,45 @@
+#include "app/storage/input_error.hpp"
+
+#include <fmt/format.h>
+
+#include "app/storage/utf8.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+constexpr std::size_t kLongestQuote = 60;
+constexpr std::size_t kLongestPart = 4000;  // of a message; a file's name may be that long
+
+std::string sentence(const std::string& where, const std::string& found, const std::string& expected,
+                     const std::string& advice) {
+  const std::string core = fmt::format("{}: found {}, expected {}", where, found, expected);
+  return advice.empty() ? core : core + "; " + advice;
+}
+
+/// Whatever came in, a message stays one line of text.
+std::string part(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+  return printable(text, kLongestPart);
+}
+
+}  // namespace
+
+InputError::InputError(std::string where, std::string found, std::string expected, std::string advice)
+    : std::runtime_error(sentence(part(where), part(found), part(expected), part(advice))),
+      where_(part(std::move(where))),
+      found_(part(std::move(found))),
+      expected_(part(std::move(expected))),
+      advice_(part(std::move(advice))) {}
+
+InputError inputErrorOf(const std::filesystem::filesystem_error& error) {
+  return {error.path1().string(), error.code().message(), "a path that can be used",
+          "check its name, its folder and its permissions"};
+}
+
+std::string inQuotes(std::string_view text) { return "'" + nameInLine(text) + "'"; }
+
+std::string nameInLine(std::string_view name) { return printable(name, kLongestQuote); }
+
+}  // namespace tubeplan::app

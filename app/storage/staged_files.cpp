@@ -1,0 +1,177 @@
+#include "app/storage/staged_files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string_view>
+#include <utility>
+
+#include "app/storage/input_error.hpp"
+
+namespace tubeplan::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::error_code lastError() { return {errno, std::generic_category()}; }
+
+/// Closes at the latest when it goes.
+class Descriptor {
+ public:
+  Descriptor(const fs::path& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  ~Descriptor() { (void)close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  [[nodiscard]] bool isOpen() const { return number_ >= 0; }
+
+  [[nodiscard]] bool writeAll(std::string_view content) const {
+    while (!content.empty()) {
+      const ssize_t written = ::write(number_, content.data(), content.size());
+      if (written < 0 && errno != EINTR) return false;
+      if (written > 0) content.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+  }
+
+  /// What cannot be waited for (a pipe, some file systems) is not.
+  [[nodiscard]] bool sync() const {
+    while (::fsync(number_) != 0) {
+      if (errno == EINVAL || errno == ENOTSUP || errno == ENOSYS || errno == EROFS) return true;
+      if (errno != EINTR) return false;
+    }
+    return true;
+  }
+
+  /// Some file systems report only here that a write has failed.
+  [[nodiscard]] bool close() {
+    const int number = std::exchange(number_, -1);
+    return number < 0 || ::close(number) == 0 || errno == EINTR;
+  }
+
+ private:
+  int number_;
+};
+
+fs::path parentOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+/// The old file under a second name: at no time is there none in its place, where the file system has links.
+std::error_code keepAside(const fs::path& place, const fs::path& aside) {
+  std::error_code error;
+  if (fs::is_directory(place, error)) return std::make_error_code(std::errc::is_a_directory);
+  fs::remove(aside, error);
+  fs::create_hard_link(place, aside, error);
+  if (error) fs::rename(place, aside, error);
+  return error;
+}
+
+}  // namespace
+
+void failToWrite(const std::string& option, const fs::path& path, const std::string& why) {
+  throw InputError(option, fmt::format("'{}': {}", path.string(), why), "a place that can be written",
+                   "choose another");
+}
+
+std::error_code writeToDisk(const fs::path& path, const std::string& content) {
+  Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
+  const bool is_done = file.isOpen() && file.writeAll(content) && file.sync() && file.close();
+  return is_done ? std::error_code() : lastError();
+}
+
+std::error_code syncFolder(const fs::path& folder) {
+  const Descriptor list(folder, O_RDONLY | O_DIRECTORY);
+  return !list.isOpen() || list.sync() ? std::error_code() : lastError();  // one that may not be read is not waited for
+}
+
+void StagedFiles::discard() noexcept {
+  std::error_code ignored;
+  for (const File& file : files_) {
+    if (!file.is_placed) fs::remove(file.temporary, ignored);
+    fs::remove(file.aside, ignored);
+  }
+  files_.clear();
+}
+
+void StagedFiles::add(fs::path temporary, fs::path aside, fs::path place, const std::string& content) {
+  files_.push_back({std::move(temporary), std::move(aside), std::move(place)});
+  const File& file = files_.back();
+  if (const auto error = writeToDisk(file.temporary, content))
+    failToWrite(option_, parentOf(file.place), error.message());
+}
+
+void StagedFiles::putInPlace() {
+  for (File& file : files_) {
+    const bool is_last = &file == &files_.back();
+    const std::error_code error = place(file, is_last);
+    if (!error) continue;
+    if (!is_last || !file.is_placed) takeBack();
+    failToWrite(option_, file.place, error.message());
+  }
+  discard();
+}
+
+std::error_code StagedFiles::place(File& file, bool is_last) {
+  std::error_code error;
+  if (!is_last && fs::exists(file.place, error)) {
+    if ((error = keepAside(file.place, file.aside))) return error;
+    file.has_old = true;
+  }
+  fs::rename(file.temporary, file.place, error);
+  if (error) return error;
+  file.is_placed = true;
+  return syncFolder(parentOf(file.place));
+}
+
+void StagedFiles::takeBack() {
+  for (auto file = files_.rbegin(); file != files_.rend(); ++file) {
+    std::error_code failure;
+    if (file->has_old)
+      fs::rename(file->aside, file->place, failure);
+    else if (file->is_placed)
+      fs::remove(file->place, failure);
+    if (file->has_old && failure) file->aside.clear();  // the old file stays there, for somebody to look for
+  }
+}
+
+MadeFolders::~MadeFolders() {
+  std::error_code ignored;
+  for (auto folder = paths_.rbegin(); folder != paths_.rend(); ++folder) fs::remove(*folder, ignored);
+}
+
+void MadeFolders::make(const fs::path& folder, const std::string& option) {
+  std::vector<fs::path> missing;
+  std::error_code error;
+  for (fs::path at = folder; !at.empty() && !fs::exists(at, error); at = at.parent_path()) {
+    missing.insert(missing.begin(), at);
+    if (at == at.parent_path()) break;
+  }
+  paths_.insert(paths_.end(), missing.begin(), missing.end());
+  fs::create_directories(folder, error);
+  if (error) failToWrite(option, folder, error.message());
+  if (!fs::is_directory(folder, error)) failToWrite(option, folder, "not a folder");
+}
+
+void MadeFolders::sync(const std::string& option) const {
+  for (const fs::path& folder : paths_)
+    if (const auto error = syncFolder(parentOf(folder))) failToWrite(option, folder, error.message());
+}
+
+FileLock::Outcome FileLock::tryTake(const fs::path& place, int flags) {
+  release();
+  descriptor_ = ::open(place.c_str(), flags | O_CLOEXEC, 0600);
+  if (descriptor_ < 0) return Outcome::kNotPossible;
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return Outcome::kTaken;
+  const bool is_held = errno == EWOULDBLOCK;
+  release();
+  return is_held ? Outcome::kHeldByAnother : Outcome::kNotPossible;
+}
+
+void FileLock::release() {
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+}
+
+}  // namespace tubeplan::app
