@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(sys.argv[1])
-FOLDERS = ["tubesheets", "deflection", "calibration", "planner", "app", "benchmarks", "tests"]
+FOLDERS = ["tubesheets", "deflection", "calibration", "planner", "app", "studies", "tests"]
 
 
 def files(pattern):

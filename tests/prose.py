@@ -16,7 +16,7 @@ from pathlib import Path
 
 LONGEST, MEDIAN = 40, 18
 SOURCES = {".hpp", ".cpp", ".js", ".ts", ".tsx", ".mjs"}
-FOLDERS = ["tubesheets", "deflection", "calibration", "planner", "app", "benchmarks", "tests"]
+FOLDERS = ["tubesheets", "deflection", "calibration", "planner", "app", "studies", "tests"]
 # A sentence ends before a capital, a code span, a figure, a quotation or an opening bracket.
 END = re.compile(r"""(?<=[.!?])["')*\]]*\s+(?=["'(*\[`]*[A-Z0-9§])|(?<=[.!?])["')*]*\s+(?=§)""")
 ABBREVIATION = re.compile(r"\b(e\.g|i\.e|cf|vs|Fig|No|[A-Z])\.\s")

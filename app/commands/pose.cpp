@@ -102,7 +102,6 @@ int run(const PoseOptions& options) {
   json["units"] = unitsJson(cell.units);
   json["segments"] = segmentsJson(cell, posture, shape);
   if (options.all) json["intermediates"] = intermediatesJson(cell.arm, shape, cell.units);
-  json["deflection"] = lengthJson(poseChange(shape).position.norm(), cell.units);
   showFigures(options.figures, json, textOf(json, kPoseWords));
   return kDone;
 }

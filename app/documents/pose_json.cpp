@@ -40,6 +40,7 @@ nlohmann::json poseFiguresJson(const deflection::FlexibleKinematics& shape, cons
   return {{"rigid", figuresJson(rigidToolOf(shape), units)},
           {"flexible", figuresJson(flexibleToolOf(shape), units)},
           {"change", figuresJson(poseChange(shape), units)},
+          {"deflection", lengthJson(poseChange(shape).position.norm(), units)},
           {"iterations", shape.iterations}};
 }
 

@@ -88,6 +88,7 @@ TEST(IndependentGeometry, IsCompleteBesideAKnownBaseByEitherTable) {
     for (const auto& joint : drawn.arm.joints()) ++(joint.type == deflection::JointType::kPrismatic ? slides : turns);
     for (const PlacedArm& placed : {drawn, byStandardTable(drawn)}) {
       const bool is_standard = deflection::isStandard(placed.arm.rows);
+      if (is_standard && !placed.shows_tool_turn) continue;  // the end of its last row would count beside the tip
       const auto names = chosen(placed);
       const Eigen::Index rank = rankOf(motions(placed, names));
       EXPECT_EQ(rank, static_cast<Eigen::Index>(names.size())) << seed << " " << is_standard << ": redundant";

@@ -1,5 +1,5 @@
 // One task in many words has one answer; and what stands askew is planned too. The short form of the study
-// tests/study/turned_cells.cpp.
+// studies/turned_cells.cpp.
 #include "tests/planner/turned_cells.hpp"
 
 #include <gtest/gtest.h>

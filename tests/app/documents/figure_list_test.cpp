@@ -61,7 +61,7 @@ TEST(FigureList, statesUnits) {
                 {"parameters/0/prior/sigma", ""},
                 {"mixed/0/0/interval", "deg"},
                 {"readings/0/humidity", "percent"},
-                {"readings/0/sigma", "in"},
+                {"readings/0/sigma", "mm"},
                 {"readings/0/joints", "of the joint"},
                 {"moment", "lbf*in"},
                 {"count", ""},

@@ -96,7 +96,7 @@ TEST(GravityDirection, IsToldFromExchangedAxesByTheBase) {
     SCOPED_TRACE(testing::Message() << gravity_W.transpose());
     expectGravity(grossMistake(checksUnder(gravity_W, false)), gravity_W);
   }
-  for (const char* order : {"yzx", "-yxz", "x-zy", "x-y-z"}) {
+  for (const char* order : {"yzx", "zxy", "x-zy", "x-y-z"}) {
     PlacedArm start = cobra();
     ReadingMaker maker(start, 8, ReadingMaker::Noise::kStated);
     maker.add(MeasurementKind::kPosition, 40);

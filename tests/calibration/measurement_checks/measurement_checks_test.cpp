@@ -1,5 +1,5 @@
 // Ordinary mistakes with readings are named, none is seen where there is none, and each is mended by what is proposed.
-// The study tests/study/measurement_checks does the same at length.
+// The study studies/measurement_checks does the same at length.
 #include "calibration/measurement_checks/measurement_checks.hpp"
 
 #include <gtest/gtest.h>

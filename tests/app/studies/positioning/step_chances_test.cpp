@@ -1,8 +1,8 @@
 // Probabilities of steps: against true arms of other physics, and what a plan says of them.
 #include <nlohmann/json.hpp>
 
+#include "studies/step_chance_trials.hpp"
 #include "tests/app/program.hpp"
-#include "tests/study/step_chance_trials.hpp"
 
 namespace tubeplan::app {
 namespace {

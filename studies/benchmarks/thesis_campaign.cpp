@@ -1,4 +1,4 @@
-#include "benchmarks/thesis_campaign.hpp"
+#include "studies/benchmarks/thesis_campaign.hpp"
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "benchmarks/thesis_methods.hpp"
 #include "calibration/estimation/scaled_problem.hpp"
+#include "studies/benchmarks/thesis_methods.hpp"
 
 namespace tubeplan::benchmarks {
 

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <map>
 
-#include "tests/study/step_chance_trials.hpp"
+#include "studies/step_chance_trials.hpp"
 
 int main(int argc, char** argv) {
   using namespace tubeplan;

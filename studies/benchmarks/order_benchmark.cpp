@@ -3,10 +3,10 @@
 #include <benchmark/benchmark.h>
 
 #include "app/formats/cell/workcell.hpp"
-#include "benchmarks/run_benchmarks.hpp"
 #include "planner/order/visit_order.hpp"
 #include "planner/reach/tube_reach.hpp"
 #include "planner/real_order.hpp"
+#include "studies/benchmarks/run_benchmarks.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::benchmarks {

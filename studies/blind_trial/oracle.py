@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """oracle.py TRUE_EVIDENCE DIR [--jobs 2] [--only pair,single]: what limits the diagnosis on sets whose truth is known.
 
-TRUE_EVIDENCE is build/tests/study/true_evidence. For every set with a known truth: the log weight (prior times evidence)
+TRUE_EVIDENCE is build/studies/true_evidence. For every set with a known truth: the log weight (prior times evidence)
 of the true model fitted from the true sizes, less that of the best model that the diagnosis found. A set that was missed
 is lost to
 

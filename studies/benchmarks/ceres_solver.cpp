@@ -1,4 +1,4 @@
-#include "benchmarks/ceres_solver.hpp"
+#include "studies/benchmarks/ceres_solver.hpp"
 
 #include <ceres/ceres.h>
 

@@ -3,12 +3,12 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
-#include "benchmarks/run_benchmarks.hpp"
 #include "calibration/diagnosis/causes/signatures.hpp"
 #include "calibration/diagnosis/diagnosis.hpp"
 #include "calibration/diagnosis/evidence/linear_evidence.hpp"
 #include "calibration/diagnosis/explanations/explanation_model.hpp"
 #include "calibration/measurements/reading_placement.hpp"
+#include "studies/benchmarks/run_benchmarks.hpp"
 #include "tests/calibration/bench_readings.hpp"
 
 namespace tubeplan::benchmarks {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "benchmarks/thesis_methods.hpp"
 #include "calibration/estimation/scaled_problem.hpp"
+#include "studies/benchmarks/thesis_methods.hpp"
 
 namespace tubeplan::benchmarks {
 

@@ -2,7 +2,7 @@
 """What a plan costs against its size: time, memory and gap of `tubeplan plan` and `verify` for lists and sheets of 500 to
 15,529 holes, with the slopes on a log-log line.
 
-    python3 tests/study/plan_sizes.py build/tubeplan [--quick]
+    python3 studies/plan_sizes.py build/tubeplan [--quick]
 """
 import json
 import math
@@ -13,7 +13,7 @@ import sys
 import tempfile
 import time
 
-CELLS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "app", "cells")
+CELLS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "app", "cells")
 RUNS = [
     ("mockup.yaml", "spread:500"), ("mockup.yaml", "spread:1000"), ("mockup.yaml", "spread:2000"),
     ("mockup.yaml", "all"), ("sheets/model-f.yaml", "all"), ("sheets/ce-3410.yaml", "all"),

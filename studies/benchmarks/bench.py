@@ -20,7 +20,7 @@ import time
 
 from table import table
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIBRARIES = ['kinematics', 'identification', 'diagnosis', 'clearance', 'sheet', 'order']
 POSTURES_PER_ROUND = 64  # of kernel_instructions
 
@@ -124,7 +124,7 @@ def main():
     parser.add_argument('--only', nargs='+', choices=[*LIBRARIES, 'instructions', 'plans', 'commands'],
                         help='these alone; the other figures stay as the last run on this machine left them')
     options = parser.parse_args()
-    folder, program = options.build / 'benchmarks', options.build / 'tubeplan'
+    folder, program = options.build / 'studies/benchmarks', options.build / 'tubeplan'
     runs = {name: lambda name=name: run_library(folder, name, options.repetitions) for name in LIBRARIES}
     runs['instructions'] = lambda: {'pose': instructions(folder, False),
                                     'pose and Jacobian': instructions(folder, True)}

@@ -7,7 +7,6 @@
 #include <chrono>
 
 #include "app/formats/cell/workcell.hpp"
-#include "benchmarks/run_benchmarks.hpp"
 #include "deflection/frames_along_chords.hpp"
 #include "deflection/prepared_arm.hpp"
 #include "planner/collision/arm_clearance.hpp"
@@ -16,6 +15,7 @@
 #include "planner/motion/side_by_side.hpp"
 #include "planner/reach/tube_reach.hpp"
 #include "planner/scene/separation.hpp"
+#include "studies/benchmarks/run_benchmarks.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::benchmarks {

@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/formats/cell/workcell.hpp"
-#include "benchmarks/library_plan.hpp"
 #include "planner/collision/arm_clearance.hpp"
 #include "planner/timing/trapezoid_timing.hpp"
 #include "planner/visit_plan.hpp"
+#include "studies/benchmarks/library_plan.hpp"
 #include "tubesheets/work_list.hpp"
 
 namespace tubeplan::benchmarks {

@@ -1,4 +1,4 @@
-#include "benchmarks/library_plan.hpp"
+#include "studies/benchmarks/library_plan.hpp"
 
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <functional>
 
-#include "benchmarks/ceres_solver.hpp"
-#include "benchmarks/run_benchmarks.hpp"
-#include "benchmarks/thesis_campaign.hpp"
-#include "benchmarks/thesis_methods.hpp"
+#include "studies/benchmarks/ceres_solver.hpp"
+#include "studies/benchmarks/run_benchmarks.hpp"
+#include "studies/benchmarks/thesis_campaign.hpp"
+#include "studies/benchmarks/thesis_methods.hpp"
 
 namespace tubeplan::benchmarks {
 namespace {
