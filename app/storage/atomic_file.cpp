@@ -27,7 +27,7 @@ fs::path temporaryBeside(const fs::path& path) {
 
 std::string asideName(const fs::path& path) { return path.filename().string() + ".old"; }
 
-/// The number in ".NAME.1234.part"; 0 in any other name.
+/// Returns the number in ".NAME.1234.part"; 0 for any other name.
 int writerOf(const std::string& file, const std::string& name) {
   const std::string before = "." + name + ".", after = ".part";
   if (!file.starts_with(before) || !file.ends_with(after) || file.size() <= before.size() + after.size()) return 0;
@@ -39,22 +39,23 @@ int writerOf(const std::string& file, const std::string& name) {
 
 bool isRunning(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
 
-// A device or pipe (/dev/null, /dev/stdout) is written to; a rename would put a file in its place.
+// Returns true for a device or pipe (/dev/null, /dev/stdout), which is written directly: a rename would replace it by a
+// file.
 bool isSpecialFile(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-// The file behind a link is replaced, not the link.
+// Returns the target of a symbolic link, which is replaced instead of the link.
 fs::path behindLink(const fs::path& named) {
   std::error_code error;
   return fs::is_symlink(named, error) ? fs::weakly_canonical(named, error) : named;
 }
 
-constexpr const char* kScratch = "tubeplan";  // of an OutputFolder, within it
+constexpr const char* kScratch = "tubeplan";  // name of the scratch folder within an OutputFolder
 
-/// " (process 1234)": the one whose scratch stands in the folder.
+/// Returns " (process 1234)", the process whose scratch folder is in the folder.
 std::string holderOf(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
@@ -122,7 +123,7 @@ void removeLeftovers(const fs::path& folder, const std::string& name) {
 
 OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
     : path_(absoluteFolder(path, option)), option_(option), staged_(option) {
-  if (!path_.has_filename()) path_ = path_.parent_path();  // a name that ends with a slash
+  if (!path_.has_filename()) path_ = path_.parent_path();  // for a name that ends with a slash
   std::error_code error;
   if (fs::exists(path_, error) && !fs::is_directory(path_)) failToWrite(option, path_, "a file, not a folder");
   made_.make(path_, option);
@@ -135,7 +136,7 @@ OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
   if (error) failToWrite(option, path_, error.message());
 }
 
-// Without anything that could fail for want of memory.
+// Uses only operations that cannot fail for lack of memory.
 OutputFolder::~OutputFolder() {
   staged_.discard();
   std::error_code ignored;
@@ -163,7 +164,7 @@ void OutputFolder::remove(const std::string& name) { stale_.push_back(path_ / na
 void OutputFolder::commit() {
   made_.sync(option_);
   staged_.putInPlace();
-  std::error_code ignored;  // a stale file that stays does no harm beyond itself
+  std::error_code ignored;  // a stale file that cannot be removed does no other harm
   for (const fs::path& path : stale_) fs::remove(path, ignored);
 }
 

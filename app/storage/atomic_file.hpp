@@ -1,4 +1,4 @@
-// Files that are there whole or not at all.
+// Files written completely or not at all.
 #pragma once
 
 #include <filesystem>
@@ -9,35 +9,35 @@
 
 namespace tubeplan::app {
 
-/// A file to be written.
+/// File to be written.
 struct TextFile {
   std::filesystem::path path;
   std::string text;
 };
 
-/// Throws InputError, naming the option, unless a file can be written there: the folder exists or can be made, the
-/// place is no folder, and it is no file that the command reads or another option writes (InputRecord). Leaves nothing
-/// behind, not even what a program that was killed left. For use before long work.
+/// Throws InputError, naming the option, unless a file can be written there. Its folder must exist or be possible to
+/// create; the path must be no folder, no file that the command reads and no output of another option (InputRecord).
+/// Leaves no files behind, and removes leftovers of programs that were killed. For use before long work.
 void checkWritableFile(const std::filesystem::path& path, const std::string& option);
 
-/// Writes beside the place, waits for the disk and renames, so that no reader ever sees half a file, nor one after a
-/// power cut; a device or pipe is written to as it is, never replaced. Makes missing folders. Throws InputError naming
-/// the option.
+/// Writes beside the path, waits for the disk and renames, so that no reader sees a part of a file, not even after a
+/// power failure. Writes directly to a device or pipe and never replaces it. Creates missing folders. Throws InputError
+/// naming the option.
 void writeFileAtomically(const std::filesystem::path& path, const std::string& content, const std::string& option);
 
-/// The same for files that belong together: where one cannot be written, none is. They go to their places in this
-/// order, each on the disk before the next.
+/// Writes files that belong together: all of them, or none if one cannot be written. Renames them in this order, each
+/// on the disk before the next. Throws InputError naming the option.
 void writeFilesTogether(const std::vector<TextFile>& files, const std::string& option);
 
-/// Removes what programs that were killed while they wrote `name` left beside it.
+/// Removes the temporary files beside `name` of programs that were killed while they wrote it.
 void removeLeftovers(const std::filesystem::path& folder, const std::string& name);
 
-/// A folder of results: made and proved writable at once, its files appear together at commit(). Without a commit
-/// nothing remains, not even folders that had to be made.
+/// Folder of results. It is created and checked for write access at once; its files appear together at commit().
+/// Without a commit nothing remains, not even folders that had to be created.
 class OutputFolder {
  public:
-  /// Throws InputError, naming the option, for a folder that cannot be made or written, or that another program writes
-  /// to: files of two runs would be mixed.
+  /// Throws InputError, naming the option, for a folder that cannot be created or written, or to which another program
+  /// is writing: the files of two runs would be mixed.
   OutputFolder(const std::filesystem::path& path, const std::string& option);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -45,17 +45,18 @@ class OutputFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// Throws InputError, naming the option, where there are files of these names and none of the `marks` that runs of
-  /// the same command leave beside them: they are someone else's.
+  /// Throws InputError, naming the option, if files of these names exist but none of the `marks` that runs of the same
+  /// command leave beside them: they belong to something else.
   void requireOwn(const std::vector<std::string>& marks, const std::vector<std::string>& names) const;
 
-  /// Of a file name without folders.
+  /// Writes a file of the folder; `name` has no folders.
   void write(const std::string& name, const std::string& content);
 
-  /// A file of an earlier run that would not belong to these: gone after commit().
+  /// Marks a file of an earlier run, which does not belong to the new files, for removal at commit().
   void remove(const std::string& name);
 
-  /// Puts all files in place, over older ones of the same names, or none; others in the folder stay.
+  /// Renames all files to their final names, replacing older ones of the same names, or none; other files of the folder
+  /// stay.
   void commit();
 
  private:

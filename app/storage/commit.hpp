@@ -1,9 +1,9 @@
-// Which sources the program was built of.
+// Commit of the sources from which the program was built.
 #pragma once
 
 namespace tubeplan::app {
 
-/// Twelve digits of the commit, with "+" where the sources had changed since; "unknown" outside a repository.
+/// Returns twelve digits of the commit, with "+" if the sources had changed since; "unknown" outside a repository.
 [[nodiscard]] const char* sourceCommit();
 
 }  // namespace tubeplan::app

@@ -9,7 +9,7 @@ namespace tubeplan::app {
 namespace {
 
 constexpr std::size_t kLongestQuote = 60;
-constexpr std::size_t kLongestPart = 4000;  // of a message; a file's name may be that long
+constexpr std::size_t kLongestPart = 4000;  // maximum length of a part of a message: file names may be that long
 
 std::string sentence(const std::string& where, const std::string& found, const std::string& expected,
                      const std::string& advice) {
@@ -17,7 +17,7 @@ std::string sentence(const std::string& where, const std::string& found, const s
   return advice.empty() ? core : core + "; " + advice;
 }
 
-/// Whatever came in, a message stays one line of text.
+/// Returns text in one line, whatever the input, with breaks as blanks and unprintable bytes as escapes.
 std::string part(std::string text) {
   for (char& c : text)
     if (c == '\n' || c == '\r' || c == '\t') c = ' ';

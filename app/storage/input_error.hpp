@@ -1,5 +1,4 @@
-// The one exception of the program: the user's input cannot be used. Thrown by the readers and commands, caught once in
-// main.
+// Exception for input of the user that cannot be used. Readers and commands throw it; main catches it in one place.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +8,11 @@
 
 namespace tubeplan::app {
 
-/// Its message is one line: "where: found F, expected E; advice".
+/// Error in the user's input, with a message of one line: "where: found F, expected E; advice".
 class InputError : public std::runtime_error {
  public:
-  /// `where` names the file with line and column, or the option; `found` and `expected` continue "found ..., expected
-  /// ..."; `advice` says what to do and may be empty.
+  /// Creates the error. `where` names the file with line and column, or the option. `found` and `expected` continue
+  /// "found ..., expected ...". `advice` states the remedy and may be empty.
   InputError(std::string where, std::string found, std::string expected, std::string advice = "");
 
   [[nodiscard]] const std::string& where() const { return where_; }
@@ -25,13 +24,14 @@ class InputError : public std::runtime_error {
   std::string where_, found_, expected_, advice_;
 };
 
-/// What the file system would not do, and with which file.
+/// Returns the error for a failed operation of the file system, with the file and the reason.
 [[nodiscard]] InputError inputErrorOf(const std::filesystem::filesystem_error& error);
 
-/// Text of the user's in quotes, fit for one line of a message: unprintable bytes as `\xNN`, cut after 60 characters.
+/// Returns text of the user's in quotes, for one line of a message: unprintable bytes as `\xNN`, cut after 60
+/// characters.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
-/// A name of the user's in a line of a table: the same without the quotes.
+/// Returns a name of the user's for a line of a table: printable as with inQuotes(), but without the quotes.
 [[nodiscard]] std::string nameInLine(std::string_view name);
 
 }  // namespace tubeplan::app

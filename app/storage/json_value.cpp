@@ -13,14 +13,14 @@ namespace {
 
 using nlohmann::json;
 
-/// "from 0 to 10", "at least 0"; empty without bounds.
+/// Returns the bounds as " from 0 to 10" or ", at least 0"; empty without bounds.
 std::string boundsText(double least, double most) {
   if (std::isfinite(least) && std::isfinite(most)) return fmt::format(" from {} to {}", least, most);
   if (std::isfinite(least)) return fmt::format(", at least {}", least);
   return std::isfinite(most) ? fmt::format(", at most {}", most) : "";
 }
 
-/// "plan.json:3:17" of the byte that the library could not go on from.
+/// Returns "plan.json:3:17", the place of the byte at which the library's parser stopped.
 std::string placeIn(std::string_view text, const std::string& where, std::size_t byte) {
   const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');

@@ -1,4 +1,4 @@
-// A value of a JSON document with its place in it, taken out kind by kind, so that nothing a document says is trusted.
+// Values of a JSON document with their places in it, read with checks of kind and range.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 
 namespace tubeplan::app {
 
-/// What a JSON text of the program's own may nest.
+/// Maximum depth of nesting in a JSON text of the program's own.
 inline constexpr int kDeepestJson = 16;
 
 class NotJson : public InputError {
@@ -20,28 +20,28 @@ class NotJson : public InputError {
   using InputError::InputError;
 };
 
-/// Throws NotJson for text that is none, at its line and column, and for what nests deeper than kDeepestJson;
-/// `expected` and `advice` are for its message.
+/// Parses a JSON text. Throws NotJson, with line and column, for text that is not JSON or is nested deeper than
+/// kDeepestJson; `expected` and `advice` are for its message.
 [[nodiscard]] nlohmann::json parseJson(std::string_view text, const std::string& where, const std::string& expected,
                                        const std::string& advice = "");
 
-/// Refers to a document that outlives it. Each reading throws InputError for a value of another kind or out of its
-/// bounds, naming the place.
+/// Reference to a value of a document that outlives it. Each reading function throws InputError, with the value's
+/// place, for another kind or a number out of its bounds.
 class JsonValue {
  public:
-  /// The document, called `name`; `advice` is for every message.
+  /// Refers to the whole document, called `name` in messages; `advice` ends every message.
   JsonValue(const nlohmann::json& document, std::string name, std::string advice = "")
       : JsonValue(document, std::move(name), "", std::move(advice)) {}
 
   [[nodiscard]] const nlohmann::json& json() const { return value_; }
 
-  /// Whether it is an object with that key.
+  /// Returns true if the value is an object with that key.
   [[nodiscard]] bool has(const std::string& key) const { return value_.is_object() && value_.contains(key); }
 
-  /// The value of a key that must be there; for messages it is "plan.json sheet.name".
+  /// Returns the value of a required key; messages call it "plan.json sheet.name".
   [[nodiscard]] JsonValue at(const std::string& key) const;
 
-  /// The items of a list; for messages they are "plan.json tubes[0]".
+  /// Returns the items of a list; messages call them "plan.json tubes[0]".
   [[nodiscard]] std::vector<JsonValue> items() const;
 
   [[nodiscard]] std::string text() const;
@@ -49,10 +49,10 @@ class JsonValue {
   [[nodiscard]] double number(double least = -std::numeric_limits<double>::infinity(),
                               double most = std::numeric_limits<double>::infinity()) const;
 
-  /// A whole number, also one that is written 3.0.
+  /// Returns a whole number, also one written as 3.0.
   [[nodiscard]] int integer(int least, int most) const;
 
-  /// A list of so many numbers.
+  /// Returns a list of `count` numbers.
   [[nodiscard]] Eigen::VectorXd numbers(Eigen::Index count) const;
 
   [[noreturn]] void refuse(const std::string& expected) const;

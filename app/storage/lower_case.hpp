@@ -1,4 +1,4 @@
-// Text without regard to capitals: letters of ASCII; all other bytes stay as they are.
+// Lower case of ASCII letters; all other bytes stay unchanged.
 #pragma once
 
 #include <string>

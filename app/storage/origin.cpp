@@ -19,7 +19,7 @@ namespace {
 
 thread_local InputRecord* record_of_thread = nullptr;
 
-/// A file's name may be any bytes; what is no UTF-8 becomes a question mark, for documents have no other text.
+/// Returns a file's name as UTF-8 for documents, with a question mark for each byte that is not UTF-8.
 std::string nameIn(const std::string& path) {
   const std::string name = fs::path(path).filename().string();
   std::string text;
@@ -31,7 +31,7 @@ std::string nameIn(const std::string& path) {
   return text;
 }
 
-/// Whether two names are of one file, also where it is still to be written.
+/// Returns true if two paths name the same file, also one that does not exist yet.
 bool isSameFile(const fs::path& a, const fs::path& b) {
   std::error_code error;
   if (fs::exists(a, error) && fs::exists(b, error)) return fs::equivalent(a, b, error);

@@ -1,5 +1,5 @@
-// What a result was made by and of: the program's version, and each file that was read with its SHA-256. And that no
-// option writes over one of those, or over what another option writes.
+// Origin of a result: the program's version and each input file with its SHA-256. Prevents options from overwriting an
+// input file or the output of another option.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,8 @@
 
 namespace tubeplan::app {
 
-/// Notes the files that the readers read on its thread while it lives: a command has one. No second one meanwhile.
+/// Record of the files read on its thread during its lifetime, one for each command. A thread has at most one at a
+/// time.
 class InputRecord {
  public:
   InputRecord();
@@ -19,36 +20,36 @@ class InputRecord {
   InputRecord(const InputRecord&) = delete;
   InputRecord& operator=(const InputRecord&) = delete;
 
-  /// Of this thread; null where there is none, as behind a served page.
+  /// Returns the record of this thread; null if there is none, as in a served page.
   [[nodiscard]] static InputRecord* current();
 
-  /// A file as it was read first; for readers.
+  /// Notes a file with its content at its first reading; for readers.
   void note(const std::string& path, std::string_view bytes);
 
-  /// For writers: throws InputError, naming the option, for a file that was read, unless it may be replaced, and for
-  /// one that another option writes. Not for devices and pipes, which are anyone's.
+  /// Claims a path for output; for writers. Throws InputError, naming the option, for an input file that may not be
+  /// replaced and for an output of another option. Any option may write to devices and pipes.
   void claim(const std::filesystem::path& path, const std::string& option);
 
-  /// A file that was read and may be written: of a cell its improvement.
+  /// Allows writing over an input file, as an improved cell over the original.
   void allowReplacing(const std::string& path) { replaceable_.push_back(path); }
 
-  /// [{name, bytes, sha256}] in the order of reading; the name without its folder, so that results are the same
-  /// wherever the files lie.
+  /// Returns [{name, bytes, sha256}] in the order of reading. Names have no folder, so that results are independent of
+  /// the place of the files.
   [[nodiscard]] const nlohmann::json& inputs() const { return inputs_; }
 
  private:
   std::vector<std::string> paths_, replaceable_;
-  std::vector<std::pair<std::filesystem::path, std::string>> outputs_;  ///< and their options
+  std::vector<std::pair<std::filesystem::path, std::string>> outputs_;  ///< output paths with their options
   nlohmann::json inputs_ = nlohmann::json::array();
 };
 
-/// For readers: notes it where there is a record.
+/// Notes a file in the thread's InputRecord, if there is one; for readers.
 void noteInput(const std::string& path, std::string_view bytes);
 
-/// For writers: InputRecord::claim() where there is a record.
+/// Calls InputRecord::claim() of the thread's record, if there is one; for writers.
 void claimOutput(const std::filesystem::path& path, const std::string& option);
 
-/// Adds `version`, and `inputs` where there is a record, to a document that has not its own.
+/// Adds `version`, and `inputs` if there is a record, to a document that has none of its own.
 void stateOrigin(nlohmann::json& document);
 
 }  // namespace tubeplan::app

@@ -11,7 +11,7 @@ namespace tubeplan::app {
 std::string sha256Of(std::string_view bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
   unsigned int length = 0;
-  // Every provider of the library has this digest: what lacks where it fails is memory.
+  // Every provider of the library has this digest, so only lack of memory can make it fail.
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
     throw std::bad_alloc();
   std::string digits;

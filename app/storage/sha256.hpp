@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4), as `sha256sum` prints it: which inputs a report is of.
+// SHA-256 (FIPS 180-4) in the format of `sha256sum`, to identify the inputs of a report.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace tubeplan::app {
 
-/// 64 hexadecimal digits. Throws std::bad_alloc where there is no memory for the library's work.
+/// Returns 64 hexadecimal digits. Throws std::bad_alloc if there is no memory for the library's work.
 [[nodiscard]] std::string sha256Of(std::string_view bytes);
 
 }  // namespace tubeplan::app

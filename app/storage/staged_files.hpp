@@ -1,5 +1,5 @@
-// Files that are written beside their places, brought to the disk, and go to their places together; folders that are
-// made for them, and gone again where none comes.
+// Files that are written beside their final paths, flushed to the disk and renamed together; folders created for them,
+// and removed again if they stay empty.
 #pragma once
 
 #include <filesystem>
@@ -9,16 +9,18 @@
 
 namespace tubeplan::app {
 
-/// "--out: found '/there/file': WHY": the InputError for what cannot be written.
+/// Throws the InputError for an output that cannot be written: "--out: found '/there/file': WHY".
 [[noreturn]] void failToWrite(const std::string& option, const std::filesystem::path& path, const std::string& why);
 
-/// Makes or empties a file and waits until all of `content` is on the disk. A device or pipe just gets it.
+/// Creates or empties a file and waits until all of `content` is on the disk. Writes to a device or pipe without
+/// waiting.
 [[nodiscard]] std::error_code writeToDisk(const std::filesystem::path& path, const std::string& content);
 
 /// Waits until a folder's list of files is on the disk.
 [[nodiscard]] std::error_code syncFolder(const std::filesystem::path& folder);
 
-/// What has not been put in place is gone in the end, so that a failure leaves the old files alone.
+/// Set of temporary files. The destructor removes those that were not renamed, so that a failure leaves the old files
+/// unchanged.
 class StagedFiles {
  public:
   explicit StagedFiles(std::string option) : option_(std::move(option)) {}
@@ -26,15 +28,16 @@ class StagedFiles {
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;
 
-  /// Writes to `temporary`; while the set goes to its places the old file waits at `aside`. Throws InputError.
+  /// Writes `content` to `temporary`; putInPlace() later moves the old file from `place` to `aside` and this one to
+  /// `place`. Throws InputError.
   void add(std::filesystem::path temporary, std::filesystem::path aside, std::filesystem::path place,
            const std::string& content);
 
-  /// In the order in which they were added, each on the disk before the next. Throws InputError; the old files are
-  /// then back in their places, unless nothing but the disk's word for the last one is missing.
+  /// Renames the files in the order of their addition, each on the disk before the next. Throws InputError and restores
+  /// the old files, unless the only failure is to flush the last rename to the disk.
   void putInPlace();
 
-  /// Removes what has not been put in place.
+  /// Removes the files that have not been renamed to their final paths.
   void discard() noexcept;
 
  private:
@@ -53,22 +56,22 @@ class StagedFiles {
 class MadeFolders {
  public:
   MadeFolders() = default;
-  ~MadeFolders();  ///< those still empty go
+  ~MadeFolders();  ///< removes those that are still empty
   MadeFolders(const MadeFolders&) = delete;
   MadeFolders& operator=(const MadeFolders&) = delete;
 
-  /// All that are missing on the way to `folder`. Throws InputError naming the option.
+  /// Creates all missing folders on the path to `folder`. Throws InputError naming the option.
   void make(const std::filesystem::path& folder, const std::string& option);
 
-  /// Waits until they are on the disk themselves, not only what is in them. Throws InputError.
+  /// Waits until the folders themselves are on the disk, not only their content. Throws InputError.
   void sync(const std::string& option) const;
 
  private:
   std::vector<std::filesystem::path> paths_;  ///< outermost first
 };
 
-/// One program at a time holds a folder or file, until it releases it or ends, however it does: nothing is left that
-/// could be stale.
+/// Lock on a folder or file for one program at a time, until its release or the end of the process. No lock file
+/// remains.
 class FileLock {
  public:
   enum class Outcome { kTaken, kHeldByAnother, kNotPossible };
@@ -78,7 +81,8 @@ class FileLock {
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
-  /// `flags` are those of open(). What cannot be opened, or has no locks in its file system, is nobody's.
+  /// Tries to take the lock; `flags` are those of open(). Returns kNotPossible for a path that cannot be opened or a
+  /// file system without locks.
   [[nodiscard]] Outcome tryTake(const std::filesystem::path& place, int flags);
   void release();
 

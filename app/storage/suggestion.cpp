@@ -8,7 +8,7 @@ namespace tubeplan::app {
 
 namespace {
 
-// Changed, missing, added and swapped letters (optimal string alignment), blind to case.
+// Returns the number of changed, missing, added and swapped letters (optimal string alignment), case ignored.
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i)

@@ -1,4 +1,4 @@
-// "did you mean ...?" for words a user mistyped.
+// Suggestions ("did you mean ...?") for mistyped words.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace tubeplan::app {
 
-/// "did you mean 'limits'?" where one of the candidates is near enough to the word, else empty.
+/// Returns "did you mean 'limits'?" if one of the candidates is similar enough to the word, else empty.
 [[nodiscard]] std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "a, b or c".
+/// Returns the words as "a, b or c".
 [[nodiscard]] std::string alternatives(const std::vector<std::string>& words);
 
 }  // namespace tubeplan::app

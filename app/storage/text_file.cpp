@@ -28,7 +28,7 @@ std::string readAtMost(std::ifstream& stream, std::size_t limit) {
   return text;
 }
 
-/// As they stand in the file, a byte order mark too.
+/// Returns the bytes of a text file, with a byte order mark if it has one. Throws InputError as readTextFile() does.
 std::string bytesOfText(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);

@@ -1,4 +1,4 @@
-// Whole text files, refused where they cannot be what a reader wants.
+// Complete text files, checked for size and encoding.
 #pragma once
 
 #include <string>
@@ -8,17 +8,20 @@
 
 namespace tubeplan::app {
 
-/// The file's text without a byte order mark. Throws InputError for a file that is missing, a folder, unreadable,
-/// larger than 64 MB, empty (blanks only) or no text (control characters, bytes that are not UTF-8).
+/// Returns the file's text without a byte order mark. Throws InputError for a file that is missing, a folder,
+/// unreadable, larger than 64 MB, empty (blanks only) or no text (control characters, bytes that are not UTF-8).
 [[nodiscard]] std::string readTextFile(const std::string& path);
 
-/// Returns the text of a file with its byte order mark, for a text that is written again with some of it changed.
+/// Returns the text of a file with its byte order mark, for text that is written again with some changes. Throws
+/// InputError as readTextFile() does.
 [[nodiscard]] std::string readTextBytes(const std::string& path);
 
-/// The same of a file that the program itself keeps: no input of a result (origin.hpp).
+/// Returns the text of a file of the program's own, which is no input of a result (origin.hpp). Throws InputError as
+/// readTextFile() does.
 [[nodiscard]] std::string readKeptFile(const std::string& path);
 
-/// What readTextFile asks of a file's text, of text that comes another way. `path` is its name for messages.
+/// Throws InputError unless the text meets the conditions of readTextFile(), for text from another source. `path` is
+/// its name in messages.
 void checkText(const std::string& path, std::string_view text);
 
 /// Throws InputError for a problem of that file's text, with its line.
