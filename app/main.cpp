@@ -17,15 +17,15 @@
 
 namespace {
 
-/// A full disk behind standard output, or a pipe whose reader has gone.
+/// Reports a failed write to standard output (full disk, or pipe closed by its reader) and returns the exit code.
 int tellOfOutput(int error) {
   std::fprintf(stderr, "tubeplan: standard output: found %s, expected a place that can be written\n",
                std::strerror(error));
   return tubeplan::app::kBadInput;
 }
 
-/// What is thrown where nothing may be: a thread of oneTBB's pool is begun, and gets its memory, where an exception
-/// ends the program. It ends in words then; what it had begun to write is removed by the next run, as after a kill.
+/// Ends the program with a message for an exception outside of any handler. Such a case is lack of memory for a new
+/// thread of oneTBB's pool. The next run removes partly written files, as after a kill.
 [[noreturn]] void endInWords() {
   const std::exception_ptr thrown = std::current_exception();
   if (!thrown) std::abort();
