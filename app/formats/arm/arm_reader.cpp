@@ -25,7 +25,7 @@ using deflection::JointType;
 using deflection::RowConvention;
 using ArmRow = deflection::Row<double>;
 
-/// Reads each of a row's numbers that stands in a map of it, "beam" or "dh"; what is left out stays as it is.
+/// Reads the numbers of a row from one of its maps, "beam" or "dh"; missing ones keep their values.
 void readNumbers(const YamlNode& node, std::string_view map, const Units& units, ArmRow& row) {
   deflection::visitNumbers(
       [&](const deflection::RowNumber& about, double& number) {
@@ -42,7 +42,7 @@ JointType readJointType(const YamlNode& node) {
   node.fail("revolute or prismatic", "omit `joint` for a fixed row");
 }
 
-/// A joint that others drive has no reading, and so none of what belongs to one; `follows` is read once all rows are.
+/// Reads a joint driven by others, which has no reading of its own; `follows` is read after all rows.
 Joint<double> readFollower(const YamlNode& node, const Units& units) {
   node.expectKeys({"name", "type", "follows"}, {"offset"});
   if (readJointType(node.at("type")) != JointType::kRevolute) node.at("type").fail("revolute, for a coupled joint");
@@ -52,7 +52,7 @@ Joint<double> readFollower(const YamlNode& node, const Units& units) {
   return joint;
 }
 
-// Speeds and accelerations are per second in every file.
+// Reads a joint; speeds and accelerations are per second in every file.
 Joint<double> readJoint(const YamlNode& node, const Units& units) {
   if (node.find("follows")) return readFollower(node, units);
   node.expectKeys({"name", "type"},
@@ -74,7 +74,7 @@ Joint<double> readJoint(const YamlNode& node, const Units& units) {
   return joint;
 }
 
-// What the joint itself moves may be left out of the row's numbers.
+// Reads Denavit-Hartenberg numbers; the one that the joint itself moves is optional.
 void readDh(const YamlNode& node, const Units& units, ArmRow& row) {
   const bool turns = !row.joint.name.empty() && row.joint.type != JointType::kPrismatic;
   std::vector<std::string> required{"alpha", "a"}, optional{"beta", "b"};
@@ -104,7 +104,7 @@ void readPlacement(const YamlNode& node, const Units& units, ArmRow& row) {
     row.placement = readOrigin(*origin, units);
 }
 
-// A flexibility that lacks its modulus (or a modulus without flexibility) would silently be rigid.
+// Throws InputError for flexibility without its modulus, or the reverse, which would otherwise mean a rigid beam.
 void checkBeamKeys(const YamlNode& node) {
   const bool bends = node.find("Ix") || node.find("Iy") || node.find("Iz");
   const bool twists = node.find("J");
@@ -154,7 +154,7 @@ ArmRow readRow(const YamlNode& node, const Units& units) {
   return row;
 }
 
-/// Which rows' joints a row follows, by the names of the joints.
+/// Reads the joints that a coupled joint follows, by their names, with their ratios.
 std::vector<deflection::FollowedJoint> readFollowed(const YamlNode& follows, const Arm& arm) {
   if (follows.kind != YamlNode::Kind::kMap || follows.keys.empty())
     follows.fail("one JOINT: RATIO or more, as {theta1: -1}");
@@ -195,7 +195,7 @@ RowConvention readConvention(const YamlNode& node) {
   return RowConvention::kStandard;
 }
 
-/// A row by origin has no alpha and a for the one before it to lead there by.
+/// Throws InputError for a row by origin after one by dh: it has no alpha and a for the standard row before it.
 void requireOriginsFirst(const YamlNode& links) {
   bool is_after_dh = false;
   for (const YamlNode& row : links.list()) {
@@ -206,7 +206,7 @@ void requireOriginsFirst(const YamlNode& links) {
   }
 }
 
-/// Where the first axis is by the frame before, which no number of a standard table says.
+/// Reads the first axis relative to the frame before it, which the numbers of a standard table do not contain.
 void readAxis(const YamlNode& node, const Units& units, deflection::DenavitHartenberg<double>& dh) {
   node.expectKeys({}, {"alpha", "a", "beta", "b"});
   dh.alpha = readQuantityOr(node, "alpha", units, dimension::kAngle, 0);
@@ -215,7 +215,7 @@ void readAxis(const YamlNode& node, const Units& units, deflection::DenavitHarte
   dh.b = readQuantityOr(node, "b", units, dimension::kLength, 0);
 }
 
-/// Rows of an arm or a side chain by the convention that the file states.
+/// Converts the rows of an arm or a side chain from the convention that the file states.
 void takeRows(const YamlNode& links, RowConvention convention, const Units& units, std::vector<ArmRow>& rows) {
   const bool is_standard = convention == RowConvention::kStandard;
   if (is_standard) {
@@ -248,7 +248,7 @@ void readTool(const YamlNode& node, ArmSource& source) {
   }
 }
 
-/// The library speaks in internal units; the user's own number, or numbers, say more.
+/// Returns a found value as the user wrote it, because the library's messages have internal units.
 std::string asWritten(const std::string& found, const YamlNode& at) {
   const auto isScalar = [](const YamlNode& node) { return node.kind == YamlNode::Kind::kScalar; };
   if (at.kind == YamlNode::Kind::kList && at.items.size() == 2 &&
@@ -267,7 +267,7 @@ void checkArm(const YamlNode& node, const Arm& arm) {
   throw InputError(at.where(first.path), asWritten(first.found, at), first.expected);
 }
 
-/// Among the links of the arm or of one of its side chains.
+/// Returns the row of that name among the links of the arm or one of its side chains; null if there is none.
 const YamlNode* findRow(const YamlNode& node, std::string_view name) {
   if (const YamlNode* links = node.find("links"))
     for (const YamlNode& row : links->items) {
@@ -282,7 +282,7 @@ const YamlNode* findRow(const YamlNode& node, std::string_view name) {
 
 bool isToolKey(std::string_view rest) { return rest.starts_with("tip") || rest.starts_with("turn") || rest == "axis"; }
 
-// A parameter's path below its row or tool: list components become [i], a lump its weight.
+// Returns a parameter's path below its row or tool: list components become [i], a lump its weight.
 std::string pathBelow(std::string_view rest) {
   constexpr std::string_view kLumps = "weight.lumps.";
   if (rest.starts_with(kLumps))
@@ -346,7 +346,7 @@ std::string armPath(const YamlNode& arm, std::string_view name) {
   const std::size_t dot = name.find('.');
   const std::string_view first = name.substr(0, dot);
   const std::string_view rest = dot == std::string_view::npos ? "" : name.substr(dot + 1);
-  // The last row may be called `tool` too: only the tip, the turn and the axis are the tool's own.
+  // A row may have the name `tool` too: only the tip, the turn and the axis always belong to the tool.
   const YamlNode* row = first == "tool" && isToolKey(rest) ? nullptr : findRow(arm, first);
   if (row) return rest.empty() ? row->path : row->path + "." + pathBelow(rest);
   return arm.find(first) ? prefix + std::string(first) + (rest.empty() ? "" : "." + pathBelow(rest)) : "";

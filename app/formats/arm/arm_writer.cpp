@@ -22,7 +22,7 @@ using deflection::Arm, deflection::JointType;
 using Eigen::Vector3d;
 using ArmRow = deflection::Row<double>;
 
-/// A map in one line, key after key.
+/// A map in one line, built key by key.
 class FlowMap {
  public:
   explicit FlowMap(const Units& units) : units_(units) {}
@@ -47,8 +47,7 @@ class FlowMap {
   std::vector<std::string> entries_;
 };
 
-/// Adds each of a row's numbers that stands in a map of it, "beam" or "dh"; where `usual` is given, those that differ
-/// from it.
+/// Adds the numbers of a row in one of its maps, "beam" or "dh"; with `usual`, only those that differ from it.
 void addNumbers(std::string_view name, const ArmRow& row, const std::optional<double>& usual, FlowMap& map) {
   deflection::visitNumbers(
       [&](const deflection::RowNumber& about, const double& number) {
@@ -59,7 +58,7 @@ void addNumbers(std::string_view name, const ArmRow& row, const std::optional<do
       row);
 }
 
-/// The k-th row as its file has it.
+/// Returns row k in the convention of its file.
 ArmRow rowAsWritten(const std::vector<ArmRow>& rows, std::size_t k) {
   ArmRow row = rows[k];
   if (deflection::isStandard(rows) && deflection::dhOf(row)) row.placement = deflection::standardNumbers(rows, k);
@@ -129,7 +128,7 @@ std::string weightText(const ArmRow& row, const Units& units) {
   return map.empty() ? "" : map.text();
 }
 
-/// A row of a list that stands so far to the right.
+/// Returns the text of a row as a list item, indented by `margin`.
 std::string rowText(const Arm& arm, const ArmRow& row, const Units& units, const char* margin) {
   std::string text = fmt::format("{}- name: {}\n", margin, yamlName(row.name));
   const auto add = [&](const std::string& entry) { text += fmt::format("{}  {}\n", margin, entry); };
@@ -143,7 +142,7 @@ std::string rowText(const Arm& arm, const ArmRow& row, const Units& units, const
   return text;
 }
 
-/// Where the first axis of rows by the standard convention is; empty where it is the z before.
+/// Returns the text of the first axis of rows by the standard convention; empty if it is the z before it.
 std::string axisText(const std::vector<ArmRow>& rows, const Units& units) {
   const auto* dh = deflection::isStandard(rows) ? deflection::dhOf(rows.front()) : nullptr;
   if (!dh) return "";
@@ -155,7 +154,7 @@ std::string axisText(const std::vector<ArmRow>& rows, const Units& units) {
   return map.empty() ? "" : map.text();
 }
 
-/// Those that the file has.
+/// Returns the text of the rows that the file states.
 std::string rowsText(const Arm& arm, const std::vector<ArmRow>& rows, const Units& units, const char* margin) {
   std::string text;
   for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -1,4 +1,4 @@
-// Whole arms as files of the program's own format.
+// Writer of complete arms in the program's own format.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace tubeplan::app {
 
-/// Left out where the arm's own file states none, and the cell may know better.
+/// Choice to write the tool axis, or to leave it out if the arm's own file states none, so that the cell may state it.
 enum class ToolAxis { kStated, kLeftOut };
 
-/// The arm's file (readArm), without effects, which stand in the cell.
+/// Returns the text of an arm's file (readArm), without effects, which belong to the cell.
 [[nodiscard]] std::string armYaml(const deflection::Arm& arm, const Units& units,
                                   ToolAxis tool_axis = ToolAxis::kStated);
 

@@ -1,4 +1,4 @@
-// What a joint's reading is measured in.
+// Units and columns of joint readings.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,17 +9,17 @@
 
 namespace tubeplan::app {
 
-/// What a joint's reading is measured in: an angle, or a length for a prismatic one.
+/// Returns the dimension of a joint's reading: an angle, or a length for a prismatic joint.
 [[nodiscard]] Dimension jointDimension(const deflection::Joint<double>& joint);
 
-/// What its columns are called before their unit: its name, or joint_x of a joint whose name a measurement table has
-/// for another number with a unit.
+/// Returns the name of a joint's columns before their unit: the joint's name, or joint_x for a name that measurement
+/// tables use for another quantity with a unit.
 [[nodiscard]] std::string jointColumnName(const deflection::Joint<double>& joint);
 
-/// Its column in a file: theta1_deg, lift_in.
+/// Returns the name of a joint's column in a file: theta1_deg, lift_in.
 [[nodiscard]] std::string jointColumn(const deflection::Joint<double>& joint, const Units& units);
 
-/// Factors from file to internal units, one per active joint.
+/// Returns the factors from file to internal units, one per active joint.
 [[nodiscard]] Eigen::VectorXd jointFactors(const deflection::Arm& arm, const Units& units);
 
 }  // namespace tubeplan::app

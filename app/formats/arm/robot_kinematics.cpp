@@ -36,14 +36,14 @@ double angleBetween(const LinkOrigin& a, const LinkOrigin& b) {
   return Eigen::AngleAxisd(turn).angle();
 }
 
-/// The same place seen from a base half a turn about z.
+/// Returns an origin as seen from a base rotated by half a turn about z.
 LinkOrigin halfTurned(const LinkOrigin& origin) {
   return {{-origin.position.x(), -origin.position.y(), origin.position.z()},
           {origin.rpy.x(), origin.rpy.y(), origin.rpy.z() + std::numbers::pi},
           0};
 }
 
-/// The row's origin in its file. Throws InputError where it has none.
+/// Returns the row's origin in its file. Throws InputError if it has none.
 const LinkOrigin& originIn(const std::string& file, const deflection::Row<double>& row) {
   const auto* origin = std::get_if<LinkOrigin>(&row.placement);
   if (!origin)
@@ -52,7 +52,7 @@ const LinkOrigin& originIn(const std::string& file, const deflection::Row<double
   return *origin;
 }
 
-/// The same in the nominal file, where it may be replaced.
+/// Returns the row's origin in the nominal file. Throws InputError unless it can be replaced.
 const LinkOrigin& nominalOrigin(const YamlFile& nominal, const deflection::Row<double>& row) {
   const LinkOrigin& origin = originIn(nominal.path, row);
   if (row.joint.type != deflection::JointType::kRevolute || row.joint.offset != 0 || origin.beta != 0)
@@ -66,7 +66,7 @@ void requireSixJoints(const std::string& file, std::size_t joints) {
     throw InputError(file, fmt::format("{} joints", joints), "6, as the kinematics file has origins");
 }
 
-/// The row's origin, with its lean and its joint's offset; its own numbers where it has neither.
+/// Returns the row's origin combined with its lean and its joint's offset; unchanged if it has neither.
 LinkOrigin calibratedOrigin(const std::string& file, const deflection::Row<double>& row) {
   const LinkOrigin& own = originIn(file, row);
   if (own.beta == 0 && row.joint.offset == 0) return own;
@@ -75,7 +75,7 @@ LinkOrigin calibratedOrigin(const std::string& file, const deflection::Row<doubl
   return {own.position, deflection::fixedAnglesOf(turn), 0};
 }
 
-/// The second origin, which stands in the frame of the first, as seen from where the first does.
+/// Returns the second origin, stated in the frame of the first, relative to the frame of the first one's own parent.
 LinkOrigin behind(const LinkOrigin& first, const LinkOrigin& second) {
   const Eigen::Matrix3d turn = deflection::rotationFromFixedAngles<double>(first.rpy);
   return {first.position + turn * second.position,
@@ -145,7 +145,7 @@ RobotKinematics robotKinematicsOf(const deflection::Arm& arm, const std::string&
   RobotKinematics kinematics;
   requireSixJoints(file, deflection::activeRows(arm).size());
   std::size_t joints = 0;
-  std::optional<LinkOrigin> passive;  // what stands before the next joint
+  std::optional<LinkOrigin> passive;  // passive rows before the next joint, combined
   for (const auto& row : arm.rows) {
     if (joints == kinematics.origins.size()) break;
     const LinkOrigin own = calibratedOrigin(file, row);

@@ -1,9 +1,9 @@
-// What ROS keeps of a Universal Robots arm's calibration: the YAML file that ur_calibration writes from the
-// controller's numbers, and ur_description reads as kinematics_config (Universal_Robots_ROS2_Driver).
+// Calibration of a Universal Robots arm as ROS stores it: a YAML file that ur_calibration writes from the controller's
+// numbers, and that ur_description reads as kinematics_config (Universal_Robots_ROS2_Driver).
 //
-// `kinematics` has one origin {x, y, z, roll, pitch, yaw} [m, rad] for each of six joints, that of the joint in its
-// URDF, and the hash of the controller's numbers. No origin is far off the drawing's: unlike the controller's, they
-// hold no lengths that cancel.
+// `kinematics` has one origin {x, y, z, roll, pitch, yaw} [m, rad] for each of six joints, as in the joint's URDF, and
+// the hash of the controller's numbers. All origins are near those of the drawing: unlike the controller's numbers,
+// they contain no lengths that cancel.
 #pragma once
 
 #include <array>
@@ -15,25 +15,25 @@
 namespace tubeplan::app {
 
 struct RobotKinematics {
-  std::array<deflection::Origin<double>, 6> origins;  ///< m, rad; from the base outwards
-  std::string hash;                                   ///< empty where the file has none
+  std::array<deflection::Origin<double>, 6> origins;  ///< [m, rad], from the base outwards
+  std::string hash;                                   ///< empty if the file has none
 };
 
-/// Throws InputError for a joint or a number that is missing or unknown.
+/// Reads the map of such a file. Throws InputError for a joint or a number that is missing or unknown.
 [[nodiscard]] RobotKinematics readRobotKinematics(const YamlNode& root);
 
-/// Returns the text of the nominal arm's file with these origins in its rows with joints, all else as it stands; a
-/// first row that stands half a turn about the base's z, as that of the robot's URDF, keeps it. Throws InputError for
-/// an arm whose rows with joints are not six by origin, revolute and without offsets, or that one of the origins would
-/// move by more than 50 mm or 10 deg: those are of another model.
+/// Returns the text of the nominal arm's file with these origins in its rows with joints and everything else unchanged.
+/// A first row rotated by half a turn about the base's z, as in the robot's URDF, keeps that rotation. Throws
+/// InputError unless the arm has six rows with joints, by origin, revolute and without offsets. Also refuses an origin
+/// that would move by more than 50 mm or 10 deg, which indicates another model.
 [[nodiscard]] std::string withRobotKinematics(const YamlFile& nominal, const RobotKinematics& kinematics);
 
-/// Returns the file's text of the same numbers to the last bit.
+/// Returns the text of such a file, with every number exact to the last bit.
 [[nodiscard]] std::string robotKinematicsText(const RobotKinematics& kinematics);
 
-/// Returns what such a file has of an arm: of each joint its origin, with the offset, the lean and passive rows before
-/// it; a base half a turn about z is turned back. `file` is the arm's, for messages. Throws InputError for an arm whose
-/// rows with joints are not six, revolute and by origin.
+/// Returns the origins of an arm's joints, each combined with the offset, the lean and the passive rows before it; a
+/// base rotated by half a turn about z is rotated back. `file` names the arm's file in messages. Throws InputError
+/// unless the arm has six rows with joints, revolute and by origin.
 [[nodiscard]] RobotKinematics robotKinematicsOf(const deflection::Arm& arm, const std::string& file);
 
 }  // namespace tubeplan::app

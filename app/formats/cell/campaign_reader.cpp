@@ -78,7 +78,7 @@ std::vector<int> readRowList(const YamlNode& node, const deflection::Arm& arm) {
   return rows;
 }
 
-// A key that means nothing for this kind would be a wish unheard.
+// Throws InputError for a key without meaning for the design's kind.
 void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
   const calibration::MeasurementKindRow& kind = kindOf(design.kind);
   for (const char* key : {"points", "postures_per_point"})
@@ -106,7 +106,7 @@ void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
 
 constexpr int kPosturesOfSurface = 12;
 
-// What the keys that are not there stand for.
+// Returns a design with the defaults of missing keys.
 CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
   CampaignDesign design;
   design.kind = readKind(root.at("kind"));

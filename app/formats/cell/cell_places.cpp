@@ -16,11 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLookedThrough = 64 * 1024;  // of a file, in bytes, for what it is
+constexpr std::size_t kLookedThrough = 64 * 1024;  // beginning of a file that is searched [bytes]
 
-/// Whether a cell's key `arm` begins a line, or follows a brace or a comma in a file that is one braced mapping: arms,
-/// scenes and sheets have none. Nothing else is read of it, so a cell with a fault in it counts too, and says so when
-/// it is opened.
+/// Returns true if the key `arm` begins a line, or follows a brace or a comma in a file that is one braced map. Arms,
+/// scenes and sheets have no such key. A cell with errors counts too, because nothing else of it is read.
 bool isLikeACell(std::string_view text) {
   const auto isQuote = [&](std::size_t at) { return at < text.size() && (text[at] == '"' || text[at] == '\''); };
   const auto first = text.find_first_not_of(" \t\r\n");
@@ -49,7 +48,7 @@ bool isFilled(const fs::path& path) {
   return fs::is_regular_file(path, error) && fs::file_size(path, error) > 0;
 }
 
-/// Of a cell that is written over itself this file, too, may be replaced.
+/// Allows writing over `file` if the cell is written over itself.
 void allowInPlace(const Cell& cell, const fs::path& out, const std::string& file) {
   std::error_code error;
   auto* record = InputRecord::current();

@@ -1,4 +1,4 @@
-// Where cells are written, and what may be replaced there.
+// Output paths of cells, and checks of the files that they replace.
 #pragma once
 
 #include <filesystem>
@@ -8,20 +8,21 @@
 
 namespace tubeplan::app {
 
-/// Whether a file is a cell, also one with a fault in it: it names an arm.
+/// Returns true if a file is a cell, also one with errors: it has a key `arm`.
 [[nodiscard]] bool isCellFile(const std::filesystem::path& file);
 
-/// Where the arm of a cell goes that is written here: beside it, under its name and "-arm".
+/// Returns the path for the arm of a new cell: beside the cell, under its name and "-arm".
 [[nodiscard]] std::filesystem::path armBeside(const std::filesystem::path& cell);
 
-/// A cell replaces a cell, and its arm's file one that the replaced cell names: other cells may be read with any other.
-/// Throws InputError.
+/// Throws InputError unless a new cell would replace a cell or nothing, and its arm's file one that the replaced cell
+/// names or nothing. Other cells may use any other arm file.
 void requireReplaceable(const std::filesystem::path& cell, bool has_arm_file, const std::string& option);
 
-/// Before the work: checkWritableFile() of `out`, which may be the cell itself.
+/// Calls checkWritableFile() for `out`, which may be the cell itself; for use before the work. Throws InputError.
 void checkWritableCell(const Cell& cell, const std::filesystem::path& out, const std::string& option);
 
-/// The same where the arm's file is written too, beside the cell.
+/// Checks `out` as checkWritableCell() does, and the path of the arm's file beside it, if the arm has a file of its
+/// own. Throws InputError.
 void checkWritableCellAndArm(const Cell& cell, const std::filesystem::path& out, const std::string& option);
 
 }  // namespace tubeplan::app

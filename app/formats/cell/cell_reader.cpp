@@ -21,7 +21,7 @@ namespace tubeplan::app {
 
 namespace {
 
-// In file units: length for the first three, angle for the others.
+// Reads a covariance in file units: length for the first three coordinates, angle for the others.
 Matrix6d readCovariance(const YamlNode& node, const Units& units) {
   Matrix6d covariance;
   const auto scale = [&](int i) { return units.factor(i < 3 ? dimension::kLength : dimension::kAngle); };
@@ -62,7 +62,7 @@ void readBase(const YamlNode& node, Cell& cell) {
   }
 }
 
-// A length, or a map with how it was found.
+// Reads the model error: a length, or a map that also states its source.
 void readModelError(const YamlNode& node, Cell& cell) {
   ModelError error;
   const bool is_map = node.kind == YamlNode::Kind::kMap;
@@ -78,7 +78,7 @@ void readModelError(const YamlNode& node, Cell& cell) {
   cell.model_error = error;
 }
 
-// In the file's unit of angle, or of length for a sliding joint.
+// Reads the rest position in the file's unit of angle, or of length for a prismatic joint.
 void readPark(const YamlNode& node, Cell& cell) {
   const auto& numbers =
       node.list(cell.arm.jointCount(), fmt::format("{} numbers, one for each joint", cell.arm.jointCount()));
@@ -93,7 +93,7 @@ void readPark(const YamlNode& node, Cell& cell) {
   }
 }
 
-// What stands otherwise in a set-up of the base than in the arm's file: rows that are as rigid as a bench.
+// Reads the differences of set-ups of the base from the arm's file: rows that are rigid there, as on a bench.
 void readSetups(const YamlNode& node, deflection::Arm& arm) {
   if (node.kind != YamlNode::Kind::kMap) node.fail("SETUP: {rigid: [rows]} for each set-up");
   for (std::size_t k = 0; k < node.items.size(); ++k) {
@@ -124,8 +124,8 @@ void readIdentify(const YamlNode& node, Cell& cell) {
   }
 }
 
-/// A cell and an arm that were written together have the same word for it, whatever is changed in them by hand: of a
-/// pair of which one was replaced and the other not, nothing right would come.
+/// Throws InputError if a cell and its arm, which were written together, have different identifiers of their pair: one
+/// of the two files was replaced. Changes by hand keep the identifier.
 void requireSamePair(const YamlNode& pair, const ArmSource& arm, const Cell& cell) {
   if (pair.text() == arm.pair) return;
   const std::string found = arm.pair.empty() ? "none" : "'" + arm.pair + "'";
@@ -134,7 +134,7 @@ void requireSamePair(const YamlNode& pair, const ArmSource& arm, const Cell& cel
             "write both again, or remove the key `pair` if another arm is meant");
 }
 
-// Reads the arm: inline, from text at hand or from its own file.
+// Reads the arm: inline, from given text or from its own file.
 ArmSource readCellArm(const YamlNode& node, const std::optional<std::string>& text, Cell& cell) {
   cell.arm_path = cell.path;
   if (node.kind == YamlNode::Kind::kMap) return readArm(node);
@@ -150,8 +150,8 @@ ArmSource readCellArm(const YamlNode& node, const std::optional<std::string>& te
   return readArm(cell.arm_source.root);
 }
 
-// The tip's own body says which way the tool points, where the arm file does not: a named capsule on the last link that
-// an obstacle lets in.
+// Returns the direction of the tool from the tip's body, for an arm file without one: a named capsule on the last link
+// that an obstacle allows inside. Nothing if there is none.
 std::optional<Eigen::Vector3d> findToolAxis(const planner::Scene& scene) {
   for (const auto& body : scene.bodies) {
     const auto solid = std::dynamic_pointer_cast<const planner::Solid>(body.shape);

@@ -39,8 +39,8 @@ std::string covarianceText(const Matrix6d& covariance, const Units& units) {
   return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 
-// Roll, pitch, yaw that give R back to rounding even where the pitch is a right angle: roll is taken from what yaw
-// leaves.
+// Returns roll, pitch and yaw that reproduce R to rounding even for a pitch of a right angle: roll comes from the
+// rotation that remains after yaw.
 Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& R) {
   const double yaw = std::atan2(R(1, 0), R(0, 0));
   const Eigen::Matrix3d rest = deflection::rotationZ(-yaw) * R;
@@ -54,8 +54,8 @@ std::string withModelError(const std::string& text, const ModelError& error, con
   return withYamlValue(text, "model_error", "{" + map + "}");
 }
 
-/// As a fit found it. Where chi-square accepts the noise, the largest that so many readings would not have shown: their
-/// mean square is uncertain by a share of sqrt(2 / freedom).
+/// Returns the model error of a fit. If chi-square accepts the noise, it is the largest error that so many readings
+/// would not reveal: their mean square has a relative uncertainty of sqrt(2 / degrees of freedom).
 std::optional<ModelError> modelErrorOf(const calibration::Identification& result) {
   if (result.degrees_of_freedom <= 0) return std::nullopt;
   const double freedom = result.degrees_of_freedom;
@@ -79,7 +79,7 @@ std::string withBaseText(std::string text, const Cell& cell, const BaseChange& b
   return base.arm ? withTouched(text, cell, base.touches, *base.arm) : withoutTouched(text);
 }
 
-// A file named in the cell, as it is named from where the cell is written to.
+// Returns the text with the name of a file relative to the new place of the cell.
 std::string moved(const std::string& text, const Cell& cell, std::string_view key, const fs::path& out) {
   const YamlNode* node = findNode(cell.source.root, key);
   if (!node || node->kind != YamlNode::Kind::kScalar || fs::path(node->scalar).is_absolute()) return text;
@@ -90,7 +90,7 @@ std::string moved(const std::string& text, const Cell& cell, std::string_view ke
   return withYamlValue(text, key, '"' + name + '"');
 }
 
-/// The numbers of the fitted arm that are others than the cell's, whichever stage found them.
+/// Returns the numbers of the fitted arm that differ from the cell's, from all stages of the fit.
 std::vector<std::pair<std::string, double>> foundNumbers(const Cell& cell, const calibration::Identification& result) {
   std::vector<std::pair<std::string, double>> numbers;
   for (const auto& parameter : deflection::parametersOf(result.fitted.arm)) {
@@ -101,7 +101,7 @@ std::vector<std::pair<std::string, double>> foundNumbers(const Cell& cell, const
   return numbers;
 }
 
-/// The stiffnesses of the cell that the fit has given up: its arm is rigid there.
+/// Returns the stiffnesses of the cell that the fit made rigid.
 std::vector<std::string> givenUp(const Cell& cell, const calibration::Identification& result) {
   std::vector<std::string> names;
   for (const auto& parameter : deflection::parametersOf(cell.arm))
@@ -116,7 +116,7 @@ std::string identifyList(const std::vector<std::string>& names) {
   return fmt::format("[{}]", fmt::join(quoted, ", "));
 }
 
-/// A number that has been given up can no longer be identified by its name.
+/// Returns the text without the names of such stiffnesses in `identify`.
 std::string withoutIdentifying(const std::string& text, const Cell& cell, const std::vector<std::string>& given_up) {
   const auto is_given_up = [&](const std::string& name) {
     return std::find(given_up.begin(), given_up.end(), name) != given_up.end();
@@ -143,7 +143,7 @@ std::optional<Matrix6d> baseCovariance(const calibration::Identification& result
   return found == 36 ? std::optional(covariance) : std::nullopt;
 }
 
-/// A set-up's name as part of a file's, none like another's.
+/// Returns a set-up's name for use in a file name, different for each set-up.
 std::string fileNamePart(const calibration::PlacedArm& placed, std::size_t base_pose) {
   const std::string& part = placed.base_poses[base_pose].setup;
   const bool is_plain = !part.empty() && std::all_of(part.begin(), part.end(), [](unsigned char c) {
@@ -152,7 +152,7 @@ std::string fileNamePart(const calibration::PlacedArm& placed, std::size_t base_
   return is_plain ? part : std::to_string(base_pose + 1) + "-of-" + std::to_string(placed.base_poses.size());
 }
 
-/// A cell has one base: of several set-ups each gets a cell of its own, with the same arm.
+/// Returns a cell for each set-up, all with the same arm, because a cell has one base.
 std::vector<TextFile> cellsOfSetups(const std::string& text, const Cell& cell,
                                     const calibration::Identification& result, const fs::path& out) {
   std::vector<TextFile> files;
@@ -167,7 +167,7 @@ std::vector<TextFile> cellsOfSetups(const std::string& text, const Cell& cell,
   return files;
 }
 
-/// Where the files say that the arm stands, for every base pose of the fit.
+/// Returns the arm on the bases that the files state, for every base pose of the fit.
 calibration::PlacedArm rereadBasePoses(const CellFiles& files, const calibration::PlacedArm& fitted) {
   const Cell cell = files.reread();
   calibration::PlacedArm placed{cell.arm, fitted.base_poses};
@@ -180,7 +180,7 @@ calibration::PlacedArm rereadBasePoses(const CellFiles& files, const calibration
 
 void requireReproduced(const CellFiles& files, const calibration::Identification& result,
                        const std::vector<calibration::Measurement>& readings, const Units& units) {
-  constexpr double kAlike = 0.01, kLeast = 1e-9;  // of the error; m
+  constexpr double kAlike = 0.01, kLeast = 1e-9;  // relative to the error; [m]
   std::vector<calibration::Measurement> used;
   for (const int k : result.used) used.push_back(readings.at(static_cast<std::size_t>(k)));
   const double rms = calibration::judge(rereadBasePoses(files, result.fitted), used).rms;
@@ -199,7 +199,7 @@ void requireReproduced(const CellFiles& files, const calibration::Identification
 }  // namespace
 
 void makePair(std::string& cell, TextFile& arm) {
-  // Of the same arm always the same word.
+  // The identifier is a function of the arm's text: the same arm always has the same one.
   const std::string pair = '"' + fingerprintOf(withYamlValue(arm.text, "pair", "\"\"")) + '"';
   cell = withYamlValue(cell, "arm", '"' + arm.path.filename().string() + '"');
   cell = withYamlValue(cell, "pair", pair);
@@ -208,7 +208,7 @@ void makePair(std::string& cell, TextFile& arm) {
 
 namespace {
 
-/// Everything but whether it gives the reported error.
+/// Returns the files of the identified cell, without the check that they reproduce the reported error.
 CellFiles filesOf(const Cell& cell, const calibration::Identification& result, const fs::path& out) {
   const auto numbers = foundNumbers(cell, result);
   const auto rigid = givenUp(cell, result);

@@ -1,4 +1,4 @@
-// The text of a cell with what a calibration or identification changed, and everything else as the user wrote it.
+// Writer of cells with the results of a calibration or identification and everything else as the user wrote it.
 #pragma once
 
 #include <filesystem>
@@ -12,64 +12,63 @@
 
 namespace tubeplan::app {
 
-/// A base to be written. Touches that placed it go with it, those of an earlier base do not.
+/// New base of a cell. Touches from which it was found are written with it; those of an earlier base are removed.
 struct BaseChange {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  std::optional<Matrix6d> covariance;  ///< as Cell::base_covariance; none removes nothing that the file has
+  std::optional<Matrix6d> covariance;  ///< as Cell::base_covariance; nothing keeps the file's
   bool known = true;
-  std::optional<ModelError> model_error = {};  ///< none leaves what the file has, but for that of earlier touches
+  std::optional<ModelError> model_error = {};  ///< nothing keeps the file's, unless it is from earlier touches
   std::vector<calibration::Measurement> touches = {};
-  const deflection::Arm* arm = nullptr;  ///< as the touches have it; null without touches
+  const deflection::Arm* arm = nullptr;  ///< arm with the numbers fitted to the touches; null without touches
 };
 
-/// The cell's text with another base, to be written at `out`: the files it names are named relative to there.
+/// Returns the cell's text with another base, to be written at `out`: names of files in it become relative to there.
 [[nodiscard]] std::string cellTextWithBase(const Cell& cell, const BaseChange& base, const std::filesystem::path& out);
 
-/// A cell to be written, with all that goes with it.
+/// Files of a cell to be written.
 struct CellFiles {
-  std::optional<TextFile> arm;      ///< where the arm stands in a file of its own
-  std::vector<TextFile> of_setups;  ///< a cell for each set-up whose base was found, where there are several
+  std::optional<TextFile> arm;      ///< the arm's file, unless the arm is inline
+  std::vector<TextFile> of_setups;  ///< a cell for each set-up with an identified base, if there are several
   TextFile cell;
 
-  /// The cell first, the arm last: should the writing end in between, as at a power cut, the cell names a pair that
-  /// the arm is not of, and the reader says so.
+  /// Returns the files in the order of writing, with the arm last. If a power failure stops the writing in between, the
+  /// cell and the arm have different identifiers of their pair, and the reader reports it.
   [[nodiscard]] std::vector<TextFile> inOrder() const;
 
-  /// As it will be read again.
+  /// Returns the cell as readCell() would read it from these files.
   [[nodiscard]] Cell reread() const { return reread(cell); }
   [[nodiscard]] Cell reread(const TextFile& of) const;
 };
 
-/// The cell with the numbers that were found, to be written at `out`. Where its arm stands in a file of its own that
-/// file is written too, beside the cell under the cell's name and "-arm". A base that was not known is written where
-/// there is one set-up; of several, each has a cell of its own beside it, under the name and "-setup-" and the
-/// set-up's, and the cell itself keeps the base it has. How well the readings determined the arm's numbers goes with
-/// them. What is written is read back: throws InputError, and nothing is to be written, where it does not give the
-/// error of `readings` that the identification reports.
+/// Returns the cell with the identified numbers, to be written at `out`. An arm with a file of its own is written too,
+/// beside the cell under the cell's name and "-arm". An unknown base is replaced if there is one set-up. Of several
+/// set-ups each gets a cell of its own beside it, under the name, "-setup-" and the set-up's name; the cell itself
+/// keeps its base. The uncertainty of the arm's numbers is written too. The result is read back: throws InputError
+/// unless it reproduces the error of `readings` that the identification reports.
 [[nodiscard]] CellFiles identifiedCell(const Cell& cell, const calibration::Identification& result,
                                        const std::vector<calibration::Measurement>& readings,
                                        const std::filesystem::path& out);
 
-/// Gives the cell's text the name of its arm's file, and both the same word by which they are known as a pair.
+/// Puts the name of the arm's file into the cell's text, and the same identifier of the pair into both.
 void makePair(std::string& cell, TextFile& arm);
 
-/// Names of an effect's numbers that a fit may free: all but a step's time, which has no derivative.
+/// Returns the names of an effect's numbers that a fit may free: all except a step's time, which has no derivative.
 [[nodiscard]] std::vector<std::string> freedNames(const deflection::Arm& arm, const deflection::Effect& effect);
 
-/// The cell with the arm's effects, and these names added to `identify`.
+/// Returns the cell's text with the arm's effects, and with these names added to `identify`.
 [[nodiscard]] std::string cellTextWithEffects(const Cell& cell, const deflection::Arm& arm,
                                               const std::vector<std::string>& freed, const std::filesystem::path& out);
 
-/// An improved cell: what it was read from, with the effects and freed names it has gained and the numbers of a fit.
+/// Returns an improved cell: the original with the effects and freed names that it gained, and the numbers of a fit.
 [[nodiscard]] CellFiles improvedCell(const Cell& original, const CellModel& improved,
                                      const calibration::Identification& result,
                                      const std::vector<calibration::Measurement>& readings,
                                      const std::filesystem::path& out);
 
-/// The cell's text unchanged but for the names of its files, relative to `out`.
+/// Returns the cell's text with the names of its files relative to `out` and everything else unchanged.
 [[nodiscard]] std::string cellTextAt(const Cell& cell, const std::filesystem::path& out);
 
-/// The cell at that place, its arm beside it where that stands in a file of its own; the cell is the first.
+/// Returns the files of a cell at that path: the cell first, then its arm, if that has a file of its own.
 [[nodiscard]] std::vector<TextFile> cellFiles(const Cell& cell, const std::filesystem::path& out);
 
 }  // namespace tubeplan::app

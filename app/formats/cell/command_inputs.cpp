@@ -36,7 +36,7 @@ double parseJoint(const std::string& text, const deflection::Joint<double>& join
   if (!value)
     throw InputError(option + " (" + joint.name + ")", inQuotes(text), "a finite number in " + units.nameOf(unit));
   const double q = units.toInternal(*value, unit);
-  constexpr double kSlack = 1e-12;  // a limit itself, after its conversion
+  constexpr double kSlack = 1e-12;  // tolerance for a value at a limit, after conversion
   if (q < joint.lower - kSlack || q > joint.upper + kSlack)
     throw InputError(
         option + " (" + joint.name + ")", fmt::format("{} {}", text, units.nameOf(unit)),
@@ -51,7 +51,7 @@ bool namesCsvFile(const std::string& request) {
 
 using tubesheets::ChosenTubeColumn, tubesheets::TubeQuantity;
 
-/// "x_mm" or "row": a quantity, and the unit of those that have one.
+/// Returns a quantity, and the unit of those that have one: "x_mm" or "row".
 ChosenTubeColumn quantityOf(const std::string& name) {
   std::vector<std::string> known;
   for (const TubeQuantity& quantity : tubesheets::tubeQuantities()) {
@@ -74,7 +74,7 @@ std::size_t placeOfChosen(const std::string& theirs, const std::vector<std::stri
                    found.empty() ? suggestion(theirs, columns) : "give each column a name of its own");
 }
 
-/// Returns the list's table with those columns and no others: "row=Reihe", "x_mm=list.csv:Lage"; `file` is its name.
+/// Returns the list's table with only these columns: "row=Reihe", "x_mm=list.csv:Lage"; `file` is its name.
 tubesheets::TubeTable tubeTableBy(const std::vector<std::string>& columns, const std::string& text,
                                   const std::string& file) {
   auto table = tubesheets::parseTubeText(text);
@@ -89,7 +89,7 @@ tubesheets::TubeTable tubeTableBy(const std::vector<std::string>& columns, const
   return tubesheets::tubeTableOf(std::move(table), chosen);
 }
 
-/// Those of the chosen columns that do not name another list.
+/// Returns the chosen columns that do not name another list.
 std::vector<std::string> columnsOfList(std::vector<std::string> columns, const std::string& list) {
   std::erase_if(columns, [&](const std::string& column) {
     const std::string theirs = column.substr(std::min(column.find('='), column.size() - 1) + 1);

@@ -24,8 +24,8 @@ std::string withoutDigits(std::string text) {
   return text;
 }
 
-/// The symbol that a parameter may have been meant to be: "did you mean 'theta1'?"; empty where none. Names of one or
-/// two letters are near to everything: they count only where they differ from a symbol in its number.
+/// Returns the symbol for which a parameter may be a misspelling, as "did you mean 'theta1'?"; empty if there is none.
+/// Names of one or two letters are similar to every symbol, so they count only if they differ from one by its number.
 std::string misspeltSymbol(const std::string& name, const std::vector<std::string>& symbols) {
   const bool is_short = name.size() < 3;
   std::vector<std::string> candidates;
@@ -34,7 +34,7 @@ std::string misspeltSymbol(const std::string& name, const std::vector<std::strin
   return suggestion(name, candidates);
 }
 
-/// Throws for a formula that was not made, or that names what looks like a misspelt symbol.
+/// Throws InputError for an invalid formula, or one with a name that looks like a misspelt symbol.
 void requireFormula(const deflection::MadeFormula& made, const deflection::Arm& arm, const Units& units,
                     const std::string& where) {
   std::vector<std::string> symbols;
@@ -50,7 +50,7 @@ void requireFormula(const deflection::MadeFormula& made, const deflection::Arm& 
   throw InputError(where, made.found, made.expected, advice);
 }
 
-/// The effect at the start of its numbers: a formula, or one of the catalogue.
+/// Returns an effect with its initial numbers: a formula, or an effect of the catalogue.
 Effect effectAtStart(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
   if (node.at("effect").text() == kFormula) {
     const YamlNode& text = node.at(kFormula);
@@ -95,7 +95,7 @@ Effect readEffect(const YamlNode& node, const deflection::Arm& arm, const Units&
   return effect;
 }
 
-/// "0.15deg": a number and, if it likes, the unit it must have.
+/// Reads a number with an optional unit, which must match: "0.15deg".
 double readSize(const std::string& text, double lower, double upper, Dimension unit, const Units& units,
                 const std::string& where) {
   std::size_t used = 0;
@@ -117,7 +117,7 @@ double readSize(const std::string& text, double lower, double upper, Dimension u
   return internal;
 }
 
-/// "0.15deg" or "softness=0.6,knee=200".
+/// Reads the numbers of an effect: "0.15deg" or "softness=0.6,knee=200".
 void readSizes(const std::string& text, const deflection::Arm& arm, const Units& units, const std::string& where,
                Effect& effect) {
   std::vector<std::string> names;
@@ -152,7 +152,7 @@ deflection::FormulaUnits formulaUnitsOf(const Units& units) {
 
 std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
   std::vector<Effect> effects;
-  deflection::Arm with = arm;  // formulas without a place are numbered by those before them
+  deflection::Arm with = arm;  // formulas without a place have numbers that continue from those before
   for (const YamlNode& item : node.list()) {
     with.effects = effects;
     Effect effect = readEffect(item, with, units);
@@ -167,7 +167,7 @@ std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm
 
 namespace {
 
-/// "gap: 0.12", "knee: 200" of an effect's numbers, in the cell's units.
+/// Returns an effect's numbers in the cell's units: "gap: 0.12", "knee: 200".
 std::vector<std::string> numbersText(const deflection::Arm& arm, const Effect& effect, const Units& units,
                                      const char* between) {
   std::vector<std::string> numbers;
@@ -191,7 +191,7 @@ std::string effectsText(const deflection::Arm& arm, const Units& units) {
   for (const Effect& effect : arm.effects) {
     const EffectKind& kind = kindOf(effect);
     std::string item = fmt::format("{{effect: {}, at: \"{}\"", kind.name, deflection::placeText(arm, effect));
-    // A formula has neither quotes nor backslashes.
+    // A formula contains neither quotes nor backslashes.
     if (effect.formula) item += fmt::format(", {}: \"{}\"", kFormula, effect.formula->text);
     for (const auto& number : numbersText(arm, effect, units, ": ")) item += ", " + number;
     items.push_back(item + "}");

@@ -31,14 +31,14 @@ std::vector<std::string> namesFor(const Cell& cell) {
   return names;
 }
 
-/// A stiffness's prior is one of its compliance: the same share of it.
+/// Returns the standard deviation in the fit's variable: for a stiffness, its compliance with the same relative error.
 double asOfVariable(const deflection::Parameter& parameter, double sigma) {
   return deflection::isStiffness(parameter.quantity) && parameter.path.effect < 0
              ? sigma / (parameter.value * parameter.value)
              : sigma;
 }
 
-/// False where there is no number of that name.
+/// Sets a prior; returns false if there is no number of that name.
 bool takePrior(const std::string& name, double sigma, Cell& cell) {
   for (const auto& group : kGroups)
     if (name == group.name) {

@@ -37,7 +37,7 @@ Dimension shapeDimensionOf(ShapeQuantity quantity) {
   return dimension::kNone;
 }
 
-// The words that may follow `prefix` ("" or "inside_of.") in the table's keys.
+// Returns the words that may follow `prefix` ("" or "inside_of.") in the table's keys.
 std::vector<std::string> nextWords(std::string_view prefix) {
   std::vector<std::string> words;
   for (const ShapeRow& row : planner::sceneShapes()) {
@@ -49,13 +49,13 @@ std::vector<std::string> nextWords(std::string_view prefix) {
   return words;
 }
 
-/// A row of the table and the map with its fields.
+/// Row of the table and the map with its fields.
 struct NamedShape {
   const ShapeRow* row;
   const YamlNode* fields;
 };
 
-// Follows the keys down to a row of the table; `others` are keys beside the shape's.
+// Follows the keys down to a row of the table; `others` are allowed keys beside the shape's.
 NamedShape findShape(const YamlNode& node, const std::string& prefix, const std::vector<std::string>& others) {
   const std::vector<std::string> words = nextWords(prefix);
   std::vector<std::string> known = others;
@@ -87,15 +87,15 @@ void readField(const YamlNode& node, const planner::ShapeField& field, const Uni
     numbers.push_back(readQuantity(item, units, unit));
 }
 
-/// What the shapes of a cell are read with, and the meshes found on the way.
+/// Inputs for the shapes of a cell, and the meshes found so far.
 struct SceneReading {
   const Units& units;
   const std::filesystem::path& folder;
-  double reach;  ///< m, of the arm
+  double reach;  ///< reach of the arm [m]
   std::vector<SceneMesh> meshes;
 };
 
-// Beyond these shares of the arm's reach a mesh is taken for one in another unit, unless it says in which.
+// Ratios of a mesh's size to the arm's reach beyond which its unit is doubtful, unless the cell states it.
 constexpr double kLargestShare = 3, kSmallestShare = 1. / 150;
 
 void checkSize(const YamlNode& node, const planner::TriangleMesh& mesh, const SceneReading& reading) {
@@ -110,7 +110,7 @@ void checkSize(const YamlNode& node, const planner::TriangleMesh& mesh, const Sc
       fmt::format("say in which unit it is (unit: mm), or unit: {} if that is its size", reading.units.length().name));
 }
 
-/// The mesh of a row that names one, in metres; the file is noted down.
+/// Returns the mesh [m] of a row that names one, and records its file; nothing for other rows.
 std::optional<planner::TriangleMesh> readMesh(const NamedShape& shape, SceneReading& reading) {
   const planner::ShapeField* field = planner::findMeshField(*shape.row);
   if (!field) return std::nullopt;
@@ -199,8 +199,8 @@ const YamlNode* findNamed(const YamlNode& list, const std::string& path, const s
   return nullptr;
 }
 
-// The entry that a problem's path ("obstacle mezzanine: allow", "body tool-tip", "clearance") speaks of, or the whole
-// cell.
+// Returns the entry that a problem's path names ("obstacle mezzanine: allow", "body tool-tip", "clearance"), or the
+// whole cell.
 const YamlNode& findProblemNode(const YamlNode& cell, const std::string& path) {
   const YamlNode* found = cell.find(path);
   if (const YamlNode* scene = cell.find("scene"); scene && !found) found = findNamed(*scene, path, "obstacle ");
@@ -231,11 +231,11 @@ SceneSource readScene(const YamlNode& cell, const deflection::Arm& arm, const Un
 
 namespace {
 
-/// Members that move and that no body is along: what is not given as a shape is not checked.
+/// Returns moving members without a body along them, which are not checked for contact.
 std::vector<std::string> bareMembers(const planner::Scene& scene, const deflection::Arm& written,
                                      const Eigen::Isometry3d& X_WB) {
-  constexpr double kLong = 0.08;  // of the arm's reach; a shorter one is within what its neighbours' shapes cover
-  constexpr double kNear = 0.25;  // of its length, from its middle
+  constexpr double kLong = 0.08;  // share of the arm's reach: shorter members lie within their neighbours' shapes
+  constexpr double kNear = 0.25;  // share of its length, from its middle
   std::vector<std::string> bare;
   const auto [arm, slid] = deflection::anchoredRows(written);
   const auto active = deflection::activeRows(arm);

@@ -1,4 +1,4 @@
-// A cell's scene: obstacles in the world and shapes on the links, by the planner's table of shapes.
+// Reader of a cell's scene: obstacles in the world and shapes on the links, by the planner's table of shapes.
 #pragma once
 
 #include <filesystem>
@@ -14,12 +14,12 @@
 
 namespace tubeplan::app {
 
-/// A mesh that the scene names.
+/// Mesh file of a scene.
 struct SceneMesh {
-  std::string key;          ///< where its name stands in the cell: "scene[3].mesh.file"
-  std::string obstacle;     ///< whose shape it is
-  std::string path;         ///< of the file
-  std::string fingerprint;  ///< of what is in it
+  std::string key;          ///< path of its file name in the cell: "scene[3].mesh.file"
+  std::string obstacle;     ///< name of the obstacle with this shape
+  std::string path;         ///< path of the file
+  std::string fingerprint;  ///< fingerprint of the file's content
   std::shared_ptr<const planner::MeshShape> shape;
 };
 
@@ -28,14 +28,14 @@ struct SceneSource {
   std::vector<SceneMesh> meshes;
 };
 
-/// Reads the keys scene, link_shapes and clearance of a cell, each of which may be missing; the files that they name
-/// are relative to `folder`. Throws InputError for an unknown shape, link or field, for what planner::findSceneProblems
-/// and readMeshFile find, and for a mesh without a unit whose size makes no sense beside the arm's reach.
+/// Reads the optional keys scene, link_shapes and clearance of a cell; names of files in them are relative to `folder`.
+/// Throws InputError for an unknown shape, link or field, and for the problems of planner::findSceneProblems and
+/// readMeshFile. Also refuses a mesh without a stated unit whose size is implausible for the arm's reach.
 [[nodiscard]] SceneSource readScene(const YamlNode& cell, const deflection::Arm& arm, const Units& units,
                                     const std::filesystem::path& folder);
 
-/// What should be looked at: bodies that are inseparable, meshes that are not closed, or that stand where the arm, from
-/// its base, does not reach.
+/// Returns warnings about the scene: bodies that are always too near each other, meshes that are not closed, and meshes
+/// out of the arm's reach from its base.
 [[nodiscard]] std::vector<std::string> sceneWarnings(const planner::Scene& scene, const std::vector<SceneMesh>& meshes,
                                                      const deflection::Arm& arm, const Eigen::Isometry3d& X_WB);
 

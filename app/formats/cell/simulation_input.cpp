@@ -22,9 +22,9 @@ namespace {
 using calibration::CampaignDesign, calibration::CampaignPlace;
 using calibration::kMostReadings;
 
-/// The error of a base that is not known, where no other is asked for.
-constexpr double kBaseShift = 0.0127;                     // m (0.5 in)
-constexpr double kBaseTurn = 0.5 * 0.017453292519943295;  // rad
+/// Default error of an unknown base.
+constexpr double kBaseShift = 0.0127;                     // [m] (0.5 in)
+constexpr double kBaseTurn = 0.5 * 0.017453292519943295;  // [rad]
 
 CampaignFile findDesign(const SimulationRequest& request, const Cell& cell) {
   const bool has_sheet = cell.sheet.has_value();
@@ -109,7 +109,7 @@ BaseError baseErrorOf(const SimulationRequest& request, const Cell& cell, const 
           cell.units.toInternal(request.base_error[1], dimension::kAngle)};
 }
 
-/// An effect as large as machines often have it: a fifth of what is plausible.
+/// Returns the effect with a size that is common in machines: a fifth of the plausible maximum.
 deflection::Effect ofTypicalSize(deflection::Effect effect) {
   const auto& kind = deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
   for (std::size_t v = 0; v < effect.values.size(); ++v)
@@ -118,7 +118,7 @@ deflection::Effect ofTypicalSize(deflection::Effect effect) {
   return effect;
 }
 
-/// The arm and the bases that the readings are made with: whatever is hidden from the cell is put in here.
+/// Returns the true arm and bases, including everything hidden from the cell.
 calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cell& cell, const CampaignDesign& design,
                                      const BaseError& base) {
   checkNotNegative("--spread", request.spread, "a fraction of each stiffness, zero or more");
@@ -140,7 +140,8 @@ calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cel
   return drawn;
 }
 
-/// From the centring error to the steps that went in; visits without one say nothing and are left out.
+/// Replaces the centring error by the number of steps that went in; removes touches with none, which carry no
+/// information.
 void countSteps(const tubesheets::SteppedTool& tool, std::vector<calibration::Measurement>& readings) {
   for (auto& reading : readings) reading.own[0] = tubesheets::stepsInserted(tool, reading.own[1]);
   std::erase_if(readings, [](const auto& reading) { return reading.own[0] == 0; });

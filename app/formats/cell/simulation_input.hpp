@@ -1,4 +1,4 @@
-// Measurements of a cell to practise on: from what is asked for to the readings and the truth behind them.
+// Simulated measurements of a cell: from the request to the readings and the truth behind them.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 
 namespace tubeplan::app {
 
-/// In the cell's units, as typed.
+/// Options of a simulation in the cell's units, as typed.
 struct SimulationRequest {
-  std::string design;  ///< a name of the table, or a design file
+  std::string design;  ///< name of a row of the table, or path of a design file
   std::optional<int> readings;
   std::vector<double> loads, base_error;
   std::vector<std::string> hide;
@@ -24,12 +24,12 @@ struct SimulationRequest {
   std::uint64_t seed = 1;
 };
 
-/// How far the base may be from where the cell has it.
+/// Standard deviation of the base's place about that of the cell.
 struct BaseError {
-  double shift = 0, turn = 0;  // m, rad
+  double shift = 0, turn = 0;  // [m, rad]
 };
 
-/// All that is settled before the first reading is made.
+/// Complete inputs of a simulation.
 struct SimulationTask {
   calibration::CampaignDesign design;
   int readings = 0;
@@ -37,10 +37,10 @@ struct SimulationTask {
   calibration::CampaignTruth truth;
 };
 
-/// Throws InputError for what cannot be measured or hidden.
+/// Returns the inputs of a simulation. Throws InputError for requests that cannot be measured or hidden.
 [[nodiscard]] SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& request);
 
-/// Measures: every reading of the true arm is clear of the cell's scene.
+/// Simulates the campaign; the true arm is clear of the cell's scene at every reading.
 [[nodiscard]] calibration::SimulatedCampaign simulateReadings(const Cell& cell, const SimulationTask& task,
                                                               std::uint64_t seed,
                                                               const calibration::CampaignHooks& hooks);

@@ -65,7 +65,7 @@ std::string pointsText(const TruthFile& file) {
   return text;
 }
 
-/// What the truth has and the cell has not.
+/// Returns the effects that the true arm has and the cell's does not.
 std::string hiddenText(const TruthFile& file) {
   deflection::Arm hidden = file.truth.arm;
   hidden.effects.erase(hidden.effects.begin(),

@@ -1,4 +1,4 @@
-// The truth of a simulated campaign, beside its readings.
+// Writer of a simulated campaign's truth, beside its readings.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,16 @@ struct TruthFile {
   const calibration::SimulatedCampaign& campaign;
   std::uint64_t seed = 1;
   double spread = 0;
-  double base_shift = 0, base_turn = 0;  ///< m, rad
+  double base_shift = 0, base_turn = 0;  ///< [m, rad]
 };
 
-/// YAML in the cell's units: cell, design, seed, readings, sigma, encoder_sigma (by joint), spread, base_error;
+/// Returns YAML in the cell's units: cell, design, seed, readings, sigma, encoder_sigma (by joint), spread, base_error;
 /// `parameters` (those under identify: name, value, nominal, unit), `bases` (setup, position, rpy), `points` (name,
 /// position), `hidden`.
 [[nodiscard]] std::string truthYaml(const TruthFile& file);
 
-/// The numbers of the arm that the cell's `identify` names, `geometry` and `tool.tip` taken apart, in file order.
+/// Returns the arm's numbers that the cell's `identify` names, in file order, with `geometry` and `tool.tip` as single
+/// numbers.
 [[nodiscard]] std::vector<deflection::Parameter> identifiedParameters(const Cell& cell);
 
 }  // namespace tubeplan::app

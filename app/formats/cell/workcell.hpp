@@ -1,4 +1,4 @@
-// From a cell as read to what the planner works on.
+// Conversion of a cell to the planner's model.
 #pragma once
 
 #include "app/formats/cell/cell_reader.hpp"
@@ -6,11 +6,11 @@
 
 namespace tubeplan::app {
 
-/// Throws InputError where the cell has no tube sheet or no calibration tool, or an arm that is not planned for;
-/// `purpose` continues "needed to ...".
+/// Returns the planner's model of a cell. Throws InputError if the cell has no tube sheet or no calibration tool, or an
+/// arm that the planner does not support; `purpose` continues "needed to ...".
 [[nodiscard]] planner::Workcell workcellOf(const Cell& cell, const std::string& purpose);
 
-/// Refuses an arm with a joint that nothing slows: its moves would take no time.
+/// Throws InputError for an arm with a joint without limits of speed and acceleration, whose moves would take no time.
 void requireSpeeds(const Cell& cell);
 
 }  // namespace tubeplan::app

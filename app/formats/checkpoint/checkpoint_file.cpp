@@ -34,7 +34,7 @@ CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesys
       refuseDamaged(format, path, "the format " + inQuotes(head.at("format").dump()));
     file.question = head.at("question").get<PlanKey>();
     file.checksum = head.at("checksum");
-    // Version 0.1 wrote none.
+    // Files of version 0.1 have none.
     if (head.contains("question_checksum") && head.at("question_checksum") != questionChecksum(file.question))
       refuseDamaged(format, path, "a first line that does not match its checksum");
   } catch (const json::exception&) {

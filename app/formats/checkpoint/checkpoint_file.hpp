@@ -1,5 +1,5 @@
-// Files that work is kept in until it goes on: a first line with the format, the question that was asked, its checksum
-// and that of what follows; then one line of JSON with what is done.
+// Files of unfinished work. The first line has the format, the question, its checksum and that of the content; the
+// second line has the results so far as JSON.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,9 @@
 
 namespace tubeplan::app {
 
-inline constexpr int kLeastShareOfWriting = 20;  ///< pauses are so many times as long as a write
+inline constexpr int kLeastShareOfWriting = 20;  ///< minimum ratio of the pause between writes to the time of a write
 
-/// What kind of file it is, and the words for one that is damaged.
+/// Name of a file format, with the texts of the message for a damaged file.
 struct CheckpointFormat {
   const char* name;      ///< "tubeplan plan memory 1"
   const char* expected;  ///< "a file written by tubeplan plan"
@@ -29,21 +29,22 @@ struct CheckpointFile {
 [[noreturn]] void refuseDamaged(const CheckpointFormat& format, const std::filesystem::path& path,
                                 const std::string& found);
 
-/// Throws InputError where the file cannot be read, is of another format or does not fit its checksums.
+/// Reads a file. Throws InputError if it cannot be read, has another format or does not match its checksums.
 [[nodiscard]] CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesystem::path& path);
 
-/// `read` of the file's content; where that meets JSON it cannot use, the file is refused as damaged.
+/// Calls `read` with the file's content. Throws InputError for a damaged file if the content, or a value in it, is not
+/// as `read` expects.
 void readPayload(const CheckpointFormat& format, const std::filesystem::path& path, const CheckpointFile& file,
                  const std::function<void(const nlohmann::json&)>& read);
 
 [[nodiscard]] std::string checkpointText(const CheckpointFormat& format, const PlanKey& question,
                                          const std::string& payload);
 
-/// Renames work on another question to the first free name beside it (tally.json to tally-1.json), and says so on
-/// standard error with the differences of the question. Throws InputError where that cannot be done.
+/// Renames work on another question to the first free name beside it (tally.json to tally-1.json), and reports it on
+/// standard error with the differences of the questions. Throws InputError if that is not possible.
 void putAside(const std::filesystem::path& path, const std::vector<std::string>& differences);
 
-/// On stderr: what was found of earlier work, and what is done with it.
+/// Prints a sentence about earlier work, and its use, on standard error.
 void say(const std::string& sentence);
 
 }  // namespace tubeplan::app

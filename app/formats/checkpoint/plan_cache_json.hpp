@@ -1,4 +1,4 @@
-// A plan's memory as JSON, every number to the last bit. [m, rad, s]
+// A plan's memory as JSON [m, rad, s], every number exact to the last bit.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,7 +9,8 @@ namespace tubeplan::app {
 
 [[nodiscard]] nlohmann::json cacheJson(const planner::PlanCache& cache);
 
-/// Throws nlohmann::json::exception for anything that cacheJson does not write.
+/// Returns the memory of a plan from its JSON. Throws nlohmann::json::exception for anything that cacheJson does not
+/// write.
 [[nodiscard]] planner::PlanCache cacheFrom(const nlohmann::json& json);
 
 }  // namespace tubeplan::app

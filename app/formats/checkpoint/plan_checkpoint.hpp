@@ -1,5 +1,5 @@
-// The files that keep what a plan found out: progress.json while it is made, memory.json beside the plan that came of
-// it. Two lines: the question with a checksum, and the memory.
+// Files with intermediate results of a plan: progress.json during planning, memory.json beside the finished plan. They
+// have two lines: the question with a checksum, and the memory.
 #pragma once
 
 #include <chrono>
@@ -16,32 +16,31 @@ inline constexpr const char* kCacheFile = "memory.json";
 
 class PlanCheckpoint {
  public:
-  /// `folder` is where the plan is made. `from`: the folder of an earlier plan, or empty. Throws InputError where that
-  /// has no memory, or a damaged one.
+  /// Prepares the memory of a plan in `folder`; `from` is the folder of an earlier plan, or empty. Throws InputError if
+  /// that has no memory, or a damaged one.
   PlanCheckpoint(std::filesystem::path folder, bool must_resume, const std::string& from);
 
-  /// Of the plan to begin from; empty without.
+  /// Returns the fingerprint of the earlier plan's memory; empty without an earlier plan.
   [[nodiscard]] const std::string& fromFingerprint() const { return from_fingerprint_; }
 
-  /// Takes up what there is to this question: a stopped plan in the folder, else the earlier plan's memory; says on
-  /// standard error what it takes up and what it does not. Throws
-  /// InputError for a stopped plan of another question where one must be resumed, and for an earlier plan of another
-  /// sheet.
+  /// Loads the results for this question: a stopped plan in the folder, else the earlier plan's memory. Reports on
+  /// standard error the results it uses and those it does not. Throws InputError for a stopped plan of another question
+  /// if one must be resumed, and for an earlier plan of another sheet.
   void begin(const PlanKey& question);
 
   [[nodiscard]] planner::PlanCache& cache() { return cache_; }
 
-  /// Writes progress.json if the last time is half a second ago, or longer where writing takes long.
+  /// Writes progress.json if the last write was at least half a second ago, or longer if writing is slow.
   void saveNowAndThen();
   void save();
 
-  /// Removes progress.json: the question has its answer.
+  /// Removes progress.json after the plan is complete.
   void discard();
 
-  /// "the reach of 312 tubes, 40 travels and 80 proofs"; empty where there is nothing.
+  /// Returns "the reach of 312 tubes, 40 travels and 80 proofs"; empty if there are no results.
   [[nodiscard]] std::string summary() const;
 
-  /// What memory.json is to hold.
+  /// Returns the text of memory.json.
   [[nodiscard]] std::string text() const;
 
  private:

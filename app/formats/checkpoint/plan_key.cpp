@@ -17,9 +17,9 @@ namespace tubeplan::app {
 
 namespace {
 
-// What proved motions and postures do not depend on, of a cell's keys. The sheet has its own fingerprint, the base its
-// own part; of the tool what shapes a plan is the tilt that it allows and, where it enters tubes, its play there: parts
-// too.
+// Keys of a cell on which proved motions and postures do not depend. The sheet has its own fingerprint and the base its
+// own part. A plan depends on the tool by the tilt that it allows and, if it enters tubes, its play there, which are
+// parts too.
 constexpr std::array<std::string_view, 10> kOtherKeys{
     "name", "base",        "identify", "tubesheet",   "calibration_tool",
     "park", "model_error", "pair",     "uncertainty", "touched"};
@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 10> kModelParts{"program",   "arm and sce
                                                        "clearance", "compensation",  "insertion", "tilt allowed",
                                                        "travel",    "sheet"};
 
-/// Values without their places and comments; files by what is in them.
+/// Appends values without their places and comments; files by their content.
 void append(const YamlNode& node, const std::vector<SceneMesh>& meshes, std::string& text) {
   const auto mesh = std::find_if(meshes.begin(), meshes.end(), [&](const SceneMesh& m) { return m.key == node.path; });
   const std::string& scalar = mesh == meshes.end() ? node.scalar : mesh->fingerprint;
@@ -48,7 +48,7 @@ std::string modelText(const Cell& cell) {
   const YamlNode& root = cell.source.root;
   for (std::size_t k = 0; k < root.items.size(); ++k) {
     if (std::find(kOtherKeys.begin(), kOtherKeys.end(), root.keys[k]) != kOtherKeys.end()) continue;
-    // The arm's file by its content: a copy elsewhere is the same arm.
+    // The arm's file is compared by content: a copy elsewhere is the same arm.
     text += root.keys[k] + "=";
     const bool is_arm_file = root.keys[k] == "arm" && !cell.arm_source.text.empty();
     append(is_arm_file ? cell.arm_source.root : root.items[k], cell.meshes, text);
@@ -96,7 +96,7 @@ std::string numbersFingerprint(const Eigen::Ref<const Eigen::MatrixXd>& numbers)
   return fingerprintOf(text);
 }
 
-/// The depth, and what of the tool says whether it has play there.
+/// Returns the depth, and the tool's dimensions that determine its play there.
 std::string insertionText(const planner::Workcell& model) {
   if (!(model.insertion > 0)) return "none";
   std::string text = fmt::format("{} m by steps of", model.insertion);
@@ -106,7 +106,7 @@ std::string insertionText(const planner::Workcell& model) {
   return text + " m";
 }
 
-/// Of the base, and of the arm's numbers as the touches that placed it have them.
+/// Returns the fingerprint of the base, and of the arm's numbers as fitted to the touches that placed it.
 std::string baseFingerprint(const planner::Workcell& model) {
   const auto parameters = deflection::parametersOf(model.arm);
   Eigen::VectorXd numbers(16 + static_cast<Eigen::Index>(parameters.size()));

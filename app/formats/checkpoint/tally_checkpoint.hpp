@@ -1,4 +1,4 @@
-// A campaign's tally on disk: what a stopped campaign goes on from, and a finished one when more runs are asked for.
+// A campaign's tally on disk, from which a stopped campaign continues, and a finished one with more runs.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@ inline constexpr const char* kTallyFile = "tally.json";
 inline constexpr CheckpointFormat kTallyFormat{"tubeplan campaign tally 1", "a file written by tubeplan campaign",
                                                "remove it to start again"};
 
-/// Which runs are done and what they come to.
+/// Finished runs and their total.
 struct TallySoFar {
   RunSet done;
   TallyWords total;
@@ -26,11 +26,13 @@ class TallyCheckpoint {
  public:
   TallyCheckpoint(std::filesystem::path folder, bool must_resume);
 
-  /// What there is in the folder to this question, of `runs` runs at most; says on standard error what is taken up and
-  /// what is not. Throws InputError for another question where one must be resumed, and for a damaged file.
+  /// Returns the tally in the folder for this question with at most `runs` runs; reports on standard error the results
+  /// it uses and those it does not. Throws InputError for another question if one must be resumed, and for a damaged
+  /// file.
   [[nodiscard]] std::optional<TallySoFar> begin(const PlanKey& question, std::uint64_t runs);
 
-  /// Writes the tally if the last time is a second ago, or longer where writing takes long; always where it must.
+  /// Writes the tally if the last write was at least a second ago, or longer if writing is slow; always writes with
+  /// `must`.
   void save(const std::function<TallySoFar()>& tally, bool must);
 
   [[nodiscard]] std::filesystem::path path() const { return folder_ / kTallyFile; }
@@ -41,7 +43,7 @@ class TallyCheckpoint {
   std::filesystem::path folder_;
   bool must_resume_;
   PlanKey question_;
-  Clock::time_point saved_ = Clock::now() - std::chrono::seconds(1);  // the first chunk is kept at once
+  Clock::time_point saved_ = Clock::now() - std::chrono::seconds(1);  // the first chunk is saved at once
   Clock::duration pause_ = std::chrono::seconds(1);
 };
 

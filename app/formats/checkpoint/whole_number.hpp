@@ -1,4 +1,4 @@
-// Whole numbers out of JSON that is no input of the user's, but may be damaged.
+// Checked whole numbers from JSON of the program's own files, which may be damaged.
 #pragma once
 
 #include <concepts>
@@ -9,8 +9,8 @@
 
 namespace tubeplan::app {
 
-/// The library's own conversion takes 1e30 and 2.5 as well. Throws its exception for anything but a whole number that
-/// the type holds.
+/// Converts a value more strictly than the library, which accepts 1e30 and 2.5. Throws the library's exception for
+/// anything but a whole number in the range of the type.
 template <std::integral Whole>
 Whole wholeNumber(const nlohmann::json& value) {
   if (value.is_number_unsigned() && std::in_range<Whole>(value.get<std::uint64_t>()))

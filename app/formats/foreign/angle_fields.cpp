@@ -20,7 +20,8 @@ const ForeignRow* firstRowWith(const ForeignTable& table, std::size_t column) {
   return found == table.rows.end() ? nullptr : &*found;
 }
 
-/// Whether it is an angle or a number of another form than the first; what is neither is for its reader to refuse.
+/// Returns true for an angle or a number in another form than the first. Fields that are neither are refused later, by
+/// their reader.
 bool isOfAnotherForm(std::string_view field, const std::optional<SixtiethForm>& form) {
   if (const auto angle = parseSexagesimal(field)) return form != angle->form;
   return form && signedNumber(field);
@@ -30,8 +31,8 @@ struct NumberRange {
   double least = std::numeric_limits<double>::infinity(), most = -least;
 };
 
-/// The numbers of a column that is called an hour angle or a right ascension; nothing of another, and where it has none
-/// or anything else.
+/// Returns the range of a column named an hour angle or a right ascension; nothing for other columns, without numbers,
+/// or with fields that are not numbers.
 std::optional<NumberRange> rangeOfHourAngle(const ForeignTable& table, std::size_t column) {
   constexpr std::array<std::string_view, 5> kHourNames{"ha", "hourangle", "hourang", "ra", "rightascension"};
   const std::string name = parseHeading(table.columns[column]).name;

@@ -13,13 +13,13 @@ namespace tubeplan::app {
 
 namespace {
 
-/// "log.csv:S*-0.00012" or "S/1341.4": a column, and what its numbers are multiplied by.
+/// Column and the factor of its numbers: "log.csv:S*-0.00012" or "S/1341.4".
 struct ScaledName {
   std::string column;
   double factor = 1;
 };
 
-/// The text as it is, and taken apart where a number stands behind its last * or /.
+/// Returns the interpretations of a text: as a whole, and split at its last * or / if a number follows.
 std::vector<ScaledName> readingsOf(const std::string& text) {
   std::vector<ScaledName> readings{{text}};
   const std::size_t at = text.find_last_of("*/");
@@ -31,7 +31,7 @@ std::vector<ScaledName> readingsOf(const std::string& text) {
   return readings;
 }
 
-/// "x_mm" or "x": a quantity, and the unit where the name states one.
+/// Returns the index of a quantity, and the unit if the name states one: "x_mm" or "x".
 std::pair<std::size_t, const Unit*> targetOf(const std::string& name, const std::vector<ColumnTarget>& targets) {
   std::vector<std::string> known;
   for (std::size_t k = 0; k < targets.size(); ++k) {

@@ -1,4 +1,4 @@
-// What a user says that a column of foreign tables is: "x_mm=X", "theta1_deg=log.csv:S*-0.00012".
+// Columns of foreign tables assigned by the user: "x_mm=X", "theta1_deg=log.csv:S*-0.00012".
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ namespace tubeplan::app {
 struct ChosenColumn {
   std::size_t target = 0;  ///< index in columnTargets()
   std::size_t table = 0, column = 0;
-  const Unit* unit = nullptr;  ///< null where the name states none
-  double factor = 1;           ///< of the numbers: behind the column, * and a factor or / and a divisor
+  const Unit* unit = nullptr;  ///< null if the name states none
+  double factor = 1;           ///< factor of the numbers: after the column, * and a factor or / and a divisor
 };
 
-/// Throws InputError for a name that readings have not and for a column that is not there or there twice.
+/// Parses an assignment. Throws InputError for an unknown quantity and for a column that is missing or occurs twice.
 [[nodiscard]] ChosenColumn parseChosenColumn(const std::string& chosen, const std::vector<ForeignTable>& tables,
                                              const std::vector<ColumnTarget>& targets);
 

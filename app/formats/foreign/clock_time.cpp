@@ -13,16 +13,16 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr double kDay = 86400;  // s
+constexpr double kDay = 86400;  // [s]
 constexpr std::array kDateOrders{DateOrder::kDayFirst, DateOrder::kMonthFirst};
 
-/// The mark of a date in front of the time, if it has one: 2026-11-01, 3/5/2024, 3.5.2024.
+/// Returns the separator of a date before the time, if there is one: 2026-11-01, 3/5/2024, 3.5.2024.
 std::optional<char> dateMark(std::string_view text) {
   const std::size_t at = text.substr(0, text.find(':')).find_first_of("-/.");
   return at == std::string_view::npos ? std::nullopt : std::optional(text[at]);
 }
 
-/// Digits up to this mark, which is taken off with them.
+/// Removes digits up to a separator, and the separator, from the text; returns their number.
 std::optional<int> takeNumber(std::string_view& text, std::string_view marks) {
   const std::size_t end = text.find_first_of(marks);
   if (end == std::string_view::npos || end == 0 || end > 4) return std::nullopt;
@@ -31,7 +31,7 @@ std::optional<int> takeNumber(std::string_view& text, std::string_view marks) {
   return number && *number >= 0 ? number : std::nullopt;
 }
 
-/// Days since 1970, of a date in front that is taken off; its year has four digits.
+/// Removes a date with a year of four digits from the start of the text; returns its days since 1970.
 std::optional<double> takeDays(std::string_view& text, char mark, DateOrder order) {
   constexpr int kLeastYear = 1000;
   const std::string_view marks(&mark, 1);
@@ -50,7 +50,7 @@ std::optional<double> takeDays(std::string_view& text, char mark, DateOrder orde
   return static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
 }
 
-/// Takes off AM or PM; the hours that are added to those of a clock of twelve, or nothing of one of 24.
+/// Removes AM or PM from the text; returns the hours to add on a clock of 12 hours, or nothing for one of 24 hours.
 std::optional<int> takeHalf(std::string_view& text) {
   const std::string small = lowerCase(text);
   for (const auto& [word, hours] : {std::pair{"am", 0}, std::pair{"pm", 12}}) {
@@ -62,7 +62,7 @@ std::optional<int> takeHalf(std::string_view& text) {
   return std::nullopt;
 }
 
-/// Of the hours that stand there, those of a day; nothing where a clock of that kind has none such.
+/// Returns the hour of the day; nothing if the stated hour does not exist on a clock of that kind.
 std::optional<int> hoursOf(int stated, const std::optional<int>& half) {
   if (!half) return stated <= 23 ? std::optional(stated) : std::nullopt;
   return stated >= 1 && stated <= 12 ? std::optional(stated % 12 + *half) : std::nullopt;

@@ -1,4 +1,4 @@
-// findNames and guessColumns: what columns seem to be, before anybody has said so.
+// findNames and guessColumns: likely columns of quantities, before the user's choice.
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -12,7 +12,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// The numbers of the forms that would be taken, by their targets; none of a form that is not decided.
+/// Returns the likely columns of forms' numbers with their targets; none for a form that is ambiguous.
 std::vector<std::pair<std::size_t, ColumnGuess>> guessForms(const std::vector<ForeignTable>& tables,
                                                             const std::vector<std::vector<ForeignHeading>>& headings,
                                                             const std::vector<ColumnTarget>& targets,

@@ -16,7 +16,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// How many columns at the front are of text: the collection, the group and the name of a tracker's point.
+/// Returns the number of text columns at the front: the collection, the group and the name of a tracker's point.
 std::size_t textsInFront(const ForeignTable& table) {
   const auto& first = table.rows.front().fields;
   const auto isNumber = [](const std::string& field) { return tubesheets::parseNumber(field).has_value(); };
@@ -28,22 +28,23 @@ bool areDifferent(const ForeignTable& table, std::size_t column) {
   return std::ranges::all_of(table.rows, [&](const auto& row) { return seen.insert(row.fields[column]).second; });
 }
 
-/// Whether a column may be of running numbers.
+/// Returns true if a column may contain running numbers: whole numbers that all differ.
 bool areCounts(const ForeignTable& table, std::size_t column) {
   return areDifferent(table, column) && std::ranges::all_of(table.rows, [&](const auto& row) {
            return tubesheets::parseInteger(row.fields[column]).has_value();
          });
 }
 
-/// Of the texts at the front the last that differs from row to row, else the last; nothing where there are none.
+/// Returns the last of the text columns whose fields all differ, else the last one; nothing if there are none.
 std::optional<std::size_t> pointAmong(const ForeignTable& table, std::size_t texts) {
   for (std::size_t c = texts; c-- > 0;)
     if (areDifferent(table, c)) return c;
   return texts > 0 ? std::optional(texts - 1) : std::nullopt;
 }
 
-/// What the columns of a table without headings are by how many there are: texts in front, the last of which names the
-/// point; before a place a running number, or the point's where no text differs; then the joints, the place, or both.
+/// Returns the headings of a table without any, by its number of columns. Text columns are first, the last of which
+/// names the point. A running number may follow before a position, or the point's if no text column differs by row.
+/// Last are the joints, the position, or both.
 std::vector<ForeignHeading> headingsByShape(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
   std::vector<std::string> joints;
   for (const auto& target : targets)
@@ -55,10 +56,10 @@ std::vector<ForeignHeading> headingsByShape(const ForeignTable& table, const std
   };
   const auto point = pointAmong(table, texts);
   const bool is_named = point && areDifferent(table, *point);
-  const std::size_t counted = columns - texts - 1;  // numbers behind the first
+  const std::size_t counted = columns - texts - 1;  // number of columns after the first number
   const bool may_be_counted = !is_named && isWhole(counted) && counted != joints.size() && areCounts(table, texts);
   const bool is_counted = !isWhole(columns - texts);
-  if (is_counted ? !may_be_counted : texts > 1 && may_be_counted) return headings;  // unknown, or one of two
+  if (is_counted ? !may_be_counted : texts > 1 && may_be_counted) return headings;  // unknown, or ambiguous
   if (is_counted)
     headings[texts].name = texts == 0 ? "id" : "point";
   else if (point)
@@ -72,10 +73,10 @@ std::vector<ForeignHeading> headingsByShape(const ForeignTable& table, const std
   return headings;
 }
 
-/// The name of a heading that is this target's and no other's.
+/// Returns the name of a heading that is assigned to this target and no other.
 std::string settledName(const ColumnTarget& target) { return "=" + target.quantity; }
 
-/// Joints counted from zero are counted from one here: q0 to q5 of six, where there is no q6.
+/// Renumbers joints from one if they are numbered from zero: q0 to q5 for six joints, without a q6.
 void countFromOne(std::vector<std::vector<ForeignHeading>>& tables, std::size_t joints) {
   const auto find = [&](const std::string& name) -> ForeignHeading* {
     for (auto& headings : tables)
@@ -92,14 +93,14 @@ void countFromOne(std::vector<std::vector<ForeignHeading>>& tables, std::size_t 
   }
 }
 
-/// What controllers call all joints of an arm, from its base.
+/// Names of an arm's joints in controllers, from the base on.
 const std::vector<std::vector<std::string>> kControllersNames{
     {"s", "l", "u", "r", "b", "t"},
     {"s", "l", "e", "u", "r", "b", "t"},
     {"base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3"},
 };
 
-/// Names of a controller, where one table has each of as many as there are joints: T is no time there.
+/// Assigns a controller's names if one table has all of them and they are as many as the joints: then T is no time.
 void settleControllersNames(std::vector<std::vector<ForeignHeading>>& tables,
                             const std::vector<const ColumnTarget*>& joints) {
   for (auto& headings : tables)
@@ -117,8 +118,8 @@ void settleControllersNames(std::vector<std::vector<ForeignHeading>>& tables,
     }
 }
 
-/// A joint's own name goes before its number among the joints: `slide, A1, A2` are no numbers. The numbers of those
-/// that are left count them alone where there are as many: `slide, J1, J2`.
+/// Assigns joints by their own names, which precede numbers among the joints: `slide, A1, A2`. Numbers then count the
+/// remaining joints only, if there are as many: `slide, J1, J2`.
 void settleNames(std::vector<std::vector<ForeignHeading>>& tables, const std::vector<ColumnTarget>& targets) {
   const auto called = [&](const std::string& name) {
     std::vector<ForeignHeading*> found;
@@ -152,7 +153,8 @@ void settleNames(std::vector<std::vector<ForeignHeading>>& tables, const std::ve
   }
 }
 
-/// Joints between the same words, where no heading is a joint's without them and one set of columns stands for all.
+/// Assigns joints named between the same words, unless a heading already names a joint or several sets of columns are
+/// possible.
 void settlePattern(const std::vector<ForeignTable>& tables, std::vector<std::vector<ForeignHeading>>& headings,
                    const std::vector<ColumnTarget>& targets) {
   const auto isJoint = [&](const ForeignHeading& heading) {
@@ -168,9 +170,9 @@ void settlePattern(const std::vector<ForeignTable>& tables, std::vector<std::vec
     if (isNumbered(target)) headings[patterns.front().table][patterns.front().columns[k++]].name = settledName(target);
 }
 
-/// Counts joints from one where they were counted from zero, and settles those that are called by their own names, by
-/// letters (S, L, U, R, B, T of Yaskawa) or, of those that are left, by numbers; else all of them by jointPatterns(),
-/// where that is one set.
+/// Assigns all joints. Numbers from zero become numbers from one. Joints are assigned by their own names, by letters
+/// (S, L, U, R, B, T of Yaskawa) or, for the remaining ones, by numbers; else all by jointPatterns(), if that gives one
+/// set.
 void settleJoints(const std::vector<ForeignTable>& tables, std::vector<std::vector<ForeignHeading>>& headings,
                   const std::vector<ColumnTarget>& targets) {
   countFromOne(headings, static_cast<std::size_t>(std::ranges::count_if(targets, isNumbered)));
@@ -178,7 +180,7 @@ void settleJoints(const std::vector<ForeignTable>& tables, std::vector<std::vect
   settlePattern(tables, headings, targets);
 }
 
-/// Surveyors' axes, where all three stand in one table and none is called x, y or z.
+/// Renames surveyors' axes, if one table has all three and no column is named x, y or z.
 void takeSurveyAxes(std::vector<std::vector<ForeignHeading>>& tables) {
   static const std::array<std::set<std::string>, 3> kNames{
       {{"east", "easting", "e"}, {"north", "northing", "n"}, {"elev", "elevation", "up", "height", "h"}}};

@@ -1,4 +1,4 @@
-// What the columns of foreign tables are called: by their headings, or by their shape where there are none.
+// Names of the columns of foreign tables: from their headings, or from the table's shape if it has none.
 #pragma once
 
 #include <vector>
@@ -8,19 +8,20 @@
 
 namespace tubeplan::app {
 
-/// A heading that states a unit of another kind is of something else: "x (deg)" is no place; and pulses are of joints.
+/// Returns true if a heading has a name of the target and no contradictory unit: "x (deg)" is no position. Pulses are
+/// valid for joints only.
 [[nodiscard]] bool fits(const ColumnTarget& target, const ForeignHeading& heading);
 
-/// Returns the unit of a column's numbers: that of its heading, else of a line above the table, else the usual one;
-/// null where none is stated. Throws InputError where the last two differ.
+/// Returns the unit of a column's numbers: from its heading, else from a line above the table, else the usual one; null
+/// if none is stated. Throws InputError if the last two differ.
 [[nodiscard]] const Unit* unitOf(const ForeignTable& table, const ForeignHeading& heading, UnitKind kind,
                                  const UsualUnits& usual);
 
-/// Returns the headings of one table, empty for columns of which nothing is known.
+/// Returns the headings of one table, empty for columns of unknown content.
 [[nodiscard]] std::vector<ForeignHeading> columnNames(const ForeignTable& table,
                                                       const std::vector<ColumnTarget>& targets);
 
-/// Returns the headings of every table, with the joints told apart and surveyors' axes called x, y and z.
+/// Returns the headings of every table, with each joint identified and surveyors' axes named x, y and z.
 [[nodiscard]] std::vector<std::vector<ForeignHeading>> columnNames(const std::vector<ForeignTable>& tables,
                                                                    const std::vector<ColumnTarget>& targets);
 

@@ -1,4 +1,4 @@
-// columnTargets: every quantity that a measurement table may have, and what it is called elsewhere.
+// columnTargets: all quantities of a measurement table, with their names in other programs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -84,7 +84,7 @@ std::vector<ColumnTarget> columnTargets(const deflection::Arm& arm) {
       text("setup", {"setup"}),
       text("split", {"split"}),
       text("from", {"from"}),
-      text("row", {"armrow", "link", "linkname"}),  // not `row`: lists of anything count their rows
+      text("row", {"armrow", "link", "linkname"}),  // without `row`, which counts rows in any list
       number("load", UnitKind::kForce, {"load", "payload", "mass", "weight"}),
   };
   addJoints(arm, targets);

@@ -63,7 +63,7 @@ class ColumnTaker {
     parts_.push_back(column);
   }
 
-  /// The forms whose numbers were chosen, each whole and of one table.
+  /// Adds the forms whose numbers the user chose; all numbers of a form must be from one table.
   void takeChosenForms() {
     while (!parts_.empty()) {
       const WrittenForm& form = *targets_[parts_.front().target].form;
@@ -92,7 +92,7 @@ class ColumnTaker {
     return {tables_, headings_, choice_.units, free_, std::move(joints)};
   }
 
-  /// Whether columns of their own state a turn or a place.
+  /// Returns true if a column states a component of the orientation or position directly.
   [[nodiscard]] bool hasColumns(Stated stated) const {
     return std::ranges::any_of(columnsOf(stated).columns, [&](const char* name) {
       return isTaken(indexOf(name)) || hasFreeColumn(search(), targets_[indexOf(name)]);
@@ -103,7 +103,7 @@ class ColumnTaker {
     return static_cast<std::size_t>(std::ranges::find(targets_, quantity, &ColumnTarget::quantity) - targets_.begin());
   }
 
-  /// The form of that name, else the only one where no columns state the same by themselves.
+  /// Adds the form of that name; without a name, the only form, unless columns state the same directly.
   void takeForm(Stated stated, const std::string& name) {
     const bool is_chosen = isTaken(indexOf(columnsOf(stated).columns.front()));
     if (is_chosen || (name.empty() && hasColumns(stated))) return;
@@ -206,7 +206,7 @@ class ColumnTaker {
                      fmt::format("write --units {0}, or --column {1}_{0}={2}", exampleOf(kind), quantity, theirs));
   }
 
-  /// Whole numbers of many turns are no angles, whatever unit the others have.
+  /// Throws InputError for whole numbers of many turns: pulses rather than angles, whatever unit is assumed.
   void refusePulses(const ColumnTarget& joint, std::size_t table, std::size_t column, const Unit& unit) const {
     constexpr double kMostTurns = 20;
     double most = 0;
@@ -230,14 +230,14 @@ class ColumnTaker {
   [[nodiscard]] bool isClock(std::size_t table, std::size_t column) const {
     return isClockTime(firstField(table, column));
   }
-  /// A time that is written in some way of its own is left out, as a date is.
+  /// Returns true for a time in an unknown format, which is left out like a date.
   [[nodiscard]] bool isOtherTime(std::size_t target, std::size_t table, std::size_t column) const {
     const std::string& field = firstField(table, column);
     return targets_[target].unit == UnitKind::kTime && !field.empty() && !tubesheets::parseNumber(field) &&
            !isClock(table, column);
   }
 
-  /// Several sets of columns stand for the joints: none is taken for another.
+  /// Throws InputError for several sets of columns that could be the joints.
   [[noreturn]] void severalPatterns(const std::vector<JointColumns>& patterns) const {
     std::vector<std::string> sets, columns;
     for (const auto& [table, of_joints] : patterns)

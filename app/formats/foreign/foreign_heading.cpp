@@ -20,7 +20,7 @@ struct UnitWord {
   std::string_view name;
 };
 
-/// Beside the program's own names of units.
+/// Words for units beside the names in the program's files.
 constexpr UnitWord kUnitWords[] = {
     {"centimeters", UnitKind::kLength, "cm"},
     {"centimetres", UnitKind::kLength, "cm"},
@@ -47,7 +47,7 @@ constexpr UnitWord kUnitWords[] = {
     {"hours", UnitKind::kTime, "h"},
 };
 
-/// Of surveyors and telescopes alone: files of the program have deg instead, of which each has so many.
+/// Units of surveyors and telescopes only. The program's files have deg instead, of which each has a fixed number.
 constexpr double kOneDegree = std::numbers::pi / 180;
 constexpr Unit kForeignAngles[] = {{UnitKind::kAngle, "gon", 0.9 * kOneDegree},
                                    {UnitKind::kAngle, "h", kDegreesPerHour* kOneDegree},

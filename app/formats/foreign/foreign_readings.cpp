@@ -67,14 +67,14 @@ class ForeignReader {
   }
   [[nodiscard]] bool isTaken(const std::string& quantity) const { return find(quantity) != nullptr; }
 
-  /// The column with the names of a table's rows: the chosen one, else what its heading says.
+  /// Returns the column with the names of a table's rows: the chosen one, else by the headings.
   [[nodiscard]] std::optional<std::size_t> keyOf(std::size_t t) const {
     for (const char* quantity : {"point", "id"})
       if (const auto* column = find(quantity); column && column->table == t) return column->column;
     return findNames(table(t), targets_);
   }
 
-  /// A file of which nothing is known was given for something.
+  /// Throws InputError for a file without any used column.
   void refuseUnused() const {
     for (std::size_t t = 0; t < request_.tables.size(); ++t)
       if (!isUsed(t))
@@ -82,7 +82,7 @@ class ForeignReader {
                          "say which columns they are (--column x_mm=COLUMN), or leave the file out");
   }
 
-  /// The table with the joints leads; the others follow it.
+  /// Matches the rows of all tables with those of the table with the joints.
   void joinTables() {
     const auto joint =
         std::find_if(taken_.begin(), taken_.end(), [&](const auto& c) { return targets_[c.target].is_joint; });
@@ -131,7 +131,7 @@ class ForeignReader {
                        factor);
   }
 
-  /// What looks like a turn, where none is read.
+  /// Notes columns that look like an orientation, if the readings have none.
   void sayTurnLeftOut(std::size_t t, const std::set<std::size_t>& used) {
     if (isTaken(columnsOf(Stated::kTurn).columns.front())) return;
     const auto headings = columnNames(request_.tables, targets_);
@@ -144,7 +144,7 @@ class ForeignReader {
                                           namesOf(forms.front(), request_.tables)));
   }
 
-  /// Readings of a kind that measures a turn have one.
+  /// Throws InputError if the requested kind measures an orientation and no column states one.
   void requireTurn() const {
     const StatedColumns& turn = columnsOf(Stated::kTurn);
     if (request_.kind.empty() || !neededForms({request_.kind}, {}).contains(Stated::kTurn)) return;
@@ -167,7 +167,8 @@ class ForeignReader {
     return rowOf(column, k).fields[column.column];
   }
 
-  /// Ids must differ: where they do not, they are points' names that were measured again.
+  /// Finds the readings' ids, which must differ: ids, else points' names, else running numbers for points measured
+  /// repeatedly.
   void findIds() {
     const TakenColumn* column = find("id");
     if (!column) column = find("point");
@@ -199,7 +200,7 @@ class ForeignReader {
     return "touch";
   }
 
-  /// Whether the points are named as holes are, whose places the sheet gives.
+  /// Returns true if all points have names of holes, whose positions the sheet gives.
   [[nodiscard]] bool areHoles() const {
     const TakenColumn& point = *find("point");
     for (std::size_t k = 0; k < joined_.rows[joined_.lead].size(); ++k)
@@ -219,7 +220,7 @@ class ForeignReader {
     return table(column.table).rows[joined_.rows[column.table][k]];
   }
 
-  /// Whether nothing stands there: of a form, in any of its columns.
+  /// Returns true for an empty field; for a form, if any of its columns is empty.
   [[nodiscard]] bool isEmptyAt(const TakenColumn& column, std::size_t k) const {
     if (!column.form) return isBlankField(fieldOf(column, k));
     const auto& fields = rowOf(column, k).fields;
@@ -263,7 +264,7 @@ class ForeignReader {
     refuseField(column, column.column, k, "a time as the other rows have it");
   }
 
-  /// What a field of that unit is to be.
+  /// Returns the description of a valid field in that unit.
   [[nodiscard]] static const char* expectedOf(const Unit* unit, const std::string& field) {
     if (unit == sixtiethsOfHours()) return "hours as 12:34:56.7 or 12h34m56.7s, minutes and seconds within 60";
     if (unit == sixtiethsOfDegrees()) return "degrees as 12:34:56.7 or 12d34'56.7\", minutes and seconds within 60";
@@ -276,7 +277,7 @@ class ForeignReader {
                      inQuotes(rowOf(column, k).fields[at]), expected, "");
   }
 
-  /// One number of what the columns of a form state together.
+  /// Returns one component of the value that the columns of a form state together.
   [[nodiscard]] std::string formField(const TakenColumn& column, std::size_t k) const {
     const FormColumns& columns = *column.form;
     const auto& fields = rowOf(column, k).fields;
@@ -303,7 +304,7 @@ class ForeignReader {
                      "correct the row or say what the columns are");
   }
 
-  /// Clocks' times count from the first reading's that states one.
+  /// Converts clock times to seconds from the first reading that states one.
   void readClocks() {
     for (const auto& column : taken_) {
       if (targets_[column.target].unit != UnitKind::kTime) continue;
@@ -323,7 +324,8 @@ class ForeignReader {
     }
   }
 
-  /// Which number of the dates is the day, where that matters.
+  /// Returns the order of day and month in the dates. Throws InputError if the dates are ambiguous and the user chose
+  /// none.
   [[nodiscard]] DateOrder dateOrderOf(const TakenColumn& column, const std::vector<std::string>& fields) const {
     constexpr std::array kOrders{DateOrder::kDayFirst, DateOrder::kMonthFirst};
     if (const std::string& asked = request_.choice.dates; !asked.empty()) {
@@ -346,9 +348,9 @@ class ForeignReader {
   std::vector<TakenColumn> taken_;
   JoinedRows joined_;
   std::vector<std::string> ids_;
-  std::vector<std::string> unknown_numbers_;                          ///< columns of numbers that are left out
-  std::string kind_;                                                  ///< of readings whose table names none
-  std::map<std::size_t, std::vector<std::optional<double>>> clocks_;  ///< s, by target, of every row of the table
+  std::vector<std::string> unknown_numbers_;                          ///< columns of numbers without a use
+  std::string kind_;                                                  ///< kind of readings if the table names none
+  std::map<std::size_t, std::vector<std::optional<double>>> clocks_;  ///< [s] by target, for every row of the table
   ForeignReadings out_;
 };
 

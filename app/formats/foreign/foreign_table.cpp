@@ -14,11 +14,11 @@ namespace tubeplan::app {
 
 namespace {
 
-/// What may stand beside the units: "length mm, angle deg".
+/// Words that may occur beside the units: "length mm, angle deg".
 constexpr std::array<std::string_view, 8> kBesideUnits{"length", "lengths",  "angle",   "angles",
                                                        "linear", "distance", "angular", "and"};
 
-/// The units of a text of units; none where it holds anything else.
+/// Returns the units in a text; none if it contains anything but units and words beside them.
 std::vector<const Unit*> unitsIn(std::string_view text) {
   std::vector<const Unit*> units;
   constexpr std::string_view kApart = " \t,;/()[]:=";
@@ -34,11 +34,11 @@ std::vector<const Unit*> unitsIn(std::string_view text) {
   return units;
 }
 
-/// Returns whether a line states units and nothing else.
+/// Returns true if a line states units and nothing else.
 bool statesUnits(std::string_view line) { return !unitsIn(tubesheets::behindUnits(line)).empty(); }
 
-/// Returns the units that lines state by the word unit or units, a colon or an equals sign, and nothing but units
-/// behind it. Throws InputError where two lines differ.
+/// Returns the units stated by lines with the word unit or units, a colon or an equals sign, and only units after it.
+/// Throws InputError if two lines differ.
 std::map<UnitKind, StatedUnit> statedUnits(const std::vector<std::string>& lines, const std::string& file) {
   std::map<UnitKind, StatedUnit> stated;
   for (const auto& line : lines)

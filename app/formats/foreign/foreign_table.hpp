@@ -1,4 +1,4 @@
-// Tables of readings that other programs write: what trackers, robot controllers and spreadsheets export.
+// Tables of readings from other programs: exports of trackers, robot controllers and spreadsheets.
 #pragma once
 
 #include <map>
@@ -15,22 +15,22 @@ using ForeignRow = tubesheets::CsvRow;
 
 struct StatedUnit {
   const Unit* unit = nullptr;
-  std::string line;  ///< that states it
+  std::string line;  ///< line that states the unit
 };
 
-/// One table of a text and the file that it stands in, for messages.
+/// Table of a text, with its file's name for messages.
 struct ForeignTable : tubesheets::TextTable {
   std::string file;
-  std::map<UnitKind, StatedUnit> units;  ///< stated by lines of their own, for columns whose headings state none
-  std::vector<std::string> remarks;      ///< what was made of the file's numbers, a sentence each
+  std::map<UnitKind, StatedUnit> units;  ///< units stated by separate lines, for columns whose headings state none
+  std::vector<std::string> remarks;      ///< remarks on the conversion of the file's numbers, a sentence each
 };
 
-/// Returns whether a field stands for nothing, in tables that leave none empty: "-", "NaN", "n/a".
+/// Returns true for a field that means "no value" in tables without empty fields: "-", "NaN", "n/a".
 [[nodiscard]] bool isBlankField(std::string_view field);
 
-/// Returns a table whose rows are known by their numbers (tubesheets/text_table.hpp), with the units that the lines
-/// around it state; of a telescope's pointing data what parsePointingData() makes of them. Throws InputError for its
-/// faults.
+/// Parses the table in a text, which is found by its rows of numbers (tubesheets/text_table.hpp), with the units stated
+/// in lines around it. Pointing data of telescopes are converted by parsePointingData(). Throws InputError for a text
+/// without a valid table.
 [[nodiscard]] ForeignTable parseForeignTable(std::string_view text, const std::string& file);
 
 }  // namespace tubeplan::app

@@ -16,9 +16,9 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr double kSame = 1e-9;  // rad or m
+constexpr double kSame = 1e-9;  // [rad] or [m]
 
-/// Whether a column is the only one that a joint may be.
+/// Returns true if a column is the only one possible for a joint.
 bool isOnlyJoint(const FormSearch& search, std::size_t table, std::size_t column) {
   FreeColumns others = search.free;
   others[table][column] = false;
@@ -28,7 +28,7 @@ bool isOnlyJoint(const FormSearch& search, std::size_t table, std::size_t column
   });
 }
 
-/// The one free column of a table with that name, unless it states another unit.
+/// Returns the free column of a table with that name; nothing if there are several or it states another unit.
 std::optional<std::size_t> columnCalled(const FormSearch& search, std::size_t t, const std::string& name,
                                         const std::optional<UnitKind>& unit) {
   std::optional<std::size_t> found;
@@ -46,7 +46,7 @@ bool hasColumn(const ForeignTable& table, const std::string& name) {
          std::ranges::any_of(table.columns, [&](const auto& column) { return parseHeading(column).name == name; });
 }
 
-/// The columns of those headings in a table; nothing unless all are there.
+/// Returns the columns of a table with the headings of a form; nothing unless all exist.
 std::optional<FormColumns> columnsCalled(const FormSearch& search, std::size_t t, const WrittenForm& form,
                                          const FormHeadings& names) {
   FormColumns found{&form, t, {}, {}, hasColumn(search.tables[t], names.beside)};
@@ -70,7 +70,7 @@ bool hasUnits(const FormColumns& columns) {
   return true;
 }
 
-/// How well the rows fit the form, by the one that fits it worst.
+/// Returns the plausibility of the least plausible row.
 FormFit fitOf(const FormColumns& columns, const ForeignTable& table) {
   FormFit fit = FormFit::kUsual;
   if (!hasUnits(columns)) return fit;
@@ -87,7 +87,7 @@ bool readAlike(const FormColumns& a, const FormColumns& b, const std::vector<For
   });
 }
 
-/// Takes off those that fit worse than the best, and says so of the others with the same columns.
+/// Removes forms less plausible than the best one, and notes this in the others with the same columns.
 void excludeByNumbers(std::vector<FormColumns>& forms, const std::vector<ForeignTable>& tables) {
   std::vector<FormFit> fits;
   for (const auto& columns : forms) fits.push_back(fitOf(columns, tables[columns.table]));
@@ -101,7 +101,7 @@ void excludeByNumbers(std::vector<FormColumns>& forms, const std::vector<Foreign
   forms = std::move(left);
 }
 
-/// Those with something beside them that decides exclude the others of the same columns.
+/// Removes forms if another one of the same columns is indicated by a further column.
 void excludeByColumns(std::vector<FormColumns>& forms) {
   std::vector<FormColumns> decided;
   std::ranges::copy_if(forms, std::back_inserter(decided), &FormColumns::is_beside);

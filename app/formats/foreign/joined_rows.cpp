@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Of each row of the leading table the row of another that goes beside it.
+/// Matching row of another table for each row of the leading table.
 using Partners = std::vector<std::optional<std::size_t>>;
 
 class RowJoiner {
@@ -59,7 +59,8 @@ class RowJoiner {
     return partnersByOrder(t);
   }
 
-  /// Running numbers may count anything; names of points are names of points.
+  /// Throws InputError if both tables name their rows by text: names must match, unlike running numbers, which may
+  /// count anything.
   void refuseOtherNames(std::size_t t, std::size_t ours, std::size_t theirs) const {
     const auto areNames = [](const ForeignTable& table, std::size_t column) {
       return std::none_of(table.rows.begin(), table.rows.end(),

@@ -1,4 +1,4 @@
-// Which rows of foreign tables are of one reading.
+// Matching of the rows of foreign tables that belong to one reading.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,17 @@ namespace tubeplan::app {
 
 struct JoinedRows {
   std::vector<std::vector<std::size_t>> rows;  ///< row k of the readings is row rows[t][k] of table t
-  std::size_t lead = 0;                        ///< the table that the others follow
-  std::string how;                             ///< "by name", "row by row"; empty of one table
-  std::vector<std::string> left_out;           ///< rows without partners, a sentence for each table
+  std::size_t lead = 0;                        ///< table whose rows the others match
+  std::string how;                             ///< "by name", "row by row"; empty for one table
+  std::vector<std::string> left_out;           ///< rows without a match, a sentence for each table
 };
 
-/// The rows of the leading table, and beside them those of every other: by names where both have a column of names,
-/// else in their order, for which there must be as many. Throws InputError for tables that do not go together.
+/// Matches the rows of every table with those of the leading one: by name if both have a column of names, else by order
+/// if they are equally many. Throws InputError for tables that do not match.
 [[nodiscard]] JoinedRows joinRows(const std::vector<ForeignTable>& tables, std::size_t lead,
                                   const std::vector<std::optional<std::size_t>>& names);
 
-/// A point's name without the groups before it: "A::Group::P1" is "P1".
+/// Returns a point's name without the groups before it: "P1" of "A::Group::P1".
 [[nodiscard]] std::string pointName(const std::string& field);
 
 }  // namespace tubeplan::app

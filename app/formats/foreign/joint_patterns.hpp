@@ -18,12 +18,12 @@ struct JointColumns {
   friend bool operator==(const JointColumns&, const JointColumns&) = default;
 };
 
-/// Returns whether a joint may be called by its number: one of the chain to the tip.
+/// Returns true if a joint may be named by its number: one of the chain to the tip.
 [[nodiscard]] bool isNumbered(const ColumnTarget& target);
 
-/// Returns all sets of columns that stand for all joints by the words between the same words: by the joints' names, by
-/// these without the words that they share, or by numbers from 0 or 1 beside a word for joints or positions. Words for
-/// speeds, torques and the like speak against a set.
+/// Returns all sets of columns that name all joints between the same words. They name them by the joints' names, by
+/// these without their common words, or by numbers from 0 or 1 beside a word for joints or positions. Sets with words
+/// for speeds, torques and the like are excluded.
 [[nodiscard]] std::vector<JointColumns> jointPatterns(const std::vector<ForeignTable>& tables,
                                                       const std::vector<std::vector<ForeignHeading>>& headings,
                                                       const std::vector<ColumnTarget>& targets);

@@ -1,4 +1,4 @@
-// The lines of telescopes' pointing data, and what stands above the observations: options and the record of the place.
+// Lines of telescopes' pointing data, and the head above the observations: options and the record of the site.
 #pragma once
 
 #include <optional>
@@ -14,24 +14,24 @@ struct PointingLine {
   std::vector<std::string> fields;
 };
 
-/// Returns the lines that count, up to END: no empty ones and no comments.
+/// Returns the lines up to END, without empty ones and comments.
 [[nodiscard]] std::vector<PointingLine> pointingLines(std::string_view text);
 
-/// Returns whether fields are numbers and nothing else, one at least.
+/// Returns true if there are fields and all of them are numbers.
 [[nodiscard]] bool areAllNumbers(const std::vector<std::string>& fields);
 
-/// Returns whether a line is an option record: ": ALTAZ".
+/// Returns true for an option record: ": ALTAZ".
 [[nodiscard]] bool isPointingOption(const PointingLine& line);
 
-/// Returns "sky.dat:5".
+/// Returns the place of a line: "sky.dat:5".
 [[nodiscard]] std::string lineOf(const std::string& file, const PointingLine& line);
 
-/// Returns the angle of two or three numbers, of which the first has the sign, in the unit of the first. Throws
-/// InputError for a first one beyond `most` and for what are no sixtieths.
+/// Returns the angle of two or three numbers, the first with the sign, in the unit of the first. Throws InputError for
+/// a first number beyond `most` and for minutes or seconds out of range.
 [[nodiscard]] double sixtiethsIn(const std::string& file, const PointingLine& line, std::size_t from, std::size_t count,
                                  double most);
 
-/// Mount, place and weather as the options and the record of the place state them.
+/// Mount, site and weather from the options and the record of the site.
 struct PointingHead {
   std::optional<bool> is_altaz;
   bool is_without_diurnal = false;
@@ -40,7 +40,7 @@ struct PointingHead {
   std::size_t rows_from = 0;  ///< index of the first observation
 };
 
-/// Returns what the lines behind the caption say. Throws InputError for options and records that are not understood.
+/// Reads the lines between the caption and the observations. Throws InputError for unknown options and records.
 [[nodiscard]] PointingHead readPointingHead(const std::vector<PointingLine>& lines, const std::string& file);
 
 }  // namespace tubeplan::app

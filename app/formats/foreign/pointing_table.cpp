@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kAltazNumbers = 4, kStarNumbers = 14, kMeanNumbers = 17, kMostAuxiliary = 3;
 constexpr std::size_t kSiderealMinutesAt = 13;
-constexpr std::size_t kEquinoxAt = 8;  // of rows with proper motions; elsewhere seconds stand there
+constexpr std::size_t kEquinoxAt = 8;  // for rows with proper motions; other rows have seconds there
 
 class PointingParser {
  public:
@@ -57,7 +57,7 @@ class PointingParser {
     refuseSidereal(line);
   }
 
-  /// A sidereal time with seconds would pass for minutes and an auxiliary reading.
+  /// Throws InputError for a sidereal time with seconds, which would be read as minutes and an auxiliary reading.
   void refuseSidereal(const PointingLine& line) const {
     if (!is_stars_ || width_ == kStarNumbers) return;
     for (std::size_t row = head_.rows_from; row < lines_.size(); ++row)
@@ -67,7 +67,7 @@ class PointingParser {
                      "hours and minutes with decimals, as 16 23.130", "write the seconds as decimals of the minutes");
   }
 
-  /// Of a right ascension or a sidereal time [deg].
+  /// Returns the angle of a right ascension or a sidereal time [deg].
   [[nodiscard]] double hours(const PointingLine& line, std::size_t from, std::size_t count) const {
     const double value = sixtiethsIn(file_, line, from, count, 24);
     if (value < 0) throw InputError(lineOf(file_, line), inQuotes(line.fields[from]) + " hours", "0 to 24");
@@ -153,7 +153,7 @@ class PointingParser {
   ForeignTable table_;
   std::size_t width_ = 0;  ///< numbers in each observation
   bool is_stars_ = false;
-  double greatest_refraction_ = 0;  ///< deg
+  double greatest_refraction_ = 0;  ///< [deg]
 };
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kRounded = 1e-3;            // rad: angles are written with as few decimals as this
-constexpr double kQuaternionRounded = 2e-3;  // of the length of a quaternion with three decimals
+constexpr double kRounded = 1e-3;            // rounding of angles with few decimals [rad]
+constexpr double kQuaternionRounded = 2e-3;  // rounding of the norm of a quaternion with three decimals
 
 template <const deflection::TurnForm& form>
 Eigen::Vector3d rollPitchYaw(const FormNumbers& n) {
@@ -49,7 +49,7 @@ std::vector<FormNumber> angles(const char* first, const char* second, const char
   return {{first, UnitKind::kAngle}, {second, UnitKind::kAngle}, {third, UnitKind::kAngle}};
 }
 
-/// One name of each list.
+/// Returns all combinations of one name from each list.
 std::vector<FormHeadings> combinations(const std::array<std::vector<std::string>, 3>& lists) {
   std::vector<FormHeadings> all;
   for (const auto& first : lists[0])

@@ -1,4 +1,4 @@
-// The forms in which other programs write turns and places: an open table. A new one is a row of it.
+// Forms in which other programs write orientations and positions: an open table, with one row for each form.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,19 +15,19 @@ namespace tubeplan::app {
 
 enum class Stated { kTurn, kPlace };
 
-/// The columns of a measurement table that a turn or a place becomes.
+/// Columns of a measurement table for an orientation or a position.
 struct StatedColumns {
-  const char* word;    ///< for messages
-  const char* option;  ///< of the form's name
+  const char* word;    ///< name in messages
+  const char* option;  ///< option that chooses the form
   std::array<const char*, 3> columns;
   UnitKind unit;
 };
 [[nodiscard]] const StatedColumns& columnsOf(Stated stated);
 
-/// Numbers of one row in internal units; the last of four counts in quaternions alone.
+/// Numbers of one row in internal units; the fourth is used by quaternions only.
 using FormNumbers = std::array<double, 4>;
 
-/// How likely a program is to write certain numbers in a form.
+/// Plausibility of numbers in a form.
 enum class FormFit { kUsual, kUnusual, kImpossible };
 
 struct FormNumber {
@@ -36,25 +36,26 @@ struct FormNumber {
 };
 
 struct FormHeadings {
-  std::vector<std::string> names;  ///< of each number, as parseHeading() gives them
-  std::string beside = {};  ///< a column of the same table that decides for this form, where others have the names
+  std::vector<std::string> names;  ///< heading of each number, as parseHeading() returns names
+  std::string beside = {};         ///< heading of another column of the table that indicates this form; may be empty
 };
 
-/// Two forms with the same headings are told apart by their numbers, by what stands beside them, or by the user.
+/// Form of an orientation or a position. Forms with the same headings are distinguished by their numbers, by other
+/// columns, or by the user.
 struct WrittenForm {
   const char* name;
-  const char* words;  ///< what it is, and who writes it
+  const char* words;  ///< description, and programs that write it
   Stated stated;
   std::vector<FormNumber> numbers;
   std::vector<FormHeadings> headings;
   Eigen::Vector3d (*read)(const FormNumbers& numbers);  ///< roll, pitch, yaw [rad], or x, y, z [m]
   FormFit (*fit)(const FormNumbers& numbers);
-  const char* usual;  ///< what its numbers keep to, as a clause behind its name
+  const char* usual;  ///< rule for its numbers, as a clause after its name
 };
 
 [[nodiscard]] std::span<const WrittenForm> writtenForms();
 
-/// The names of forms that state it, for options.
+/// Returns the names of the forms of an orientation or a position, for options.
 [[nodiscard]] std::vector<std::string> formNames(Stated stated);
 
 }  // namespace tubeplan::app
