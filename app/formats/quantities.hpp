@@ -1,4 +1,4 @@
-// Numbers with units out of a YAML file, and into one.
+// Numbers with units in YAML files: reader and writer.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,20 +10,21 @@
 
 namespace tubeplan::app {
 
-/// Internal units. All throw InputError where the value is not such a number or list of numbers.
+/// Returns a number in internal units. Throws InputError for any other value.
 [[nodiscard]] double readQuantity(const YamlNode& node, const Units& units, Dimension dimension);
 
-/// Three of them: [x, y, z].
+/// Returns a list of three numbers [x, y, z] in internal units. Throws InputError for any other value.
 [[nodiscard]] Eigen::Vector3d readVector(const YamlNode& node, const Units& units, Dimension dimension);
 
-/// A unit vector. Refused: all three numbers zero.
+/// Returns the unit vector of a list of three numbers. Throws InputError for any other value and if all are zero.
 [[nodiscard]] Eigen::Vector3d readDirection(const YamlNode& node);
 
-/// Of a map; `otherwise` (internal units) where the key is missing.
+/// Returns a number of a map in internal units; `otherwise` if the key is missing. Throws InputError for any other
+/// value.
 [[nodiscard]] double readQuantityOr(const YamlNode& map, std::string_view key, const Units& units, Dimension dimension,
                                     double otherwise);
 
-/// "[x, y, z]", in file units.
+/// Returns "[x, y, z]" in file units.
 [[nodiscard]] std::string listText(const Eigen::VectorXd& values, const Units& units, Dimension dimension);
 
 }  // namespace tubeplan::app

@@ -177,8 +177,8 @@ std::string Units::nameOf(const deflection::ValueUnit& unit) const {
 double rounded(double value) {
   if (!std::isfinite(value)) return value;
   const double result =
-      std::strtod(fmt::format("{:.12g}", value).c_str(), nullptr);  // stod refuses the smallest numbers
-  return result == 0 ? 0 : result;                                  // no minus zero
+      std::strtod(fmt::format("{:.12g}", value).c_str(), nullptr);  // std::stod refuses the smallest numbers
+  return result == 0 ? 0 : result;                                  // avoids minus zero
 }
 
 std::string formatNumber(double value) { return fmt::format("{}", rounded(value)); }

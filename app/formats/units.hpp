@@ -1,5 +1,4 @@
-// The units a file is written in, and the way between them and the internal ones: metre, newton, radian, second,
-// kelvin.
+// Units of files, and conversion to internal units: metre, newton, radian, second, kelvin.
 #pragma once
 
 #include <span>
@@ -16,10 +15,10 @@ struct YamlNode;
 
 enum class UnitKind { kLength, kAngle, kForce, kTorque, kTemperature, kTime };
 
-/// N: at standard gravity. Files of kilograms, and of arms as masses, are weights here.
+/// Weight of a kilogram at standard gravity [N]. Kilograms in files, also the masses of arms, become weights by it.
 inline constexpr double kWeightOfKilogram = 9.80665;
 
-/// internal = (value + offset) * factor
+/// Unit with its conversion: internal = (value + offset) * factor.
 struct Unit {
   UnitKind kind;
   std::string_view name;
@@ -27,18 +26,18 @@ struct Unit {
   double offset = 0;
 };
 
-/// All of them, the open table: a new unit is one row.
+/// Returns all units: an open table, with one row for each unit.
 [[nodiscard]] std::span<const Unit> unitTable();
 
-/// Null where there is no such unit of that kind.
+/// Returns the unit of that kind and name; null if there is none.
 [[nodiscard]] const Unit* findUnit(UnitKind kind, std::string_view name);
 
-/// The names of a kind: in, mm, cm, m, ft.
+/// Returns the names of a kind of units: in, mm, cm, m, ft.
 [[nodiscard]] std::vector<std::string> unitNames(UnitKind kind);
 
-/// A quantity by its exponents; a temperature is a difference of two. Joint speeds and accelerations have none for
-/// time: in the arm file they are per second whatever the unit of time is (6 is 6 deg/s in a file whose time unit is
-/// the minute). The rates of effects follow the unit of time.
+/// Dimension of a quantity by its exponents; a temperature is a temperature difference. Joint speeds and accelerations
+/// have no exponent for time: in the arm file they are per second for any unit of time (6 is 6 deg/s in a file in
+/// minutes). The rates of effects follow the unit of time.
 struct Dimension {
   int length = 0, angle = 0, force = 0, temperature = 0, time = 0;
 };
@@ -61,35 +60,38 @@ inline constexpr Dimension kSpeed{1, 0, 0, 0, -1};
 inline constexpr Dimension kTime{0, 0, 0, 0, 1};
 }  // namespace dimension
 
-/// The offset of a prismatic joint is a length although its quantity says angle: that is for the caller to see.
+/// Returns the dimension of a quantity. A prismatic joint's offset has the quantity angle but is a length, which the
+/// caller must consider.
 [[nodiscard]] Dimension dimensionOf(deflection::Quantity quantity);
 
-/// The units block of a file.
+/// Units block of a file.
 class Units {
  public:
-  /// Internal units: m, rad, N, K, s.
+  /// Creates internal units: m, rad, N, K, s.
   Units();
 
-  /// `units: {length, angle, force, temperature, time}`; temperature and time may be left out (degC, s). Throws
+  /// Reads `units: {length, angle, force, temperature, time}`; temperature and time are optional (degC, s). Throws
   /// InputError for an unknown key or unit.
   explicit Units(const YamlNode& node);
 
   [[nodiscard]] double toInternal(double value, Dimension dimension) const;
 
-  /// Rounded to 12 significant digits, so that a number read and written again is the same decimal.
+  /// Returns a value in file units, rounded to 12 significant digits, so that a number read and written again has the
+  /// same decimals.
   [[nodiscard]] double toFile(double value, Dimension dimension) const;
 
   /// Convert values that may be absolute temperatures, or have a unit of their own.
   [[nodiscard]] double toInternal(double value, const deflection::ValueUnit& unit) const;
   [[nodiscard]] double toFile(double value, const deflection::ValueUnit& unit) const;
 
-  /// Internal units per unit of the file, for numbers that are scaled but not rounded (covariances, Jacobians).
+  /// Returns the internal units per unit of the file, for numbers that are scaled but not rounded (covariances,
+  /// Jacobians).
   [[nodiscard]] double factor(Dimension dimension) const;
 
-  /// "lbf*in/deg", "in^4", "1" for a plain number.
+  /// Returns the name of a dimension's unit: "lbf*in/deg", "in^4", "1" for a plain number.
   [[nodiscard]] std::string nameOf(Dimension dimension) const;
 
-  /// "degF", "percent", "" for a plain number.
+  /// Returns the name of a value's unit: "degF", "percent", "" for a plain number.
   [[nodiscard]] std::string nameOf(const deflection::ValueUnit& unit) const;
 
   [[nodiscard]] const Unit& length() const { return *length_; }
@@ -104,13 +106,13 @@ class Units {
   const Unit *length_, *angle_, *force_, *temperature_, *time_;  // rows of unitTable()
 };
 
-/// To 12 significant digits.
+/// Returns a value rounded to 12 significant digits.
 [[nodiscard]] double rounded(double value);
 
-/// The shortest decimal that is that number, after rounding to 12 significant digits.
+/// Returns the shortest decimal of a number after rounding to 12 significant digits.
 [[nodiscard]] std::string formatNumber(double value);
 
-/// One number, in file units.
+/// Returns a length [m] in file units.
 [[nodiscard]] inline double lengthOf(double metres, const Units& units) {
   return units.toFile(metres, dimension::kLength);
 }

@@ -1,4 +1,4 @@
-// The units of a document, which its reader compares.
+// Units in JSON documents, for readers to compare.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,10 +7,10 @@
 
 namespace tubeplan::app {
 
-/// {"length": "in", "angle": "deg", ...}.
+/// Returns the units as {"length": "in", "angle": "deg", ...}.
 [[nodiscard]] nlohmann::json unitsJson(const Units& units);
 
-/// Returns the units with the conditions that readings may state, as `conditions: [{name, unit}]`.
+/// Returns the units, with the conditions that readings may state as `conditions: [{name, unit}]`.
 [[nodiscard]] nlohmann::json readingUnitsJson(const Units& units);
 
 }  // namespace tubeplan::app

@@ -123,7 +123,7 @@ void removeLeftovers(const fs::path& folder, const std::string& name) {
 
 OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
     : path_(absoluteFolder(path, option)), option_(option), staged_(option) {
-  if (!path_.has_filename()) path_ = path_.parent_path();  // for a name that ends with a slash
+  if (!path_.has_filename()) path_ = path_.parent_path();  // removes a slash at the end
   std::error_code error;
   if (fs::exists(path_, error) && !fs::is_directory(path_)) failToWrite(option, path_, "a file, not a folder");
   made_.make(path_, option);

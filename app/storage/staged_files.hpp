@@ -56,7 +56,7 @@ class StagedFiles {
 class MadeFolders {
  public:
   MadeFolders() = default;
-  ~MadeFolders();  ///< removes those that are still empty
+  ~MadeFolders();  ///< removes the folders that are still empty
   MadeFolders(const MadeFolders&) = delete;
   MadeFolders& operator=(const MadeFolders&) = delete;
 
@@ -67,7 +67,7 @@ class MadeFolders {
   void sync(const std::string& option) const;
 
  private:
-  std::vector<std::filesystem::path> paths_;  ///< outermost first
+  std::vector<std::filesystem::path> paths_;  ///< created folders, outermost first
 };
 
 /// Lock on a folder or file for one program at a time, until its release or the end of the process. No lock file

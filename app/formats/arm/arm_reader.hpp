@@ -15,7 +15,7 @@ namespace tubeplan::app {
 struct ArmSource {
   deflection::Arm arm;
   Units units;
-  bool names_tool_axis = false;  ///< true: stated by the file; false: the default, which a cell may replace
+  bool names_tool_axis = false;  ///< true: the axis is stated; false: it is the default, which a cell may replace
   std::string pair;              ///< identifier of the pair with the cell written together with it; empty if none
 };
 

@@ -15,7 +15,7 @@
 namespace tubeplan::app {
 
 struct ControllerCalibration {
-  std::vector<double> theta, a, d, alpha;  ///< [rad, m], of equal size: one number for each joint
+  std::vector<double> theta, a, d, alpha;  ///< corrections [rad, m], one for each joint in each
   std::vector<std::string> remarks;        ///< doubts about the numbers that the controller's status raises
 };
 

@@ -15,8 +15,8 @@
 namespace tubeplan::app {
 
 struct RobotKinematics {
-  std::array<deflection::Origin<double>, 6> origins;  ///< [m, rad], from the base outwards
-  std::string hash;                                   ///< empty if the file has none
+  std::array<deflection::Origin<double>, 6> origins;  ///< origins of the joints [m, rad], from the base outwards
+  std::string hash;                                   ///< hash of the controller's numbers; empty if the file has none
 };
 
 /// Reads the map of such a file. Throws InputError for a joint or a number that is missing or unknown.

@@ -15,9 +15,9 @@ namespace tubeplan::app {
 /// New base of a cell. Touches from which it was found are written with it; those of an earlier base are removed.
 struct BaseChange {
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  std::optional<Matrix6d> covariance;  ///< as Cell::base_covariance; nothing keeps the file's
+  std::optional<Matrix6d> covariance;  ///< as Cell::base_covariance; nothing: that of the file is kept
   bool known = true;
-  std::optional<ModelError> model_error = {};  ///< nothing keeps the file's, unless it is from earlier touches
+  std::optional<ModelError> model_error = {};  ///< nothing: that of the file is kept, unless it is from earlier touches
   std::vector<calibration::Measurement> touches = {};
   const deflection::Arm* arm = nullptr;  ///< arm with the numbers fitted to the touches; null without touches
 };

@@ -26,7 +26,7 @@ struct SimulationRequest {
 
 /// Standard deviation of the base's place about that of the cell.
 struct BaseError {
-  double shift = 0, turn = 0;  // [m, rad]
+  double shift = 0, turn = 0;  // standard deviation of each coordinate [m] and about each axis [rad]
 };
 
 /// Complete inputs of a simulation.

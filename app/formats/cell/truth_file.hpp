@@ -16,7 +16,7 @@ struct TruthFile {
   const calibration::SimulatedCampaign& campaign;
   std::uint64_t seed = 1;
   double spread = 0;
-  double base_shift = 0, base_turn = 0;  ///< [m, rad]
+  double base_shift = 0, base_turn = 0;  ///< standard deviations of the base's place [m, rad]
 };
 
 /// Returns YAML in the cell's units: cell, design, seed, readings, sigma, encoder_sigma (by joint), spread, base_error;

@@ -16,9 +16,9 @@ inline constexpr int kLeastShareOfWriting = 20;  ///< minimum ratio of the pause
 
 /// Name of a file format, with the texts of the message for a damaged file.
 struct CheckpointFormat {
-  const char* name;      ///< "tubeplan plan memory 1"
-  const char* expected;  ///< "a file written by tubeplan plan"
-  const char* remedy;    ///< "remove it and plan again"
+  const char* name;      ///< name of the format: "tubeplan plan memory 1"
+  const char* expected;  ///< expected file: "a file written by tubeplan plan"
+  const char* remedy;    ///< advice: "remove it and plan again"
 };
 
 struct CheckpointFile {

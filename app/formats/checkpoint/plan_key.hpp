@@ -23,8 +23,8 @@ struct PlanKeyInputs {
   const planner::Workcell& model;  ///< model used for planning: base as calibrated, load, insertion
   const planner::VisitConditions& conditions;
   std::string compensation;
-  double standoff = 0;  ///< [m]
-  double padding = 0;   ///< [standard deviations of the base's place]
+  double standoff = 0;  ///< depth below the face where an approach begins [m]
+  double padding = 0;   ///< additional clearance [standard deviations of the base's place]
   std::uint64_t seed = 1;
   std::string from;  ///< fingerprint of the memory from which the plan begins; empty without
   planner::TravelKind travel = planner::TravelKind::kJoints;

@@ -20,8 +20,8 @@ namespace tubeplan::app {
 /// `is_stated` is true if its heading or the user states the unit.
 void requireOneForm(const ForeignTable& table, std::size_t column, bool is_stated);
 
-/// Returns true if a column is named an hour angle or a right ascension and all its numbers are in the range of hours
-/// (-12 to 12 or 0 to 24), so that they may be hours instead of degrees.
+/// Returns true if a column of degrees may be of hours: its name is an hour angle or a right ascension, and all its
+/// numbers are from -12 to 12 or from 0 to 24.
 [[nodiscard]] bool mayBeHours(const ForeignTable& table, std::size_t column);
 
 /// Throws InputError, with both interpretations, for a column of degrees that may be hours; `quantity` is the meaning

@@ -9,9 +9,9 @@
 namespace tubeplan::app {
 
 struct ChosenColumn {
-  std::size_t target = 0;  ///< index in columnTargets()
+  std::size_t target = 0;  ///< index of the quantity in columnTargets()
   std::size_t table = 0, column = 0;
-  const Unit* unit = nullptr;  ///< null if the name states none
+  const Unit* unit = nullptr;  ///< unit of the numbers; null if the name states none
   double factor = 1;           ///< factor of the numbers: after the column, * and a factor or / and a divisor
 };
 

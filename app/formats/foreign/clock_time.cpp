@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr double kDay = 86400;  // [s]
+constexpr double kDay = 86400;  // length of a day [s]
 constexpr std::array kDateOrders{DateOrder::kDayFirst, DateOrder::kMonthFirst};
 
 /// Returns the separator of a date before the time, if there is one: 2026-11-01, 3/5/2024, 3.5.2024.

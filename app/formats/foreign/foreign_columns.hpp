@@ -20,14 +20,13 @@ inline constexpr std::array kJointWords{"j", "joint", "axis", "a", "q", "theta",
 
 /// Quantity of a measurement table, with its names in other programs.
 struct ColumnTarget {
-  std::string quantity;          ///< "x", "theta1", "id"
+  std::string quantity;          ///< name of the quantity: "x", "theta1", "id"
   std::optional<UnitKind> unit;  ///< unit of the column quantity_UNIT, if it has one
   bool is_number = true;
   bool is_joint = false;
   std::vector<std::string> aliases = {};  ///< other names, as parseHeading() returns them
-  const WrittenForm* form =
-      nullptr;           ///< form for a target that is a number of it ("euler-zyx.z") and no column; else null
-  std::size_t part = 0;  ///< index of the number in the form
+  const WrittenForm* form = nullptr;      ///< form of which it is a number ("euler-zyx.z"); null for a column
+  std::size_t part = 0;                   ///< index of the number in the form
 };
 
 /// Returns all quantities that readings of an arm may state, in the order of a measurement table.
@@ -45,7 +44,7 @@ struct FormColumns {
 
 struct TakenColumn {
   std::string name;        ///< name in a measurement table: "x_mm"
-  std::size_t target = 0;  ///< index in columnTargets()
+  std::size_t target = 0;  ///< index of its quantity in columnTargets()
   std::size_t table = 0;
   std::size_t column = 0;
   double factor = 1;                                  ///< factor of its numbers
@@ -86,9 +85,9 @@ struct ColumnGuess {
 
 /// Returns the chosen columns and, for other quantities, the columns with matching headings; tables without headings
 /// are interpreted by their number of columns. If the readings need an orientation or a position without columns of its
-/// own, returns the columns of the only form that states it. Throws InputError for a chosen column that does not exist,
-/// for a quantity with two possible columns or an orientation with two possible forms, for a joint without a column,
-/// for a number without a unit and for a joint's degrees that may be hours.
+/// own, returns the columns of the only form that states it. Throws InputError for a missing chosen column, for a
+/// quantity with two possible columns or an orientation with two possible forms. It is also thrown for a joint without
+/// a column, for a number without a unit and for a joint's degrees that may be hours.
 [[nodiscard]] std::vector<TakenColumn> takeColumns(const std::vector<ForeignTable>& tables,
                                                    const std::vector<ColumnTarget>& targets, const ColumnChoice& choice,
                                                    const std::string& kind = {});

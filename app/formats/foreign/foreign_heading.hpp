@@ -10,8 +10,8 @@
 namespace tubeplan::app {
 
 struct ForeignHeading {
-  std::string name;            ///< lower-case letters and digits only: "Joint 1 [deg]" becomes "joint1"
-  const Unit* unit = nullptr;  ///< null if it states none
+  std::string name;            ///< name in lower-case letters and digits: "joint1" for "Joint 1 [deg]"
+  const Unit* unit = nullptr;  ///< stated unit; null if there is none
   bool is_count = false;       ///< true for counts of encoder pulses, which have no unit
 };
 

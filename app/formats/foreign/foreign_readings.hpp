@@ -15,9 +15,8 @@ struct ForeignRequest {
 };
 
 struct ForeignReadings {
-  std::string text;  ///< a measurement table as in docs/files.md
-  std::vector<std::string>
-      taken;  ///< sources of the columns, as "x_mm: X [mm] of points.txt", and changes of their values
+  std::string text;                   ///< a measurement table as in docs/files.md
+  std::vector<std::string> taken;     ///< sources of the columns: "x_mm: X [mm] of points.txt"; remarks on their values
   std::vector<std::string> left_out;  ///< unused columns and rows, a sentence each
   std::vector<std::string> origins;   ///< source of each row: "log.csv:9", or "log.csv:9 and points.txt:4"
 };

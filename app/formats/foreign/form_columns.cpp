@@ -16,7 +16,7 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr double kSame = 1e-9;  // [rad] or [m]
+constexpr double kSame = 1e-9;  // tolerance for equal values of two forms [rad] or [m]
 
 /// Returns true if a column is the only one possible for a joint.
 bool isOnlyJoint(const FormSearch& search, std::size_t table, std::size_t column) {

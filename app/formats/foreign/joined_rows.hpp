@@ -10,9 +10,9 @@
 namespace tubeplan::app {
 
 struct JoinedRows {
-  std::vector<std::vector<std::size_t>> rows;  ///< row k of the readings is row rows[t][k] of table t
+  std::vector<std::vector<std::size_t>> rows;  ///< matching rows: reading k has row rows[t][k] of table t
   std::size_t lead = 0;                        ///< table whose rows the others match
-  std::string how;                             ///< "by name", "row by row"; empty for one table
+  std::string how;                             ///< way of matching: "by name", "row by row"; empty for one table
   std::vector<std::string> left_out;           ///< rows without a match, a sentence for each table
 };
 

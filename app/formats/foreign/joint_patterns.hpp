@@ -13,7 +13,7 @@ namespace tubeplan::app {
 /// Columns of one table, one for each joint of the chain to the tip.
 struct JointColumns {
   std::size_t table = 0;
-  std::vector<std::size_t> columns;  ///< in the order of the joints
+  std::vector<std::size_t> columns;  ///< columns in the order of the joints
 
   friend bool operator==(const JointColumns&, const JointColumns&) = default;
 };

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kAltazNumbers = 4, kStarNumbers = 14, kMeanNumbers = 17, kMostAuxiliary = 3;
 constexpr std::size_t kSiderealMinutesAt = 13;
-constexpr std::size_t kEquinoxAt = 8;  // for rows with proper motions; other rows have seconds there
+constexpr std::size_t kEquinoxAt = 8;  // index of the equinox in rows with proper motions, of seconds in others
 
 class PointingParser {
  public:
@@ -153,7 +153,7 @@ class PointingParser {
   ForeignTable table_;
   std::size_t width_ = 0;  ///< numbers in each observation
   bool is_stars_ = false;
-  double greatest_refraction_ = 0;  ///< [deg]
+  double greatest_refraction_ = 0;  ///< largest refraction of the observations [deg]
 };
 
 }  // namespace

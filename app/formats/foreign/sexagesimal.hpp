@@ -13,7 +13,7 @@ inline constexpr double kDegreesPerHour = 15;
 enum class SixtiethForm { kColons, kBlanks, kHours, kDegrees };
 
 struct Sexagesimal {
-  double value = 0;  ///< hours or degrees, as the form states
+  double value = 0;  ///< angle in hours or degrees, as the form states
   SixtiethForm form = SixtiethForm::kColons;
 };
 

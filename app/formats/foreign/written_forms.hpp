@@ -48,7 +48,7 @@ struct WrittenForm {
   Stated stated;
   std::vector<FormNumber> numbers;
   std::vector<FormHeadings> headings;
-  Eigen::Vector3d (*read)(const FormNumbers& numbers);  ///< roll, pitch, yaw [rad], or x, y, z [m]
+  Eigen::Vector3d (*read)(const FormNumbers& numbers);  ///< returns roll, pitch, yaw [rad], or x, y, z [m]
   FormFit (*fit)(const FormNumbers& numbers);
   const char* usual;  ///< rule for its numbers, as a clause after its name
 };

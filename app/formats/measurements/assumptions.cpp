@@ -24,7 +24,7 @@ const calibration::MistakeKind* mistakeOf(const std::string& assumption) {
   return calibration::findMistakeKind(assumption.substr(0, assumption.find('=')));
 }
 
-/// `is_sigma_settled`: an assumption of its own says what the noise is.
+/// Applies one assumption; `is_sigma_settled` is true if another assumption states the noise.
 void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable& table, Cell& cell) {
   const std::size_t equals = assumption.find('=');
   const std::string name = assumption.substr(0, equals);
@@ -43,8 +43,8 @@ void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable
   if (mend->frees_base) cell.base_known = false;
 }
 
-/// What an assumption is about: two of one subject cannot both hold. A unit is of what stands before it; of any other
-/// kind the value belongs to the subject, since there may be several of it.
+/// Returns the subject of an assumption; of two with the same subject only one can hold. A unit's subject is the text
+/// before it. For any other kind the value is part of the subject, since several values may hold.
 std::string subjectOf(const std::string& assumption) {
   const std::size_t equals = assumption.find('=');
   const auto* kind = mistakeOf(assumption);
@@ -53,7 +53,7 @@ std::string subjectOf(const std::string& assumption) {
   return assumption.substr(0, colon == std::string::npos ? equals : colon);
 }
 
-/// Of several about one subject the last.
+/// Returns the last assumption about each subject.
 std::vector<std::string> inForce(const std::vector<std::string>& assume) {
   std::vector<std::string> kept;
   for (const auto& text : assume)

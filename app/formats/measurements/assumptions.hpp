@@ -1,4 +1,4 @@
-// What a user says is wrong with readings (--assume), and the readings mended accordingly, in memory.
+// Assumptions of the user about errors in readings (--assume), and readings corrected accordingly in memory.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace tubeplan::app {
 
-/// The assumption that nothing is wrong, whatever it looks like.
+/// Name of the assumption that nothing is wrong, despite the checks.
 inline constexpr const char* kAsIs = "as-is";
 
-/// "coordinates=UNIT, loads=UNIT, ...".
+/// Returns the syntax of all assumptions: "coordinates=UNIT, loads=UNIT, ...".
 [[nodiscard]] std::string assumptionsText();
 
-/// Takes each NAME=VALUE in turn, as calibration::mistakeKinds() has them; of two that cannot both hold, as two units
-/// of the coordinates, the last. True where `as-is` is among them: what looks wrong is to be gone on with. Throws
-/// InputError for a name or value that there is not.
+/// Applies each NAME=VALUE in turn, as in calibration::mistakeKinds(). Of contradictory ones, such as two units of the
+/// coordinates, the last one applies. Returns true if `as-is` is among them, which allows readings that look wrong.
+/// Throws InputError for an unknown name or value.
 bool takeAssumptions(const std::vector<std::string>& assume, MeasurementTable& table, Cell& cell);
 
 }  // namespace tubeplan::app

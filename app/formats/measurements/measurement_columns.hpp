@@ -1,4 +1,4 @@
-// The columns of a measurement table: which one holds what, in which unit.
+// Columns of a measurement table: their indices, units and meanings.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@
 
 namespace tubeplan::app {
 
-/// A column of numbers and the unit its name carries.
+/// Column of numbers with the unit in its name.
 struct NumberColumn {
   std::size_t index = 0;
-  const Unit* unit = nullptr;  ///< null: a plain number
+  const Unit* unit = nullptr;  ///< unit in the name; null for a plain number
   std::string name;
 };
 
-/// The columns of three numbers that belong together.
+/// Columns of the three components of a vector.
 using ColumnTriple = std::array<std::optional<NumberColumn>, 3>;
 
 struct MeasurementColumns {
@@ -29,28 +29,30 @@ struct MeasurementColumns {
   std::optional<NumberColumn> load, sigma, turn_sigma;
   deflection::OfEachCondition<std::optional<NumberColumn>> conditions;
   ColumnTriple place, tool_point, sigmas, correlations, direction, force, moment;
-  std::vector<NumberColumn> joints;              ///< one for each active row
-  std::vector<NumberColumn> side_joints;         ///< one for each joint of a side chain
-  std::vector<std::size_t> approach_directions;  ///< one for each active row, or none
-  std::map<std::string, NumberColumn> own;       ///< by name, of the kinds' own
+  std::vector<NumberColumn> joints;              ///< columns of the joints, one for each active row
+  std::vector<NumberColumn> side_joints;         ///< columns of the joints of side chains
+  std::vector<std::size_t> approach_directions;  ///< columns `<joint>_dir`, one for each active row, or empty
+  std::map<std::string, NumberColumn> own;       ///< columns of the kinds' own quantities, by name
 };
 
-/// Before the name of a joint: where it will stand, of a reading that is proposed and measures it.
+/// Prefix of a joint's name in the columns of proposed readings that measure the joint: its expected value.
 inline constexpr const char* kNearPrefix = "near_";
 
-/// What to do with a table that another program wrote.
+/// Advice for a table from another program.
 inline constexpr const char* kReadForeign = "let `tubeplan readings` make a measurement table of the file";
 
-/// In which units numbers of that quantity may stand.
+/// Returns the kind of units for numbers of a quantity.
 [[nodiscard]] UnitKind unitKindOf(deflection::Quantity quantity);
 
-/// Of a joint's reading.
+/// Returns the kind of units for a joint's readings.
 [[nodiscard]] UnitKind unitKindOf(const deflection::Joint<double>& joint);
 
-/// The column of a condition: in the file's unit, `temperature_degF`, or in its own, `humidity_percent`.
+/// Returns the name of a condition's column: with the file's unit, `temperature_degF`, or with its own,
+/// `humidity_percent`.
 [[nodiscard]] std::string conditionColumn(const deflection::ConditionKind& kind, const Units& units);
 
-/// Throws InputError for columns that are unknown, missing, twice there in two units, or without a known unit.
+/// Returns the columns of a table. Throws InputError for columns that are unknown or missing, occur in two units, or
+/// have no known unit.
 [[nodiscard]] MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::string& file,
                                              const deflection::Arm& arm);
 

@@ -30,7 +30,7 @@ Eigen::VectorXd readJoints(const RowReader& row, const std::vector<NumberColumn>
   return q;
 }
 
-/// Three numbers that are there together or not at all.
+/// Returns three numbers that must be given together; nothing if all are missing.
 std::optional<Eigen::Vector3d> readTriple(const RowReader& row, const ColumnTriple& columns, const char* names) {
   const Eigen::Vector3d numbers(row.numberOrNaN(columns[0]), row.numberOrNaN(columns[1]), row.numberOrNaN(columns[2]));
   const auto missing = numbers.array().isNaN().count();
@@ -46,7 +46,7 @@ std::optional<calibration::TipWrench> readWrench(const RowReader& row, const Mea
   return calibration::TipWrench{force.value_or(Eigen::Vector3d::Zero()), moment.value_or(Eigen::Vector3d::Zero())};
 }
 
-/// Standard deviations of the coordinates apart, of kinds that measure them.
+/// Returns individual standard deviations of the coordinates, for kinds that measure them.
 std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const MeasurementColumns& columns,
                                           const MeasurementKindRow& kind) {
   const auto sigmas = readTriple(row, columns.sigmas, "coordinates' sigma_x, sigma_y, sigma_z");
@@ -59,7 +59,7 @@ std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const Measuremen
   return sigmas;
 }
 
-/// How the errors of the coordinates go together, beside their standard deviations.
+/// Returns the correlations of the coordinates' errors, which require individual standard deviations.
 std::optional<Eigen::Vector3d> readCorrelations(const RowReader& row, const MeasurementColumns& columns,
                                                 const std::optional<Eigen::Vector3d>& sigmas) {
   const auto correlations = readTriple(row, columns.correlations, "correlations rho_xy, rho_xz, rho_yz");
@@ -86,7 +86,7 @@ std::optional<Eigen::Vector3d> directionOfRow(const RowReader& row, const Measur
   return direction->normalized();
 }
 
-/// The row of the arm whose frame is read, by its name; nothing said: the tool.
+/// Returns the row of the arm whose frame is read, by its name; nothing for the tool.
 std::optional<int> readRowOfArm(const RowReader& row, const MeasurementColumns& columns, const MeasurementKindRow& kind,
                                 const deflection::Arm& arm) {
   const std::string name = row.textOr(columns.row);
@@ -131,7 +131,7 @@ bool readSplit(const RowReader& row, const std::optional<std::size_t>& column) {
   return true;
 }
 
-// The sheet's frame is the world's.
+// Returns the centre of a hole by its name; the sheet's frame is the world's.
 std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const MeasurementColumns& columns,
                                           const std::string& point, const tubesheets::Sheet* sheet) {
   const auto name = tubesheets::parseTubeName(point);
@@ -143,7 +143,7 @@ std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const Measuremen
   return Eigen::Vector3d(tube->x, tube->y, 0);
 }
 
-/// "distance_in (or _mm, _cm, _m, _ft)"
+/// Returns a column's name with all possible units: "distance_in (or _mm, _cm, _m, _ft)".
 std::string columnText(const calibration::MeasuredColumn& column) {
   if (column.quantity == deflection::Quantity::kNone) return column.name;
   const auto units = unitNames(unitKindOf(column.quantity));
@@ -159,7 +159,7 @@ Eigen::Vector3d readOwn(const RowReader& row, const MeasurementColumns& columns,
   return own;
 }
 
-/// Kinds that measure some of their numbers need one, the others all.
+/// Throws InputError for too few of the kind's own numbers: some kinds need one, the others all.
 void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
   if (calibration::statesEnough(m)) return;
   const std::size_t count = kind.columns.size();
@@ -190,7 +190,7 @@ void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measu
 }  // namespace
 
 double RowReader::number(std::size_t index) const {
-  constexpr double kMost = 1e30;  // beyond any quantity, and its squares can still be summed
+  constexpr double kMost = 1e30;  // larger than any quantity, but with squares that can be summed
   const auto value = tubesheets::parseNumber(field(index));
   if (!value)
     fail(index, field(index).empty() ? "nothing" : inQuotes(field(index)), "a finite number",

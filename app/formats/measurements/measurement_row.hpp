@@ -1,4 +1,4 @@
-// One line of a table of measurements.
+// Reader of one row of a measurement table.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace tubeplan::app {
 
-/// One row of the table, for reading its fields and complaining about them.
+/// Row of a table with functions to read its fields and to report errors in them.
 class RowReader {
  public:
   RowReader(const tubesheets::CsvTable& table, const tubesheets::CsvRow& row, const std::string& file)
@@ -23,9 +23,9 @@ class RowReader {
   [[nodiscard]] const std::string& field(std::size_t index) const { return row_.fields[index]; }
   [[nodiscard]] std::string textOr(const std::optional<std::size_t>& index) const { return index ? field(*index) : ""; }
   [[nodiscard]] double number(std::size_t index) const;
-  [[nodiscard]] double number(const NumberColumn& column) const;  ///< in internal units
+  [[nodiscard]] double number(const NumberColumn& column) const;  ///< returns the number in internal units
 
-  /// NaN where there is no such column or nothing in it.
+  /// Returns NaN if there is no such column or its field is empty.
   [[nodiscard]] double numberOrNaN(const std::optional<NumberColumn>& column) const;
 
   [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected,
@@ -41,12 +41,13 @@ class RowReader {
   const std::string& file_;
 };
 
-/// The reading of a row; one that is taken from another has none yet. Throws InputError naming line and column.
+/// Returns the reading of a row; one relative to another reading has no reference yet. Throws InputError naming line
+/// and column.
 [[nodiscard]] calibration::Measurement readMeasurement(const RowReader& row, const MeasurementColumns& columns,
                                                        const deflection::Arm& arm, const tubesheets::Sheet* sheet);
 
-/// The reading that a relative one is taken from, by its id: any other of the same set-up, whatever its kind. `known`
-/// has the reading of every id.
+/// Returns the reference of a relative reading, by its id: any other reading of the same set-up, of any kind. `known`
+/// has the readings by id. Throws InputError naming line and column.
 [[nodiscard]] std::shared_ptr<const calibration::Measurement> readReference(
     const RowReader& row, const MeasurementColumns& columns,
     const std::map<std::string, const calibration::Measurement*>& known, const calibration::Measurement& m);

@@ -23,7 +23,7 @@ namespace {
 
 using calibration::Measurement, calibration::MeasuredColumn, calibration::ProposedMeasurement;
 
-/// A column of the table: its name, and what a reading has there.
+/// Column of the table: its name, and the function that returns a reading's field.
 struct Column {
   std::string name;
   std::function<std::string(const Measurement&)> field;
@@ -44,12 +44,12 @@ std::string columnName(const MeasuredColumn& column, const Units& units) {
   return fmt::format("{}_{}", column.name, units.nameOf(dimensionOf(column.quantity)));
 }
 
-/// Whether its joints are what is measured.
+/// Returns true if the measured values of a reading are its joints.
 bool isMeasuredByJoints(const Measurement& reading) {
   return calibration::valueColumnsOf(calibration::kindOf(reading)).has_joints;
 }
 
-/// What the readings are: made, or to be made.
+/// Kind of table: finished readings, or readings to be made.
 enum class TableOf { kReadings, kRunSheet };
 
 class Table {
@@ -114,7 +114,7 @@ class Table {
       });
   }
 
-  /// Of a run sheet, whether the joints are still to be read.
+  /// Returns true for a reading of a run sheet whose joints are still to be measured.
   [[nodiscard]] bool isBlank(const Measurement& m) const { return is_sheet_ && isMeasuredByJoints(m); }
 
   [[nodiscard]] std::string jointField(const Measurement& m, Eigen::Index k) const {
@@ -174,7 +174,7 @@ class Table {
           [this](const auto& m) { return numberOrNothing(units_.toFile(m.turn_sigma, dimension::kAngle)); });
   }
 
-  /// The own columns of every kind that the readings have.
+  /// Adds the own columns of all kinds among the readings.
   void addOwn() {
     std::set<std::string> added;
     for (const auto& kind : calibration::measurementKinds()) {

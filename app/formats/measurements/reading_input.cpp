@@ -30,7 +30,8 @@ namespace {
 
 using calibration::Identification, calibration::Measurement;
 
-/// Set-ups of the cell that no reading names: a name mistyped would leave its rows compliant without a word.
+/// Returns warnings about set-ups of the cell that no reading names. With a mistyped name the rows of such a set-up
+/// would be compliant without notice.
 std::vector<std::string> unnamedSetups(const deflection::Arm& arm, const std::vector<Measurement>& readings) {
   std::vector<std::string> named, warnings;
   for (const auto& reading : readings)
@@ -44,10 +45,11 @@ std::vector<std::string> unnamedSetups(const deflection::Arm& arm, const std::ve
   return warnings;
 }
 
-/// Touches of places that nobody measured reward a smaller arm: nothing in them is a length, but of a ball its radius.
+/// Returns a warning about a fit that may have shrunk the arm. Touches of points at unknown positions contain no
+/// length, except a ball's radius, and a smaller arm fits them better.
 std::string shrunkenArm(const Identification& result, const std::vector<Measurement>& readings) {
-  constexpr double kTooGood = 0.5;  // of chi-square per degree of freedom
-  constexpr int kMany = 30;         // degrees of freedom from which that is no chance
+  constexpr double kTooGood = 0.5;  // limit of chi-square per degree of freedom
+  constexpr int kMany = 30;         // degrees of freedom from which this cannot be chance
   const bool is_blind = std::all_of(readings.begin(), readings.end(), [](const Measurement& reading) {
     return hasUnknownPlace(reading) && std::isnan(reading.own[0]);
   });
@@ -70,7 +72,8 @@ void settleCounts(std::vector<Measurement>& readings, const Cell& cell, const st
   settleSteps(readings, *cell.tool, file);
 }
 
-/// A reading of nothing but angles has their noise at the lever as its own.
+/// Checks the noise of a reading's angles; a reading of angles only gets it, at the lever's length, as its sigma.
+/// Throws InputError if it is missing.
 void stateTurnSigma(Measurement& reading, const std::string& file, const Cell& cell) {
   const auto& kind = kindOf(reading);
   if (kind.turn_rows == 0) return;
@@ -127,7 +130,7 @@ CellReadings readCellReadings(const std::string& cell, const ReadingFiles& measu
 
 namespace {
 
-/// Of what has no column: the cell's.
+/// Sets the units of quantities without a column to those of the cell.
 void nameUnits(const Cell& cell, calibration::ReadingUnits& units) {
   const auto name = [](const Unit& unit, calibration::NamedUnit& named) {
     if (named.name.empty()) named = {std::string(unit.name), unit.factor};
@@ -147,10 +150,10 @@ bool isAnyPastLimits(const MeasurementTable& table, const Cell& cell) {
                              [&](const Measurement& reading) { return isPastLimits(reading, cell.arm); });
 }
 
-/// What to do about joint readings past their limits: the mistake that would bring them back, where there is one.
+/// Advice for joint readings past their limits: a mistake that would explain them, if there is one.
 struct LimitAdvice {
   std::string text;
-  bool brings_back = false;  ///< by what it says all readings are within
+  bool brings_back = false;  ///< true: after its correction all readings are within limits
 };
 LimitAdvice adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
   const auto checks = calibration::checkMeasurements(asChecked(table, cell));
@@ -162,8 +165,8 @@ LimitAdvice adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
   return {fmt::format("{}? try --assume {}", mistake->sentence, mistake->assume), !isAnyPastLimits(mended, of_mended)};
 }
 
-/// Takes readings a whole turn back within their limits, unless a mistake that brings all of them within explains them
-/// otherwise. Throws InputError for those that stay past, with the advice.
+/// Shifts readings by a whole turn to within their limits, unless the correction of a mistake would bring all of them
+/// within. Throws InputError, with the advice, for readings that stay past their limits.
 std::optional<calibration::MeasurementCheck> settleLimits(MeasurementTable& table, const std::string& file,
                                                           const Cell& cell) {
   if (!isAnyPastLimits(table, cell)) return std::nullopt;
@@ -185,7 +188,7 @@ MeasurementTable tableOf(const std::string& text, const std::string& file, const
   return table;
 }
 
-/// The tables one after another, every reading with an id of its own.
+/// Returns the joined tables of all files. Throws InputError for an id that occurs twice.
 MeasurementTable tableOfAll(const ReadingFiles& files, const Cell& cell, const MeasurementOptions& options) {
   MeasurementTable all;
   std::set<std::string> ids;

@@ -1,4 +1,4 @@
-// What commands that fit readings of any kind ask of them beside what the file must have.
+// Input of commands that fit readings of any kind, with checks beyond those of the file's format.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@
 
 namespace tubeplan::app {
 
-/// Gives every reading a sigma: its own, else `sigma` (in the cell's length unit; 0: not given), else for a touch that
-/// of the cell's calibration tool. Throws InputError where none is known.
+/// Sets the sigma of every reading without one: to `sigma` (in the cell's length unit; 0: not given), else for a touch
+/// to that of the cell's calibration tool. Throws InputError if none is known.
 void stateSigma(std::vector<calibration::Measurement>& readings, const Cell& cell, const std::string& file,
                 double sigma);
 
@@ -21,62 +21,63 @@ void stateSigma(std::vector<calibration::Measurement>& readings, const Cell& cel
 void requireDefinedFormulas(const std::vector<calibration::Measurement>& readings, const Cell& cell,
                             const std::string& file);
 
-/// The readings of a measurement file as fits want them: each with a sigma (stateSigma), all formulas of the cell
-/// defined (requireDefinedFormulas). Throws InputError.
+/// Returns the readings of a measurement file for a fit: each with a sigma (stateSigma), and with all formulas of the
+/// cell defined (requireDefinedFormulas). Throws InputError.
 [[nodiscard]] std::vector<calibration::Measurement> readReadings(const std::string& file, const Cell& cell,
                                                                  double sigma = 0);
 
-/// A cell and the readings that its model is fitted to or judged by.
+/// Cell with the readings to which its model is fitted, or by which it is judged.
 struct CellReadings {
   Cell cell;
-  std::string file;  ///< of the readings, for messages
+  std::string file;  ///< name of the readings' file in messages
   std::vector<calibration::Measurement> readings;
-  calibration::MeasurementChecks checks = {};  ///< what looks wrong with them
+  calibration::MeasurementChecks checks = {};  ///< findings about readings that look wrong
 };
 
-/// What a user may say of readings and of what is known beforehand, beside their files.
+/// Options about readings and prior knowledge, in addition to the files.
 struct MeasurementOptions {
-  double sigma = 0;                 ///< in the cell's length unit; 0: not given
-  std::vector<std::string> priors;  ///< as takePriors() wants them
-  std::vector<std::string> assume;  ///< as takeAssumptions() wants them
+  double sigma = 0;                 ///< noise of readings, in the cell's length unit; 0: not given
+  std::vector<std::string> priors;  ///< priors in the syntax of takePriors()
+  std::vector<std::string> assume;  ///< assumptions in the syntax of takeAssumptions()
 };
 
-/// Readings, and what looks wrong with them.
+/// Readings with findings about those that look wrong.
 struct ReadingsWithChecks {
   std::vector<calibration::Measurement> readings;
   calibration::MeasurementChecks checks;
 };
 
-/// Files of readings, one after another: "one.csv + two.csv".
+/// Files of readings to be joined, with the name "one.csv + two.csv" in messages.
 using ReadingFiles = std::vector<std::string>;
 [[nodiscard]] std::string nameOf(const ReadingFiles& files);
 
-/// readReadings() of files taken together, with the mistakes looked for; those that `options.assume` names are mended
-/// first, in the readings and, for a base that is not known after all, in the cell. Throws InputError.
+/// Reads files as readReadings() does, joins them and checks for mistakes. First corrects the mistakes named in
+/// `options.assume`: in the readings and, for a base that is not known, in the cell. Throws InputError.
 [[nodiscard]] ReadingsWithChecks readAndCheck(const ReadingFiles& files, Cell& cell, const MeasurementOptions& options);
 
-/// The same from text.
+/// Reads and checks a text of readings as readAndCheck() does; `file` is its name in messages. Throws InputError.
 [[nodiscard]] ReadingsWithChecks parseAndCheck(const std::string& text, const std::string& file, Cell& cell,
                                                const MeasurementOptions& options);
 
-/// Both from their files, the readings as by readReadings. Throws InputError.
+/// Reads a cell and its readings from their files, the readings by readAndCheck(). Throws InputError.
 [[nodiscard]] CellReadings readCellReadings(const std::string& cell, const ReadingFiles& measurements,
                                             const MeasurementOptions& options = {});
 
-/// Readings from text; ways may also be taken from readings that were read before.
+/// Returns the readings of a text as readReadings() does; relative readings may also refer to those in `before`. Throws
+/// InputError.
 [[nodiscard]] std::vector<calibration::Measurement> parseReadings(
     const std::string& text, const std::string& file, const Cell& cell, double sigma = 0,
     const std::vector<calibration::Measurement>& before = {});
 
-/// Readings that do not determine enough, as bad input of their file: with the line where one reading is to blame.
+/// Returns the error for readings that do not determine enough, with the line if a single reading is the cause.
 [[nodiscard]] InputError inputErrorOf(const calibration::ReadingProblem& problem,
                                       const std::vector<calibration::Measurement>& readings, const std::string& file);
 
-/// Plain sentences about a fit that looks wrong though its readings do not.
+/// Returns sentences about a fit that looks wrong although its readings do not.
 [[nodiscard]] std::vector<std::string> fitWarnings(const calibration::Identification& result,
                                                    const std::vector<calibration::Measurement>& readings);
 
-/// Readings that do not determine what is free, as bad input of their file.
+/// Returns the error for readings that do not determine the free parameters, or for a cell without any.
 [[nodiscard]] InputError refusalOf(const std::optional<calibration::ReadingProblem>& problem, const std::string& reason,
                                    const CellReadings& input);
 

@@ -19,7 +19,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// A type of numbers, under both of its names.
+/// Type of numbers, with both of its names.
 struct NumberType {
   std::string_view name, sized_name;
   std::size_t size;
@@ -43,7 +43,7 @@ constexpr std::array<NumberType, 8> kNumberTypes{{{"char", "int8", 1, valueOf<st
                                                   {"double", "float64", 8, valueOf<double>}}};
 
 struct PlyProperty {
-  const NumberType* count = nullptr;  ///< of a list: the type of its length
+  const NumberType* count = nullptr;  ///< type of a list's length; null for other properties
   const NumberType* value = nullptr;
   std::string_view name;
 };
@@ -99,7 +99,7 @@ PlyProperty readProperty(TextWords& words) {
   return property;
 }
 
-/// To the end of the line of end_header.
+/// Reads up to the end of the line of end_header.
 PlyHeader readHeader(TextWords& words) {
   PlyHeader header;
   if (const auto word = words.next(); word != "ply") words.fail(word, "ply");
@@ -119,7 +119,7 @@ PlyHeader readHeader(TextWords& words) {
   return header;
 }
 
-/// The numbers after the header, one by one.
+/// Numbers after the header, read one by one.
 class PlyNumbers {
  public:
   PlyNumbers(PlyEncoding encoding, TextWords& words, const std::string& bytes, const std::string& name)
@@ -127,7 +127,7 @@ class PlyNumbers {
 
   double next(const NumberType& type) { return encoding_ == PlyEncoding::kText ? nextWord() : nextBytes(type); }
 
-  /// From 0 to what an int holds.
+  /// Returns a whole number from 0 to the maximum of an int. Throws InputError for other numbers.
   int nextIndex(const NumberType& type) {
     const double number = next(type);
     if (number < 0 || number > std::numeric_limits<int>::max() || number != std::floor(number))
@@ -169,7 +169,7 @@ void skip(PlyNumbers& numbers, const PlyProperty& property) {
 
 constexpr std::string_view kAxes = "xyz";
 
-/// Which of them it is; none for other properties.
+/// Returns the axis of a vertex property; nothing for other properties.
 std::optional<int> axisOf(const PlyProperty& property) {
   const bool is_one = !property.count && property.name.size() == 1;
   const std::size_t axis = is_one ? kAxes.find(property.name[0]) : std::string_view::npos;
@@ -214,7 +214,7 @@ void readFaces(const PlyElement& element, PlyNumbers& numbers, const std::string
   }
 }
 
-/// An element without properties has nothing to read, however many there are of it.
+/// Reads all elements; those without properties are skipped at once, whatever their number.
 void readElements(const PlyHeader& header, PlyNumbers& numbers, const std::string& name, PolygonMesh& mesh) {
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") {

@@ -1,8 +1,9 @@
-// What the three formats of meshes say, before it is cut into triangles. Each reader takes a file's bytes and its name
-// for messages, and throws InputError, with the line where it is a text, for what its format does not allow.
+// Polygons of the three mesh formats, before their division into triangles. Each parser takes a file's bytes and its
+// name for messages. It throws InputError for violations of its format, with the line in a text.
 //
-// They are our own because the libraries at hand do not bear damaged files: of assimp 5.2.5 the reader of OBJ reads
-// beyond its text, that of PLY never ends, that of STL overruns a buffer, each found within a minute (tests/fuzz).
+// The parsers are our own because the available libraries do not tolerate damaged files. In assimp 5.2.5 the reader of
+// OBJ reads beyond its text, that of PLY does not terminate, and that of STL overruns a buffer; fuzzing found each
+// within a minute (tests/fuzz).
 #pragma once
 
 #include <Eigen/Core>
@@ -13,10 +14,10 @@ namespace tubeplan::app {
 
 struct PolygonMesh {
   std::vector<Eigen::Vector3d> vertices;
-  std::vector<int> corners;      ///< numbers of vertices, from 0, face after face; not yet known to exist
-  std::vector<std::size_t> end;  ///< of each face in corners
+  std::vector<int> corners;      ///< indices of vertices, from 0, face after face, not yet checked to exist
+  std::vector<std::size_t> end;  ///< end of each face in corners
 
-  /// Closes the face whose corners were appended since the last one; false where they are fewer than three.
+  /// Closes the face of the corners appended since the last one; returns false if they are fewer than three.
   [[nodiscard]] bool endFace() {
     const std::size_t begin = end.empty() ? 0 : end.back();
     end.push_back(corners.size());
@@ -24,11 +25,11 @@ struct PolygonMesh {
   }
 };
 
-/// Text or binary, whichever it is.
+/// Parses an STL file, text or binary.
 [[nodiscard]] PolygonMesh parseStl(const std::string& bytes, const std::string& name);
-/// Vertices and faces; normals, textures, groups, lines and points are left out.
+/// Parses vertices and faces of an OBJ file; normals, textures, groups, lines and points are ignored.
 [[nodiscard]] PolygonMesh parseObj(const std::string& bytes, const std::string& name);
-/// The elements "vertex" and "face" of a text or of either binary kind; others are left out.
+/// Parses the elements "vertex" and "face" of a PLY file, text or either binary encoding; others are ignored.
 [[nodiscard]] PolygonMesh parsePly(const std::string& bytes, const std::string& name);
 
 }  // namespace tubeplan::app

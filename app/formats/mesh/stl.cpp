@@ -16,7 +16,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL files are read as they are");
 
-// Of a binary file: 80 bytes of any text, the number of triangles, and of each its normal, corners and two bytes more.
+// Sizes in bytes of a binary file: 80 of any text and 4 for the number of triangles; 50 for each triangle, 12 of them
+// for its normal.
 constexpr std::size_t kHeader = 84, kTriangle = 50, kNormal = 12;
 
 std::size_t triangleCount(const std::string& bytes) {
@@ -25,7 +26,7 @@ std::size_t triangleCount(const std::string& bytes) {
   return count;
 }
 
-/// Many programs begin a binary file with "solid" too; its length tells.
+/// Returns true for a text file. Many programs begin binary files with "solid" too, so their length decides.
 bool isText(const std::string& bytes) {
   if (bytes.size() >= kHeader && bytes.size() == kHeader + kTriangle * triangleCount(bytes)) return false;
   TextWords words(bytes, "");
@@ -64,8 +65,8 @@ void endTriangle(const TextWords& words, PolygonMesh& mesh) {
   if (!is_whole) words.fail("endfacet", "it after three vertices");
 }
 
-/// The names of solids are any text to the end of their lines. A file that stops before the end of its solid lacks
-/// triangles that nothing else tells of.
+/// Parses a text file. The names of solids are any text to the ends of their lines. The end of each solid is required,
+/// because nothing else reveals missing triangles.
 PolygonMesh parseText(const std::string& bytes, const std::string& name) {
   TextWords words(bytes, name);
   PolygonMesh mesh;

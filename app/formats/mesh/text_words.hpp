@@ -1,4 +1,4 @@
-// A text word by word, which knows its line.
+// Reader of a text word by word that counts lines for messages.
 #pragma once
 
 #include <string>
@@ -8,23 +8,23 @@ namespace tubeplan::app {
 
 class TextWords {
  public:
-  /// Of a text that outlives it; `name` is the file's, for messages.
+  /// Refers to a text that outlives it; `name` is the file's name in messages.
   TextWords(std::string_view text, std::string name);
 
-  /// The next word, over ends of lines too; empty at the end of the text.
+  /// Returns the next word on this line or a later one; empty at the end of the text.
   std::string_view next();
-  /// The next word of this line; empty where the line ends. A backslash at its end carries it on.
+  /// Returns the next word of this line; empty at its end. A backslash at the end of a line continues it on the next.
   std::string_view nextInLine();
-  /// Leaves the rest of this line out, and its end.
+  /// Skips the rest of this line, with its end.
   void skipLine();
 
-  /// The next word of this line, which must be a finite number.
+  /// Returns the next word of this line as a number. Throws InputError unless it is finite.
   double number();
 
   [[nodiscard]] bool atEnd() const { return at_ == text_.size(); }
-  [[nodiscard]] std::size_t position() const { return at_; }  ///< of the byte after what was read
+  [[nodiscard]] std::size_t position() const { return at_; }  ///< index of the byte after the last one read
 
-  /// Throws InputError at this line; an empty `found` stands for the end of the line or the file.
+  /// Throws InputError at this line; an empty `found` means the end of the line or the file.
   [[noreturn]] void fail(std::string_view found, const std::string& expected) const;
 
  private:

@@ -1,5 +1,4 @@
-// The numbers of a path's rows, in the file's units: what distinguishes a path from an altered one, or from another
-// plan's.
+// Numbers of a path's rows in the file's units, to distinguish a path from an altered one or from another plan's.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,10 +9,10 @@ namespace tubeplan::app {
 
 class PathNumbers {
  public:
-  /// Of one row; `segment` as the file counts, from 1.
+  /// Adds one row; `segment` counts from 1, as in the file.
   void add(double time, int segment, const Eigen::VectorXd& joints);
 
-  /// Of all rows so far, to the last bit of every number, however it is written.
+  /// Returns the fingerprint of all rows so far. It depends on every bit of the numbers, but not on their notation.
   [[nodiscard]] std::string fingerprint() const;
 
  private:

@@ -1,4 +1,4 @@
-// A plan's files as stated: plan.json and path.csv.
+// Reader of a plan's files as stated: plan.json and path.csv.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace tubeplan::app {
 
-/// What a row of the path says it goes to.
+/// Tube stated in a row of the path.
 struct TubeEcho {
   std::string leg;
   int row = 0, column = 0;
@@ -17,20 +17,20 @@ struct TubeEcho {
 
 struct PlanFiles {
   planner::StatedPlan plan;
-  std::string compensation;  ///< none, goal-point, via-point
-  std::string fingerprint;   ///< of the sheet it was made for
+  std::string compensation;  ///< kind of compensation: none, goal-point, via-point
+  std::string fingerprint;   ///< fingerprint of the sheet for which it was made
   std::string leg, viewed_from;
-  double padding_sigmas = 0;           ///< kept beyond the scene's clearance
-  double load = 0;                     ///< N
-  double insertion = 0;                ///< m, past the face
-  std::vector<std::string> tube_legs;  ///< of plan.tubes; empty in a plan without
-  std::vector<TubeEcho> path_echoes;   ///< of plan.path; empty in a plan without
-  std::string path_fingerprint;        ///< of the numbers that path.csv has ...
-  std::string stated_path;             ///< ... and as plan.json states it; empty in a plan without
+  double padding_sigmas = 0;  ///< margin beyond the scene's clearance [standard deviations of the base's place]
+  double load = 0;            ///< hung load [N]
+  double insertion = 0;       ///< insertion past the face of the sheet [m]
+  std::vector<std::string> tube_legs;  ///< legs of plan.tubes; empty in a plan without
+  std::vector<TubeEcho> path_echoes;   ///< tubes of the rows of plan.path; empty in a plan without
+  std::string path_fingerprint;        ///< fingerprint of the numbers in path.csv
+  std::string stated_path;             ///< fingerprint of the path as stated in plan.json; empty in a plan without
 };
 
-/// Reads both files of the folder, numbers in the cell's units. Throws InputError for a missing file, key or column,
-/// for a number that is none, and for a plan in other units than the cell's.
+/// Reads both files of the folder, with numbers in the cell's units. Throws InputError for a missing file, key or
+/// column, for an invalid number, and for a plan in other units than the cell's.
 [[nodiscard]] PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// A cell's tube sheet and calibration tool.
+// Reader of a cell's tube sheet and calibration tool.
 #pragma once
 
 #include <filesystem>
@@ -12,16 +12,18 @@
 
 namespace tubeplan::app {
 
-/// Reads `tubesheet: {layout: {type, ...}, hole_diameter, leg, viewed_from?, name?, manway?}` or, for a map drilled
-/// otherwise, `{map: FILE.csv, pitch, hole_diameter, leg, viewed_from?, name?, manway?}` with the file relative to
-/// `folder`; `manway: {center, diameter}`. Throws InputError for what the readers of tubesheets find wrong, too.
+/// Reads `tubesheet: {layout: {type, ...}, hole_diameter, leg, viewed_from?, name?, manway?}` or, for a map with
+/// another layout, `{map: FILE.csv, pitch, hole_diameter, leg, viewed_from?, name?, manway?}` with the file relative to
+/// `folder`; `manway: {center, diameter}`. Throws InputError, also for the problems that the readers of tubesheets
+/// find.
 [[nodiscard]] tubesheets::Sheet readSheet(const YamlNode& node, const Units& units,
                                           const std::filesystem::path& folder);
 
-/// A sentence for each hole of a map that lies off the lattice of those about it, the first few of them.
+/// Adds warnings about the hole map: its notes, names that do not match, and holes off the lattice of their neighbours.
 void warnOfHoles(const tubesheets::Sheet& sheet, const Units& units, std::vector<std::string>& warnings);
 
-/// Reads `calibration_tool: {steps: [{diameter, tolerance}, ...], lengths?}` for holes of that diameter [m].
+/// Reads `calibration_tool: {steps: [{diameter, tolerance}, ...], lengths?}` for holes of that diameter [m]. Throws
+/// InputError.
 [[nodiscard]] tubesheets::SteppedTool readSteppedTool(const YamlNode& node, const Units& units, double hole_diameter);
 
 }  // namespace tubeplan::app

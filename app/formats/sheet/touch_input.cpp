@@ -26,7 +26,7 @@ double sigmaOf(const Measurement& reading, const Cell& cell, const std::string& 
                    "add a column sigma_" + std::string(cell.units.length().name));
 }
 
-/// A touch that names a hole and gives its place must mean the same hole by both.
+/// Throws InputError for a touch whose hole's name and position mean different holes.
 void requireNamedHole(const Measurement& reading, const Cell& cell, const std::string& file) {
   const auto name = tubesheets::parseTubeName(reading.point);
   const auto* tube = name && cell.sheet ? cell.sheet->find(name->row, name->column) : nullptr;

@@ -1,4 +1,4 @@
-// Touches out of a measurement file, and the holes that each may have been mistaken for.
+// Touches of known holes from measurement files and simulations.
 #pragma once
 
 #include <cstdint>
@@ -12,31 +12,31 @@
 
 namespace tubeplan::app {
 
-/// The touches of known holes among the readings. `file` is for messages. Throws InputError where there are none, where
-/// they come from several set-ups and none is chosen, or where a touch says no sigma and the cell has no tool to take
-/// it from.
+/// Returns the touches of known holes among the readings; `file` names them in messages. Throws InputError for no
+/// touches, for touches of several set-ups without a choice, and for a touch without sigma in a cell without a tool.
 [[nodiscard]] std::vector<calibration::Measurement> touchesOf(const std::vector<calibration::Measurement>& readings,
                                                               const Cell& cell, const std::string& file,
                                                               const std::string& setup = "");
 
-/// What readings of kind steps say of the centring error, by the tool's tolerances, with their sigma. `file` is for
-/// messages. Throws InputError for a count that the tool does not have, or none: that has no upper bound.
+/// Sets the bounds of the centring error and its sigma in readings of kind steps, by the tool's tolerances; `file`
+/// names them in messages. Throws InputError for a count that the tool does not have, and for zero, which gives no
+/// upper bound.
 void settleSteps(std::vector<calibration::Measurement>& readings, const tubesheets::SteppedTool& tool,
                  const std::string& file);
 
-/// The holes chosen, or InputError that none could be.
+/// Returns the chosen holes. Throws InputError if none could be chosen.
 [[nodiscard]] std::vector<calibration::TouchPlan> requireTouches(BestTouches touches);
 
-/// What the true arm reads at the three holes that place the base best by the model, which is that of `cell`, as
-/// `--touches auto`. Throws InputError where it cannot touch three.
+/// Returns simulated touches of the true arm for `--touches auto`, at the three holes that determine the base best by
+/// the model of `cell`. Throws InputError if it cannot touch three.
 [[nodiscard]] std::vector<calibration::Measurement> touchesByTrueArm(const planner::Workcell& model, const Cell& cell,
                                                                      const planner::Workcell& truth,
                                                                      std::uint64_t seed);
 
-/// Throws InputError for touches that place no base: too few, or nearly on a line.
+/// Throws InputError for touches that do not determine a base: too few, or nearly on a line.
 void requireEnoughTouches(const std::vector<calibration::Measurement>& touches, const std::string& file);
 
-/// Touches as a measurement file that `calibrate` reads.
+/// Returns touches as the text of a measurement file for `calibrate`.
 [[nodiscard]] std::string touchesCsv(const std::vector<calibration::Measurement>& touches, const Cell& cell);
 
 }  // namespace tubeplan::app

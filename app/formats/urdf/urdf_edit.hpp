@@ -1,4 +1,4 @@
-// The numbers of an arm put into the URDF file that it was imported from, all else of the file left as it is.
+// Writer of an arm's numbers into the URDF file from which it was imported, with everything else unchanged.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@ namespace tubeplan::app {
 
 struct UrdfEdit {
   std::string text;
-  std::vector<std::string> changed;   ///< joints and what of them, a sentence each; none: the text is the given one
-  std::vector<std::string> left_out;  ///< what of the arm the text has not, a sentence each
+  std::vector<std::string> changed;   ///< changes of joints, a sentence each; empty if the text is unchanged
+  std::vector<std::string> left_out;  ///< data of the arm that the text lacks, a sentence each
 };
 
-/// The text with the origins and limits that the arm has otherwise, and not a byte else: the arm's rows are those that
-/// `parseUrdf` makes of the text and `tip`. An offset of a joint turns, or shifts, its origin about the joint's axis;
-/// links keep their frames, and what is drawn and weighed in them. The tool's tip is the origin of the fixed joint that
-/// carries the tip link; without one, a link and a joint `tip` are added. Throws InputError where the rows differ.
+/// Returns the text with the arm's origins and limits and every other byte unchanged. The arm must have the rows of
+/// `parseUrdf` for the text and `tip`. An offset of a joint rotates, or shifts, its origin about the joint's axis;
+/// links keep their frames, shapes and masses. The tool's tip is the origin of the fixed joint of the tip link; without
+/// one, a link and a joint `tip` are added. Throws InputError if the rows differ.
 [[nodiscard]] UrdfEdit withArmInUrdf(const std::string& text, const std::string& file, const std::string& tip,
                                      const deflection::Arm& arm);
 

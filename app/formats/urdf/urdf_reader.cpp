@@ -25,7 +25,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 using Link = UrdfTree::Link;
 
-/// The smallest turn that takes z to the joint's axis.
+/// Returns the smallest rotation of z to the joint's axis.
 Isometry3d alignment(const UrdfTree::Joint& joint) {
   Isometry3d X = Isometry3d::Identity();
   if (joint.type != "fixed")
@@ -38,7 +38,7 @@ bool isTurning(const UrdfTree::Joint& joint) { return joint.type == "revolute" |
 
 using Chain = std::vector<const Link*>;
 
-/// The links from the first behind the root to this one. Links may hang on each other in a circle.
+/// Returns the links from the first after the root to this one. Throws InputError for links in a closed loop.
 Chain chainTo(const UrdfTree& tree, const Link& tip, const std::string& file) {
   Chain chain;
   for (const Link* link = &tip; link->joint; link = link->parent) {
@@ -76,7 +76,7 @@ const Link& findTip(const UrdfTree& tree, const std::string& name, const std::st
                    "one, named by --tip: " + alternatives(tips));
 }
 
-/// The chain as rows; `X_LK` leads from a row's frame to its link's.
+/// Converter of the chain to rows; `X_LK` is the pose of a link's frame K in its row's frame L.
 class ChainReader {
  public:
   ChainReader(const UrdfTree& tree, const Link& tip, const std::string& file)
@@ -113,7 +113,7 @@ class ChainReader {
     return std::any_of(links_.begin(), links_.end(), [&](const Link* other) { return other == &link; });
   }
 
-  /// Its origin.
+  /// Adds a joint and returns its origin.
   Isometry3d addJoint(const UrdfTree::Joint& joint, const Isometry3d& X_CL) {
     const Isometry3d X_PC = joint.origin.pose();
     out_.joints.push_back({joint.name, X_PC, X_CL, joint.origin.rpy});
@@ -132,7 +132,7 @@ class ChainReader {
     addBody(out_.arm.rows.size() - 1, link, X_LK_.back());
   }
 
-  /// Without the characters that paths to an arm's numbers are made of.
+  /// Returns a unique name without the characters that have a meaning in paths to an arm's numbers.
   [[nodiscard]] std::string nameOfRow(std::string name) const {
     std::replace_if(
         name.begin(), name.end(), [](char c) { return c == '.' || c == '[' || c == ']' || c == ' '; }, '_');
@@ -160,7 +160,7 @@ class ChainReader {
     return joint;
   }
 
-  /// Two zeros are what URDF has where no limits are written.
+  /// Sets limits; two zeros mean a joint without stated limits.
   void setLimits(const UrdfTree::Joint& from, deflection::Joint<double>& joint) {
     const double lower = from.limits->lower, upper = from.limits->upper;
     if (lower == 0 && upper == 0) {
@@ -175,9 +175,9 @@ class ChainReader {
     joint.upper = upper;
   }
 
-  /// How a joint follows one that has a reading of its own, through those between.
+  /// Coupling of a joint to one with a reading of its own, combined over those between.
   struct Following {
-    std::size_t leader;  ///< of links_
+    std::size_t leader;  ///< index in links_
     double ratio, offset;
   };
 
@@ -199,7 +199,7 @@ class ChainReader {
     return found;
   }
 
-  /// A joint that mimics another: a passive row that follows it.
+  /// Converts a joint that mimics another to a passive row that follows it.
   void addFollowing(std::size_t k) {
     const UrdfTree::Joint& from = *links_[k]->joint;
     if (!from.mimic) return;
@@ -219,7 +219,7 @@ class ChainReader {
     for (const auto& solid : link.solids) addShape(out_.arm.rows[row].name, solid, X_LK);
   }
 
-  /// What hangs on a link of the chain beside it: fixed parts with it, others not.
+  /// Adds bodies beside the chain: fixed parts are carried along, moving branches are left out.
   void addAside(std::size_t row, const Link& link, const Isometry3d& X_LK) {
     for (const auto& child : link.children) {
       if (isOnChain(*child)) continue;
@@ -233,7 +233,7 @@ class ChainReader {
     }
   }
 
-  /// Solids of what stands with the root do not move with a row.
+  /// Notes solids fixed to the root, which do not move with a row.
   void leaveOutStanding(const Link& link) {
     if (!link.solids.empty())
       out_.left_out.push_back(
@@ -275,13 +275,13 @@ class ChainReader {
   const UrdfTree& tree_;
   const std::string& file_;
   Chain links_;
-  std::size_t last_moving_ = 0;   ///< rows: links up to the last one that a moving joint carries
-  std::vector<Isometry3d> X_LK_;  ///< of each row
+  std::size_t last_moving_ = 0;   ///< number of rows: links up to the last one with a moving joint
+  std::vector<Isometry3d> X_LK_;  ///< pose of the link in each row
   bool has_inertia_ = false;
   UrdfArm out_;
 };
 
-/// What is told to the controllers of the chain's joints, a sentence of each sort.
+/// Returns sentences on data for the controllers of the chain's joints, one for each sort.
 std::vector<std::string> leftToControllers(const Chain& chain) {
   using Words = UrdfTree::ControllerWords;
   const struct {

@@ -1,4 +1,4 @@
-// Arms out of URDF, the format that ROS describes robots in.
+// Reader of arms in URDF, the robot description format of ROS.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,35 +9,35 @@
 
 namespace tubeplan::app {
 
-/// A solid of a link in its row's frame, as a cell writes it (link_shapes).
+/// Solid of a link in its row's frame, in the syntax of a cell's link_shapes.
 struct UrdfShape {
   std::string row;
-  std::string text;  ///< "capsule: {from: [...], to: [...], radius: 0.1}", in m and deg
+  std::string text;  ///< text of the shape: "capsule: {from: [...], to: [...], radius: 0.1}" [m, deg]
 };
 
-/// A joint on the way to the tip. P is its parent link, C its child link, L the frame of the row that it is.
+/// Joint between the root and the tip. P is its parent link, C its child link, L the frame of its row.
 struct UrdfJoint {
   std::string name;
-  Eigen::Isometry3d X_PC;  ///< at zero reading: the joint's origin
-  Eigen::Isometry3d X_CL;  ///< turns the axis to z; identity where the joint is no row
-  Eigen::Vector3d rpy;     ///< of the origin, as written [rad]
+  Eigen::Isometry3d X_PC;  ///< origin of the joint: its pose at zero reading
+  Eigen::Isometry3d X_CL;  ///< rotation of z to the axis; identity for a joint without a row
+  Eigen::Vector3d rpy;     ///< rpy of the origin, as written [rad]
 };
 
 struct UrdfArm {
-  deflection::Arm arm;            ///< rigid: URDF states no stiffness
-  std::string tip;                ///< the link at the end of the chain
-  std::vector<UrdfJoint> joints;  ///< from the root to the tip: a row each, then fixed ones that carry the tool
+  deflection::Arm arm;            ///< rigid arm: URDF states no stiffness
+  std::string tip;                ///< name of the link at the end of the chain
+  std::vector<UrdfJoint> joints;  ///< joints from the root to the tip: those with rows, then fixed ones of the tool
   std::vector<UrdfShape> shapes;
-  std::vector<std::string> left_out;  ///< what the file says and an arm does not take, a sentence each
-  std::vector<std::string> remarks;   ///< on what is taken as it is written and may be meant otherwise
+  std::vector<std::string> left_out;  ///< content of the file that an arm does not have, a sentence each
+  std::vector<std::string> remarks;   ///< remarks on values that are accepted but may be mistakes
 };
 
-/// The chain from the root of a robot to its link `tip`; empty: to the only leaf that the longest chain ends at. Every
-/// joint on the way is a row, named as the link that it carries and placed as the file has it, turned so that the
-/// joint's axis is its z; fixed joints behind the last moving one are the tool, whose frame is the tip link's. Masses
-/// become lumps (m g, at the centre of mass), those of what is fixed beside the chain too; joints with `mimic` follow,
-/// also through others that do. Throws InputError for what is no URDF, for a link that is not there, for an arm that
-/// the program cannot take (floating and planar joints).
+/// Returns the chain from the root of a robot to its link `tip`; if empty, to the only leaf at the end of the longest
+/// chain. Every joint of the chain is a row, with the name of its child link and its pose in the file, rotated so that
+/// the joint's axis is its z. Fixed joints after the last moving one are the tool, whose frame is that of the tip link.
+/// Masses, also of parts fixed to the chain, become lumps (m g, at the centre of mass). Joints with `mimic` follow
+/// others, also through further ones. Throws InputError for text that is no URDF, for a missing link and for an
+/// unsupported arm (floating and planar joints).
 [[nodiscard]] UrdfArm parseUrdf(const std::string& text, const std::string& file, const std::string& tip = "");
 
 }  // namespace tubeplan::app

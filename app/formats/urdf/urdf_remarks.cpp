@@ -18,12 +18,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kDegreeOfTurn = std::numbers::pi / 180;
-constexpr double kRounded = 5e-3;     // rad: 3.14, 1.57 and 6.28 are nearer to what they stand for
-constexpr double kSeenAtTip = 1e-5;   // m: what fewer digits than that cost no instrument sees
-constexpr double kManyDigits = 1e-6;  // rad: 3.141593 is off by less
-constexpr double kFarApart = 20;      // m between two joints
+constexpr double kRounded = 5e-3;     // largest rounding error of an angle, as in 3.14, 1.57 and 6.28 [rad]
+constexpr double kSeenAtTip = 1e-5;   // smallest error at the tip that an instrument sees [m]
+constexpr double kManyDigits = 1e-6;  // rounding error of an angle with many digits, as 3.141593 [rad]
+constexpr double kFarApart = 20;      // implausible distance of two joints [m]
 
-/// Where each joint of the chain is at zero readings; the last entry is the tip.
+/// Returns the position of each joint of the chain at zero readings [m]; the last entry is the tip.
 std::vector<Vector3d> placesOf(const std::vector<const UrdfTree::Link*>& chain) {
   std::vector<Vector3d> places;
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
@@ -35,15 +35,15 @@ std::vector<Vector3d> placesOf(const std::vector<const UrdfTree::Link*>& chain) 
   return places;
 }
 
-/// How many digits an angle has behind its point.
+/// Returns the number of decimals of an angle.
 int decimalsIn(double angle) {
   const std::string text = fmt::format("{}", angle);
   const std::size_t point = text.find('.');
   return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
 }
 
-/// An angle that stands for a round one with few digits, and how far off [rad]: one that was measured has more digits
-/// than that leaves. Of right angles two digits will do, of other multiples of 30 and 45 deg it takes three.
+/// Round angle written with few digits, and its rounding error `off` [rad]. Measured angles have more digits than the
+/// error suggests. Two decimals are enough for multiples of a right angle; other multiples of 30 and 45 deg need three.
 struct RoundedAngle {
   double degrees, off;
 };
@@ -64,7 +64,7 @@ std::string remarkOnPlace(const UrdfTree::Joint& joint) {
   return fmt::format("its origin is {:.4g} m from its parent's: millimetres in a file of metres?", far);
 }
 
-/// Of a turning joint.
+/// Returns a remark on the limits of a revolute joint that may be in degrees; else empty.
 std::string remarkOnLimits(const UrdfTree::Joint& joint) {
   constexpr double kTwoTurns = 4 * std::numbers::pi, kTwoTurnsInDegrees = 720;
   if (joint.type != "revolute" || !joint.limits) return "";
@@ -74,10 +74,10 @@ std::string remarkOnLimits(const UrdfTree::Joint& joint) {
                      joint.limits->lower, joint.limits->upper);
 }
 
-/// What rounded angles cost that nobody would see one by one.
+/// Sum of rounding errors too small for remarks of their own.
 struct SmallRounding {
   std::vector<std::string> joints;
-  double turn = 0, move = 0;  // rad, m: of the tip, all together
+  double turn = 0, move = 0;  // sums for the tip [rad, m]
 
   void add(const std::string& joint, double off, double lever) {
     if (joints.empty() || joints.back() != joint) joints.push_back(joint);
@@ -92,7 +92,7 @@ struct SmallRounding {
   }
 };
 
-/// Empty where there is nothing to say of that angle; what is too small for a remark of its own is added to the rest.
+/// Returns a remark on an angle; empty if there is none. Adds small rounding errors to `small` instead.
 std::string remarkOnAngle(double angle, double lever, const std::string& joint, SmallRounding& small) {
   if (std::abs(angle) > 2 * std::numbers::pi + kRounded)
     return fmt::format("rpy {:g} is more than a turn: degrees in a file of radians?", angle);

@@ -1,4 +1,4 @@
-// What looks wrong with the numbers of a URDF file and cannot be known to be.
+// Remarks on suspicious numbers of a URDF file.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace tubeplan::app {
 
-/// Remarks on the joints of a chain, links from the root on: round angles with so few digits that the tip is elsewhere,
-/// angles and limits so large that they may be degrees, places so far that they may be millimetres. Nothing is changed.
+/// Returns remarks on the joints of a chain of links from the root on. They concern round angles with too few digits
+/// for an exact tip, angles and limits that may be in degrees, and positions that may be in millimetres. Changes
+/// nothing.
 [[nodiscard]] std::vector<std::string> remarksOnNumbers(const std::vector<const UrdfTree::Link*>& chain);
 
 }  // namespace tubeplan::app

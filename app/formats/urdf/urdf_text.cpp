@@ -14,13 +14,13 @@ using Eigen::Vector3d;
 
 constexpr std::string_view kXmlBlanks = " \t\r\n";
 
-/// What begins so ends so, tags or not in between.
+/// Begin and end of a piece that is skipped, with any tags in it.
 struct PassedOver {
   std::string_view begin, end;
 };
 constexpr PassedOver kPassedOver[] = {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}, {"<!", ">"}};
 
-/// Reads the attributes behind a tag's name, up to its > or />; returns where that begins, npos where it does not.
+/// Reads the attributes after a tag's name; returns the index of the tag's > or />, or npos if it does not end.
 std::size_t readAttributes(std::string_view text, std::size_t at, XmlTag& tag) {
   for (;;) {
     at = text.find_first_not_of(kXmlBlanks, at);
@@ -34,7 +34,7 @@ std::size_t readAttributes(std::string_view text, std::size_t at, XmlTag& tag) {
   }
 }
 
-/// The tag whose < stands there.
+/// Returns the tag that begins at an index; nothing if it does not end.
 std::optional<XmlTag> tagAt(std::string_view text, std::size_t begin) {
   XmlTag tag;
   tag.closes = text.substr(begin + 1).starts_with('/');
@@ -51,8 +51,8 @@ std::optional<XmlTag> tagAt(std::string_view text, std::size_t begin) {
   return tag;
 }
 
-/// The first tag from there on; comments, declarations and raw text (CDATA) are passed over. The text must be
-/// well-formed; the rest of one that is not has no tags.
+/// Returns the first tag from an index on; comments, declarations and raw text (CDATA) are skipped. The text must be
+/// well-formed: after an error there are no more tags.
 std::optional<XmlTag> nextXmlTag(std::string_view text, std::size_t from) {
   for (std::size_t at = text.find('<', from); at != std::string_view::npos; at = text.find('<', at)) {
     const auto passed = std::ranges::find_if(
@@ -65,7 +65,8 @@ std::optional<XmlTag> nextXmlTag(std::string_view text, std::size_t from) {
   return {};
 }
 
-/// Names of a robot's own elements, in the order of the file, as they are read: entities resolved, blanks for breaks.
+/// Returns the names of a robot's own elements, in the order of the file, as the reader has them: with entities
+/// resolved and blanks for breaks.
 std::vector<std::string> namesInRobot(const tinyxml2::XMLDocument& document, const char* element) {
   std::vector<std::string> names;
   const auto* robot = document.FirstChildElement("robot");
@@ -78,7 +79,7 @@ std::vector<std::string> namesInRobot(const tinyxml2::XMLDocument& document, con
   return names;
 }
 
-/// Walks the tags and notes what belongs to the robot's own joints.
+/// Walk over the tags that records those of the robot's own joints.
 class JointTagWalk {
  public:
   JointTagWalk(std::string_view text, std::vector<std::string> names) : text_(text), names_(std::move(names)) {}

@@ -1,4 +1,4 @@
-// The text of a URDF by the places of its tags, and changes of single values that leave every other byte as it is.
+// Tags of a URDF text with their places, and changes of single values that leave every other byte unchanged.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,51 +12,52 @@
 
 namespace tubeplan::app {
 
-/// `value` lies within the text, without its quotes and with its entities as they are written.
+/// Attribute of a tag; `value` is part of the text, without its quotes and with its entities as written.
 struct XmlAttribute {
   std::string_view name, value;
 };
 
-/// `whole` runs from < to >.
+/// Tag of a text; `whole` includes < and >.
 struct XmlTag {
   std::string_view whole, name;
   std::vector<XmlAttribute> attributes;
-  bool opens = false;   ///< `<a>` and `<a/>`
-  bool closes = false;  ///< `</a>` and `<a/>`
+  bool opens = false;   ///< true for `<a>` and `<a/>`
+  bool closes = false;  ///< true for `</a>` and `<a/>`
 
-  /// Null where there is none of that name.
+  /// Returns the attribute of that name; null if there is none.
   [[nodiscard]] const XmlAttribute* find(std::string_view attribute) const;
 };
 
 struct UrdfJointTags {
   XmlTag joint;
-  std::optional<XmlTag> origin, limit;  ///< the first of each
+  std::optional<XmlTag> origin, limit;  ///< first `<origin>` and `<limit>` of the joint
 };
 
-/// All views lie within the text.
+/// Tags of a URDF file; all views refer to the text.
 struct UrdfTags {
-  std::map<std::string, UrdfJointTags> joints;  ///< by name
+  std::map<std::string, UrdfJointTags> joints;  ///< tags of the joints, by name
   std::set<std::string> links;
-  std::string_view robot_end;  ///< `</robot>`
+  std::string_view robot_end;  ///< end tag `</robot>`
 };
 
-/// Returns the joints of a URDF text that readUrdfTree reads. Joints that transmissions and controllers name are none.
+/// Returns the joints of a URDF text, as readUrdfTree reads them, without those that transmissions and controllers
+/// name.
 [[nodiscard]] UrdfTags urdfTagsOf(std::string_view text);
 
-/// m, rad: what the twelve digits of an arm file leave of a number.
+/// Accuracy of numbers with the twelve digits of an arm file [m, rad].
 inline constexpr double kAsWritten = 5e-11;
 
-/// Returns whether two numbers are one to the digits of an arm file; infinities are one where they are equal.
+/// Returns true if two numbers are equal to the digits of an arm file; infinities must be equal.
 [[nodiscard]] bool isAsWritten(double a, double b);
 
-/// To twelve decimals, which is less than any instrument sees, without zeros at the end.
+/// Returns numbers to twelve decimals, finer than any instrument, without trailing zeros.
 [[nodiscard]] std::string decimalOf(double value);
 [[nodiscard]] std::string decimalsOf(const Eigen::Vector3d& v);
 
-/// Three numbers as they are written, those that are others now by their decimals.
+/// Returns three numbers as written, with changed ones as new decimals.
 [[nodiscard]] std::string withNumbers(std::string_view written, const Eigen::Vector3d& was, const Eigen::Vector3d& is);
 
-/// Pieces of a text to be put in places of others, which do not overlap. Every piece is a view into the text.
+/// Replacements of pieces of a text that do not overlap. Every piece is a view of the text.
 class XmlChanges {
  public:
   explicit XmlChanges(std::string_view text) : text_(text) {}
@@ -64,7 +65,7 @@ class XmlChanges {
   void replace(std::string_view piece, std::string by);
   void insertBehind(std::string_view piece, std::string more);
 
-  /// Behind the others where the tag has no such attribute.
+  /// Sets the value of an attribute; a missing attribute is added after the others.
   void setAttribute(const XmlTag& tag, std::string_view attribute, const std::string& value);
 
   [[nodiscard]] std::string changedText();

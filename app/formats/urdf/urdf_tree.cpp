@@ -23,13 +23,13 @@ using tinyxml2::XMLDocument, tinyxml2::XMLElement;
 
 constexpr double kAnyNumber = -std::numeric_limits<double>::infinity();
 
-/// An attribute's text; empty where there is no such element or attribute.
+/// Returns an attribute's text; empty if there is no such element or attribute.
 std::string attributeOf(const XMLElement* element, const char* name) {
   const char* value = element ? element->Attribute(name) : nullptr;
   return value ? value : "";
 }
 
-/// Finite numbers apart by blanks; nothing where a piece is none.
+/// Returns finite numbers separated by blanks; nothing if a word is not a number.
 std::optional<std::vector<double>> writtenNumbers(std::string_view text) {
   std::vector<double> numbers;
   for (text = tubesheets::trimBlanks(text); !text.empty(); text = tubesheets::trimBlanks(text)) {
@@ -44,12 +44,12 @@ std::optional<std::vector<double>> writtenNumbers(std::string_view text) {
   return numbers;
 }
 
-/// "robot.urdf:12 (joint elbow)", of an element that has a name.
+/// Returns the place of an element with a name: "robot.urdf:12 (joint elbow)".
 std::string placeOf(const XMLElement& named, const std::string& file) {
   return fmt::format("{}:{} ({} {})", file, named.GetLineNum(), named.Name(), nameInLine(attributeOf(&named, "name")));
 }
 
-/// Why a text may be no number.
+/// Returns advice for a text that is not a number.
 const char* adviceOn(std::string_view text) {
   if (text.find('$') != std::string_view::npos) return "convert xacro files first: xacro FILE > robot.urdf";
   if (text.find(',') != std::string_view::npos) return "numbers have a decimal point and stand apart by blanks";
@@ -58,7 +58,7 @@ const char* adviceOn(std::string_view text) {
   return "";
 }
 
-/// A text without which an element says nothing.
+/// Returns the text of an attribute that its element requires. Throws InputError if it is missing.
 std::string requiredText(const XMLElement* element, const char* attribute, const std::string& where) {
   std::string text = attributeOf(element, attribute);
   if (text.empty())
@@ -67,7 +67,7 @@ std::string requiredText(const XMLElement* element, const char* attribute, const
   return text;
 }
 
-/// A word that is mistyped there would leave a zero in its place.
+/// Throws InputError for unknown attributes: with a mistyped one, the intended value would be zero.
 void checkAttributes(const XMLElement* element, const std::vector<std::string>& known, const std::string& where) {
   for (const auto* attribute = element ? element->FirstAttribute() : nullptr; attribute; attribute = attribute->Next())
     if (std::ranges::find(known, attribute->Name()) == known.end())
@@ -75,7 +75,7 @@ void checkAttributes(const XMLElement* element, const std::vector<std::string>& 
                        suggestion(attribute->Name(), known));
 }
 
-/// The child elements of this name.
+/// Returns the child elements of this name.
 template <typename Element>
 std::vector<Element*> childrenOf(Element& element, const char* name) {
   std::vector<Element*> children;
@@ -84,12 +84,12 @@ std::vector<Element*> childrenOf(Element& element, const char* name) {
   return children;
 }
 
-/// " offset 0.2" of an element with a text.
+/// Returns the name and text of an element, as " offset 0.2"; empty if it has no text.
 std::string wordsIn(const XMLElement* element) {
   return element && element->GetText() ? fmt::format(" {} {}", element->Name(), nameInLine(element->GetText())) : "";
 }
 
-/// What the `<transmission>`s of the robot say, by their joints' names.
+/// Returns descriptions of the robot's `<transmission>`s, by the names of their joints.
 std::map<std::string, std::string> transmissionsOf(XMLElement& robot) {
   std::map<std::string, std::string> words_by_joint;
   for (XMLElement* transmission : childrenOf(robot, "transmission")) {
@@ -119,8 +119,8 @@ std::string linkNamedBy(const XMLElement& joint, const char* element) {
   return attributeOf(joint.FirstChildElement(element), "link");
 }
 
-/// Takes breaks of lines within an attribute for blanks, and refuses characters, written by their numbers, that no name
-/// has.
+/// Replaces line breaks in attributes by blanks. Throws InputError for control characters, which may be written by
+/// their numbers.
 void settleAttributes(XMLElement& element, const std::string& file) {
   for (auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
     std::string value = attribute->Value();
@@ -136,7 +136,7 @@ void settleAttributes(XMLElement& element, const std::string& file) {
     settleAttributes(*child, file);
 }
 
-/// The numbers of the elements within one, each refused where it is not what it should be.
+/// Numbers of the child elements of an element. Throws InputError for invalid ones.
 class UrdfNumbers {
  public:
   UrdfNumbers(const XMLElement& parent, std::string where) : parent_(parent), where_(std::move(where)) {}
@@ -153,7 +153,7 @@ class UrdfNumbers {
     return numbers ? Eigen::Vector3d(numbers->data()) : otherwise;
   }
 
-  /// Lengths that must be there.
+  /// Return required lengths [m].
   double length(const char* element, const char* attribute) const {
     return find(element, attribute, 1, "a length in m", 0, true)->front();
   }
@@ -168,7 +168,8 @@ class UrdfNumbers {
   }
 
  private:
-  /// So many numbers of the first element of that name, none below `least`; nothing where they are left out.
+  /// Returns `count` numbers of the first element of that name; nothing if they are missing. Throws InputError for a
+  /// number below `least`.
   [[nodiscard]] std::optional<std::vector<double>> find(const char* name, const char* attribute, std::size_t count,
                                                         const char* expected, double least, bool is_required) const {
     const XMLElement* element = parent_.FirstChildElement(name);
@@ -184,7 +185,7 @@ class UrdfNumbers {
   std::string where_;
 };
 
-/// What stands in the place of a link's body: a box, a cylinder, a sphere or a mesh.
+/// Returns the solid of a link: a box, a cylinder, a sphere or a mesh.
 UrdfTree::Solid solidOf(const XMLElement& geometry, const std::string& kind, const UrdfTree::Origin& origin,
                         const std::string& where) {
   const UrdfNumbers numbers(geometry, where);
@@ -197,7 +198,7 @@ UrdfTree::Solid solidOf(const XMLElement& geometry, const std::string& kind, con
   return solid;
 }
 
-/// The names of a kind, each its own, in the order of the file.
+/// Returns the names of a kind of elements, in the order of the file. Throws InputError for a missing or double name.
 std::vector<std::string> namesOfKind(const XMLElement& robot, const char* kind, const std::string& file) {
   std::vector<std::string> names;
   std::set<std::string> seen;
@@ -288,7 +289,7 @@ class TreeReader {
     if (!robot_->FirstChildElement("link")) throw InputError(file_, "a robot without links", "links and joints");
   }
 
-  /// One root, and every other link behind one joint.
+  /// Throws InputError unless there is one root and every other link has one joint to its parent.
   void checkTree(const std::vector<std::string>& links) const {
     const std::set<std::string> known(links.begin(), links.end());
     std::map<std::string, std::string> carrier;
@@ -342,7 +343,7 @@ class TreeReader {
                                      : fmt::format("a collision of link {}: it has no solid", link.name));
   }
 
-  /// Masses count, and where they are; what turns them does not, and need not be there.
+  /// Returns the mass of a link [kg]. Its inertia has no effect and may be missing.
   [[nodiscard]] double massOf(const XMLElement& inertial, const XMLElement& link) const {
     const std::string mass = attributeOf(inertial.FirstChildElement("mass"), "value");
     const auto number = writtenNumbers(mass);

@@ -1,4 +1,4 @@
-// The links and joints of a URDF file, read whole or refused.
+// Links and joints of a URDF file, with checks of the whole file.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,7 +9,7 @@
 
 namespace tubeplan::app {
 
-/// Lengths in m, angles in rad, masses in kg, as the file has them; what it leaves out is as URDF says.
+/// Robot as in the file, lengths in m, angles in rad, masses in kg. Missing values have the defaults of URDF.
 struct UrdfTree {
   struct Origin {
     Eigen::Vector3d xyz = Eigen::Vector3d::Zero(), rpy = Eigen::Vector3d::Zero();
@@ -23,19 +23,20 @@ struct UrdfTree {
     std::string joint;
     double multiplier = 1, offset = 0;
   };
-  /// What the file tells a joint's controller and no kinematics has, in its own words; empty where it says nothing.
+  /// Data for a joint's controller, which kinematics does not use, in the words of the file; empty if it has none.
   struct ControllerWords {
     std::string soft_limits, reference_marks, transmission;
   };
   struct Joint {
-    std::string name, type;  ///< "revolute", "continuous", "prismatic", "fixed", "floating" or "planar"
+    std::string name, type;  ///< type: "revolute", "continuous", "prismatic", "fixed", "floating" or "planar"
     Origin origin;
     Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
     std::optional<Limits> limits;
     std::optional<Mimic> mimic;
     ControllerWords controller;
   };
-  /// Sizes of a box; of a cylinder radius and length; of a sphere its radius. A mesh has a file instead.
+  /// Solid of a link: `size` has the sizes of a box, the radius and length of a cylinder or the radius of a sphere; a
+  /// mesh has a file instead.
   struct Solid {
     std::string kind, file;
     Origin origin;
@@ -44,25 +45,25 @@ struct UrdfTree {
   struct Link {
     std::string name;
     double mass = 0;
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of mass
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of mass
     bool has_inertia = false;
     std::vector<Solid> solids;
-    std::optional<Joint> joint;         ///< that carries it; the root has none
-    const Link* parent = nullptr;       ///< of this tree
-    std::vector<const Link*> children;  ///< of this tree, by the names of their joints
+    std::optional<Joint> joint;         ///< joint that carries the link; nothing for the root
+    const Link* parent = nullptr;       ///< parent link in this tree; null for the root
+    std::vector<const Link*> children;  ///< child links, in the order of their joints' names
   };
 
   std::string name;
-  std::map<std::string, Link> links;  ///< by their names; one root, every other one behind one joint
+  std::map<std::string, Link> links;  ///< links by name: one root; each other link has one joint to its parent
   const Link* root = nullptr;
-  std::vector<std::string> left_out;  ///< what the file says and the tree has not, a sentence each
+  std::vector<std::string> left_out;  ///< content of the file that the tree does not have, a sentence each
 
   UrdfTree() = default;
   UrdfTree(UrdfTree&&) = default;
 };
 
-/// Reads what a description of an arm needs of a URDF: pictures, materials and a controller's numbers are passed over,
-/// however they are written. Throws InputError.
+/// Reads the parts of a URDF that describe an arm; pictures, materials and controller data are not checked. Throws
+/// InputError.
 [[nodiscard]] UrdfTree readUrdfTree(const std::string& text, const std::string& file);
 
 }  // namespace tubeplan::app

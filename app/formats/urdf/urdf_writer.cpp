@@ -22,7 +22,7 @@ using ArmRow = deflection::Row<double>;
 
 std::string triple(const Vector3d& v) { return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z()); }
 
-/// All that hangs from a row, as one mass [kg] at its centre in the row's frame.
+/// Returns the text of a row's total mass [kg] at its centre in the row's frame.
 std::string inertialText(const deflection::RowWeight& row) {
   if (!(row.weight > 0)) return "";
   return fmt::format(
@@ -31,7 +31,7 @@ std::string inertialText(const deflection::RowWeight& row) {
       triple(row.moment_R / row.weight), row.weight / kWeightOfKilogram);
 }
 
-/// By the drawing; to the twelve digits that an arm file has of its angles and of the axis.
+/// Returns true if the z of the drawn tool frame is the tool's axis, to the twelve digits of an arm file.
 bool keepsToolFrame(const Arm& arm) { return arm.R_LT.col(2).isApprox(arm.tool_axis_L, 1e-10); }
 
 bool hasStiffness(const ArmRow& row) { return row.beam || std::isfinite(row.joint_stiffness.minCoeff()); }
@@ -60,7 +60,7 @@ class UrdfWriter {
   }
 
  private:
-  /// Beside the rows' names.
+  /// Returns a name that no row has.
   [[nodiscard]] std::string unusedName(std::string name) const {
     while (deflection::findRow(arm_, name)) name += '_';
     return name;
@@ -100,7 +100,8 @@ class UrdfWriter {
     return text + fmt::format(" velocity=\"{:.17g}\"/>\n", std::isfinite(joint.max_speed) ? joint.max_speed : 0);
   }
 
-  /// URDF lets a joint follow one other, by its reading: the offset of that one is added here.
+  /// Returns the text for a joint that follows one other. URDF refers to that one's reading, so its offset is added
+  /// here.
   std::string mimicText(const ArmRow& row) {
     if (row.joint.follows.empty()) return "";
     if (row.joint.follows.size() > 1)

@@ -1,4 +1,4 @@
-// Arms as URDF, the format that ROS describes robots in.
+// Writer of arms in URDF, the robot description format of ROS.
 #pragma once
 
 #include <string>
@@ -10,21 +10,21 @@ namespace tubeplan::app {
 
 struct UrdfText {
   std::string text;
-  std::vector<std::string> left_out;  ///< what URDF has no place for, a sentence each
+  std::vector<std::string> left_out;  ///< data that URDF cannot express, a sentence each
 };
 
-/// The arm as it stands rigid: rows as links, weights as masses at their common centre, the tip as the link `tip` with
-/// the tool's axis along its z. m, rad and kg.
+/// Returns the rigid arm [m, rad, kg]: rows as links, weights as masses at their common centre, and the tip as the link
+/// `tip` with its z along the tool's axis.
 [[nodiscard]] UrdfText urdfOf(const deflection::Arm& arm);
 
-/// What of an arm URDF has no place for whichever way it is written, a sentence each.
+/// Returns data of an arm that no URDF can express, a sentence each.
 [[nodiscard]] std::vector<std::string> beyondUrdf(const deflection::Arm& arm);
 
-/// The turn of the tip's frame in the last row's: the tool frame, if its z is the tool's axis; else turned the shortest
-/// way so that it is.
+/// Returns the rotation of the tip's frame relative to the last row's: the tool frame if its z is the tool's axis, else
+/// the smallest rotation that makes it so.
 [[nodiscard]] Eigen::Matrix3d urdfTipTurn(const deflection::Arm& arm);
 
-/// Text within an attribute in double quotes.
+/// Returns a text for use within an attribute in double quotes.
 [[nodiscard]] std::string xmlEscaped(const std::string& text);
 
 }  // namespace tubeplan::app

@@ -18,8 +18,7 @@ namespace tubeplan::app {
 
 namespace {
 
-// Builds the tree from the parser's events. Its own node type hides a double key (the first or last one wins,
-// silently).
+// Builder of the tree from the parser's events. The parser's own node type silently accepts a double key.
 class TreeBuilder : public YAML::EventHandler {
  public:
   TreeBuilder(const std::string& text, const std::string& file)
@@ -76,7 +75,7 @@ class TreeBuilder : public YAML::EventHandler {
            open_.back().keys.size() == open_.back().items.size();
   }
 
-  // The path and key of the value that comes next.
+  // Returns a node with the path and key of the next value.
   YamlNode makeNode(const YAML::Mark& mark, YamlNode::Kind kind) const {
     YamlNode node;
     node.file = file_;
@@ -133,16 +132,16 @@ class TreeBuilder : public YAML::EventHandler {
     if (anchor != 0) makeNode(mark, YamlNode::Kind::kNull).fail("an anchor (&)", "the value alone", "");
   }
 
-  // The parser takes the file's end for the quote that is missing.
+  // Throws InputError for an open quote, which the parser would close at the end of the file.
   void refuseOpenQuote(const YAML::Mark& mark) const {
     const auto at = static_cast<std::size_t>(mark.pos);
-    const bool is_quote = text_[at] == '"' || text_[at] == '\'';  // else a block text (| or >)
+    const bool is_quote = text_[at] == '"' || text_[at] == '\'';  // otherwise a block text (| or >)
     if (is_quote && pastQuoted(text_, at) == std::string::npos)
       makeNode(mark, YamlNode::Kind::kNull).fail("an unclosed quote", "quotes in pairs", "");
   }
 
-  // The parser gives "?" for plain values and "!" for quoted ones, and nothing for some collections; a "!" that stands
-  // in the text is where its value begins.
+  // Throws InputError for a tag. The parser gives "?" for plain values, "!" for quoted ones, and nothing for some
+  // collections; a "!" written in the text is at the value's begin.
   void refuseTag(const YAML::Mark& mark, const std::string& tag) const {
     const auto at = static_cast<std::size_t>(mark.pos);
     const bool is_written = at < text_.size() && text_[at] == '!';
@@ -157,7 +156,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t key_begin_ = 0;
 };
 
-// Only outside comments, where a tab does no harm.
+// Throws InputError for a tab outside of comments, where tabs are harmless.
 void refuseTabs(const std::string& text, const std::string& file) {
   int line = 1, column = 1;
   bool in_comment = false;

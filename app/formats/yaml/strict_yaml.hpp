@@ -1,4 +1,4 @@
-// YAML files, read strictly: one document of maps, lists and plain values, every key once.
+// Strict reader of YAML files: one document of maps, lists and plain values, with unique keys.
 #pragma once
 
 #include <string>
@@ -14,14 +14,14 @@ struct YamlFile {
   YamlNode root;
 };
 
-/// Throws InputError for what readTextFile refuses and for what parseYaml refuses.
+/// Reads a file. Throws InputError as readTextFile() and parseYaml() do.
 [[nodiscard]] YamlFile readYamlFile(const std::string& path);
 
-/// Refused: text that is no YAML, tabs, a key that stands twice, a key that is not a word, tags, anchors and aliases,
-/// more than one document, no content. `file` is the name for messages.
+/// Parses a text; `file` is its name in messages. Throws InputError for text that is no YAML, tabs, a key that occurs
+/// twice or is no word, tags, anchors and aliases, more than one document, or no content.
 [[nodiscard]] YamlNode parseYaml(const std::string& text, const std::string& file);
 
-/// The value at a dotted path ("links[3].beam.Iz"); null where there is none.
+/// Returns the value at a dotted path ("links[3].beam.Iz"); null if there is none.
 [[nodiscard]] const YamlNode* findNode(const YamlNode& root, std::string_view path);
 
 }  // namespace tubeplan::app

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kFileName = "edited text";
 
-// A plain word or phrase ends at a comment, a line's end and, inside brackets, at their signs.
+// Returns the end of a plain word or phrase: at a comment, a line's end or, inside brackets, one of their signs.
 std::size_t pastPlain(std::string_view text, const YamlNode& node) {
   if (text.substr(node.begin, node.scalar.size()) == node.scalar) return node.begin + node.scalar.size();
   std::size_t end = std::min(text.find('\n', node.begin), text.size());
@@ -21,7 +21,7 @@ std::size_t pastPlain(std::string_view text, const YamlNode& node) {
   return text.find_last_not_of(" \r", end - 1) + 1;
 }
 
-// A text under `|` or `>` goes on over the lines that are further in than its key, or its dash.
+// Returns the end of a text under `|` or `>`, which includes all lines indented more than its key or dash.
 std::size_t pastBlockText(std::string_view text, const YamlNode& node) {
   const auto lineStart = [&](std::size_t at) { return at == 0 ? 0 : text.rfind('\n', at - 1) + 1; };
   const bool is_item = node.path.ends_with(']');
@@ -38,7 +38,7 @@ std::size_t pastBlockText(std::string_view text, const YamlNode& node) {
   return end;
 }
 
-// Where a value without content would stand: right after its key's colon.
+// Returns the place of a missing value: directly after its key's colon.
 std::size_t afterColon(std::string_view text, const YamlNode& node) {
   const char first = text[node.key_begin];
   const std::size_t key_end = first == '"' || first == '\'' ? pastQuoted(text, node.key_begin) : node.key_begin;
@@ -59,7 +59,7 @@ std::size_t endOf(std::string_view text, const YamlNode& node) {
 std::string replaced(const std::string& text, const YamlNode& node, std::string_view value) {
   const std::size_t end = endOf(text, node);
   if (node.kind == YamlNode::Kind::kNull) return text.substr(0, end) + " " + std::string(value) + text.substr(end);
-  // A block under a key starts on the next line, with maybe a comment before it; its replacement stands beside the key.
+  // A block under a key may start on a later line, after a comment; its replacement is written beside the key.
   const bool is_item = node.path.ends_with(']');
   const bool is_block_under_key = !node.is_flow && node.kind != YamlNode::Kind::kScalar && !is_item;
   const std::size_t begin = is_block_under_key ? afterColon(text, node) : node.begin;
@@ -88,7 +88,7 @@ std::string appendedToBlock(const std::string& text, const YamlNode& map, const 
          text.substr(line_end);
 }
 
-// The part of a path before its last key.
+// Returns the part of a path before its last key.
 std::string_view parentPath(std::string_view path) {
   const std::size_t dot = path.rfind('.');
   return dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
@@ -114,7 +114,7 @@ std::string withoutYamlValue(const std::string& text, std::string_view path) {
   assert(node && parent && parent->kind == YamlNode::Kind::kMap);
   if (parent->items.size() == 1) return replaced(text, *parent, "{}");
   std::size_t begin = node->key_begin, end = endOf(text, *node);
-  if (!parent->is_flow) {  // its lines, up to where its key's line starts and the last of its own ends
+  if (!parent->is_flow) {  // removes its complete lines
     begin = begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1;
     end = std::min(text.find('\n', end), text.size() - 1) + 1;
   } else if (const std::size_t next = text.find_first_not_of(" \n\r", end); text[next] == ',') {

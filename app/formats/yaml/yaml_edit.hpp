@@ -1,4 +1,5 @@
-// Changes single values of a YAML text and leaves everything else, comments and order included, as the user wrote it.
+// Changes of single values of a YAML text that leave everything else, comments and order included, as the user wrote
+// it.
 #pragma once
 
 #include <string>
@@ -6,14 +7,13 @@
 
 namespace tubeplan::app {
 
-/// The text with the value at a dotted path ("base.position", "links[3].beam.Iz") replaced by `value`, a number, a word
-/// or a map or list in flow style. Where the last keys of the path are missing they are added: inside the braces of a
-/// flow map, else on a line of their own. The text must be one that parseYaml accepts, and every list item of the path
-/// must exist.
+/// Returns the text with the value at a dotted path ("base.position", "links[3].beam.Iz") replaced by `value`: a
+/// number, a word, or a map or list in flow style. Missing last keys of the path are added: inside the braces of a flow
+/// map, else on a line of their own. The text must be valid for parseYaml, and every list item of the path must exist.
 [[nodiscard]] std::string withYamlValue(const std::string& text, std::string_view path, std::string_view value);
 
-/// Returns the text without the key at the end of the path, which must be there, and its value. The last key of a map
-/// leaves `{}`.
+/// Returns the text without the existing key at the end of the path and its value. Removal of a map's last key leaves
+/// `{}`.
 [[nodiscard]] std::string withoutYamlValue(const std::string& text, std::string_view path);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// A value of a YAML file that knows where it stands, so that whatever is wrong with it can be said with its line.
+// Value of a YAML file with its place, so that messages about it can name the line.
 #pragma once
 
 #include <memory>
@@ -8,50 +8,51 @@
 
 namespace tubeplan::app {
 
-/// Everything thrown here is an InputError that names the file, line, column and dotted path.
+/// Value of a YAML file. Its functions throw InputError with the file, line, column and dotted path.
 struct YamlNode {
   enum class Kind { kNull, kScalar, kList, kMap };
 
-  std::shared_ptr<const std::string> file;  ///< its name, for messages
-  std::string path;                         ///< "links[3].beam.Iz"; empty for the whole file
+  std::shared_ptr<const std::string> file;  ///< name of the file, for messages
+  std::string path;                         ///< path: "links[3].beam.Iz"; empty for the whole file
   Kind kind = Kind::kNull;
   int line = 1, column = 1;
-  std::size_t begin = 0;      ///< where the value starts in the text
-  std::size_t key_begin = 0;  ///< where its key starts, of a value in a map
-  bool is_quoted = false;     ///< a scalar in quotes is text, never a number
-  bool is_flow = false;       ///< a list in [] or a map in {}
+  std::size_t begin = 0;      ///< index of the value's first byte in the text
+  std::size_t key_begin = 0;  ///< index of its key's first byte, for a value in a map
+  bool is_quoted = false;     ///< true for a scalar in quotes, which is text and never a number
+  bool is_flow = false;       ///< true for a list in [] or a map in {}
   std::string scalar;
-  std::vector<std::string> keys;  ///< of a map, one for each item
-  std::vector<YamlNode> items;    ///< of a list or map
+  std::vector<std::string> keys;  ///< keys of a map, one for each item
+  std::vector<YamlNode> items;    ///< items of a list or map
 
-  /// That value of a map; null where the map has no such key.
+  /// Returns the value of a key; null if the map does not have it.
   [[nodiscard]] const YamlNode* find(std::string_view key) const;
 
-  /// That value of a map. Throws where there is none.
+  /// Returns the value of a key. Throws InputError if the map does not have it.
   [[nodiscard]] const YamlNode& at(std::string_view key) const;
 
-  /// Throws for a value that is not a map, a key that is in neither list, a required key that is missing.
+  /// Throws InputError for a value that is not a map, a key that is in neither list, or a missing required key.
   void expectKeys(const std::vector<std::string>& required, const std::vector<std::string>& optional) const;
 
-  /// The items of a list. Throws for anything else.
+  /// Returns the items of a list. Throws InputError for any other value.
   [[nodiscard]] const std::vector<YamlNode>& list() const;
 
-  /// Of exactly that many items; `meaning` says which: "three numbers: x, y, z".
+  /// Returns the items of a list. Throws InputError unless there are `count`; `meaning` describes them: "three numbers:
+  /// x, y, z".
   [[nodiscard]] const std::vector<YamlNode>& list(std::size_t count, const std::string& meaning) const;
 
-  [[nodiscard]] double number() const;  ///< finite
+  [[nodiscard]] double number() const;  ///< returns a finite number
   [[nodiscard]] int integer(int least, int most) const;
-  [[nodiscard]] bool boolean() const;      ///< true or false, nothing else
-  [[nodiscard]] std::string text() const;  ///< one word or phrase, not empty
+  [[nodiscard]] bool boolean() const;      ///< returns the value of `true` or `false`
+  [[nodiscard]] std::string text() const;  ///< returns a word or phrase that is not empty
 
-  /// The text of each item of a list.
+  /// Returns the text of each item of a list. Throws InputError for other values.
   [[nodiscard]] std::vector<std::string> texts() const;
 
-  /// "file:line:column (path)", or with another name for the place.
+  /// Returns "file:line:column (path)", or with another name in place of the path.
   [[nodiscard]] std::string where() const { return where(path); }
   [[nodiscard]] std::string where(const std::string& name) const;
 
-  /// "the text 'abc'", "a list of 2".
+  /// Returns a description of the value: "the text 'abc'", "a list of 2".
   [[nodiscard]] std::string description() const;
 
   [[noreturn]] void fail(const std::string& expected, const std::string& advice = "") const;

@@ -6,7 +6,7 @@ namespace tubeplan::app {
 
 namespace {
 
-// A quote opens a text only at the start of a value: the one in "5' pipe" does not.
+// Returns true for a quote that opens a text, which it does only at the start of a value, unlike in "5' pipe".
 bool startsQuote(std::string_view text, std::size_t at) {
   if (text[at] != '"' && text[at] != '\'') return false;
   const std::size_t before = at == 0 ? std::string_view::npos : text.find_last_not_of(" \n\r", at - 1);
@@ -15,7 +15,7 @@ bool startsQuote(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-// In single quotes '' is a quote, in double quotes \" is.
+// A quote within the text is written as '' in single quotes and as \" in double quotes.
 std::size_t pastQuoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   for (std::size_t i = at + 1; i < text.size(); ++i) {

@@ -1,17 +1,17 @@
-// Where pieces of YAML text end: which the parser does not report.
+// Ends of pieces of YAML text, which the parser does not report.
 #pragma once
 
 #include <string_view>
 
 namespace tubeplan::app {
 
-/// Whether the sign at `at` is a # that starts a comment (outside quotes, which is for the caller to know).
+/// Returns true for a # at `at` that starts a comment, if it is outside quotes, which the caller must check.
 [[nodiscard]] bool startsComment(std::string_view text, std::size_t at);
 
-/// Past the closing quote that answers the one at `at`; npos where there is none.
+/// Returns the index after the closing quote for the one at `at`; npos if there is none.
 [[nodiscard]] std::size_t pastQuoted(std::string_view text, std::size_t at);
 
-/// Past the bracket or brace that answers the one at `at`.
+/// Returns the index after the closing bracket or brace for the one at `at`.
 [[nodiscard]] std::size_t pastFlow(std::string_view text, std::size_t at);
 
 }  // namespace tubeplan::app
