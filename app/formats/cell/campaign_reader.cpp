@@ -106,7 +106,7 @@ void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
 
 constexpr int kPosturesOfSurface = 12;
 
-// Returns a design with the defaults of missing keys.
+// Returns a design with the kind, points and place of the file and the defaults of that kind.
 CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
   CampaignDesign design;
   design.kind = readKind(root.at("kind"));

@@ -18,7 +18,8 @@ namespace tubeplan::app {
 /// names or nothing. Other cells may use any other arm file.
 void requireReplaceable(const std::filesystem::path& cell, bool has_arm_file, const std::string& option);
 
-/// Calls checkWritableFile() for `out`, which may be the cell itself; for use before the work. Throws InputError.
+/// Throws InputError unless `out` can be written (checkWritableFile()) and is a new file or a cell, such as the cell
+/// itself. For use before the work.
 void checkWritableCell(const Cell& cell, const std::filesystem::path& out, const std::string& option);
 
 /// Checks `out` as checkWritableCell() does, and the path of the arm's file beside it, if the arm has a file of its

@@ -31,7 +31,8 @@ std::vector<std::string> namesFor(const Cell& cell) {
   return names;
 }
 
-/// Returns the standard deviation in the fit's variable: for a stiffness, its compliance with the same relative error.
+/// Returns the standard deviation of the fit's variable, which for a stiffness is its compliance: `sigma` over the
+/// square of its value.
 double asOfVariable(const deflection::Parameter& parameter, double sigma) {
   return deflection::isStiffness(parameter.quantity) && parameter.path.effect < 0
              ? sigma / (parameter.value * parameter.value)

@@ -34,8 +34,8 @@ struct SceneSource {
 [[nodiscard]] SceneSource readScene(const YamlNode& cell, const deflection::Arm& arm, const Units& units,
                                     const std::filesystem::path& folder);
 
-/// Returns warnings about the scene: bodies that are always too near each other, meshes that are not closed, and meshes
-/// out of the arm's reach from its base.
+/// Returns warnings about the scene: bodies that are always too near each other, members of the arm without a body,
+/// meshes that are not closed, and meshes out of the arm's reach from its base.
 [[nodiscard]] std::vector<std::string> sceneWarnings(const planner::Scene& scene, const std::vector<SceneMesh>& meshes,
                                                      const deflection::Arm& arm, const Eigen::Isometry3d& X_WB);
 
