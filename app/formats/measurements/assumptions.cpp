@@ -53,7 +53,7 @@ std::string subjectOf(const std::string& assumption) {
   return assumption.substr(0, colon == std::string::npos ? equals : colon);
 }
 
-/// Returns the last assumption about each subject.
+/// Returns the assumptions that apply: the last one about each subject.
 std::vector<std::string> inForce(const std::vector<std::string>& assume) {
   std::vector<std::string> kept;
   for (const auto& text : assume)

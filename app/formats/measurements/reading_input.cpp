@@ -72,8 +72,8 @@ void settleCounts(std::vector<Measurement>& readings, const Cell& cell, const st
   settleSteps(readings, *cell.tool, file);
 }
 
-/// Checks the noise of a reading's angles; a reading of angles only gets it, at the lever's length, as its sigma.
-/// Throws InputError if it is missing.
+/// Sets the sigma of a reading of angles only to their noise times the lever. Throws InputError for a reading of angles
+/// without turn_sigma.
 void stateTurnSigma(Measurement& reading, const std::string& file, const Cell& cell) {
   const auto& kind = kindOf(reading);
   if (kind.turn_rows == 0) return;

@@ -233,7 +233,7 @@ class ChainReader {
     }
   }
 
-  /// Notes solids fixed to the root, which do not move with a row.
+  /// Records solids fixed to the root as left out, because they do not move with a row.
   void leaveOutStanding(const Link& link) {
     if (!link.solids.empty())
       out_.left_out.push_back(

@@ -153,7 +153,7 @@ class UrdfNumbers {
     return numbers ? Eigen::Vector3d(numbers->data()) : otherwise;
   }
 
-  /// Return required lengths [m].
+  /// Returns a required length [m].
   double length(const char* element, const char* attribute) const {
     return find(element, attribute, 1, "a length in m", 0, true)->front();
   }
