@@ -16,7 +16,7 @@ namespace {
 using deflection::Arm, deflection::JointType;
 using Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd;
 
-constexpr double kView = 420, kMargin = 40;  // px
+constexpr double kView = 420, kMargin = 40;  // [px]
 
 VectorXd middleOf(const Arm& arm) {
   VectorXd q(arm.jointCount());
@@ -45,7 +45,7 @@ Outline outlineOf(const Arm& arm) {
   return outline;
 }
 
-/// A view along one of the base's axes: `across` to the right, `up` upwards.
+/// View along one of the base's axes: `across` to the right, `up` upwards.
 class View {
  public:
   View(const Outline& outline, int across, int up, double left) : across_(across), up_(up), left_(left) {
@@ -83,7 +83,7 @@ std::string jointMark(const deflection::Joint<double>& joint, const Vector2d& at
   return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" class=\"joint\"/>\n", at.x(), at.y());
 }
 
-/// A length of one, two or five times a power of ten that is about a third of the view.
+/// Returns a length of one, two or five times a power of ten, about a third of the view.
 double roundLength(double longest) {
   const double power = std::pow(10, std::floor(std::log10(longest)));
   for (const double step : {5., 2.})

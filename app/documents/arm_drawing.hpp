@@ -1,4 +1,4 @@
-// An arm drawn from the side and from above, as SVG.
+// Drawing of an arm from the side and from above, as SVG.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace tubeplan::app {
 
-/// All joints in the middle of their limits (at zero where they have none): links as lines, joints as circles (squares
-/// where they slide), the deflected shape in a second colour, a scale beside it.
+/// Draws all joints at the middle of their limits (at zero if they have none): links as lines, joints as circles
+/// (squares if they slide), the deflected shape in a second colour, with a scale.
 [[nodiscard]] std::string armDrawing(const deflection::Arm& arm, const Units& units);
 
 }  // namespace tubeplan::app

@@ -19,7 +19,7 @@ namespace {
 using deflection::Arm, deflection::JointType;
 using Eigen::Vector3d, Eigen::VectorXd;
 
-/// What rounding alone leaves of a zero is shown as one.
+/// Sets coordinates of the size of rounding errors to zero.
 void clean(Vector3d& p, double size) {
   for (double& x : p)
     if (std::abs(x) < 1e-12 * size) x = 0;
@@ -39,7 +39,7 @@ std::string typeOf(const deflection::Joint<double>& joint) {
   return joint.type == JointType::kPassive ? "fixed" : joint.type == JointType::kRevolute ? "revolute" : "prismatic";
 }
 
-/// "joint z, beam": where a row gives.
+/// Returns the flexible parts of a row: "joint z, beam".
 std::string complianceOf(const deflection::Row<double>& row) {
   std::string axes;
   for (int k = 0; k < 3; ++k)

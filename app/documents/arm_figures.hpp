@@ -1,4 +1,4 @@
-// An arm as text and JSON, for checking: rows, joints, what is compliant and what weighs.
+// Figures of an arm as text and JSON, for checking: rows, joints, compliances and weights.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,8 +9,8 @@
 
 namespace tubeplan::app {
 
-/// {name, reach, weight, joints, rows: [{name, joint, type, position, z_axis, limits, compliant, weight}], tip, units};
-/// places and axes in the base frame, all joints at zero.
+/// Returns {name, reach, weight, joints, rows: [{name, joint, type, position, z_axis, limits, compliant, weight}], tip,
+/// units}; places and axes in the base frame, all joints at zero.
 [[nodiscard]] nlohmann::json armJson(const deflection::Arm& arm, const Units& units);
 
 [[nodiscard]] std::string armText(const deflection::Arm& arm, const Units& units);

@@ -18,14 +18,14 @@ namespace {
 
 using calibration::BaseCalibration;
 
-constexpr double kMostSigmas = 3;          // of where a base may well stand
-constexpr double kMostPitches = 10;        // by which people miscount
-constexpr double kOnLattice = 0.75;        // pitches; a shift beyond the sheet's size is further from all of its holes
-constexpr double kTooGood = 1e-6;          // share of calibrations that fit so well by chance
-constexpr double kMiscounted = 0.01;       // share of sessions whose holes are all named from a wrong row or column
-constexpr std::size_t kEnoughTouches = 4;  // with them a touch that is off can be told from a model that is
+constexpr double kMostSigmas = 3;     // standard deviations of a plausible base
+constexpr double kMostPitches = 10;   // largest usual miscount
+constexpr double kOnLattice = 0.75;   // in pitches; a shift beyond the sheet's size exceeds this at all of its holes
+constexpr double kTooGood = 1e-6;     // share of calibrations that fit this well by chance
+constexpr double kMiscounted = 0.01;  // share of sessions in which all holes are named from a wrong row or column
+constexpr std::size_t kEnoughTouches = 4;  // number of touches that distinguishes a wrong touch from a wrong model
 
-/// "if theta1 of touch T6 was read 0.4 deg too large, the touches fit (p = 0.4): read it again".
+/// Returns "if theta1 of touch T6 was read 0.4 deg too large, the touches fit (p = 0.4): read it again".
 std::string suspectText(const calibration::SuspectReading& suspect, const Cell& cell) {
   const auto& joint = cell.arm.joint(suspect.joint);
   const Dimension dimension = jointDimension(joint);
@@ -63,13 +63,13 @@ void judgeFit(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdic
         "the touches agree far better than their stated noise: sigma is too large, or in another unit");
 }
 
-/// A way from one hole of the sheet to another.
+/// Displacement from one hole of the sheet to another.
 struct HolesApart {
   int rows = 0, columns = 0;
-  Eigen::Vector2d way = Eigen::Vector2d::Zero();  ///< m
+  Eigen::Vector2d way = Eigen::Vector2d::Zero();  ///< [m]
 };
 
-/// Of all ways between holes, as seen from the middle of the sheet, the nearest to this one.
+/// Returns the displacement between holes, from the middle of the sheet, that is nearest to `way`.
 HolesApart holesNearest(const tubesheets::Sheet& sheet, const Eigen::Vector2d& way) {
   const auto placeOf = [](const tubesheets::Tube& tube) { return Eigen::Vector2d(tube.x, tube.y); };
   const auto nearestTo = [&](const Eigen::Vector2d& place) {
@@ -82,13 +82,13 @@ HolesApart holesNearest(const tubesheets::Sheet& sheet, const Eigen::Vector2d& w
   return {to.row - from.row, to.column - from.column, placeOf(to) - placeOf(from)};
 }
 
-/// How much likelier a base that stands so far from nominal is than one that stands there, by the base's prior.
+/// Returns the likelihood ratio of a base at distance `there` from nominal to one at `here`, by the base's prior.
 double likelihoodRatio(const Eigen::Vector3d& there, const Eigen::Vector3d& here, const BasePrior& prior) {
   return std::exp((here.squaredNorm() - there.squaredNorm()) / (2 * prior.shift * prior.shift));
 }
 
-/// Whole rows and columns by which every hole may have been named wrongly: said where that is likelier, by where the
-/// base is expected, than a base that stands as found.
+/// Warns of a miscount by whole rows and columns in the name of every hole, if that is likelier, by the base's prior,
+/// than the base as found.
 void judgeShift(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdict) {
   const Units& units = cell.units;
   const Eigen::Vector3d shift = base.from_start.head<3>();
@@ -130,7 +130,7 @@ void judgeTurn(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdi
                   angleOf(verdict.angle, units), units.angle().name, angleOf(most, units), units.angle().name));
 }
 
-/// Of the base's place and turn, in all directions together.
+/// Standard deviations of the base's place and rotation, all directions combined.
 struct FromNominalSigma {
   double distance, angle;
 };

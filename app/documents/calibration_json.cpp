@@ -16,7 +16,7 @@ namespace {
 
 using calibration::BaseCalibration, calibration::CalibrationStatus;
 
-/// Covariance in file units; order x, y, z, then the turns about them.
+/// Returns the covariance in file units; order x, y, z, then the rotations about them.
 nlohmann::json covarianceJson(const Eigen::Matrix<double, 6, 6>& covariance, const Units& units) {
   Eigen::Matrix<double, 6, 1> scale;
   scale << Eigen::Vector3d::Constant(1 / units.factor(dimension::kLength)),
@@ -30,7 +30,7 @@ nlohmann::json covarianceJson(const Eigen::Matrix<double, 6, 6>& covariance, con
   return rows;
 }
 
-/// What the touches say of the arm's numbers.
+/// Returns the information of the touches on the arm's numbers.
 nlohmann::json numbersJson(const BaseCalibration& result, const Units& units) {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& number : result.numbers) {

@@ -1,4 +1,4 @@
-// A base calibration as JSON and as a few lines for people.
+// Results of a base calibration as JSON and as a short text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,10 +9,12 @@
 
 namespace tubeplan::app {
 
-/// With the verdict on it (base_verdict.hpp). `cell`: as it was before, its base the nominal one.
+/// Returns the calibration with its verdict (base_verdict.hpp). `cell` is the cell before the calibration, with the
+/// nominal base.
 [[nodiscard]] nlohmann::json calibrationJson(const calibration::BaseCalibration& result, const Cell& cell);
 
-/// Base, its sigmas, residual of each touch and the verdict; in full also the distance checks and what to do.
+/// Returns the base, its sigmas, the residual of each touch and the verdict; with `in_full` also the distance checks
+/// and the remedies.
 [[nodiscard]] std::string calibrationText(const calibration::BaseCalibration& result, const Cell& cell,
                                           bool in_full = true);
 

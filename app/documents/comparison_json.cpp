@@ -42,7 +42,7 @@ json repeatsJson(const Repeats& repeats) {
             {"p_value", finiteJson(repeats.lack_of_fit_p_value)}}}};
 }
 
-/// The unit that the errors of a comparison are in.
+/// Returns the unit of a comparison's errors.
 ErrorUnit errorUnitOf(const Comparison& result, const Units& units) {
   return errorUnitOf(result.after_refit.errors.are_angles || result.as_it_stands.errors.are_angles, units);
 }
@@ -167,7 +167,7 @@ std::string errorClause(const Comparison& result, const Units& units) {
                      errorText(result.after_refit.noise_floor, unit, 3));
 }
 
-/// The error, then each of the verdict's reasons.
+/// Returns the error, then each of the verdict's reasons.
 std::vector<std::string> comparisonSentences(const Comparison& result, const Units& units) {
   std::vector<std::string> sentences = {errorClause(result, units)};
   sentences.insert(sentences.end(), result.grounds.begin(), result.grounds.end());

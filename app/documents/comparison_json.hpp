@@ -1,4 +1,4 @@
-// A comparison of model and readings as JSON and as a few lines for people.
+// Comparison of model and readings as JSON and as a short text.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@
 
 namespace tubeplan::app {
 
-/// `errors` of a comparison's document; they had been the other way round.
+/// Sign convention of the errors, as `errors` of a comparison's document.
 inline constexpr const char* kErrorsAre = "measured less predicted";
 
-/// The one plain sentence of a comparison.
+/// Returns the comparison in one plain sentence.
 [[nodiscard]] std::string comparisonSentence(const calibration::Comparison& result, const Units& units);
 
-/// `readings` are those that were compared; so many others were set aside.
+/// Returns the comparison's document. `readings` are those compared; `set_aside` counts the others.
 [[nodiscard]] nlohmann::json comparisonJson(const calibration::Comparison& result,
                                             const std::vector<calibration::Measurement>& readings,
                                             std::size_t set_aside, const Units& units);
 
-/// In words, from its JSON.
+/// Returns the comparison in words, from its JSON.
 [[nodiscard]] std::string comparisonText(const nlohmann::json& figures);
 
 }  // namespace tubeplan::app

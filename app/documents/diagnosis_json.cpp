@@ -36,7 +36,7 @@ nlohmann::json numberJson(const FoundNumber& number, const Units& units) {
   return json;
 }
 
-/// Sizes that explain the readings as well as each other, and the kinds of measurement that decide.
+/// Adds the sizes that explain the readings equally, and the kinds of measurement that would decide.
 void addModes(const FoundEffect& effect, const Units& units, nlohmann::json& json) {
   if (effect.modes.empty()) return;
   for (const auto& values : effect.modes) {
@@ -97,7 +97,7 @@ nlohmann::json effectsJson(const Explanation& explanation, const Diagnosis& resu
   return effects;
 }
 
-/// An explanation with what it leaves.
+/// Returns an explanation with its remainder.
 nlohmann::json explanationJson(const Explanation& explanation, const Diagnosis& result, const Units& units) {
   const ErrorUnit unit = errorUnitOf(result.before.are_angles, units);
   return {{"effects", effectsJson(explanation, result, units)},
@@ -110,7 +110,7 @@ nlohmann::json explanationJson(const Explanation& explanation, const Diagnosis& 
           {"heldout_rms", errorJson(explanation.heldout.rms, unit)}};
 }
 
-/// The explanations that are shown.
+/// Returns the explanations shown.
 nlohmann::json explanationsJson(const Diagnosis& result, const Units& units) {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& explanation : calibration::explanationsShown(result)) {
@@ -130,7 +130,7 @@ nlohmann::json remainderJson(const Diagnosis& result, const ErrorUnit& unit) {
           {"follows", follows}};
 }
 
-/// The least of each kind that would have been seen is `best` of its places.
+/// Returns the smallest detectable size of every effect; `best` marks the smallest of each kind.
 nlohmann::json detectableJson(const std::vector<calibration::DetectableEffect>& detectable, const Units& units) {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& entry : detectable) {

@@ -1,4 +1,4 @@
-// A diagnosis as JSON, and that in words.
+// Diagnosis as JSON, and that document in words.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,7 +15,7 @@ namespace tubeplan::app {
 
 [[nodiscard]] std::string diagnosisText(const nlohmann::json& figures);
 
-/// The command that adds the first explanation to the cell of this path; empty where none is sure.
+/// Returns the command that adds the first explanation to the cell at this path; empty if no explanation is certain.
 [[nodiscard]] std::string additionCommand(nlohmann::json figures, const std::string& cell);
 
 }  // namespace tubeplan::app

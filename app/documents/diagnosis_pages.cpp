@@ -19,7 +19,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Readings as the page's pictures take them, at the tip's place after the refit.
+/// Adds the readings in the form of the page's pictures, at the tip's place after the refit.
 void addPictures(const Cell& cell, nlohmann::json& json) {
   json["joints"] = jointsJson(cell.arm, cell.units);
   for (auto& reading : json["readings"]) {
@@ -29,7 +29,7 @@ void addPictures(const Cell& cell, nlohmann::json& json) {
   }
 }
 
-/// The joints, and the axes of rows that the found effects turn.
+/// Returns the joints, and the axes of rows on which the found effects act.
 std::vector<std::string> leverNames(const deflection::Arm& arm, const nlohmann::json& page) {
   std::vector<std::string> names = deflection::jointNames(arm);
   for (const auto& explanation : page.value("explanations", nlohmann::json::array()))
@@ -40,7 +40,7 @@ std::vector<std::string> leverNames(const deflection::Arm& arm, const nlohmann::
   return names;
 }
 
-/// What makes an error at the tip that of a joint, and the moments that it may follow, at the readings that are drawn.
+/// Adds the leverages, which convert an error at the tip into that of a joint, and the moments, at the readings drawn.
 void addLevers(const Cell& cell, const std::vector<calibration::Measurement>& readings, nlohmann::json& page) {
   std::set<std::string> drawn;
   for (const auto& reading : page.at("readings")) drawn.insert(reading.at("id").get<std::string>());
@@ -52,7 +52,7 @@ void addLevers(const Cell& cell, const std::vector<calibration::Measurement>& re
   page["moments"] = momentsJson(cell, some);
 }
 
-/// The figures with what the page's head says.
+/// Returns the figures with the data of the page's head.
 nlohmann::json pageOf(const std::string& what, const CellReadings& input, std::uint64_t seed,
                       const nlohmann::json& figures) {
   nlohmann::json page = figures;
@@ -83,7 +83,7 @@ std::string diagnosisPage(const CellReadings& input, std::uint64_t seed, const n
 
 namespace {
 
-/// Of a step's diagnosis what its plots take.
+/// Returns the data of a step's diagnosis for its plots.
 nlohmann::json stepPictures(const CellReadings& input, const ImprovementStep& step, const CellModel& model) {
   nlohmann::json figures = diagnosisJson(step.diagnosis, input.readings, input.cell.units);
   for (const char* name : {"ranking", "detectable", "closest", "added_variable", "not_tried", "ladder"})

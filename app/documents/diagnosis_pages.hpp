@@ -1,4 +1,4 @@
-// The pages of `compare --report`, `diagnose --report` and `improve --report`.
+// Pages of `compare --report`, `diagnose --report` and `improve --report`.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,14 @@
 
 namespace tubeplan::app {
 
-/// `figures`: as `--json` writes them.
+/// Returns the page of a comparison. `figures` is the document that `--json` writes.
 [[nodiscard]] std::string comparisonPage(const CellReadings& input, std::uint64_t seed, const nlohmann::json& figures);
-/// `tested`: what the pattern search made of the refit's errors, as in the comparison's figures; may be empty.
+/// Returns the page of a diagnosis. `tested` is the pattern search of the refit's errors, as in the comparison's
+/// figures; may be empty.
 [[nodiscard]] std::string diagnosisPage(const CellReadings& input, std::uint64_t seed, const nlohmann::json& figures,
                                         const nlohmann::json& tested);
-/// The models, and of each step the errors with what was added, or with what would be closest.
+/// Returns the page of an improvement: the models, and for each step its errors with the added cause, or with the
+/// closest candidate.
 [[nodiscard]] std::string improvementPage(const CellReadings& input, std::uint64_t seed, const Improvement& result);
 
 }  // namespace tubeplan::app

@@ -19,9 +19,9 @@ namespace {
 using calibration::Diagnosis, calibration::Explanation, calibration::FoundEffect, calibration::FoundNumber,
     calibration::Measurement, calibration::Verdict;
 
-constexpr int kDigits = 3;  // of a length in a sentence
+constexpr int kDigits = 3;  // digits of a length in a sentence
 
-/// "0.0586 ± 0.0010": sigma to two digits, the value to the same decimals.
+/// Returns "0.0586 ± 0.0010": sigma to two digits, the value to the same decimals.
 std::string withSigmaText(double value, double sigma) {
   constexpr double kLeastPlain = 1e-3, kMostPlain = 1e5;
   const double size = std::max(std::abs(value), sigma);
@@ -34,7 +34,7 @@ std::string effectAtPlace(const std::string& effect, const std::string& at) {
   return fmt::format("{} at {}", effect, at);
 }
 
-/// "joint-compliance at theta2-row.z (softness 0.0021 ± 0.0001 rad/kNm)"; of many numbers only how many.
+/// Returns "joint-compliance at theta2-row.z (softness 0.0021 ± 0.0001 rad/kNm)"; for many numbers only their count.
 std::string foundText(const FoundEffect& effect, const Units& units) {
   constexpr std::size_t kMost = 3;
   std::vector<std::string> numbers;
@@ -46,14 +46,14 @@ std::string foundText(const FoundEffect& effect, const Units& units) {
   return numbers.empty() ? name : fmt::format("{} ({})", name, fmt::join(numbers, ", "));
 }
 
-/// With sizes where that is short.
+/// Returns the explanation with sizes if that is short.
 std::string shortText(const Explanation& explanation, const Units& units) {
   constexpr std::size_t kShort = 90;
   const std::string text = sizesText(explanation, units);
   return text.size() <= kShort ? text : namesText(explanation);
 }
 
-/// ", or joint-offset at A5 in place of link-length at bend, which ..."; empty where no cause has other names.
+/// Returns ", or joint-offset at A5 in place of link-length at bend, which ..."; empty if no cause has other names.
 std::string orText(const Explanation& explanation) {
   std::vector<std::string> others;
   for (const auto& effect : explanation.effects)
@@ -64,7 +64,7 @@ std::string orText(const Explanation& explanation) {
   return fmt::format(", or {}, which no reading with this tool tells apart", fmt::join(others, " and "));
 }
 
-/// "load (50 %), theta1 (20 %)": what a remainder follows, and how much of it.
+/// Returns "load (50 %), theta1 (20 %)": the variables of a remainder with the explained shares.
 std::string followsText(const calibration::Remainder& remainder) {
   constexpr std::size_t kMost = 3;
   std::vector<std::string> variables;
@@ -73,7 +73,7 @@ std::string followsText(const calibration::Remainder& remainder) {
   return fmt::format("{}", fmt::join(variables, ", "));
 }
 
-/// A figure of the readings' errors.
+/// Returns an error of the readings in words, with its unit.
 std::string errorText(double error, const Diagnosis& result, const Units& units, int digits = kDigits) {
   return errorText(error, errorUnitOf(result.before.are_angles, units), digits);
 }
@@ -86,7 +86,7 @@ std::string remainderSentence(const Diagnosis& result, const Units& units) {
   return fmt::format("{} remains that no known effect explains; it follows {}.", size, followsText(remainder));
 }
 
-/// Where readings that were repeated say that the noise is larger than stated.
+/// Returns a warning if repeated readings show a larger noise than stated.
 std::string repeatsSentence(const calibration::Repeats& repeats) {
   if (repeats.groups == 0) return "";
   return fmt::format("Repeated readings scatter {:.2f} times as much as stated, and this is all that is left.",
@@ -103,7 +103,7 @@ std::string missingSentence(const Diagnosis& result, const Units& units) {
   return fmt::format("Missing: {}{}.", shortText(found, units), orText(found));
 }
 
-/// "base-slip at base has 3 sizes that explain the readings equally; ...": empty where each has one.
+/// Returns "base-slip at base has 3 sizes that explain the readings equally; ..."; empty if each has one size.
 std::string modesSentence(const Explanation& explanation) {
   std::vector<std::string> sentences;
   for (const auto& effect : explanation.effects) {
@@ -115,7 +115,8 @@ std::string modesSentence(const Explanation& explanation) {
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-/// Of readings that leave a range open, a fit may leave less than the noise: no more is known than that.
+/// Returns the sentence on the drop of the error. An error far below the noise floor, as of readings with an open
+/// range, is stated only as less than it.
 std::string fallSentence(const Diagnosis& result, const Units& units) {
   constexpr double kNothing = 0.5;  // of the noise floor
   if (result.heldout_after.rms < kNothing * result.noise_floor)
@@ -135,7 +136,7 @@ std::string scatterSentence(const Diagnosis& result, const Units& units) {
       errorText(budgetOf(result).remainder, result, units), kFollowsNothing);
 }
 
-/// Of an error that is no larger than the stated noise, and yet not by chance.
+/// Returns the sentence for an error within the stated noise that is nevertheless not random.
 std::string withinNoiseSentence(const Diagnosis& result, const Units& units) {
   const std::string follows =
       result.remainder.follows.empty() ? "" : " (it follows " + followsText(result.remainder) + ")";
@@ -146,7 +147,7 @@ std::string withinNoiseSentence(const Diagnosis& result, const Units& units) {
       errorText(budgetOf(result).total, result, units), errorText(result.noise_floor, result, units), follows);
 }
 
-constexpr double kWorthNaming = 0.03;  // probability of something unknown beside the explanations
+constexpr double kWorthNaming = 0.03;  // probability of something unknown besides the explanations
 
 std::string ambiguousSentence(const Diagnosis& result) {
   if (result.alternatives.size() == 1)
@@ -168,7 +169,7 @@ std::string inconclusiveSentence(const Diagnosis& result) {
       100 * (1 - result.nothing_probability));
 }
 
-/// Those that a result has nothing to say for are empty.
+/// Returns the sentences of a result; empty for topics that do not apply.
 std::vector<std::string> sentencesOf(const Diagnosis& result, const Units& units) {
   switch (result.verdict) {
     case Verdict::kNotRun:

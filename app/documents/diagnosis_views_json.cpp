@@ -22,7 +22,7 @@ using calibration::AddedVariable, calibration::Diagnosis, calibration::Explanati
     calibration::ReadingView;
 using nlohmann::json;
 
-/// To six digits: enough for any picture, and hundreds of readings stay small.
+/// Rounds to six digits: enough for any picture, and hundreds of readings stay small.
 json brief(double value) {
   return std::isfinite(value) ? json(std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr)) : json();
 }

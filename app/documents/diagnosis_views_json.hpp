@@ -1,4 +1,4 @@
-// What a diagnosis can show, as JSON: its readings, its ladder of errors and its added-variable plots.
+// Pictures of a diagnosis as JSON: its readings, its ladder of errors and its added-variable plots.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,25 +9,25 @@
 
 namespace tubeplan::app {
 
-/// The active joints as their readings are written: [{name, unit}, ...].
+/// Returns the active joints in the notation of their readings: [{name, unit}, ...].
 [[nodiscard]] nlohmann::json jointsJson(const deflection::Arm& arm, const Units& units);
 
-/// A reading without its errors, in the cell's units: {id, kind, point, joints: [...], load}, and where stated setup,
-/// senses: [...], conditions by their names.
+/// Returns a reading without its errors, in the cell's units: {id, kind, point, joints: [...], load}, and if stated
+/// setup, senses: [...], conditions by their names.
 [[nodiscard]] nlohmann::json readingJson(const calibration::Measurement& reading, const deflection::Arm& arm,
                                          const Units& units);
 
-/// Adds the numbers of a kind's own columns by their names, in the cell's units.
+/// Adds the numbers of the kind's own columns by their names, in the cell's units.
 void addOwnNumbers(const calibration::Measurement& reading, const Units& units, nlohmann::json& entry);
 
-/// [{name, rms, heldout_rms}, ...]: the model as it stands, refitted, and with each explanation that is shown. What
-/// nothing was fitted for has no held-out error of its own.
+/// Returns [{name, rms, heldout_rms}, ...]: the given model, the refitted model, and the model with each explanation
+/// shown. Without a fit there is no held-out error.
 [[nodiscard]] nlohmann::json modelComparisonJson(const calibration::Diagnosis& result, const Units& units);
 
-/// Adds to a diagnosis: `joints`, `ladder`, `readings` (each as above with position: [3], before: [3], after: [3] by
-/// the leading explanation, and explained: [[3], ...] by each that is shown; errors are measured less predicted),
-/// `added_variable` ([{explanation, effect, at, slope, length, kept_fraction, points: [[reading, signature, left],
-/// ...]}], where `reading` is an index into `readings`).
+/// Adds to a diagnosis: `joints`, `ladder`, `readings` (each as in readingJson() with position: [3], before: [3],
+/// after: [3] by the leading explanation, and explained: [[3], ...] by each explanation shown; errors are measured less
+/// predicted), `added_variable` ([{explanation, effect, at, slope, length, kept_fraction, points: [[reading, signature,
+/// left], ...]}], where `reading` is an index into `readings`).
 void addViews(const calibration::Diagnosis& result, const std::vector<calibration::Measurement>& readings,
               const Units& units, nlohmann::json& json);
 

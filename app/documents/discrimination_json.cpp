@@ -26,12 +26,12 @@ std::string explanationName(const DiscriminatingMeasurements& result, int index)
   return calibration::nameOf(result.explanations[static_cast<std::size_t>(index)]);
 }
 
-/// Whether it is taken at a hole or mark of known place.
+/// Returns true if the reading is taken at a hole or mark of known place.
 bool isAtPoint(const ProposedMeasurement& reading) {
   return calibration::kindOf(reading.kind).names_hole && reading.known_W;
 }
 
-/// Touches of one unknown point are named alike: N1; a hole or known point by its own name.
+/// Returns a chosen reading. Touches of one unknown point share a name, N1; a hole or known point has its own name.
 nlohmann::json chosenReadingJson(const DiscriminatingMeasurements& result, const DiscriminatingMeasurement& chosen,
                                  std::size_t number, const ProposedMeasurement& reading, const deflection::Arm& arm,
                                  const Units& units) {
@@ -78,7 +78,7 @@ std::string firstMeans(const DiscriminatingMeasurements& result) {
   return fmt::format("{}", fmt::join(some, ", or "));
 }
 
-/// "A and B"; of many pairs the first.
+/// Returns "A and B"; the first of many pairs.
 std::string neverText(const DiscriminatingMeasurements& result) {
   const auto& first = result.never.front();
   const std::string more = result.never.size() > 1 ? fmt::format(" (and {} pairs more)", result.never.size() - 1) : "";

@@ -1,4 +1,4 @@
-// Readings that would split what a diagnosis leaves open, as JSON and in words.
+// Readings that would decide between the explanations of a diagnosis, as JSON and in words.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,21 +10,21 @@
 
 namespace tubeplan::app {
 
-/// Puts `next_readings` (a list), and `discrimination` (what they would do, what else to do) into a diagnosis; its
-/// sentence gets the advice.
+/// Adds `next_readings` (a list) and `discrimination` (their expected effect, other remedies) to a diagnosis, and the
+/// advice to its sentence.
 void addNextReadings(const calibration::DiscriminatingMeasurements& result,
                      const std::vector<calibration::ReadingCandidate>& candidates, const deflection::Arm& arm,
                      const Units& units, nlohmann::json& diagnosis);
 
-/// One plain sentence; empty where there is nothing to split.
+/// Returns the advice in one plain sentence; empty if there is nothing to decide.
 [[nodiscard]] std::string discriminationAdvice(const calibration::DiscriminatingMeasurements& result);
 
-/// Returns the proposed readings, each with an id that the readings taken do not have; none where nothing is proposed.
+/// Returns the proposed readings, each with an id that the existing readings do not have; none if nothing is proposed.
 [[nodiscard]] std::vector<calibration::ProposedMeasurement> runSheetOf(
     const calibration::DiscriminatingMeasurements& result, const std::vector<calibration::ReadingCandidate>& candidates,
     const std::vector<calibration::Measurement>& taken);
 
-/// A few lines for people.
+/// Returns a short text.
 [[nodiscard]] std::string discriminationText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The numbers of an effect at neutral values, as they are at its place.
+/// Returns the numbers of an effect at neutral values, with the units at its place.
 json parametersJson(const Cell& cell, const deflection::EffectKind& kind, const deflection::Effect& effect) {
   json parameters = json::array();
   for (std::size_t v = 0; v < kind.parameters.size(); ++v) {
@@ -36,7 +36,7 @@ json parametersJson(const Cell& cell, const deflection::EffectKind& kind, const 
   return parameters;
 }
 
-/// "gap (deg, usually up to 1.15)"; units are those at the first place.
+/// Returns "gap (deg, usually up to 1.15)"; units are those at the first place.
 std::string numbersText(const Cell& cell, const deflection::EffectKind& kind, const std::string& at) {
   std::vector<std::string> numbers;
   for (const json& number : parametersJson(cell, kind, deflection::makeEffect(cell.arm, kind.name, at).effect)) {

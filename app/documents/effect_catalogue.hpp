@@ -1,4 +1,4 @@
-// The effects that a cell's arm can have, as JSON and in words.
+// Catalogue of the effects that a cell's arm can have, as JSON and in words.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,11 +8,11 @@
 
 namespace tubeplan::app {
 
-/// Every effect at every place of the arm, with its words, law and numbers.
+/// Returns every effect at every place of the arm, with its words, law and numbers.
 [[nodiscard]] nlohmann::json catalogueJson(const Cell& cell);
 
-/// The same, a paragraph for each kind: words, law, numbers with their units and largest usual sizes, places. Of the
-/// kind `only`, where it is not empty.
+/// Returns the catalogue with a paragraph for each kind: words, law, numbers with their units and largest usual sizes,
+/// places. Restricted to the kind `only` unless that is empty.
 [[nodiscard]] std::string catalogueText(const Cell& cell, const std::string& only);
 
 }  // namespace tubeplan::app

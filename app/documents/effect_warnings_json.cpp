@@ -35,7 +35,7 @@ double inFile(double value, deflection::Quantity quantity, const Units& units) {
 
 std::string warnedPlace(const EffectWarning& warning) { return warning.effect + "@" + warning.at; }
 
-/// "(p = 0.4; held-out error 0.0061 in with, 0.0060 in without)".
+/// Returns "(p = 0.4; held-out error 0.0061 in with, 0.0060 in without)".
 std::string groundsText(const EffectWarning& warning, const Units& units) {
   std::string text = fmt::format("p = {:.2g}", warning.p_value);
   if (std::isfinite(warning.heldout_with.rms) && std::isfinite(warning.heldout_without.rms))
@@ -67,7 +67,7 @@ std::string beyondText(const EffectWarning& warning, const Units& units) {
 
 using WarningGroup = std::vector<const EffectWarning*>;
 
-/// Whether one sentence says both: a better shape of its own is nobody else's.
+/// Returns true if one sentence can state both warnings; a better shape belongs to one effect alone.
 bool isSaidTogether(const EffectWarning& a, const EffectWarning& b) {
   if (a.kind != b.kind || a.is_within_noise != b.is_within_noise) return false;
   return a.kind != EffectWarningKind::kBetterExplainedBy ||
@@ -95,7 +95,7 @@ std::string warningList(const WarningGroup& group, TextOf&& textOf) {
   return text;
 }
 
-/// "0.014 to 1", or the one value where all are printed alike.
+/// Returns "0.014 to 1", or the one value if all are printed equally.
 template <class ValueOf>
 std::string warningRange(const WarningGroup& group, int digits, ValueOf&& valueOf) {
   const auto [least, greatest] =
@@ -104,7 +104,7 @@ std::string warningRange(const WarningGroup& group, int digits, ValueOf&& valueO
   return from == to ? from : from + " to " + to;
 }
 
-/// Each was taken out alone: what one of them explains, another may have taken over.
+/// Returns the warning that effects are not needed. Each was removed alone, so another may have absorbed its share.
 std::string notNeededText(const WarningGroup& group, const Units& units) {
   const EffectWarning& first = *group.front();
   std::string grounds = "p = " + warningRange(group, 2, [](const EffectWarning& w) { return w.p_value; });

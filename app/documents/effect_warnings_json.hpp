@@ -10,14 +10,14 @@
 
 namespace tubeplan::app {
 
-/// "backlash@tool.z: the readings do not need it (...): take it out".
+/// Returns "backlash@tool.z: the readings do not need it (...): take it out".
 [[nodiscard]] std::string warningText(const calibration::EffectWarning& warning, const Units& units);
 
-/// Returns a sentence for all warnings of one kind, with the effects that it is about, in the order of the first.
+/// Returns one sentence for all warnings of a kind, with the effects concerned, in the order of the first.
 [[nodiscard]] std::vector<std::string> warningTexts(const std::vector<calibration::EffectWarning>& warnings,
                                                     const Units& units);
 
-/// [{effect, at, kind, sentence, ...}].
+/// Returns [{effect, at, kind, sentence, ...}].
 [[nodiscard]] nlohmann::json effectWarningsJson(const std::vector<calibration::EffectWarning>& warnings,
                                                 const Units& units);
 

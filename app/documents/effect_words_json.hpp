@@ -1,4 +1,4 @@
-// What an effect is, beside its name in a document: pages hold no words of effects themselves.
+// Description of an effect next to its name in a document, because pages hold no words of effects.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -6,8 +6,8 @@
 
 namespace tubeplan::app {
 
-/// Adds `words`, and the kinds of variables that its law hangs on as `varies_with`, to an entry about the effect or
-/// freed number of that name.
+/// Adds to an entry about the effect or freed number of that name its `words`, and as `varies_with` the kinds of
+/// variables in its law.
 void addEffectWords(const std::string& effect, nlohmann::json& entry);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Errors of readings as documents and texts write them: in the unit of what was measured, with what they divide into.
+// Errors of readings as documents and texts write them: in the unit of the measured quantity, with their budget.
 #pragma once
 
 #include <cstddef>
@@ -12,40 +12,40 @@
 
 namespace tubeplan::app {
 
-/// The unit of errors: that of angles where the readings measure nothing else, else that of lengths.
+/// Unit of errors: that of angles if the readings measure nothing else, otherwise that of lengths.
 struct ErrorUnit {
   std::string name;
-  double factor = 1;  ///< m of an ErrorSize in one such unit
+  double factor = 1;  ///< size of one such unit in an ErrorSize [m]
 };
 
 [[nodiscard]] ErrorUnit errorUnitOf(bool are_angles, const Units& units);
 
-/// Returns an error in its unit; null where it is not finite.
+/// Returns an error in its unit; null if it is not finite.
 [[nodiscard]] nlohmann::json errorJson(double error, const ErrorUnit& unit);
 
-/// "0.0123 in" or "0.0123 deg", to so many digits; "none" where it is not finite.
+/// Returns "0.0123 in" or "0.0123 deg", with this number of digits; "none" if it is not finite.
 [[nodiscard]] std::string errorText(double error, const ErrorUnit& unit, int digits = 4);
 
-/// The unit of one reading's error: that of angles where it measures nothing else.
+/// Returns the unit of one reading's error: that of angles if it measures nothing else.
 [[nodiscard]] ErrorUnit errorUnitOf(const calibration::Measurement& reading, const Units& units);
 
-/// Length of one reading's error, as an ErrorSize has it, in its unit. `turn` [rad] is what of its error is
-/// turns, as ComparedReading and ReadingView have it.
+/// Returns the size of one reading's error, defined as in ErrorSize, in its unit. `turn` [rad] is the rotational part
+/// of the error, as in ComparedReading and ReadingView.
 [[nodiscard]] nlohmann::json errorSizeJson(const calibration::Measurement& reading, const Eigen::Vector3d& error_W,
                                            double turn, const Units& units);
 
-/// What the causes of a diagnosis, or a refit, take from the error.
+/// Returns the share of the error that the causes of a diagnosis, or a refit, explain.
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Diagnosis& result);
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Comparison& result);
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Identification& result);
 
-/// {of: "held-out" | "fitted", unit, total, explained, remainder, noise, readings, set_aside: how many, words}; null
-/// where there is no error.
+/// Returns {of: "held-out" | "fitted", unit, total, explained, remainder, noise, readings, set_aside: count, words};
+/// null if there is no error.
 [[nodiscard]] nlohmann::json errorBudgetJson(const calibration::ErrorBudget& budget, std::size_t set_aside,
                                              const Units& units);
 
-/// "Held-out error 0.613 mm (root mean square over 436 readings; 32 set aside as outliers): ..."; empty where there is
-/// no error.
+/// Returns "Held-out error 0.613 mm (root mean square over 436 readings; 32 set aside as outliers): ..."; empty if
+/// there is no error.
 [[nodiscard]] std::string errorBudgetText(const calibration::ErrorBudget& budget, std::size_t set_aside,
                                           const Units& units);
 

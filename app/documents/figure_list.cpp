@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What keys are short for.
+/// Full words for abbreviated keys.
 constexpr std::pair<std::string_view, std::string_view> kShort[] = {
     {"chi2", "chi-square"}, {"dof", "degree of freedom"},      {"dx", "x error"},
     {"dy", "y error"},      {"heldout", "held-out"},           {"rms", "root mean square"},
@@ -46,7 +46,7 @@ bool hasReal(const json& value) {
   return value.is_array() ? std::any_of(value.begin(), value.end(), hasReal) : value.is_number_float();
 }
 
-/// What tells an entry of a list from the others.
+/// Returns the name that distinguishes an entry of a list from the others.
 std::string entryName(const json& entry, std::size_t place) {
   if (entry.contains("effect") && entry.contains("at"))
     return fmt::format("{} at {}", cellText(entry["effect"], 1), cellText(entry["at"], 1));
@@ -55,7 +55,7 @@ std::string entryName(const json& entry, std::size_t place) {
   return std::to_string(place + 1);
 }
 
-/// What stands between a description and more of it.
+/// Returns the separator between a description and its continuation.
 std::string between(const std::string& description) {
   if (description.empty()) return "";
   return description.ends_with(':') ? " " : ", ";
@@ -71,7 +71,7 @@ class FigureCollector {
   std::vector<Figure> figures;
 
  private:
-  /// `at`: what is known of the figure so far; `path`: its keys without places in lists.
+  /// Adds the figures below `value`. `at`: the figure's attributes so far; `path`: its keys without indices of lists.
   void add(const json& value, const Figure& at, const std::string& path) {
     if (isPlain(value)) return addPlain(value, at, path);
     scopes_.push_back(&value);

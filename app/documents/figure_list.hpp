@@ -1,4 +1,4 @@
-// A document as one list of figures, each with words and its unit, and that list as CSV and as Markdown.
+// Document as one list of figures, each with words and its unit, and that list as CSV and as Markdown.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,28 +8,28 @@
 namespace tubeplan::app {
 
 struct Figure {
-  std::string list;         ///< path of the outermost list that it is in, "parameters"; empty for none
-  std::string row;          ///< place in that list
-  std::string column;       ///< path behind that, "prior/sigma"; of a figure in no list all of it
+  std::string list;         ///< path of the outermost list that holds the figure, "parameters"; empty for none
+  std::string row;          ///< index in that list
+  std::string column;       ///< path inside the list's entry, "prior/sigma"; the full path for a figure in no list
   std::string description;  ///< "tool.tip.x: value"
-  nlohmann::json value;     ///< plain, or a list of plain values
-  std::string unit;         ///< empty of words, counts and pure numbers
+  nlohmann::json value;     ///< plain value, or a list of plain values
+  std::string unit;         ///< empty for words, counts and pure numbers
   std::string note;
 
-  /// "parameters/0/prior/sigma", as jq and JSON pointers lead there.
+  /// Returns "parameters/0/prior/sigma", the path in the notation of jq and JSON pointers.
   [[nodiscard]] std::string key() const;
 };
 
-/// What a document comes to first, then all else in its order.
+/// Returns the conclusions of a document first, then all other figures in its order.
 [[nodiscard]] std::vector<Figure> figuresOf(const nlohmann::json& document);
 
-/// A value in one cell, numbers to so many digits; empty where it is not known.
+/// Returns a value for one cell, numbers with this number of digits; empty if it is unknown.
 [[nodiscard]] std::string cellText(const nlohmann::json& value, int digits);
 
-/// key,description,value,unit,note: a row for each figure.
+/// Returns the columns key,description,value,unit,note with a row for each figure.
 [[nodiscard]] std::string figuresCsv(const nlohmann::json& document);
 
-/// A table of the figures that stand alone, then one for each list.
+/// Returns a table of the figures outside lists, then one table for each list.
 [[nodiscard]] std::string figuresMarkdown(const nlohmann::json& document);
 
 }  // namespace tubeplan::app

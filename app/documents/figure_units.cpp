@@ -11,8 +11,9 @@ namespace {
 
 using nlohmann::json;
 
-/// Keys that end the path of a figure, or with a stroke behind them stand anywhere in it; the first row that has one
-/// counts. A unit's name is the first of `units` that is found, from the figure outwards; behind = it is stated.
+/// Row of keys and units. A key matches the end of a figure's path, or any part of it if a stroke follows; the first
+/// row that matches counts. The unit's name is the first of `units` found from the figure outwards; after = it is
+/// literal.
 struct UnitRow {
   std::string_view units, keys;
 };
@@ -70,7 +71,7 @@ std::string nameAt(std::string_view path, std::span<const json* const> scopes) {
   return "";
 }
 
-/// Of several that are multiplied "lbf*in".
+/// Returns the unit at the paths, or a product of several, "lbf*in".
 std::string productAt(std::string_view paths, std::span<const json* const> scopes) {
   std::string product;
   (void)anyOf(paths, '*', [&](std::string_view path) {
@@ -80,7 +81,7 @@ std::string productAt(std::string_view paths, std::span<const json* const> scope
   return product;
 }
 
-/// Conditions are stated with their units in the document.
+/// Returns the unit of a condition, which the document states.
 std::string conditionUnit(std::string_view path, const json& document) {
   const json::json_pointer conditions("/units/conditions");
   if (!document.contains(conditions)) return "";

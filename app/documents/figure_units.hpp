@@ -1,4 +1,4 @@
-// The units of a document's figures, by their keys.
+// Units of a document's figures, by their keys.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,8 +8,8 @@
 
 namespace tubeplan::app {
 
-/// Of the number at this path of keys, "rms/after"; empty of a pure number. `scopes`: the document first, then what
-/// leads to the figure.
+/// Returns the unit of the number at this path of keys, "rms/after"; empty for a pure number. `scopes` holds the
+/// document first, then the objects that lead to the figure.
 [[nodiscard]] std::string figureUnit(std::string_view path, std::span<const nlohmann::json* const> scopes);
 
 }  // namespace tubeplan::app

@@ -11,30 +11,30 @@
 
 namespace tubeplan::app {
 
-/// Rounded to 12 digits; null where it is not finite.
+/// Returns the value rounded to 12 digits; null if it is not finite.
 [[nodiscard]] nlohmann::json finiteJson(double value);
 
 [[nodiscard]] nlohmann::json lengthJson(double metres, const Units& units);
 
-/// Three lengths.
+/// Returns three lengths in the file's unit.
 [[nodiscard]] nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units);
 
-/// "0.0123 in", to so many digits; "none" where it is not finite.
+/// Returns "0.0123 in", with this number of digits; "none" if it is not finite.
 [[nodiscard]] std::string lengthText(double metres, const Units& units, int digits = 4);
 
-/// To so many digits; whole numbers without an exponent.
+/// Returns a number with this number of digits; whole numbers without an exponent.
 [[nodiscard]] std::string significantText(double value, int digits);
 
-/// "0.0123 in": a figure with its unit, to so many digits.
+/// Returns "0.0123 in": a figure with its unit, with this number of digits.
 [[nodiscard]] std::string figureText(double value, std::string_view unit, int digits);
 
-/// "p = 0.012": the probability of what is seen by chance alone.
+/// Returns "p = 0.012": the probability of the observation by chance alone.
 [[nodiscard]] std::string chanceText(double p);
 
-/// Decimals at which lengths stand in columns of this unit: a ten-thousandth of an inch is seen in every unit.
+/// Returns the number of decimals for columns of lengths in this unit, enough to show a ten-thousandth of an inch.
 [[nodiscard]] int lengthDecimals(const Unit& length);
 
-/// How a calibration, an identification or a comparison ended; their statuses have these in this order.
+/// Returns the name of the outcome of a calibration, an identification or a comparison, whose statuses share one order.
 template <class Status>
 [[nodiscard]] std::string_view statusName(Status status) {
   static constexpr std::array<std::string_view, 5> kNames{"not-run", "done", "refused", "not-converged", "stopped"};
@@ -42,7 +42,7 @@ template <class Status>
   return kNames.at(static_cast<std::size_t>(status));
 }
 
-/// A vector in file units, each number rounded to 12 digits.
+/// Returns a vector in file units, each number rounded to 12 digits.
 [[nodiscard]] nlohmann::json vectorJson(const Eigen::VectorXd& values, const Units& units, Dimension dimension);
 
 }  // namespace tubeplan::app

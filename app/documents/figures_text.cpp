@@ -19,9 +19,9 @@ namespace tubeplan::app {
 namespace {
 
 using nlohmann::json;
-using Scopes = std::vector<const json*>;  // what figures are looked for in: the document first, the entry last
+using Scopes = std::vector<const json*>;  // objects in which figures are looked up: the document first, the entry last
 
-/// Takes from `text` what stands before `mark`, and the mark; all of it where there is none.
+/// Removes and returns the part of `text` before `mark`, with the mark removed too; all of it if there is no mark.
 std::string_view takeUpTo(std::string_view& text, char mark) {
   const auto end = text.find(mark);
   const auto taken = text.substr(0, end);
@@ -29,7 +29,7 @@ std::string_view takeUpTo(std::string_view& text, char mark) {
   return taken;
 }
 
-/// Takes `mark` from the front of `text` where it is there.
+/// Removes `mark` from the front of `text` and returns true if it is there.
 bool takeMark(std::string_view& text, char mark) {
   if (!text.starts_with(mark)) return false;
   text.remove_prefix(1);
@@ -81,7 +81,7 @@ std::string writtenNumber(double value, const FigureFormat& format, const json& 
   }
 }
 
-/// Open where there is no end: a stiffness that may be rigid.
+/// Returns the interval in words, half open if a bound is missing, as for a stiffness that may be rigid.
 std::string writtenInterval(const json& interval, const FigureFormat& format) {
   const auto end = [&](int k) {
     return significantText(interval[k].get<double>(), std::stoi(format.digits.substr(1)));
@@ -126,7 +126,7 @@ const json& figureAt(const Scopes& scopes, std::string_view path) {
   throw std::logic_error(fmt::format("no figure '{}' for the text of a document", path));
 }
 
-/// The text for what stands between two braces.
+/// Returns the text for a placeholder between two braces.
 std::string filled(std::string_view placeholder, const Scopes& scopes, const TextLine& line) {
   std::string_view rest = placeholder, path = takeUpTo(rest, ':');
   const FigureFormat format = parseFigureFormat(takeUpTo(rest, ' '));
@@ -142,7 +142,7 @@ std::string filled(std::string_view placeholder, const Scopes& scopes, const Tex
 
 std::string textOf(const Scopes& scopes, std::span<const TextLine> lines);
 
-/// A line about the innermost scope, with what stands behind it.
+/// Returns a line about the innermost scope, with its inner lines.
 std::string filledIn(const Scopes& scopes, const TextLine& line) {
   std::string text;
   std::string_view rest = line.words;
@@ -159,12 +159,12 @@ bool isNothing(const json& value) {
          (value.is_number_integer() && value == 0) || (value.is_number() && !std::isfinite(value.get<double>()));
 }
 
-/// The end of the scopes down to the innermost that is no plain figure.
+/// Returns the position of the innermost scope that is no plain figure.
 Scopes::const_iterator innermostObject(const Scopes& scopes) {
   return std::find_if(scopes.rbegin(), scopes.rend(), [](const json* scope) { return scope->is_structured(); }).base();
 }
 
-/// What `path` leads to from the innermost scope, each with what holds it.
+/// Adds the entries at `path` from the innermost scope, each with its enclosing objects.
 void addEntries(std::string_view path, const Scopes& scopes, std::vector<Scopes>& entries) {
   const auto descend = [&](const json& entry, std::string_view rest) {
     Scopes inner = scopes;

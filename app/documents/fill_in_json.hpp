@@ -1,4 +1,4 @@
-// What of a proposed reading is to be filled in, as pages and reports take it.
+// Columns to fill in for a proposed reading, in the form for pages and reports.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,7 +12,7 @@ namespace tubeplan::app {
 /// Returns {"columns", "least", "optional"}.
 [[nodiscard]] nlohmann::json fillInJson(const FillIn& fill);
 
-/// Returns what to do with a run sheet, in words: "fill in x_in, y_in, z_in".
+/// Returns the instruction for a run sheet in words: "fill in x_in, y_in, z_in".
 [[nodiscard]] std::string fillInText(const std::vector<calibration::ProposedMeasurement>& sheet,
                                      const deflection::Arm& arm, const Units& units);
 

@@ -1,4 +1,4 @@
-// Foreign tables as the page shows them for choosing columns.
+// Foreign tables in the form that the page shows for choosing columns.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,10 +8,10 @@
 
 namespace tubeplan::app {
 
-/// {tables: [{name, columns, rows: [[field]], count, names}], targets: [{quantity, units, is_required, found: {table,
-/// column, unit} or null}], options: [{name, label, values: [{value, words}]}]}: the first rows of each, every quantity
-/// that readings of this arm may state, and which column seems to be it; `unit` is empty where nothing states one,
-/// `names` is null where no column has the rows' names. Options are what else the user may say of the tables: kind,
+/// Returns {tables: [{name, columns, rows: [[field]], count, names}], targets: [{quantity, units, is_required, found:
+/// {table, column, unit} or null}], options: [{name, label, values: [{value, words}]}]}: the first rows of each table,
+/// every quantity that readings of this arm may state, and its likely column. `unit` is empty if nothing states one;
+/// `names` is null if no column has the rows' names. Options are further statements of the user about the tables: kind,
 /// orientation, points, dates.
 [[nodiscard]] nlohmann::json foreignColumnsJson(const ForeignRequest& request, const Cell& cell);
 

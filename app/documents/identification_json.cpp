@@ -35,7 +35,8 @@ nlohmann::json sizeJson(const ErrorSize& size, const ErrorUnit& unit) {
           {"readings", size.readings}};
 }
 
-/// A prior's sigma in the file's units; of a stiffness, whose compliance has it, as a share of the value.
+/// Returns a prior's sigma in the file's units; for a stiffness, whose prior is on the compliance, a share of the
+/// value.
 nlohmann::json priorJson(const Unknown& unknown, const Units& units) {
   const bool is_compliance = unknown.scale == Unknown::Scale::kCompliance;
   return {{"sigma", is_compliance ? finiteJson(unknown.prior_sigma * unknown.start)
@@ -64,7 +65,7 @@ nlohmann::json numberJson(const IdentifiedNumber& number, const Units& units) {
   return json;
 }
 
-/// The unit that the errors of a fit are in.
+/// Returns the unit of a fit's errors.
 ErrorUnit errorUnitOf(const Identification& result, const Units& units) {
   return errorUnitOf(result.after.are_angles || result.before.are_angles, units);
 }
@@ -76,7 +77,7 @@ std::vector<calibration::Measurement> fittedReadings(const Identification& resul
   return used;
 }
 
-/// Of a plane its normal and its distance from the world's origin along that, of a sphere its centre and radius.
+/// Returns a plane's normal and its distance from the world's origin along it, or a sphere's centre and radius.
 nlohmann::json surfaceJson(const calibration::SettledSurface& settled, const Units& units) {
   const double length = units.factor(dimension::kLength);
   nlohmann::json json = {{"kind", settled.kind}, {"point", settled.point}, {"readings", settled.readings}};

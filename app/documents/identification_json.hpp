@@ -1,4 +1,4 @@
-// An identification as JSON and as a table for people.
+// Identification as JSON and as a table for people.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,13 @@
 
 namespace tubeplan::app {
 
-/// `readings` are those that were given to the fit, for naming outliers; so many others were set aside.
+/// Returns the identification's document. `readings` are those given to the fit, for naming outliers; `set_aside`
+/// counts the others.
 [[nodiscard]] nlohmann::json identificationJson(const calibration::Identification& result,
                                                 const std::vector<calibration::Measurement>& readings,
                                                 std::size_t set_aside, const Units& units);
 
-/// In words, from its JSON.
+/// Returns the identification in words, from its JSON.
 [[nodiscard]] std::string identificationText(const nlohmann::json& figures);
 
 }  // namespace tubeplan::app

@@ -17,7 +17,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// How the loop ended: its name in documents, and the end of a sentence.
+/// Outcome of the loop: its name in documents, and the end of a sentence.
 struct EndRow {
   ImprovementEnd end;
   const char *name, *words;
@@ -38,18 +38,18 @@ constexpr EndRow kEnds[] = {
 
 const EndRow& rowOf(ImprovementEnd end) { return *std::ranges::find(kEnds, end, &EndRow::end); }
 
-/// The sentence of a step's diagnosis.
+/// Returns the sentence of a step's diagnosis.
 std::string sentenceOf(const ImprovementStep& step, const Units& units) {
   return step.reason == ImprovementReason::kMistakeExplains ? step.diagnosis.reason
                                                             : diagnosisSentence(step.diagnosis, units);
 }
 
-/// The ids of the readings that no model was fitted to, as the last diagnosis took them for outliers.
+/// Returns the ids of the readings excluded from all fits as outliers of the last diagnosis.
 std::vector<std::string> idsSetAside(const Improvement& result, const std::vector<calibration::Measurement>& readings) {
   return result.models.empty() ? std::vector<std::string>() : idsOf(result.models.back().set_aside, readings);
 }
 
-/// What was added, what became of the held-out error, and what is left, in one sentence.
+/// Returns the added causes, the held-out errors and the remainder in one sentence.
 std::string improvementSentence(const Improvement& result, const Units& units) {
   std::vector<std::string> added;
   for (const auto& step : result.steps) added.insert(added.end(), step.added.begin(), step.added.end());

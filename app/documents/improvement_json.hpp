@@ -1,4 +1,4 @@
-// How a model was improved step by step, as JSON and in words.
+// Stepwise improvement of a model, as JSON and in words.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,17 +10,17 @@
 
 namespace tubeplan::app {
 
-/// "adequate", "nothing-sure", ...
+/// Returns "adequate", "nothing-sure", ...
 [[nodiscard]] const char* nameOf(ImprovementEnd end);
 
-/// Why a cause was added, or why the loop ends there.
+/// Returns the reason for adding a cause, or for ending the loop.
 [[nodiscard]] std::string reasonText(const ImprovementStep& step, const Units& units);
 
-/// As `tubeplan improve --json` writes it.
+/// Returns the document that `tubeplan improve --json` writes.
 [[nodiscard]] nlohmann::json improvementJson(const Improvement& result,
                                              const std::vector<calibration::Measurement>& readings, const Units& units);
 
-/// In words, from its JSON.
+/// Returns the improvement in words, from its JSON.
 [[nodiscard]] std::string improvementText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Isometry3d, Eigen::Vector3d;
 using nlohmann::json;
 
-/// A direction that the tip turns about, or moves along.
+/// Axis about which the tip turns, or along which it moves.
 struct Lever {
   int row = -1;
   int axis = 2;  ///< of the row's frame
@@ -45,13 +45,13 @@ std::vector<Lever> leversOf(const deflection::Arm& arm, const std::vector<std::s
   return levers;
 }
 
-/// The tip's motion in the world per m or rad.
+/// Returns the tip's motion in the world per m or rad.
 Vector3d leverage(const Lever& lever, const Isometry3d& X_WL, const Vector3d& p_WT) {
   const Vector3d axis_W = X_WL.linear().col(lever.axis);
   return lever.slides ? axis_W : Vector3d(axis_W.cross(p_WT - X_WL.translation()));
 }
 
-/// To six decimals: enough for any picture, and thousands of readings stay small.
+/// Rounds to six decimals: enough for any picture, and thousands of readings stay small.
 double roundedTo6(double value) { return std::round(value * 1e6) / 1e6; }
 
 json vectorOf(const Vector3d& v) { return {roundedTo6(v.x()), roundedTo6(v.y()), roundedTo6(v.z())}; }

@@ -1,4 +1,5 @@
-// How far a small turn of a joint takes the tip, at each reading: what makes an error at the tip an error of one joint.
+// Leverage of each joint at each reading: the displacement of the tip by a small rotation of the joint, which converts
+// an error at the tip into an error of one joint.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,16 +11,16 @@
 
 namespace tubeplan::app {
 
-/// {units, names, base, up, tool: {ID: [9 numbers]}, readings: {ID: [three numbers for each name]}}. A name is a joint
-/// ("theta3") or an axis of a row ("forearm.z"); its numbers are the tip's motion in the world per unit of the joint,
-/// or per unit of angle about the axis, in the cell's units; `units`: those of joint or axis. `tool`: the deflected
-/// tool's axes in the world, one after another; `base`: where the base stands, of the first set-up; `up`: against
-/// gravity. A base that the cell does not place stands where the readings have it. Throws InputError for another name.
+/// Returns {units, names, base, up, tool: {ID: [9 numbers]}, readings: {ID: [three numbers for each name]}}. A name is
+/// a joint ("theta3") or an axis of a row ("forearm.z"); its numbers are the tip's motion in the world per unit of the
+/// joint, or per unit of angle about the axis, in the cell's units; `units`: those of joint or axis. `tool`: the
+/// deflected tool's axes in the world, one after another; `base`: the base's place in the first set-up; `up`: direction
+/// against gravity. A base that the cell does not place is taken from the readings. Throws InputError for another name.
 [[nodiscard]] nlohmann::json leverageJson(const Cell& cell, const std::vector<calibration::Measurement>& readings,
                                           const std::vector<std::string>& names);
 
-/// Of the names a found effect may stand at ("theta3", "theta3<-theta2", "forearm.z"), whether it turns a row about one
-/// of its axes, which leverageJson() then takes: "forearm.z".
+/// Returns true if a name at which a found effect may act ("theta3", "theta3<-theta2", "forearm.z") is a rotation of a
+/// row about one of its axes ("forearm.z"), which leverageJson() accepts.
 [[nodiscard]] bool isAxisOfRow(const deflection::Arm& arm, const std::string& at);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// What looks wrong with readings, as JSON and as a few lines for people.
+// Suspected mistakes in readings, as JSON and as a short text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,34 +11,35 @@
 
 namespace tubeplan::app {
 
-/// Adds `checks` ([{name, severity, sentence, error_as_is, error_if_mended, assume, equally}], null where there is
-/// none) and `missing_columns` ([{column, sentence}]) to a document.
+/// Adds `checks` ([{name, severity, sentence, error_as_is, error_if_mended, assume, equally}], null if there is none)
+/// and `missing_columns` ([{column, sentence}]) to a document.
 void addChecks(const calibration::MeasurementChecks& checks, const Units& units, nlohmann::json& document);
 
-/// One check as a sentence without its stop: what is suspected, the error as it is and if it were mended, and how.
+/// Returns one check as a sentence without its full stop: the suspected mistake, the error with and without it, and the
+/// remedy.
 [[nodiscard]] std::string checkText(const calibration::MeasurementCheck& check, const Units& units);
 
-/// One line for each check; empty where there is none.
+/// Returns one line for each check; empty if there is none.
 [[nodiscard]] std::string checksText(const calibration::MeasurementChecks& checks, const Units& units);
 
-/// The mistake that keeps readings from telling anything of the model, by checkText(); empty where there is none. One
-/// rule for all that judge a model or fit it.
+/// Returns the mistake that makes readings useless for judging or fitting a model, by checkText(); empty if there is
+/// none. Used by all such judgements.
 [[nodiscard]] std::string mistakeText(const calibration::MeasurementChecks& checks, const Units& units);
 
-/// The `verdict_words` over such a mistake.
+/// Text of `verdict_words` if there is such a mistake.
 inline constexpr const char* kMistakeWords = "Inconclusive: a mistake in the readings is to be mended first";
 
-/// "No verdict is possible: REASON."
+/// Returns "No verdict is possible: REASON."
 [[nodiscard]] std::string noVerdictSentence(const std::string& reason);
 
-/// The sentences of the checks before other warnings.
+/// Returns the sentences of the checks, followed by the other warnings.
 [[nodiscard]] std::vector<std::string> warningsWithChecks(const calibration::MeasurementChecks& checks,
                                                           std::vector<std::string> warnings, const Units& units);
 
-/// A line for each.
+/// Returns one line for each warning.
 [[nodiscard]] std::string warningsText(const std::vector<std::string>& warnings);
 
-/// Of a document's `set_aside`, once.
+/// Template of the line about a document's `set_aside`, shown once.
 inline constexpr std::string_view kSetAsideWords =
     "  set aside as outliers, in no fit and no error: readings {set_aside:n} ({#set_aside})\n";
 

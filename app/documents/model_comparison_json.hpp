@@ -1,4 +1,4 @@
-// The error of one model after another as JSON and as text.
+// Error of each of several models as JSON and as text.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace tubeplan::app {
 
-/// All models are judged on the same readings; so many others were set aside.
+/// Returns the comparison of models on the same readings; `set_aside` counts the others.
 [[nodiscard]] nlohmann::json modelComparisonJson(const std::vector<ModelComparisonRow>& comparison,
                                                  std::size_t set_aside, const Units& units);
 
-/// Which model predicts held-out readings best, and how near it comes to the noise, in one sentence.
+/// Returns one sentence on the model that predicts held-out readings best, and its error compared with the noise.
 [[nodiscard]] std::string modelComparisonSentence(const std::vector<ModelComparisonRow>& comparison,
                                                   const Units& units);
 
-/// In words, from its JSON: errors with a bar each; below, the steps of the tool, where they are there.
+/// Returns the comparison in words, from its JSON: errors with a bar each, then the steps of the tool, if present.
 [[nodiscard]] std::string modelComparisonText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// The moments about the arm's rows at each reading: what an error may be plotted against, named as formulas name it.
+// Moments about the arm's rows at each reading, as abscissae for plots of errors, with the names that formulas use.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,8 +8,8 @@
 
 namespace tubeplan::app {
 
-/// {unit, names: ["moment_forearm_z", ...], readings: {ID: [one number for each name]}}: of the arm undeflected under
-/// its weights and the hung load, in the cell's units, as the symbols of a formula.
+/// Returns {unit, names: ["moment_forearm_z", ...], readings: {ID: [one number for each name]}}: moments of the
+/// undeflected arm under its weights and the attached load, in the cell's units, named like the symbols of a formula.
 [[nodiscard]] nlohmann::json momentsJson(const Cell& cell, const std::vector<calibration::Measurement>& readings);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// How much of a formula the catalogue has already, as JSON and in words.
+// Share of a formula that the catalogue already explains, as JSON and in words.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,4 +1,4 @@
-// A pattern of the residual as JSON and as a plain sentence.
+// Pattern of the residual as JSON and as a plain sentence.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,10 +9,10 @@
 
 namespace tubeplan::app {
 
-/// What a pattern says, in a plain sentence.
+/// Returns a pattern in a plain sentence.
 [[nodiscard]] std::string patternSentence(const calibration::PatternTest& test, const Units& units);
 
-/// The figures of a test; of a finding also its course over the variable.
+/// Returns the figures of a test; for a finding also its course over the variable.
 [[nodiscard]] nlohmann::json testJson(const calibration::PatternTest& test, const Units& units);
 [[nodiscard]] nlohmann::json findingJson(const calibration::PatternTest& test, const Units& units);
 

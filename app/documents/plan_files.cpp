@@ -29,7 +29,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Full precision: a joint value rounded to 12 digits would move the tip by more than the plan promises.
+/// Returns values at full precision: a joint value rounded to 12 digits would move the tip by more than the plan
+/// promises.
 json exactVector(const Eigen::VectorXd& values, const Units& units, Dimension dimension) {
   json list = json::array();
   for (double value : values) list.push_back(value / units.factor(dimension));
@@ -52,7 +53,7 @@ json modesJson(const ModeScores& scores, const Units& units) {
   return modes;
 }
 
-/// The modes that are scored, in the order of the thesis's comparison: [{name, words, brief}].
+/// Returns the scored modes, in the order of the thesis's comparison: [{name, words, brief}].
 json modeWordsJson() {
   json modes = json::array();
   for (std::size_t mode = 0; mode < kModeKeys.size(); ++mode) {
@@ -126,7 +127,7 @@ json sheetJson(const PlanOutcome& outcome) {
           {"fingerprint", sheet.fingerprint()}};
 }
 
-/// "hot,10,20": where a segment goes, so that every row can be held against the operator's list.
+/// Returns the target of a segment, "hot,10,20", so that every row can be checked against the operator's list.
 std::string goalOf(const PlanOutcome& outcome, int segment) {
   const int visit = outcome.plan.segments[static_cast<std::size_t>(segment)].visit;
   const auto& sheet = outcome.model.sheet;
@@ -134,7 +135,7 @@ std::string goalOf(const PlanOutcome& outcome, int segment) {
   return fmt::format("{},{},{}", tubesheets::legName(sheet.leg), tube.row, tube.column);
 }
 
-/// Numbers of the path's rows as the file has them: time, segment and joints.
+/// Returns the fingerprint of the path's rows as the file has them: time, segment and joints.
 std::string pathFingerprintOf(const PlanOutcome& outcome) {
   const Eigen::VectorXd factors = jointFactors(outcome.cell.arm, outcome.cell.units);
   PathNumbers numbers;
@@ -143,7 +144,7 @@ std::string pathFingerprintOf(const PlanOutcome& outcome) {
   return numbers.fingerprint();
 }
 
-/// How the tool goes from tube to tube: on how many lines, and how far the deflected tip leaves them.
+/// Returns the tool's motion between tubes: the number of lines, and the deflected tip's deviation from them.
 json travelJson(const PlanRequest& request, const planner::VisitPlan& plan, const Units& units) {
   json travel = {{"kind", request.travel}};
   if (request.travel != planner::nameOf(planner::TravelKind::kLine)) return travel;
@@ -152,7 +153,7 @@ json travelJson(const PlanRequest& request, const planner::VisitPlan& plan, cons
   return travel;
 }
 
-/// The cell as the plan was made with it.
+/// Returns the text of the cell that the plan was made with.
 std::string calibratedText(const PlanOutcome& outcome, const std::filesystem::path& out) {
   if (!outcome.calibration) return cellTextAt(outcome.cell, out);
   const auto& base = outcome.calibration->flexible;
@@ -244,7 +245,7 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
   if (!outcome.touches.empty())
     folder.write("touches.csv", touchesCsv(outcome.touches, outcome.cell));
   else if (std::filesystem::exists(folder.path() / "plan.json"))
-    folder.remove("touches.csv");  // of an earlier plan
+    folder.remove("touches.csv");  // from an earlier plan
   folder.write(kWorkListFile, workListCsv(outcome));
   folder.write("report.html", renderPlanReport(reportJson(request, outcome)));
   folder.commit();

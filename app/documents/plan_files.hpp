@@ -1,4 +1,4 @@
-// What a plan leaves behind: plan.json, path.csv, cell.yaml, touches.csv, worklist.csv, report.html.
+// Output files of a plan: plan.json, path.csv, cell.yaml, touches.csv, worklist.csv, report.html.
 #pragma once
 
 #include <cstddef>
@@ -10,28 +10,29 @@
 
 namespace tubeplan::app {
 
-/// plan.json as the contract has it.
+/// Returns the content of plan.json, by the contract.
 [[nodiscard]] nlohmann::json planJson(const PlanRequest& request, const PlanOutcome& outcome);
 
-/// How many steps are expected to enter at visit `k`: the likeliest number, or by the predicted error where no chances
-/// are known.
+/// Returns the number of steps expected to enter at visit `k`: the most probable one, or from the predicted error if no
+/// chances are known.
 [[nodiscard]] int expectedSteps(const PlanOutcome& outcome, std::size_t k);
 
-/// plan.json's text: planJson() with the fingerprint of the path's numbers, by which `verify` knows them again.
+/// Returns planJson() with the fingerprint of the path's numbers, by which `verify` recognizes them.
 [[nodiscard]] nlohmann::json planFileJson(const PlanRequest& request, const PlanOutcome& outcome);
 [[nodiscard]] std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome);
 
-/// Returns path.csv: `time_s,segment,kind,<joint>_<angle>...,leg,row,column`, the tube that the row leads to or from.
+/// Returns path.csv: `time_s,segment,kind,<joint>_<angle>...,leg,row,column`, with the tube that the row leads to or
+/// from.
 [[nodiscard]] std::string pathCsv(const PlanOutcome& outcome);
 
-/// What the report page shows.
+/// Returns the data of the report page.
 [[nodiscard]] nlohmann::json reportJson(const PlanRequest& request, const PlanOutcome& outcome);
 
-/// All that a plan may write into its folder.
+/// Names of all files that a plan may write into its folder.
 inline constexpr const char* kPlanFiles[] = {"plan.json",    "path.csv",    "cell.yaml",      "touches.csv",
                                              "worklist.csv", "report.html", "trajectory.yaml"};
 
-/// All files of a plan, into a folder that appears whole.
+/// Writes all files of a plan into a folder that appears complete or not at all.
 void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFolder& folder);
 
 }  // namespace tubeplan::app

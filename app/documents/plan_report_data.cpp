@@ -1,4 +1,4 @@
-// The data behind report.html, in the file's units.
+// Data of report.html, in the file's units.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -102,7 +102,7 @@ json touchesData(const PlanOutcome& outcome) {
   return list;
 }
 
-/// The vertical plane that holds a posture: through the first joint's axis, towards the tip.
+/// Vertical plane of a posture: through the first joint's axis, towards the tip.
 struct SidePlane {
   Vector3d origin, outwards;
   json at(const Vector3d& p_W, const Units& units) const {
@@ -142,8 +142,7 @@ json sideView(const PlanOutcome& outcome, std::size_t k) {
                       {"to", plane.at(X_WL * capsule.to, outcome.cell.units)},
                       {"radius", lengthOf(capsule.radius, outcome.cell.units)}});
   }
-  // Where the bowl's sphere stands in this plane depends on the plane: the page draws it from its centre and radius
-  // there.
+  // The bowl's sphere cuts each plane differently: the page draws it from its centre and radius there.
   return {{"label", "R" + std::to_string(tube.row) + " C" + std::to_string(tube.column)},
           {"rigid", chainData(outcome, shape, true, plane)},
           {"flexible", chainData(outcome, shape, false, plane)},
@@ -153,7 +152,7 @@ json sideView(const PlanOutcome& outcome, std::size_t k) {
           {"centre_aside", lengthOf(std::abs(plane.origin.cross(plane.outwards).z()), outcome.cell.units)}};
 }
 
-/// Some visits spread over the tour, the ones with the longest reach among them.
+/// Returns some visits spread over the tour, including those with the longest reach.
 json sideViews(const PlanOutcome& outcome) {
   json views = json::array();
   const std::size_t count = outcome.plan.visits.size();
@@ -173,7 +172,7 @@ json clearanceData(const PlanOutcome& outcome, const std::vector<planner::PathRo
   return curve;
 }
 
-/// Every obstacle that is the inside of a sphere bounds the side view; the first one is drawn.
+/// Returns the radius of the first obstacle that is the inside of a sphere, drawn as the bound of the side view.
 json bowlRadius(const PlanOutcome& outcome) {
   const YamlNode* scene = outcome.cell.source.root.find("scene");
   if (!scene) return nullptr;
@@ -191,7 +190,7 @@ json calibrationData(const PlanOutcome& outcome) {
   return data;
 }
 
-/// Mean and worst centring error of a mode over the scored tubes.
+/// Returns the mean and worst centring error of a mode over the scored tubes.
 std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
   double sum = 0, worst = 0;
   int count = 0;
@@ -206,7 +205,7 @@ std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
   return fmt::format("{} mean, {} worst", lengthText(sum / count, units, 3), lengthText(worst, units, 3));
 }
 
-/// How many tubes should take how many steps, and whose opinion that is.
+/// Returns the expected numbers of tubes by their steps, and the source of the estimate.
 std::string chancesText(const PlanOutcome& outcome) {
   std::string text;
   const auto counts = expectedCounts(outcome.chances);

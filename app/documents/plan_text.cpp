@@ -53,7 +53,7 @@ double largest(const nlohmann::json& tubes, const char* key) {
   return most;
 }
 
-/// The plan's document with what only its words have.
+/// Returns the plan's document with the keys that only its words use.
 nlohmann::json shownPlan(const PlanRequest& request, const PlanOutcome& outcome) {
   nlohmann::json plan = planJson(request, outcome);
   plan["worst"] = largest(plan["tubes"], "centring_error");

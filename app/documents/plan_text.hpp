@@ -1,4 +1,4 @@
-// A plan in words.
+// Plan in words.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace tubeplan::app {
 
-/// The least distance along the whole path, in the internal unit of length.
+/// Returns the least distance along the whole path [m].
 [[nodiscard]] double minClearance(const PlanOutcome& outcome);
 
-/// "link4 to divider": what is nearest there.
+/// Returns the nearest pair at the least distance: "link4 to divider".
 [[nodiscard]] std::string tightestText(const PlanOutcome& outcome);
 
-/// The summary for one screen.
+/// Returns the summary for one screen.
 [[nodiscard]] std::string planText(const PlanRequest& request, const PlanOutcome& outcome);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Where the tip is, rigid and deflected, as JSON.
+// Pose of the tip, rigid and deflected, as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,40 +11,42 @@
 namespace tubeplan::app {
 
 struct PoseFigures {
-  Eigen::Vector3d position, angles;  ///< m; rad, fixed axes
+  Eigen::Vector3d position, angles;  ///< position [m]; angles about fixed axes [rad]
 };
 
 [[nodiscard]] PoseFigures poseFiguresOf(const deflection::PoseOf<double>& X);
 
-/// Return the figures of the tool frame at the tip, without and with deflection.
+/// Returns the figures of the tool frame at the tip, without and with deflection.
 [[nodiscard]] PoseFigures rigidToolOf(const deflection::FlexibleKinematics& shape);
 [[nodiscard]] PoseFigures flexibleToolOf(const deflection::FlexibleKinematics& shape);
 
-/// Deflected less rigid; angles to half a turn.
+/// Returns deflected less rigid figures; angles within half a turn.
 [[nodiscard]] PoseFigures poseChange(const deflection::FlexibleKinematics& shape);
 
-/// {position: [3], fixed_angles: [3]}.
+/// Returns {position: [3], fixed_angles: [3]}.
 [[nodiscard]] nlohmann::json figuresJson(const PoseFigures& figures, const Units& units);
 
-/// {rigid, flexible, change, iterations}, each tip in the arm's base frame.
+/// Returns {rigid, flexible, change, iterations}, each tip in the arm's base frame.
 [[nodiscard]] nlohmann::json poseFiguresJson(const deflection::FlexibleKinematics& shape, const Units& units);
 
-/// {tip_error, needed, warning}: what too few segments of the beams leave of the tip at that posture, how many leave
-/// less than a hundredth of the deflection, and a sentence where those stated leave more, else empty.
+/// Returns {tip_error, needed, warning}: the tip's error at that posture because of too few beam segments, the number
+/// of segments that leave less than a hundredth of the deflection, and a sentence if the stated segments leave more,
+/// else empty.
 [[nodiscard]] nlohmann::json segmentsJson(const Cell& cell, const deflection::Posture& posture,
                                           const deflection::FlexibleKinematics& shape);
 
-/// {"position": [3], "rpy": [3]} in file units.
+/// Returns {"position": [3], "rpy": [3]} in file units.
 [[nodiscard]] nlohmann::json poseJson(const Eigen::Isometry3d& X, const Units& units);
 
-/// {status, words, placed, touches}: how a base was placed, in the words that continue "proved" and "steps".
+/// Returns {status, words, placed, touches}: how a base was placed, with words that continue "proved" and "steps".
 [[nodiscard]] nlohmann::json standingJson(const BaseStanding& standing);
 
-/// A base's pose with how it was placed.
+/// Returns a base's pose with how it was placed.
 [[nodiscard]] nlohmann::json placedBaseJson(const Eigen::Isometry3d& X_WB, const BaseStanding& standing,
                                             const Units& units);
 
-/// Joint readings in file units to the last bit: rounded ones would move the tip by more than a plan promises.
+/// Returns joint readings in file units to the last bit, because rounded ones would move the tip by more than a plan
+/// promises.
 [[nodiscard]] nlohmann::json jointValuesJson(const Eigen::VectorXd& q, const Cell& cell);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// The predicted centring error as JSON and in words.
+// Predicted centring error as JSON and in words.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,11 +9,11 @@
 
 namespace tubeplan::app {
 
-/// {median, p95, worst: {value, hole}, band: {median, p95, worst: [low, high]}, encoder_noise: {median, p95, worst},
-/// unit, holes, ...}, or null with a reason.
+/// Returns {median, p95, worst: {value, hole}, band: {median, p95, worst: [low, high]}, encoder_noise: {median, p95,
+/// worst}, unit, holes, ...}, or null with a reason.
 [[nodiscard]] nlohmann::json predictedCentringJson(const PredictedCentring& predicted, const Units& units);
 
-/// In words, from its JSON.
+/// Returns the prediction in words, from its JSON.
 [[nodiscard]] std::string predictedCentringText(const nlohmann::json& predicted);
 
 }  // namespace tubeplan::app

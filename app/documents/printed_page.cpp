@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr const char* kBrowsers[] = {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable"};
 constexpr auto kPatience = std::chrono::seconds(60);
 
-/// $TUBEPLAN_CHROMIUM, else the first of the names in $PATH; empty where there is none.
+/// Returns $TUBEPLAN_CHROMIUM, else the first of the names in $PATH; empty if there is none.
 fs::path findBrowser() {
   if (const char* own = std::getenv("TUBEPLAN_CHROMIUM")) return ::access(own, X_OK) == 0 ? own : "";
   const char* path = std::getenv("PATH");
@@ -44,7 +44,7 @@ fs::path requiredBrowser() {
   return browser;
 }
 
-/// Its own words are not ours: they go nowhere.
+/// Starts the process with its output discarded.
 pid_t start(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
   for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -59,7 +59,7 @@ pid_t start(const std::vector<std::string>& words) {
   return failed ? -1 : process;
 }
 
-/// Whether it ended well in time; else it is ended.
+/// Returns true if the process ends well in time; kills it otherwise.
 bool finishes(pid_t process) {
   int status = 0;
   for (const auto end = std::chrono::steady_clock::now() + kPatience; std::chrono::steady_clock::now() < end;) {
@@ -83,7 +83,7 @@ void printPage(const fs::path& page, const fs::path& pdf) {
                                     "--no-pdf-header-footer",
                                     "--virtual-time-budget=4000",
                                     "--print-to-pdf=" + fs::absolute(pdf).string()};
-  if (::geteuid() == 0) words.emplace_back("--no-sandbox");  // it refuses root otherwise
+  if (::geteuid() == 0) words.emplace_back("--no-sandbox");  // Chromium refuses to run as root without it
   words.push_back("file://" + fs::absolute(page).string());
   const pid_t process = start(words);
   if (process <= 0 || !finishes(process) || !fs::exists(pdf))

@@ -1,14 +1,14 @@
-// A page printed to PDF by headless Chromium, where it is installed.
+// Printing of a page to PDF by headless Chromium, if installed.
 #pragma once
 
 #include <filesystem>
 
 namespace tubeplan::app {
 
-/// Throws InputError, naming --pdf, where there is no Chromium, or where it does not print within a minute.
+/// Prints a page. Throws InputError, naming --pdf, if there is no Chromium, or if it does not print within a minute.
 void printPage(const std::filesystem::path& page, const std::filesystem::path& pdf);
 
-/// For use before long work: throws where there is no Chromium.
+/// Checks before long work that a page can be printed. Throws InputError if there is no Chromium.
 void requirePrinter();
 
 }  // namespace tubeplan::app

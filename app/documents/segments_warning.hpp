@@ -1,4 +1,4 @@
-// Whether the beams have segments enough where an arm is sent.
+// Warning if the beams have too few segments at an arm's postures.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 
 namespace tubeplan::app {
 
-/// The sentence of segmentsJson() for the posture where it is worst, out of some sixteen spread over these, under the
-/// load of `placed` and by its arm and base; empty where the segments stated do everywhere.
+/// Returns the warning of segmentsJson() at the worst of about sixteen postures spread over the given ones, with the
+/// load, arm and base of `placed`; empty if the stated segments suffice everywhere.
 [[nodiscard]] std::string segmentsWarning(const Cell& cell, const planner::Workcell& placed,
                                           const std::vector<Eigen::VectorXd>& postures);
 

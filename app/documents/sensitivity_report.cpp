@@ -30,7 +30,7 @@ const KindWords* wordsOf(NumberKind kind) {
   return nullptr;
 }
 
-/// Whether one per cent of it means something to a designer.
+/// Returns true if one per cent of the number means something to a designer.
 bool isDesignable(const NumberSensitivity& number) {
   return wordsOf(number.kind) != nullptr && number.parameter.value != 0;
 }
@@ -41,11 +41,11 @@ double sigmaOf(const SensitivityReport& report, std::size_t index) {
   return report.sigmas.empty() ? std::numeric_limits<double>::quiet_NaN() : report.sigmas[index];
 }
 
-/// "1 % stiffer latch-link.beam.Iz: 0.0123 in less sag in the mean", in the sense that helps.
+/// Returns "1 % stiffer latch-link.beam.Iz: 0.0123 in less sag in the mean", in the beneficial direction.
 std::string designSentence(const NumberSensitivity& number, const Units& units) {
   const double sag = perCent(number, number.deflection) / units.factor(dimension::kLength);
   const auto& words = *wordsOf(number.kind);
-  const bool is_more = (sag < 0) == (number.parameter.value > 0);  // of a negative coordinate more is longer, too
+  const bool is_more = (sag < 0) == (number.parameter.value > 0);  // a more negative coordinate is longer, too
   return fmt::format("1 % {} {}: {:.3g} {} less deflection on average", is_more ? words.more : words.less,
                      number.parameter.name, std::abs(sag), units.length().name);
 }
@@ -67,7 +67,7 @@ double designFigure(const SensitivityReport& report, std::size_t n) {
   return isDesignable(number) ? perCent(number, number.deflection) : kNotDesignable;
 }
 
-/// Error at work of one sigma where readings determine it, else of one per cent.
+/// Returns the error at work for one sigma if readings determine the number, else for one per cent.
 double estimateFigure(const SensitivityReport& report, std::size_t n) {
   const auto& number = report.figures.numbers[n];
   const double sigma = sigmaOf(report, n);
@@ -151,7 +151,7 @@ nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell
 }
 
 std::string sensitivityText(nlohmann::json figures) {
-  for (auto& number : figures["design"]) {  // in the sense in which the deflection falls
+  for (auto& number : figures["design"]) {  // in the direction in which the deflection falls
     const nlohmann::json &sag = number["deflection_per_percent"], &centring = number["uncompensated_per_percent"];
     number["helps_by"] = centring.is_null() || sag <= 0 ? centring : nlohmann::json(-centring.get<double>());
   }

@@ -1,4 +1,4 @@
-// A sensitivity analysis as JSON and as two rankings for people.
+// Sensitivity analysis as JSON and as two rankings for people.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,19 +11,19 @@
 
 namespace tubeplan::app {
 
-/// The analysis with what it stands on.
+/// Sensitivity analysis with its assumptions.
 struct SensitivityReport {
   calibration::Sensitivity figures;
-  int work = 0, work_lost = 0;       ///< postures; tubes of the list that are out of reach
-  bool has_sheet = false;            ///< else errors are whole, not across the holes
+  int work = 0, work_lost = 0;       ///< number of postures; number of the list's tubes that are out of reach
+  bool has_sheet = false;            ///< if false, errors are total, not across the holes
   std::vector<std::string> touches;  ///< holes that place the base, or names of postures; empty: the base is known
   std::vector<double>
-      sigmas;  ///< of each number [its unit], NaN where no reading determines it; empty without readings
+      sigmas;  ///< sigma of each number [its unit], NaN if no reading determines it; empty without readings
 };
 
 [[nodiscard]] nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell);
 
-/// In words, from its JSON: what to change, and what must be known.
+/// Returns in words, from its JSON, the numbers worth changing and those that must be known.
 [[nodiscard]] std::string sensitivityText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// A tube sheet as documents and report pages take it.
+// Tube sheet in the form for documents and report pages.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,10 +7,10 @@
 
 namespace tubeplan::app {
 
-/// {center, diameter}; null where the sheet states none.
+/// Returns {center, diameter}; null if the sheet states none.
 [[nodiscard]] nlohmann::json manwayJson(const tubesheets::Sheet& sheet, const Units& units);
 
-/// {name, leg, viewed_from, hole_diameter, pitch, rows, columns, holes: [[row, column, x, y, state], ...],
+/// Returns {name, leg, viewed_from, hole_diameter, pitch, rows, columns, holes: [[row, column, x, y, state], ...],
 /// fingerprint}, in the cell's units.
 [[nodiscard]] nlohmann::json sheetPageJson(const tubesheets::Sheet& sheet, const Cell& cell);
 

@@ -15,7 +15,7 @@ namespace {
 using deflection::EffectVariable, deflection::Quantity;
 using nlohmann::json;
 
-/// A quantity that a signature is drawn against: its name, and the unit of its values.
+/// Abscissa of a signature: its name, and the unit of its values.
 struct Variable {
   std::string name;
   deflection::ValueUnit unit;

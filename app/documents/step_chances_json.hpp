@@ -9,13 +9,14 @@
 
 namespace tubeplan::app {
 
-/// {reason} or {counted: [...], left_out: [...], model_error: {source, value, range}, expected_counts}.
+/// Returns {reason} or {counted: [...], left_out: [...], model_error: {source, value, range}, expected_counts}.
 [[nodiscard]] nlohmann::json stepChancesJson(const StepChances& chances, const Units& units);
 
-/// "counting the joints' readings, the base's place and the model's own error, ..." or why there are none.
+/// Returns "counting the joints' readings, the base's place and the model's own error, ...", or the reason for no
+/// chances.
 [[nodiscard]] std::string stepChancesText(const StepChances& chances, const Units& units);
 
-/// {sigma, degrees_of_freedom, from}.
+/// Returns {sigma, degrees_of_freedom, from}.
 [[nodiscard]] nlohmann::json modelErrorJson(const ModelError& error, const Units& units);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// A table of steps as JSON.
+// Table of steps as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,7 +8,7 @@
 
 namespace tubeplan::app {
 
-/// {holes, zero, one, two, three, counts, no_posture, centring_error: {median, p95}}, or null where there is none.
+/// Returns {holes, zero, one, two, three, counts, no_posture, centring_error: {median, p95}}, or null if there is none.
 [[nodiscard]] nlohmann::json stepTableJson(const StepTable& table, const Units& units);
 
 }  // namespace tubeplan::app

@@ -19,13 +19,14 @@ namespace {
 
 using calibration::NumberForecast, calibration::ProposedMeasurement, calibration::TipSigma;
 
-/// A proposed reading by its name, and the step of the design that chose it.
+/// Proposed reading with its name, and the step of the design that chose it.
 struct NamedReading {
   ProposedMeasurement reading;
   std::size_t step;
 };
 
-/// T1, T2, ... for the base, N1, N2, ... for the numbers; touches of one unknown point are N1a, N1b, ... of point N1.
+/// Names the readings T1, T2, ... for the base, N1, N2, ... for the numbers; touches of one unknown point are N1a, N1b,
+/// ... of point N1.
 std::vector<NamedReading> nameReadings(const TouchOutcome& outcome, const TouchProposal& proposal, char letter) {
   std::vector<NamedReading> named;
   for (std::size_t s = 0; s < proposal.next.design.steps.size(); ++s) {
@@ -105,7 +106,7 @@ nlohmann::json proposalJson(const TouchOutcome& outcome, const TouchProposal& pr
   return json;
 }
 
-/// Whether readings made so far place the base, or it is known.
+/// Returns true if the readings so far place the base, or it is known.
 bool isPlaced(const calibration::NextReadings& next) {
   return std::all_of(next.numbers.begin(), next.numbers.end(), [](const NumberForecast& number) {
     return number.unknown.owner == calibration::Unknown::Owner::kArm || number.is_identifiable_now;

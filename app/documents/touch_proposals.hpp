@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 [[nodiscard]] std::string proposalsText(const TouchOutcome& outcome);
 
-/// Returns all of them by their names: touches for the base, then readings for the parameters.
+/// Returns all proposed readings by their names: touches for the base, then readings for the parameters.
 [[nodiscard]] std::vector<calibration::ProposedMeasurement> runSheetOf(const TouchOutcome& outcome);
 
 }  // namespace tubeplan::app

@@ -17,15 +17,15 @@ namespace {
 using tubesheets::ColumnText;
 using tubesheets::TubeColumn;
 
-/// What came of a tube that was asked for.
+/// Outcome of a requested tube.
 struct TubeOutcome {
   int tube = 0;
-  std::string visit;    ///< its place in the order, from 1; empty where it is not visited
-  std::string outcome;  ///< why not
-  std::string dwell;    ///< s
+  std::string visit;    ///< place in the visiting order, from 1; empty if it is not visited
+  std::string outcome;  ///< reason if it is not visited
+  std::string dwell;    ///< [s]
 };
 
-/// Those visited in their order, then those out of reach, then those left out.
+/// Returns the visited tubes in their order, then those out of reach, then those left out.
 std::vector<TubeOutcome> outcomesOf(const PlanOutcome& outcome) {
   std::vector<TubeOutcome> all;
   const auto stayAt = [&](int tube) {
@@ -54,7 +54,7 @@ std::string ownList(const PlanOutcome& outcome) {
   std::string text =
       fmt::format("leg,sheet,row,column,x_{0},y_{0},visit{1},outcome\n", unit.suffix, has_stays ? ",dwell_s" : "");
   for (const TubeOutcome& of_tube : outcomesOf(outcome)) {
-    if (of_tube.dwell.empty()) continue;  // left out of an area that was asked for
+    if (of_tube.dwell.empty()) continue;  // tubes left out of a requested area
     const auto& tube = sheet.tubes[static_cast<std::size_t>(of_tube.tube)];
     text += fmt::format("{},{},{},{},{},{},{}{},{}\n", tubesheets::legName(sheet.leg), fingerprint, tube.row,
                         tube.column, tubesheets::formatLength(tube.x, unit), tubesheets::formatLength(tube.y, unit),
@@ -64,7 +64,7 @@ std::string ownList(const PlanOutcome& outcome) {
   return text;
 }
 
-/// The list that was given, with what came of its tubes.
+/// Given list with the outcomes of its tubes.
 class GivenList {
  public:
   explicit GivenList(const PlanOutcome& outcome) : outcome_(outcome), list_(*outcome.selection.list) {
@@ -83,7 +83,7 @@ class GivenList {
   }
 
  private:
-  /// Stays that the list does not state, in a column of their own or in the fields that it leaves empty.
+  /// Adds the dwell times that the list does not state, in an own column or in its empty fields.
   void addStays() {
     add(TubeColumn::kDwell, "dwell_s", [](const TubeOutcome& of_tube) { return of_tube.dwell; });
     for (const auto& item : list_.items)
