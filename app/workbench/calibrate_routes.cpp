@@ -1,4 +1,4 @@
-// Touched holes: which to touch, the list of those made, and the base that follows.
+// Calibration routes: holes to touch, the list of touches, and the resulting base.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ Answer propose(Workbench& workbench, const Request& request) {
                         });
 }
 
-/// A posture under the hole, by the model.
+/// Returns a posture under the hole, by the model.
 Eigen::VectorXd postureUnder(const Cell& cell, int hole) {
   planner::CompensationOptions options;
   options.with_approach = false;
@@ -66,7 +66,7 @@ Eigen::VectorXd postureUnder(const Cell& cell, int hole) {
   throw InputError("request (hole)", "one that the arm cannot reach", "another hole");
 }
 
-/// What the true arm, or for want of it the cell's own, would read there.
+/// Returns the reading of the true arm, or if there is none of the cell's own, at a touch.
 calibration::Measurement simulatedTouch(const Session& now, const calibration::TouchPlan& plan, double load) {
   const Cell& model = currentModel(now).cell;
   const Cell truth = now.truth.empty() ? now.models.front()->cell : readCell(now.truth);
@@ -132,8 +132,8 @@ Answer touches(Workbench& workbench, const Request&) {
   return answerOf({{"units", unitsJson(cell.units)}, {"touches", list}});
 }
 
-/// Those of the list; where it is empty, those among the readings that are not set aside. Through the text of a
-/// measurement file, as the command takes them.
+/// Returns the touches of the list; if that is empty, the readings of touches that are not set aside. They pass through
+/// the text of a measurement file, as the command reads them.
 std::vector<calibration::Measurement> touchesToUse(const Session& session, const Cell& cell) {
   if (session.touches.empty() && session.readings)
     return touchesOf(readingsInUse(*session.readings), cell, session.readings->name);
@@ -143,7 +143,7 @@ std::vector<calibration::Measurement> touchesToUse(const Session& session, const
   return touchesOf(parseReadings(touchesCsv(made, cell), "touches.csv", cell), cell, "touches.csv");
 }
 
-/// Touches that place no base leave the model as it is, and a document that says what is wrong with them.
+/// Calibrates the base. Touches that place no base leave the model unchanged, and a document gives the reason.
 Answer calibrate(Workbench& workbench, const Request& request) {
   (void)objectOf(request);
   return beginJob(workbench, "calibrate", "where the base stands", [&workbench](JobContext& context) {

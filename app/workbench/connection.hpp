@@ -1,4 +1,4 @@
-// One browser's connection, with bounds on what it may send and how long it may take.
+// Connection of one browser, with bounds on the size and duration of its requests.
 #pragma once
 
 #include <httplib.h>
@@ -11,32 +11,32 @@
 namespace tubeplan::app {
 
 struct ConnectionLimits {
-  std::size_t most_bytes = 9u << 20;              ///< of one request, headers included
-  std::chrono::milliseconds request_time{20000};  ///< to send one request in
-  std::chrono::milliseconds idle_time{5000};      ///< between two bytes, and between two requests
-  int most_requests = 1000;                       ///< on one connection
+  std::size_t most_bytes = 9u << 20;              ///< maximum size of one request, headers included
+  std::chrono::milliseconds request_time{20000};  ///< maximum time to send one request
+  std::chrono::milliseconds idle_time{5000};      ///< maximum time between two bytes, and between two requests
+  int most_requests = 1000;                       ///< maximum number of requests on one connection
 };
 
-/// The stream that the library reads requests from and writes answers to. What goes beyond the limits ends it.
+/// Stream from which the library reads requests and to which it writes answers. Exceeding a limit ends it.
 class Connection : public httplib::Stream {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `is_closing` says whether the server is about to end.
+  /// Takes over a socket. `is_closing` returns true if the server is about to end.
   Connection(int socket, const ConnectionLimits& limits, std::function<bool()> is_closing);
 
-  /// Waits for the next request; false where none comes.
+  /// Waits for the next request; returns false if none comes.
   [[nodiscard]] bool waitForRequest();
 
   [[nodiscard]] bool is_readable() const override;
   [[nodiscard]] bool is_writable() const override;
   ssize_t read(char* to, std::size_t size) override;
   ssize_t write(const char* from, std::size_t size) override;
-  void get_remote_ip_and_port(std::string&, int&) const override {}  // no rule and no record asks for addresses
+  void get_remote_ip_and_port(std::string&, int&) const override {}  // not provided: no rule and no log uses addresses
   void get_local_ip_and_port(std::string&, int&) const override {}
   [[nodiscard]] int socket() const override { return socket_; }
 
-  /// Says good-bye: what the peer still sends is read for a moment, so that it sees the answer, and the socket closed.
+  /// Closes the socket, after reading what the peer still sends for a moment, so that the peer sees the answer.
   void close();
 
  private:

@@ -1,5 +1,6 @@
-// What is sent to all browsers: that the state has changed, how far the jobs are, and where a running arm is. Each
-// listener asks for what is newer than what it has seen, so that a slow one holds up nobody and nothing is kept for it.
+// Events sent to all browsers: changes of the state, the progress of jobs, and the posture of a running arm. Each
+// listener asks for events newer than those it has seen, so that a slow listener delays nobody and nothing is queued
+// for it.
 #pragma once
 
 #include <atomic>
@@ -15,23 +16,23 @@ namespace tubeplan::app {
 
 class Events {
  public:
-  /// How much a listener has seen.
+  /// Numbers of the newest events that a listener has seen.
   struct Seen {
     std::uint64_t state = 0, jobs = 0, live = 0;
   };
 
   struct News {
     bool state_changed = false;
-    std::vector<std::string> jobs;  ///< the newest of each job that has moved, as JSON
-    std::string live;               ///< the newest from a running arm, as JSON; empty: nothing new
+    std::vector<std::string> jobs;  ///< newest progress of each changed job, as JSON
+    std::string live;               ///< newest posture of a running arm, as JSON; empty: nothing new
     bool closed = false;
   };
 
-  /// At most that many listeners at a time.
+  /// Allows this many listeners at a time.
   explicit Events(int most_listeners) : most_listeners_(most_listeners) {}
 
-  /// The number of the newest change. What was made of the state after asking for it has all changes up to it: of two
-  /// answers that come by two connections, the one with the greater number is the newer.
+  /// Returns the number of the newest change. A state read after this call contains all changes up to that number. Of
+  /// two answers over different connections, the one with the greater number is the newer.
   [[nodiscard]] std::uint64_t moment() const { return moment_; }
   std::uint64_t nextMoment() { return ++moment_; }
 
@@ -39,10 +40,10 @@ class Events {
   void jobMoved(int id, std::string json);
   void liveMoved(std::string json);
 
-  /// Wakes every listener for good.
+  /// Wakes every listener permanently.
   void close();
 
-  /// Waits until there is news, at most that long; nothing after it is a heartbeat's moment.
+  /// Waits for events, at most for this time; without events the result is empty, and a heartbeat is due.
   [[nodiscard]] News wait(Seen& seen, std::chrono::milliseconds most);
 
   [[nodiscard]] bool tryEnter();

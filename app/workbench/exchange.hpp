@@ -1,4 +1,4 @@
-// One request to the workbench and its answer, free of any network library.
+// Request to the workbench and its answer, independent of any network library.
 #pragma once
 
 #include <map>
@@ -11,14 +11,14 @@ namespace tubeplan::app {
 
 class InputError;
 
-/// As received, its size and depth already bounded.
+/// Request as received, with bounded size and depth.
 struct Request {
   std::string method;                        ///< GET, POST, DELETE
-  std::vector<std::string> words;            ///< of the path, after "api": {"jobs", "3", "cancel"}
+  std::vector<std::string> words;            ///< words of the path after "api": {"jobs", "3", "cancel"}
   std::map<std::string, std::string> query;  ///< decoded
   std::string content_type, body;
 
-  /// What the address says after that name; empty where it says nothing.
+  /// Returns the value of a query parameter; empty if it is missing.
   [[nodiscard]] std::string asked(const std::string& name) const {
     const auto found = query.find(name);
     return found == query.end() ? std::string() : found->second;
@@ -32,14 +32,14 @@ struct Answer {
   std::vector<std::pair<std::string, std::string>> headers;
 };
 
-/// The document; numbers that are not finite become null, bytes that are not UTF-8 become U+FFFD.
+/// Returns a document as an answer; numbers that are not finite become null, bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] Answer answerOf(const nlohmann::json& json, int status = 200);
 
-/// {"error": {where, found, expected, advice, message}}
+/// Returns {"error": {where, found, expected, advice, message}} as an answer with this status.
 [[nodiscard]] Answer refusal(int status, const InputError& error);
 [[nodiscard]] nlohmann::json errorJson(const InputError& error);
 
-/// A file to be kept by the browser.
+/// Returns a file as an answer that the browser saves.
 [[nodiscard]] Answer downloadOf(const std::string& name, const std::string& content_type, std::string content);
 
 }  // namespace tubeplan::app

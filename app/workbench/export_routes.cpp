@@ -1,4 +1,4 @@
-// Everything that was made, as the commands write it: downloads, and the model into the opened folder.
+// Exports in the form that the commands write: downloads, and the model into the opened folder.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -37,7 +37,7 @@ nlohmann::json figuresOf(const Session& session, const std::string& name) {
   return result->document;
 }
 
-/// The model that a result is of, with the readings.
+/// Returns the model that a result belongs to, with the readings.
 CellReadings inputOfResult(const Session& session, const std::string& name) {
   CellReadings input = inputOf(session);
   const int id = findResult(session, name)->model;
@@ -46,7 +46,7 @@ CellReadings inputOfResult(const Session& session, const std::string& name) {
   return input;
 }
 
-/// The cell and its arm, each known to the other as one of this pair.
+/// Returns the files of the cell and its arm, which name each other.
 std::vector<TextFile> exportedFiles(const Session& s) {
   const Cell& cell = currentModel(s).cell;
   return cellFiles(cell, std::filesystem::path(cell.path).replace_filename("cell.yaml"));
@@ -58,10 +58,10 @@ std::string exportedArm(const Session& s) {
   return files.back().text;
 }
 std::string exportedReadings(const Session& s) {
-  const CellReadings input = inputOf(s);  // refuses where there are none
+  const CellReadings input = inputOf(s);  // throws without readings
   return measurementsCsv(s.readings->readings, input.cell.arm, input.cell.units);
 }
-/// With a comment above the header where some of them were not made.
+/// Returns the touches, with a comment above the header if some were simulated.
 std::string touchesText(const Session& s) {
   std::vector<calibration::Measurement> touches;
   std::vector<std::string> simulated;
@@ -73,12 +73,12 @@ std::string touchesText(const Session& s) {
       simulated.empty() ? "" : fmt::format("# simulated, not touched: {}\n", fmt::join(simulated, ", "));
   return note + touchesCsv(touches, currentModel(s).cell);
 }
-/// A measurement table without readings.
+/// Returns a measurement table without readings.
 std::string exportedTemplate(const Session& s) {
   const Cell& cell = currentModel(s).cell;
   return measurementsCsv({}, cell.arm, cell.units);
 }
-/// The readings that the diagnosis proposes, to be filled in.
+/// Returns the readings that the diagnosis proposes, to be filled in.
 std::string exportedRunSheet(const Session& s) {
   const auto figures = figuresOf(s, "diagnose");
   const auto sheet = figures.find("run_sheet");
@@ -95,7 +95,7 @@ std::string comparisonReport(const Session& s) {
   const auto figures = figuresOf(s, "compare");
   return comparisonPage(inputOfResult(s, "compare"), 1, figures);
 }
-/// What the pattern search made of a model's errors; nothing where it was not compared.
+/// Returns the pattern search of a model's errors; empty if the model was not compared.
 nlohmann::json testedOf(const Session& s, int model) {
   const auto none = nlohmann::json::array();
   const auto compared = s.results.find("compare");
@@ -143,7 +143,7 @@ Answer download(Workbench& workbench, const Request& request) {
   }
 }
 
-/// {"file", "overwrite"?}: the current model, and its arm beside it, into the opened folder.
+/// Writes the current model, and its arm next to it, into the opened folder, for {"file", "overwrite"?}.
 Answer saveCell(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const std::string name = textOf(body, "file");

@@ -1,4 +1,4 @@
-// Files of the opened folder: cells and projects opened, and saved.
+// Files of the opened folder: opening and saving of cells and projects.
 #include "app/formats/cell/cell_places.hpp"
 #include "app/storage/atomic_file.hpp"
 #include "app/storage/input_error.hpp"
@@ -11,8 +11,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Of the folder's YAML files those that name an arm; a cell with a fault in it is one too, and says so when it is
-/// opened.
+/// Returns the folder's YAML files that name an arm. A faulty cell is included; opening it reports the fault.
 std::vector<std::string> cellNames(const OpenedFolder& folder) {
   auto names = folder.names(".yaml");
   std::erase_if(names, [&](const std::string& name) { return !isCellFile(folder.path() / name); });
@@ -28,7 +27,7 @@ Answer files(Workbench& workbench, const Request&) {
                    {"recent", workbench.keeper().recent()}});
 }
 
-/// Another cell or project instead of what is there; work that stands in no project is not dropped unasked.
+/// Replaces the session by another cell or project; refuses to drop unsaved work without confirmation.
 Answer openInstead(Workbench& workbench, const nlohmann::json& body, const std::filesystem::path& path) {
   if (isUnsaved(workbench.session()) && !booleanOf(body, "discard", false))
     return refusal(409,
@@ -45,7 +44,7 @@ Answer openCellFile(Workbench& workbench, const Request& request) {
   return openInstead(workbench, body, workbench.folder().fileToRead(textOf(body, "file")));
 }
 
-/// {"file"} of the opened folder, or {"recent"} of the sessions kept.
+/// Opens {"file"} of the opened folder, or {"recent"} of the kept sessions.
 Answer openProject(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const auto& keeper = workbench.keeper();

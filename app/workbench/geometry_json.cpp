@@ -19,7 +19,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMostDrawnTriangles = 20000;
 
-/// Of x on the map: seen from below, +x points left.
+/// Returns the sign of x on the map: seen from below, +x points left.
 double signAsDrawn(const tubesheets::Sheet& sheet) {
   return sheet.viewed_from == tubesheets::ViewedFrom::kBelow ? -1 : 1;
 }
@@ -46,7 +46,7 @@ json holesJson(const tubesheets::Sheet& sheet, const Units& units) {
           {"u", u},     {"v", y},           {"state", state}, {"states", states}, {"state_words", state_words}};
 }
 
-/// With u and v as of the holes: where it lies on the map, seen from the sheet's middle.
+/// Returns the manway with u and v as for the holes: its place on the map, relative to the sheet's middle.
 json manwayOnMap(const tubesheets::Sheet& sheet, const Units& units) {
   json manway = manwayJson(sheet, units);
   if (!sheet.manway) return manway;
@@ -56,14 +56,14 @@ json manwayOnMap(const tubesheets::Sheet& sheet, const Units& units) {
   return manway;
 }
 
-/// The value under a key of the table, whose dots part the keys of maps in one another; null where there is none.
+/// Returns the value under a key of the table, in which dots separate the keys of nested maps; null if there is none.
 const YamlNode* findKeys(const YamlNode& node, std::string_view keys) {
   const std::size_t dot = keys.find('.');
   const YamlNode* found = node.find(keys.substr(0, dot));
   return found && dot != std::string_view::npos ? findKeys(*found, keys.substr(dot + 1)) : found;
 }
 
-/// A field of a shape as the file has it.
+/// Returns a field of a shape as in the file.
 json fieldJson(const YamlNode* value, const planner::ShapeField& field) {
   if (field.count == 0) return value ? json(value->text()) : json(nullptr);
   json numbers = json::array();
@@ -72,8 +72,8 @@ json fieldJson(const YamlNode* value, const planner::ShapeField& field) {
   return field.count == 1 ? numbers.front() : numbers;
 }
 
-/// The shape of an entry of the file, by the planner's table: {kind, fields}; the numbers stand there in the cell's
-/// units already.
+/// Returns the shape of an entry of the file, by the planner's table: {kind, fields}; the file's numbers are in the
+/// cell's units already.
 json shapeJson(const YamlNode& node) {
   for (const auto& row : planner::sceneShapes()) {
     const YamlNode* fields = findKeys(node, row.key);
@@ -94,8 +94,8 @@ json namedShape(const YamlNode& node, const std::string& otherwise) {
   return shape;
 }
 
-/// A mesh is drawn as the box around it; what it is besides stands under "mesh", with the corners of its triangles, one
-/// after another in the world, where these are few enough to draw.
+/// Adds a mesh as its bounding box. Its description is under "mesh", with the corners of its triangles, one after
+/// another in the world, if these are few enough to draw.
 void addMesh(const SceneMesh& mesh, const Units& units, json& shape) {
   const auto& box = mesh.shape->tree().bounds();
   json description = shape;
@@ -119,7 +119,7 @@ void addMesh(const SceneMesh& mesh, const Units& units, json& shape) {
            {"mesh", description}};
 }
 
-/// The stepped tool, thinnest step first.
+/// Returns the stepped tool, thinnest step first.
 json toolJson(const std::optional<tubesheets::SteppedTool>& tool, const Units& units) {
   if (!tool) return nullptr;
   json diameters = json::array(), tolerances = json::array(), lengths = json::array();

@@ -1,4 +1,4 @@
-// Sheet, scene, postures and the catalogue: what is answered at once.
+// Sheet, scene, postures and the catalogue: requests that are answered at once.
 #include "app/documents/effect_catalogue.hpp"
 #include "app/documents/signature_json.hpp"
 #include "app/storage/input_error.hpp"
@@ -38,9 +38,9 @@ Answer catalogue(Workbench& workbench, const Request&) {
   return answerOf(catalogueJson(currentModel(workbench.session()).cell));
 }
 
-/// ?effect=hysteresis&at=theta4: what it does to the tip.
+/// Returns the displacement of the tip by an effect, for ?effect=hysteresis&at=theta4.
 Answer signature(Workbench& workbench, const Request& request) {
-  constexpr double kOfWeight = 0.2;  // a load to be swept where no reading had one
+  constexpr double kOfWeight = 0.2;  // swept load as a share of the weight if no reading had a load
   const Session session = workbench.session();
   const Cell& cell = currentModel(session).cell;
   double most_load = kOfWeight * deflection::weightOf(cell.arm);
@@ -49,9 +49,10 @@ Answer signature(Workbench& workbench, const Request& request) {
   return answerOf(signatureJson(cell, request.asked("effect"), request.asked("at"), most_load));
 }
 
-constexpr std::size_t kMostForConfounding = 300;  // readings spread over all: what they share hangs little on how many
+constexpr std::size_t kMostForConfounding =
+    300;  // readings spread over all: the confounding depends little on their number
 
-/// Of the causes, by the readings in use and the numbers that are fitted: which hide behind which.
+/// Returns the confounding of the causes, by the readings in use and the fitted numbers.
 Answer confounding(Workbench& workbench, const Request&) {
   const Session session = workbench.session();
   if (!session.readings) return refusal(404, InputError("measurements", "none loaded", "some"));

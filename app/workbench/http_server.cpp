@@ -19,15 +19,15 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr std::size_t kConnectionsAtOnce = 256;  // a thread for each; others wait until one of these ends
+constexpr std::size_t kConnectionsAtOnce = 256;  // one thread each; further connections wait
 constexpr std::size_t kLargestBody = 8u << 20;
 constexpr std::size_t kLongestTarget = 2048;
 constexpr auto kHeartbeat = std::chrono::seconds(10);
-constexpr auto kGlanceAtListener = std::chrono::seconds(1);  // how long a listener that has gone may go unnoticed
+constexpr auto kGlanceAtListener = std::chrono::seconds(1);  // interval of checks for a closed listener
 constexpr const char* kPolicy =
     "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'";
 
-/// Whether the connection may serve another request: only where all of this one was read, so that no body is ever taken
+/// True if the connection may serve another request, because the whole body of this one was read and cannot be taken
 /// for a request.
 thread_local bool is_read_whole = false;
 
@@ -101,7 +101,7 @@ class HttpServer::Implementation : public httplib::Server {
       : workbench_(workbench), door_(std::move(door)), page_(page_folder) {
     new_task_queue = [] { return new httplib::ThreadPool(kConnectionsAtOnce); };
     set_payload_max_length(kLargestBody);
-    // Not shared with another program that listens at the same port.
+    // Prevents sharing the port with another program.
     set_socket_options([](socket_t socket) {
       const int yes = 1;
       ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -132,7 +132,7 @@ class HttpServer::Implementation : public httplib::Server {
   void stopAll() {
     is_closing_ = true;
     workbench_.events().close();
-    // The library overlooks a stop that comes before it listens.
+    // The library ignores a stop that comes before it listens.
     while (!is_running() && !has_ended_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (is_running()) stop();
   }
@@ -147,7 +147,8 @@ class HttpServer::Implementation : public httplib::Server {
     if (!is_bound)
       throw InputError("--port", fmt::format("{} at {}, where the server cannot listen", door_.port, door_.host),
                        "a free port of this machine", "--port 0 takes any free one");
-    ::listen(svr_sock_, SOMAXCONN);  // the library lets five wait; those who come then try again after a second or more
+    ::listen(svr_sock_,
+             SOMAXCONN);  // the library's own backlog is five, and refused clients retry after a second or more
   }
 
   bool process_and_close_socket(socket_t socket) override {
@@ -164,7 +165,8 @@ class HttpServer::Implementation : public httplib::Server {
       is_read_whole = false;
       bool is_closed = false;
       ok = process_request(connection, k + 1 == most_requests, is_closed, [](httplib::Request& request) {
-        // No compressing: it would take longer than it saves here. No unpacking: a small body could become a huge one.
+        // Compression is off, because it would take longer than it saves. Decompression is off, because a small body
+        // could become a huge one.
         for (const char* header : {"Accept-Encoding", "Content-Encoding", "Range"}) request.headers.erase(header);
         request.ranges.clear();
       });
@@ -242,7 +244,7 @@ class HttpServer::Implementation : public httplib::Server {
         [&events](bool) { events.leave(); });
   }
 
-  /// What is new since the last time, or now and then a heartbeat.
+  /// Sends the news since the last call, or a heartbeat after a longer pause.
   bool sendNews(Events::Seen& seen, std::chrono::steady_clock::time_point& spoken, httplib::DataSink& sink) {
     const auto news = workbench_.events().wait(seen, kGlanceAtListener);
     if (news.closed || !sink.is_writable()) return false;

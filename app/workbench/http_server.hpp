@@ -1,4 +1,4 @@
-// The workbench on a port: the door, the page's files, the events, and everything else handed to the routes.
+// Server of the workbench on a port: admission, the page's files, the events, and the routes for all other requests.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace tubeplan::app {
 
 class HttpServer {
  public:
-  /// Listens at once; port 0: any free one. Throws InputError where that cannot be listened at.
+  /// Starts to listen at once; port 0: any free port. Throws InputError if it cannot listen there.
   HttpServer(Workbench& workbench, DoorRules door, const std::string& page_folder);
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
@@ -19,13 +19,13 @@ class HttpServer {
 
   [[nodiscard]] int port() const;
 
-  /// With the token, where there is one.
+  /// Returns the address, including the token if there is one.
   [[nodiscard]] std::string address() const;
 
-  /// Answers until stop().
+  /// Answers requests until stop().
   void run();
 
-  /// Ends run(), all connections with it; for another thread than the one that runs, or is about to run, it.
+  /// Ends run() and all connections. Called from a thread other than that of run(), also shortly before run() begins.
   void stop();
 
  private:

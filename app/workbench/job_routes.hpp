@@ -1,4 +1,4 @@
-// What the routes that begin a job have in common.
+// Common parts of the routes that begin a job.
 #pragma once
 
 #include <functional>
@@ -16,39 +16,39 @@
 
 namespace tubeplan::app {
 
-/// 202 with the job, or 409.
+/// Begins a job. Returns 202 with the job, or 409 if it is refused.
 [[nodiscard]] Answer beginJob(Workbench& workbench, const std::string& kind, const std::string& label, JobWork work);
 
-/// What a job's answer is found from: an answer from others is not wanted any more.
+/// Inputs of a job; its answer is discarded if they have changed meanwhile.
 enum class JobInput { kModel, kModelAndReadings };
 
-/// A job whose document becomes the result of its own kind, of the model that it began with.
+/// Work whose document becomes the result of the job's kind, for the model at its beginning.
 using ResultWork = std::function<nlohmann::json(const Session& began, JobContext&)>;
 [[nodiscard]] Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label,
                                     JobInput input, ResultWork work);
 
-/// The comparison of what is there as a job; with the ladder over the stack, which is sent as soon as it is there: the
-/// current model is fitted once for both.
+/// Begins the comparison of the current model with the readings. `with_ladder` adds the ladder over the stack, which
+/// reuses the fit of the current model; the comparison is sent first.
 [[nodiscard]] Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder);
 
-/// The diagnosis of what is there as a job.
+/// Begins the diagnosis of the current model.
 [[nodiscard]] Answer beginDiagnosis(Workbench& workbench, const DiagnosisRequest& asked);
 
-/// Progress of the work becomes the job's stages; a job asked to stop ends wherever it is.
+/// Returns hooks that report progress as the job's stages and stop the work on request.
 [[nodiscard]] WorkHooks hooksOf(JobContext& context);
 
-/// The same for the planner.
+/// Returns such hooks for the planner.
 [[nodiscard]] planner::PlanHooks planHooksOf(JobContext& context);
 
-/// The current model with the readings, checked against its formulas. Throws InputError where there are no readings.
+/// Returns the current model with the readings, checked against its formulas. Throws InputError without readings.
 [[nodiscard]] CellReadings inputOf(const Session& session);
 
-/// Changes the situation at the end of a job. Throws InputError where the current model is another than that which the
-/// job began with; JobStopped where its readings have given way to others: nobody waits for an answer on those before.
+/// Changes the session at the end of a job. Throws InputError if the current model is not that of the job's beginning;
+/// JobStopped if the readings have been replaced, so that the answer is obsolete.
 void finishJob(Workbench& workbench, const Session& began, JobInput input, const std::function<void(Session&)>& step);
 
-/// The cell as an export would leave it after a fit, or with other effects: written and read again, so that what
-/// follows is what the commands would give on the files.
+/// Returns the cell as an export after a fit, or with other effects, would write it: written and read again, so that
+/// later results agree with the commands on the files.
 [[nodiscard]] Cell fittedCell(const Cell& cell, const IdentificationOutcome& outcome);
 [[nodiscard]] Cell rereadCell(const Cell& cell, const std::string& text);
 

@@ -25,14 +25,14 @@ struct Jobs::Job {
   int id = 0;
   std::string kind, label, status = "running", stage = "waiting", result;
   std::size_t done = 0, total = 0;
-  std::uint64_t moment = 0;  ///< of its newest change
+  std::uint64_t moment = 0;  ///< number of its newest change
   Clock::time_point stage_began = Clock::now(), reported;
   nlohmann::json error;
   JobWork work;
   std::atomic<bool> stop = false;
 };
 
-/// Called by the job's threads.
+/// Context that the job's thread calls.
 class Jobs::Context : public JobContext {
  public:
   Context(Jobs& jobs, Job& job) : jobs_(jobs), job_(job) {}
@@ -172,7 +172,7 @@ void Jobs::end(Job& job, const std::string& status) {
     const std::lock_guard lock(mutex_);
     job.status = status;
     job.moment = events_.nextMoment();
-    job.work = nullptr;  // with what it holds
+    job.work = nullptr;  // frees the captured data
     events_.jobMoved(job.id, jsonOf(job).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   }
   events_.stateChanged();

@@ -1,4 +1,5 @@
-// Long work, one job after another on a thread of its own, each with its progress, its end and a way to stop it.
+// Queue of long computations that run one after another on a separate thread, each with progress, an outcome and
+// cancellation.
 #pragma once
 
 #include <atomic>
@@ -21,7 +22,7 @@
 
 namespace tubeplan::app {
 
-/// What a job's work is given: where to report its progress, and whether it shall go on.
+/// Interface of a job for its work: reports progress and asks if the job shall continue.
 class JobContext {
  public:
   virtual ~JobContext() = default;
@@ -29,10 +30,10 @@ class JobContext {
   [[nodiscard]] virtual bool stopRequested() const = 0;
 };
 
-/// Throws JobStopped where that has been asked for; reports the stage that begins.
+/// Reports the beginning of a stage. Throws JobStopped if the job is cancelled.
 void beginStage(JobContext& context, std::string_view stage, std::size_t done = 0, std::size_t total = 0);
 
-/// The work; returns the name of the result that it has put into the state. Throws InputError, JobStopped.
+/// Work of a job; returns the name of the result that it has put into the state. Throws InputError, JobStopped.
 using JobWork = std::function<std::string(JobContext&)>;
 
 class Jobs {
@@ -43,20 +44,20 @@ class Jobs {
   Jobs& operator=(const Jobs&) = delete;
 
   struct Begun {
-    std::string refused;  ///< why not; empty where it was taken
+    std::string refused;  ///< reason; empty if the job was accepted
     nlohmann::json job;
   };
 
-  /// Puts a job in the queue. Refused where one of that kind is waiting or running, or where too many wait.
+  /// Puts a job in the queue. Refuses it if a job of that kind is waiting or running, or if too many wait.
   [[nodiscard]] Begun begin(const std::string& kind, const std::string& label, JobWork work);
 
-  /// Asks a job to stop; nothing for an unknown one. A job that has ended stays as it is.
+  /// Asks a job to stop; nullopt for an unknown id. A finished job stays unchanged.
   [[nodiscard]] std::optional<nlohmann::json> cancel(int id);
 
-  /// The last ones, newest last.
+  /// Returns the latest jobs, newest last.
   [[nodiscard]] nlohmann::json list() const;
 
-  /// Whether any job waits or runs.
+  /// Returns true if any job waits or runs.
   [[nodiscard]] bool isBusy() const;
 
  private:
@@ -71,7 +72,7 @@ class Jobs {
   Events& events_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
-  std::vector<std::shared_ptr<Job>> jobs_;  ///< ended ones first forgotten
+  std::vector<std::shared_ptr<Job>> jobs_;  ///< the oldest finished jobs are dropped first
   std::deque<std::shared_ptr<Job>> waiting_;
   int next_id_ = 1;
   bool closing_ = false;

@@ -25,7 +25,7 @@ using Failure = boost::system::error_code;
 constexpr std::size_t kLongestLine = 4096;
 constexpr int kMostConnections = 16;
 
-/// Numbers apart by blanks, commas or semicolons.
+/// Returns the words of a line, separated by blanks, commas or semicolons.
 std::vector<std::string> wordsOf(std::string line) {
   std::replace_if(
       line.begin(), line.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
@@ -63,7 +63,8 @@ std::string answerTo(Workbench& workbench, const std::string& line) {
   }
 }
 
-/// One client: a line is read, answered, and only then the next one read, so that a slow client holds up itself only.
+/// Connection of one client: a line is read, answered, and only then the next one read, so that a slow client delays
+/// only itself.
 class LineClient : public std::enable_shared_from_this<LineClient> {
  public:
   LineClient(tcp::socket socket, Workbench& workbench, int& open)
@@ -132,7 +133,7 @@ class LineServer::Implementation {
   }
 
   Workbench& workbench_;
-  int open_ = 0;  ///< of the context's thread alone; outlives its connections
+  int open_ = 0;  ///< used by the context's thread only; outlives its connections
   boost::asio::io_context context_;
   tcp::acceptor acceptor_;
   std::thread thread_;

@@ -1,8 +1,8 @@
-// Postures of a running arm as lines of text over TCP, for controllers that speak no HTTP.
+// Server for postures of a running arm as lines of text over TCP, for controllers without HTTP.
 //
-// Each line has the joints' readings in the arm's order and, where one hangs there, the load behind them, in the cell's
-// units, apart by blanks, commas or semicolons. Each is answered by one line: the deflected tip in the world, "x y z",
-// or "error: " with what is wrong. Only this machine is listened to.
+// Each line has the joints' readings in the arm's order and, optionally, the load after them, in the cell's units,
+// separated by blanks, commas or semicolons. The answer is one line: the deflected tip in the world, "x y z", or
+// "error: " with the reason. The server accepts connections from this machine only.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 class LineServer {
  public:
-  /// Listens at once; port 0: any free one. Throws InputError where that cannot be listened at.
+  /// Starts to listen at once; port 0: any free port. Throws InputError if it cannot listen there.
   LineServer(Workbench& workbench, int port);
 
   /// Ends all connections.

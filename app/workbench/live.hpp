@@ -1,5 +1,4 @@
-// A running arm beside the workbench: all browsers see where its encoders say it is, and readings that it takes join
-// those that are there.
+// Data of a running arm: its encoders, shown to all browsers, and its new readings, which join the existing ones.
 #pragma once
 
 #include <filesystem>
@@ -12,28 +11,28 @@ namespace tubeplan::app {
 
 class InputError;
 
-/// Tells all browsers a posture (rad, m) and load [N]; `source` says where it is from. Nothing of it is kept. Returns
-/// {joints, load, source, tip: where the current model has the deflected tip, in the world}, in the cell's units.
-/// Throws InputError where the arm does not come to rest.
+/// Shows a posture (rad, m) and load [N] to all browsers, without storing it; `source` names its origin. Returns
+/// {joints, load, source, tip: deflected tip of the current model in the world}, in the cell's units. Throws InputError
+/// if the arm has no static equilibrium.
 nlohmann::json showEncoders(Workbench& workbench, const Eigen::VectorXd& q, double load, const std::string& source);
 
-/// Tells all browsers what is wrong with what came.
+/// Reports an error in the received data to all browsers.
 void showLiveProblem(Workbench& workbench, const InputError& error, const std::string& source);
 
-/// Readings as the text of a measurement file: they wait until joinArrived(). How many wait is returned. Ids that are
-/// there already are passed over where `passes_known`, else refused. Throws InputError for these and for a bad file.
+/// Queues readings, given as the text of a measurement file, until joinArrived(). Returns the number queued. Known ids
+/// are skipped if `passes_known`, else refused. Throws InputError for these and for a bad file.
 std::size_t takeArrived(Workbench& workbench, const std::string& text, const std::string& name, bool passes_known);
 
-/// Once no job works on the readings, those that wait join them, and the comparison of all is begun.
+/// Adds the queued readings to the others if no job uses the readings, and begins the comparison of all.
 void joinArrived(Workbench& workbench);
 
-/// A file that another program writes: a measurement table to which rows are added, or a table of joint columns (and a
-/// load), one row for each time that the encoders were read.
+/// File that another program writes: a growing measurement table, or a table of joint columns (and a load), one row for
+/// each reading of the encoders.
 class WatchedFile {
  public:
   explicit WatchedFile(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// Takes what is new; what is wrong with it is sent to all browsers, once.
+  /// Reads new rows; reports an error in them to all browsers once.
   void look(Workbench& workbench);
 
  private:

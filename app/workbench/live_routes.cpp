@@ -1,4 +1,4 @@
-// What a running arm sends: its encoders, and readings one by one.
+// Routes for data of a running arm: its encoders, and single readings.
 #include "app/workbench/live.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
@@ -7,7 +7,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// {"joints", "load"?}, in the cell's units.
+/// Shows {"joints", "load"?}, in the cell's units.
 Answer encoders(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const Session session = workbench.session();
@@ -15,7 +15,7 @@ Answer encoders(Workbench& workbench, const Request& request) {
   return answerOf(showEncoders(workbench, jointsOf(body, cell), loadOf(body, cell), "POST"));
 }
 
-/// The text of a measurement file with readings of new ids.
+/// Takes the text of a measurement file with readings of new ids.
 Answer takeReadings(Workbench& workbench, const Request& request) {
   const std::size_t waiting = takeArrived(workbench, request.body, "request", false);
   joinArrived(workbench);

@@ -1,4 +1,5 @@
-// The loop: compare, diagnose, identify, add, ladder, improve, and readings to practise on. Each is a job.
+// Routes of the calibration loop: compare, diagnose, identify, add, ladder, improve, and simulated readings for
+// practice. Each begins a job.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -41,7 +42,7 @@ struct NamedCell {
   Cell cell;
 };
 
-/// From the first model to the current one, the first taken as rigid before it where it gives.
+/// Returns the models from the first to the current one, preceded by the rigid form of the first if that is flexible.
 std::vector<NamedCell> stackOf(const Session& session) {
   std::vector<NamedCell> stack;
   const auto& models = session.models;
@@ -51,7 +52,8 @@ std::vector<NamedCell> stackOf(const Session& session) {
   return stack;
 }
 
-/// `set_aside`: outliers that are known; `top`: the fit of the last model without them, where it is made already.
+/// Returns the ladder of the models. `set_aside`: known outliers; `top`: the fit of the last model without them, if it
+/// exists already.
 nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& began, std::uint64_t seed,
                           const WorkHooks& hooks, std::vector<std::string> set_aside = {},
                           const calibration::Identification* top = nullptr) {
@@ -79,7 +81,7 @@ Answer ladder(Workbench& workbench, const Request& request) {
                         });
 }
 
-/// Puts the ladder of the models there, on the readings that the comparison of the last was made with.
+/// Stores the ladder of the models, on the readings of the last model's comparison.
 void putLadder(Workbench& workbench, const Session& began, std::uint64_t seed, const RefitOfReadings& refit,
                JobContext& context) {
   const auto climbed = ladderOver(stackOf(began), began, seed, hooksOf(context), refit.set_aside, &refit.fit);
@@ -87,7 +89,7 @@ void putLadder(Workbench& workbench, const Session& began, std::uint64_t seed, c
             [&](Session& session) { putResult(session, "ladder", currentModel(began).id, climbed); });
 }
 
-/// {"folds"?, "ladder"?: true}
+/// Compares, for {"folds"?, "ladder"?: true}.
 Answer compare(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   return beginComparison(workbench, {integerOf(body, "folds", 5, 0, 100), seedOf(body)},
@@ -102,14 +104,14 @@ void requireFitted(const IdentificationOutcome& outcome, const CellReadings& inp
                      "readings that determine the numbers");
 }
 
-/// A fit of the current model as a job, and the model that it puts on the stack.
+/// Job that fits the current model, with the model that it puts on the stack.
 struct FitJob {
   std::string kind, label, name, origin;
   IdentificationRequest asked;
-  std::function<std::string(const Cell&)> changed = {};  ///< the text of the cell that is fitted; empty: as it is
+  std::function<std::string(const Cell&)> changed = {};  ///< text of the cell to fit; empty: unchanged
 };
 
-/// Puts the fitted model on the stack with its figures, and the ladder over the stack with it.
+/// Begins a fit that puts the model on the stack with its figures, and the ladder over the stack.
 Answer beginFit(Workbench& workbench, const FitJob& fit) {
   return beginJob(workbench, fit.kind, fit.label, [fit, &workbench](JobContext& context) {
     const Session began = workbench.session();
@@ -140,7 +142,7 @@ Answer identify(Workbench& workbench, const Request& request) {
   return beginFit(workbench, {"identify", "the numbers of the model", "fitted", "fit", asked});
 }
 
-/// {"causes": ["base-slip@base:time=90", ...]} or {"formula"}, as AdditionRequest has them.
+/// Returns the request {"causes": ["base-slip@base:time=90", ...]} or {"formula"}, in the notation of AdditionRequest.
 AdditionRequest additionAsked(const nlohmann::json& body) {
   constexpr std::size_t kMostAtOnce = 8;
   AdditionRequest asked{textsOf(body, "causes"), textOf(body, "formula")};
@@ -156,7 +158,7 @@ Answer add(Workbench& workbench, const Request& request) {
   const AdditionRequest asked = additionAsked(body);
   IdentificationRequest fit;
   fit.seed = seedOf(body);
-  const Addition first = addToCell(currentModel(workbench.session()).cell, asked);  // refused at once, if at all
+  const Addition first = addToCell(currentModel(workbench.session()).cell, asked);  // throws at once for bad input
   const std::string label =
       fmt::format("+ {}", asked.formula.empty() ? fmt::format("{}", fmt::join(first.names, " + ")) : asked.formula);
   return beginFit(workbench,
@@ -164,13 +166,14 @@ Answer add(Workbench& workbench, const Request& request) {
                    [asked](const Cell& cell) { return cellTextWith(cell, addToCell(cell, asked), cell.path); }});
 }
 
-/// {"causes": ["hysteresis@theta4", "free@tool.tip"]}: a model without these effects, these numbers held, fitted again.
+/// Fits a model without these effects and with these numbers held, for {"causes": ["hysteresis@theta4",
+/// "free@tool.tip"]}.
 Answer remove(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const auto causes = textsOf(body, "causes");
   IdentificationRequest fit;
   fit.seed = seedOf(body);
-  (void)withoutCauses(currentModel(workbench.session()).cell, causes);  // refused at once, if at all
+  (void)withoutCauses(currentModel(workbench.session()).cell, causes);  // throws at once for bad input
   const std::string label = fmt::format("\u2212 {}", fmt::join(causes, ", "));
   return beginFit(workbench, {"remove", label, label, "without", fit, [causes](const Cell& cell) {
                                 const Cell without = withoutCauses(cell, causes);
@@ -191,7 +194,7 @@ Answer improve(Workbench& workbench, const Request& request) {
                                        outcome.steps.empty() ? outcome.models.front().fit.reason
                                                              : reasonText(outcome.steps.back(), input.cell.units),
                                        "readings that allow a verdict");
-                    std::vector<NamedCell> improved;  // one on the stack for each step, to be undone one by one
+                    std::vector<NamedCell> improved;  // one model per step, so that each step can be undone
                     for (const auto& model : outcome.models)
                       improved.push_back(
                           {model.name == "as given" ? "fitted" : model.name,
@@ -224,7 +227,7 @@ SimulationRequest simulationAsked(const nlohmann::json& body) {
   return asked;
 }
 
-/// As they would be read from the file that the command writes.
+/// Returns the readings as read from the file that the command writes.
 std::shared_ptr<ReadingSet> readingsOf(const calibration::SimulatedCampaign& campaign, const Cell& cell,
                                        const std::string& name) {
   auto set = std::make_shared<ReadingSet>();
@@ -236,7 +239,7 @@ std::shared_ptr<ReadingSet> readingsOf(const calibration::SimulatedCampaign& cam
 Answer simulate(Workbench& workbench, const Request& request) {
   const SimulationRequest asked = simulationAsked(objectOf(request));
   const Session now = workbench.session();
-  (void)prepareSimulation(now.models.front()->cell, asked);  // refused at once, if at all
+  (void)prepareSimulation(now.models.front()->cell, asked);  // throws at once for bad input
   return beginJob(workbench, "simulate", "simulated readings", [&workbench, asked](JobContext& context) {
     const Session began = workbench.session();
     const Cell& cell = began.models.front()->cell;

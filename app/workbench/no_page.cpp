@@ -1,4 +1,4 @@
-// Stands in for the generated files of the workbench and of reports where they were not built.
+// Empty replacement for the generated files of the workbench and of reports if they were not built.
 #include "app/report/page_sources.hpp"
 #include "app/workbench/page_files.hpp"
 

@@ -1,4 +1,4 @@
-// The one folder whose files the workbench may read and write.
+// Single folder whose files the workbench may read and write.
 #pragma once
 
 #include <filesystem>
@@ -9,17 +9,18 @@ namespace tubeplan::app {
 
 class OpenedFolder {
  public:
-  /// Throws InputError for what is no folder.
+  /// Opens a folder. Throws InputError if it is not a folder.
   explicit OpenedFolder(const std::filesystem::path& folder);
 
-  /// The canonical place of an existing file by its plain name. Throws InputError for a name with folders in it, a
-  /// hidden one, and one that leads out of the folder (a symbolic link).
+  /// Returns the canonical path of an existing file by its plain name. Throws InputError for a name with folders in it,
+  /// a hidden one, and one that leads out of the folder (a symbolic link).
   [[nodiscard]] std::filesystem::path fileToRead(const std::string& name) const;
 
-  /// The same for a file to be written, which may be missing; never over a symbolic link.
+  /// Returns the path of a file to be written, which may be missing. Throws InputError as fileToRead() does, and for
+  /// any symbolic link.
   [[nodiscard]] std::filesystem::path fileToWrite(const std::string& name) const;
 
-  /// Names of the plain files with that extension (".yaml"), sorted; at most a thousand.
+  /// Returns the names of the plain files with that extension (".yaml"), sorted; at most a thousand.
   [[nodiscard]] std::vector<std::string> names(const std::string& extension) const;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }

@@ -1,4 +1,4 @@
-// The page's files: those built into the program, or those of a folder while the page is worked on.
+// Files of the page: those built into the program, or those of a folder during development of the page.
 #pragma once
 
 #include <filesystem>
@@ -11,22 +11,22 @@
 
 namespace tubeplan::app {
 
-/// The page's files as the program carries them; generated at build time by embed_files.cmake. Empty where the page was
-/// not built.
+/// Returns the page's files in the program, generated at build time by embed_files.cmake. Empty if the page was not
+/// built.
 [[nodiscard]] const std::vector<EmbeddedFile>& embeddedPage();
 
 struct PageFile {
   std::string content, content_type;
-  bool is_named_by_content = false;  ///< its name changes with it, so that a browser may keep it
+  bool is_named_by_content = false;  ///< true if its name changes with its content, so that a browser may cache it
 };
 
 class PageFiles {
  public:
-  /// `folder`: instead of the program's own files; empty: those. Throws InputError for what is no folder.
+  /// Serves the files of `folder`; empty: the program's own files. Throws InputError if it is not a folder.
   explicit PageFiles(const std::string& folder);
 
-  /// The file at a path of the address ("/", "/assets/x.js"). Paths without a dot are the page itself. Nothing where
-  /// there is none, or where the path leads out of the folder.
+  /// Returns the file at a path of the address ("/", "/assets/x.js"). Paths without a dot give the page itself. Returns
+  /// nullopt if there is none, or if the path leads out of the folder.
   [[nodiscard]] std::optional<PageFile> find(std::string_view path) const;
 
  private:

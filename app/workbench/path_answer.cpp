@@ -28,7 +28,7 @@ std::vector<planner::PathRow> samplesOf(const PlanOutcome& outcome) {
 
 double forPlaying(double value) { return std::round(value * 1e6) / 1e6; }
 
-/// Of a margin that a motion or a posture has beside what the scene asks for; null where there is nothing to touch.
+/// Returns the clearance from the margin of a motion or a posture beyond the scene's requirement; null without objects.
 json clearanceJson(const PlanOutcome& outcome, double margin) {
   if (!std::isfinite(margin)) return nullptr;
   return forPlaying(lengthOf(margin + outcome.model.scene.clearance, outcome.cell.units));

@@ -1,4 +1,4 @@
-// Planning: reach, fields, postures under a hole, the plan and the path to play.
+// Planning routes: reach, fields, postures under a hole, the plan and its path.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Answer reach(Workbench& workbench, const Request& request) {
       [](const Session& began, JobContext& context) { return reachOfAll(currentModel(began).cell, context); });
 }
 
-/// The situation with that model as the current one. Throws InputError for a number of none.
+/// Returns the session with that model as the current one. Throws InputError for an unknown id.
 Session atModel(Session session, int id) {
   const auto at = findModel(session, id);
   if (!at) throw InputError("request (model)", std::to_string(id), "the number of a model");
@@ -46,14 +46,14 @@ Session atModel(Session session, int id) {
   return session;
 }
 
-/// {"of", "model"?}: of the current model, where no other is named.
+/// Computes a field for {"of", "model"?}; the default is the current model.
 Answer field(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const std::string of = textOf(body, "of", "centring");
   requireField(of);
   (void)workcellOf(currentModel(workbench.session()).cell, "look at its holes");
   const int model = integerOf(body, "model", currentModel(workbench.session()).id, 0, std::numeric_limits<int>::max());
-  (void)atModel(workbench.session(), model);  // refused at once, if at all
+  (void)atModel(workbench.session(), model);  // throws at once for an unknown model
   return beginJob(workbench, "field", of + " over the sheet", [=, &workbench](JobContext& context) {
     const Session began = workbench.session();
     const auto document = fieldOf(atModel(began, model), of, context);
@@ -74,7 +74,7 @@ json branchJson(const planner::TubeBranch& branch, const Model& model, double lo
           {"clearance", is_found ? clearanceOf(model, branch.q, load) : json()}};
 }
 
-/// Most of the branches that are found and clear come first.
+/// Returns the inverse kinematics; branches that are found and clear come first.
 Answer inverse(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const Session now = workbench.session();
@@ -106,7 +106,7 @@ Answer inverse(Workbench& workbench, const Request& request) {
   return answerOf(answer);
 }
 
-/// Throws the reason why there is no plan.
+/// Throws InputError with the reason if there is no plan.
 void requirePlanned(const PlanOutcome& outcome) {
   if (outcome.plan.status == planner::VisitPlanStatus::kStopped) throw JobStopped{};
   if (outcome.plan.status == planner::VisitPlanStatus::kPlanned) return;
@@ -114,7 +114,7 @@ void requirePlanned(const PlanOutcome& outcome) {
   throw InputError("tubes", outcome.plan.reason + first, "tubes that the arm can visit");
 }
 
-/// A request names tubes, never a file.
+/// Throws InputError for a file, because a request selects tubes in words only.
 void requireNoFile(const std::string& tubes) {
   if (tubes.ends_with(".csv"))
     throw InputError("request (first)", inQuotes(tubes), "tubes as --tubes says them, no file");
@@ -161,7 +161,7 @@ Answer plan(Workbench& workbench, const Request& request) {
   });
 }
 
-/// What a selection by a work list leaves out or takes nonetheless, a sentence each.
+/// Returns the tubes that a work list's selection leaves out or includes in spite of their state, one sentence each.
 std::vector<std::string> listWords(const tubesheets::Sheet& sheet, const tubesheets::Selection& selection) {
   std::vector<std::string> words = listNotes(selection);
   if (const std::string left = leftOutText(selection); !left.empty()) words.push_back("left out: " + left);
@@ -173,15 +173,15 @@ struct ListText {
   std::string name, text;
 };
 
-/// {"name", "text"} of a work list.
+/// Returns the work list of {"name", "text"}.
 ListText listTextOf(const json& list) {
   ListText given{textOf(list, "name", "list.csv").substr(0, 200), textOf(list, "text")};
   checkText(given.name, given.text);
   return given;
 }
 
-/// {"name", "text", "columns"?: ["row=Reihe"]}: the tubes of a work list and the stays at them [s], as `plan --tubes
-/// LIST.csv` reads it; by the columns that are named, where its headings do not say what they are.
+/// Returns the tubes of a work list and the stays at them [s], as `plan --tubes LIST.csv` reads it, for {"name",
+/// "text", "columns"?: ["row=Reihe"]}; `columns` states the meaning of headings that are not recognized.
 Answer workList(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const auto& sheet = requireSheet(currentModel(workbench.session()).cell, "read a work list");
@@ -193,7 +193,7 @@ Answer workList(Workbench& workbench, const Request& request) {
       {{"name", name}, {"tubes", selection.tube_indices}, {"stays", stays}, {"notes", listWords(sheet, selection)}});
 }
 
-/// {"tables": [{"name", "text"}]}: what the columns of one table seem to be as those of a work list.
+/// Returns the likely meanings of one table's columns as a work list, for {"tables": [{"name", "text"}]}.
 Answer listColumns(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const auto& tables = requiredOf(body, "tables", "one table of text");
@@ -211,7 +211,7 @@ Answer path(Workbench& workbench, const Request&) {
   return now.plan ? answerOf(pathAnswer(*now.plan)) : noPlan();
 }
 
-/// A whole number of the query.
+/// Returns a whole number of the query.
 std::size_t countOf(const Request& request, const std::string& key, std::size_t otherwise) {
   const auto found = request.query.find(key);
   if (found == request.query.end()) return otherwise;

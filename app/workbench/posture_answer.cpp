@@ -41,9 +41,10 @@ std::vector<Isometry3d> rigidFrames(const deflection::FlexibleKinematics& shape,
   return frames;
 }
 
-/// The point of a shape nearest to one outside it: down the slope of the distance, by as much as it is.
+/// Returns the point of a shape nearest to a point outside it: a step along the negative gradient of the distance, as
+/// long as the distance.
 Vector3d nearestOn(const planner::Shape& shape, const Vector3d& p) {
-  constexpr double kStep = 1e-5;  // m
+  constexpr double kStep = 1e-5;  // [m]
   Vector3d slope;
   for (int k = 0; k < 3; ++k)
     slope[k] =
@@ -52,13 +53,13 @@ Vector3d nearestOn(const planner::Shape& shape, const Vector3d& p) {
   return slope.norm() > 0.1 ? Vector3d(p - shape.pointDistance(p) * slope.normalized()) : p;
 }
 
-/// Where the other of the pair is nearest: an obstacle, or a body in its row's frame.
+/// Returns the nearest point of the other object of the pair: an obstacle, or a body in its row's frame.
 std::optional<Vector3d> otherPoint(const planner::Scene& scene, const planner::Clearance& clearance,
                                    const deflection::PlacedRows& placed) {
   for (const auto& obstacle : scene.obstacles)
     if (obstacle.name == clearance.other) return nearestOn(*obstacle.shape, clearance.point_W);
   std::optional<Vector3d> nearest;
-  for (const auto& body : scene.bodies) {  // several may share a label
+  for (const auto& body : scene.bodies) {  // several bodies may share a label
     if (planner::bodyLabel(body) != clearance.other) continue;
     const Isometry3d X = placed.X_WL(body.frame_index, 0);
     const Vector3d point = X * nearestOn(*body.shape, X.inverse() * clearance.point_W);
@@ -67,7 +68,8 @@ std::optional<Vector3d> otherPoint(const planner::Scene& scene, const planner::C
   return nearest;
 }
 
-/// As a plan has it: less the bow of bent members, and what gaps of joints let the arm jump.
+/// Returns the clearance as a plan computes it: reduced by the bow of bent members, and by the motion within gaps of
+/// joints.
 json clearanceJson(const Model& model, const planner::Workcell& posed, const Eigen::VectorXd& q) {
   if (!model.pairs) return nullptr;
   const Units& units = model.cell.units;

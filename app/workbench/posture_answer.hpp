@@ -1,5 +1,5 @@
-// Where a model is at given joint readings: tip and frames, rigid and deflected, what comes nearest, and how well the
-// tip is centred under a hole. Quick enough for a slider.
+// State of a model at given joint readings: tip and frames, rigid and deflected, the nearest objects, and the centring
+// of the tip under a hole. Fast enough for a slider.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,17 +9,18 @@
 
 namespace tubeplan::app {
 
-/// Joints and load in internal units.
+/// Posture of a request: joints and load in internal units.
 struct AskedPosture {
   Eigen::VectorXd q;
   double load = 0;
   std::optional<int> hole;  ///< index in the sheet
 };
 
-/// Throws InputError for a posture at which a formula of the cell has no value, or whose shape does not converge.
+/// Returns the state of the model. Throws InputError for a posture at which a formula of the cell has no value, or
+/// whose shape does not converge.
 [[nodiscard]] nlohmann::json answerPosture(const Model& model, const AskedPosture& question);
 
-/// {distance, margin, pair, from, to}: null where the cell has no bodies, or the shape does not converge.
+/// Returns {distance, margin, pair, from, to}; null if the cell has no bodies, or the shape does not converge.
 [[nodiscard]] nlohmann::json clearanceOf(const Model& model, const Eigen::VectorXd& q, double load);
 
 }  // namespace tubeplan::app

@@ -27,7 +27,7 @@ using nlohmann::json;
 
 constexpr CheckpointFormat kProjectFormat = {"tubeplan project 1", "a project saved by tubeplan serve",
                                              "open the cell and its readings anew"};
-/// Made of what cannot be kept: the planner's own memory makes a plan again faster.
+/// Result that is not kept: a plan refers to the planner's memory and is computed again faster than stored.
 constexpr const char* kNotKept = "plan";
 
 std::string allReadingsText(const Session& session) {
@@ -35,7 +35,7 @@ std::string allReadingsText(const Session& session) {
   return session.readings ? measurementsCsv(session.readings->readings, cell.arm, cell.units) : "";
 }
 
-// ---- out
+// ---- writing
 
 json modelJson(const Model& model) {
   const Cell& cell = model.cell;
@@ -94,7 +94,7 @@ json payloadOf(const Session& session) {
           {"saved_revision", session.saved_revision}};
 }
 
-// ---- in
+// ---- reading
 
 ModelPointer modelOf(const json& entry) {
   const std::string path = entry.at("path");
@@ -125,7 +125,7 @@ std::vector<TouchMade> touchesMade(const json& entry, const Cell& cell, const st
   return made;
 }
 
-/// Keys of results as earlier programs wrote them, and as they are now.
+/// Keys of results in files of earlier programs, and their present names.
 constexpr std::pair<const char*, const char*> kRenamedKeys[] = {
     {"rungs", "models"}, {"told", "identifiable"}, {"probability_told", "probability_distinguished"}};
 
@@ -141,7 +141,7 @@ void renameKeys(json& document) {
     for (auto& part : document) renameKeys(part);
 }
 
-/// A comparison's errors as earlier programs wrote them, predicted less measured, the other way round.
+/// Changes the sign of a comparison's errors, which earlier programs wrote as predicted less measured.
 void turnErrors(json& comparison) {
   if (comparison.contains("errors") || !comparison.contains("readings")) return;
   for (auto& reading : comparison.at("readings"))

@@ -1,5 +1,5 @@
-// A workbench's situation as one file: the cell, every model as its files would stand, readings with those set aside,
-// touches, and what was found out. Only a plan is left out: it is made again.
+// Project file of a session: the cell, every model in the form of its files, readings with those set aside, touches,
+// and results. A plan is not included, because it is made again.
 #pragma once
 
 #include <filesystem>
@@ -12,23 +12,23 @@ namespace tubeplan::app {
 
 inline constexpr const char* kProjectExtension = ".tubeplan";
 
-/// As it stands in the file: what readProject takes.
+/// Returns the text of a project file, as readProject() reads it.
 [[nodiscard]] std::string projectText(const Session& session);
 
-/// The situation that was written. Files that the cell names beside its arm (hole maps, meshes) are read where they
-/// stood. Throws InputError for what is no project, is damaged, or names files that are gone.
+/// Returns the session of a project file. Files that the cell names besides its arm (hole maps, meshes) are read at
+/// their original places. Throws InputError for a file that is no project, is damaged, or names missing files.
 [[nodiscard]] Session readProject(const std::filesystem::path& file);
 
-/// {file, cell, readings, models, saved}: what a project is of, from its first line alone; null for what is none.
+/// Returns {file, cell, readings, models, saved} from the first line alone; null for a file that is no project.
 [[nodiscard]] nlohmann::json projectSummary(const std::filesystem::path& file);
 
-/// Whether two situations begin with the same cell, to the letter, and have the same readings.
+/// Returns true if two sessions begin with the same text of the cell and have the same readings.
 [[nodiscard]] bool hasSameInputs(const Session& one, const Session& other);
 
-/// Whether anything stands in it that its inputs alone do not give.
+/// Returns true if the session contains anything that its inputs alone do not give.
 [[nodiscard]] bool hasWork(const Session& session);
 
-/// Whether that stands in no project yet.
+/// Returns true if the session has work that is not saved in a project.
 [[nodiscard]] bool isUnsaved(const Session& session);
 
 }  // namespace tubeplan::app

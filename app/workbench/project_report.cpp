@@ -33,7 +33,7 @@ json inputJson(const std::string& what, const std::string& name, const std::stri
   return {{"what", what}, {"name", name}, {"bytes", text.size()}, {"sha256", sha256Of(text)}};
 }
 
-/// As the files of projectFiles() have them: `sha256sum` gives the same there.
+/// Returns the inputs with checksums of the files of projectFiles(), equal to those of `sha256sum`.
 json inputsJson(const Session& session) {
   json inputs = json::array();
   const auto of_cell = cellFiles(session.models.front()->cell, modelFile(0));
@@ -45,7 +45,7 @@ json inputsJson(const Session& session) {
   return inputs;
 }
 
-/// The figures of a model: of its own comparison.
+/// Returns the figures of a model's own comparison.
 json figuresOf(const Session& session, int model) {
   const auto compared = findResult(session, "compare", model);
   if (!compared) return json::object();
@@ -76,7 +76,7 @@ json modelsOfLadder(const Session& session) {
   return ladder ? ladderModels(ladder->document["models"]) : json::array();
 }
 
-/// As a shell takes it for one word.
+/// Returns a path quoted as one word of a shell.
 std::string inShell(const std::filesystem::path& path) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+:@,";
   const std::string word = path.string();
@@ -86,7 +86,7 @@ std::string inShell(const std::filesystem::path& path) {
   return quoted + "'";
 }
 
-/// On the files of projectFiles(), in this order.
+/// Returns the command lines on the files of projectFiles(), in order of execution.
 json commandsJson(const Session& session, const ProjectReportRequest& request) {
   const auto in = [&](const std::string& name) { return inShell(std::filesystem::path(request.files) / name); };
   json commands = {fmt::format("tubeplan report {} --files {}", inShell(request.project), inShell(request.files))};
@@ -104,7 +104,7 @@ json commandsJson(const Session& session, const ProjectReportRequest& request) {
   return commands;
 }
 
-/// [[name, value], ...]
+/// Returns [[name, value], ...].
 json factsJson(const Session& session, const ProjectReportRequest& request) {
   const auto fact = [](const std::string& name, const std::string& value) { return json::array({name, value}); };
   json facts = json::array({fact("Report made", request.made),
@@ -118,7 +118,7 @@ json factsJson(const Session& session, const ProjectReportRequest& request) {
   return facts;
 }
 
-/// The last word on the current model: its diagnosis, else its comparison.
+/// Adds the latest verdict on the current model: its diagnosis, else its comparison.
 void addVerdict(const Session& session, json& report) {
   for (const char* name : {"diagnose", "compare"}) {
     const auto found = findResult(session, name, currentModel(session).id);
@@ -127,12 +127,12 @@ void addVerdict(const Session& session, json& report) {
     report["verdict_words"] = found->document.value("verdict_words", "");
     report["sentence"] = found->document["sentence"];
     for (const char* key :
-         {"sentences", "splitting", "error_unit", "error_budget"})  // not in what an earlier program left
+         {"sentences", "splitting", "error_unit", "error_budget"})  // absent in files of earlier programs
       if (found->document.contains(key)) report[key] = found->document[key];
     report["rms"] = found->document["rms"];
     report["chi2_per_dof"] = found->document["chi2_per_dof"];
     report["p_value"] = found->document["p_value"];
-    // Before: of the first model, not of this one before its refit.
+    // The figures before are those of the first model, not of the current one before its refit.
     if (const json first = figuresOf(session, session.models.front()->id); first.contains("heldout_rms"))
       report["rms"]["heldout_before"] = first["heldout_rms"];
     return;

@@ -1,4 +1,5 @@
-// A saved project as a report: what it is of, how its models came about with their figures, and how to have them again.
+// Report of a saved project: its inputs, its models with their origin and figures, and the commands that reproduce
+// them.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +12,17 @@
 
 namespace tubeplan::app {
 
-/// The inputs and every model as files in that folder: measurements.csv (without those set aside), model-0.yaml and so
-/// on.
+/// Returns the inputs and all models as files of that folder: measurements.csv (without those set aside), model-0.yaml
+/// and so on.
 [[nodiscard]] std::vector<TextFile> projectFiles(const Session& session, const std::filesystem::path& folder);
 
 struct ProjectReportRequest {
   std::string project;  ///< file
-  std::string files;    ///< the folder of projectFiles(), as the command lines name it
-  std::string made;     ///< the date
+  std::string files;    ///< folder of projectFiles(), as in the command lines
+  std::string made;     ///< date of the report
 };
 
-/// What the page shows: {title, facts, verdict?, sentence?, units, ladder: [...], noise_floor, history: [...],
+/// Returns the data of the page: {title, facts, verdict?, sentence?, units, ladder: [...], noise_floor, history: [...],
 /// parameters: [...], inputs: [{what, name, bytes, sha256}], set_aside: [...], commands: [...], version, commit}.
 [[nodiscard]] nlohmann::json projectReportJson(const Session& session, const ProjectReportRequest& request);
 

@@ -1,4 +1,5 @@
-// The readings: opened, uploaded, taken from other programs' tables, taken otherwise, marked and parted again.
+// Reading routes: opening, upload, import of other programs' tables, assumptions, marks, and removal of joined
+// readings.
 #include <fmt/format.h>
 
 #include <sstream>
@@ -21,7 +22,8 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr std::size_t kMostLoaded = Arrivals::kMost;  // every look at them solves the arm's shape as often
+constexpr std::size_t kMostLoaded =
+    Arrivals::kMost;  // limit, because every check solves the arm's shape this many times
 
 Answer noReadings() { return refusal(404, InputError("measurements", "none loaded", "some")); }
 
@@ -38,7 +40,7 @@ Answer moments(Workbench& workbench, const Request&) {
                           : noReadings();
 }
 
-/// "theta3,forearm.z" in the address.
+/// Returns the names of "theta3,forearm.z" in the address.
 std::vector<std::string> namesAt(const Request& request) {
   std::vector<std::string> names;
   std::stringstream text(request.asked("at"));
@@ -70,8 +72,8 @@ Answer takeText(Workbench& workbench, const std::string& text, const std::string
   return answerOf(stateJson(workbench));
 }
 
-/// {"assume": ["coordinates=in"]}: what a check of the readings suspects is taken to be so, as --assume of the commands
-/// does; `as-is`: they are as they should be; none: they are taken as their file has them.
+/// Reads the readings again with the suspected mistakes of {"assume": ["coordinates=in"]} mended, as --assume of the
+/// commands does; `as-is`: they are correct; none: they are taken as their file states them.
 Answer assume(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   (void)requiredOf(body, "assume", "a list of NAME=VALUE as --assume of the commands takes it");
@@ -107,7 +109,7 @@ Answer uploadReadings(Workbench& workbench, const Request& request) {
   return takeText(workbench, request.body, request.asked("name"));
 }
 
-/// {"tables": [{"name", "text"}]}, as other programs wrote them.
+/// Returns {"tables": [{"name", "text"}]}, in the form of other programs.
 std::vector<ForeignTable> foreignTablesOf(const nlohmann::json& body) {
   std::vector<ForeignTable> tables;
   for (const auto& table : requiredOf(body, "tables", "tables of text")) {
@@ -120,20 +122,20 @@ std::vector<ForeignTable> foreignTablesOf(const nlohmann::json& body) {
   return tables;
 }
 
-/// {"tables", "columns"?: ["x_mm=points.txt:X"], "kind"?, "orientation"?, "points"?, "dates"?}: what the options of
-/// `readings` say.
+/// Returns the request {"tables", "columns"?: ["x_mm=points.txt:X"], "kind"?, "orientation"?, "points"?, "dates"?},
+/// equal to the options of `readings`.
 ForeignRequest foreignOf(const nlohmann::json& body) {
   return {foreignTablesOf(body),
           {textsOf(body, "columns"), {}, textOf(body, "orientation"), textOf(body, "points"), textOf(body, "dates")},
           textOf(body, "kind")};
 }
 
-/// What the columns of foreign tables seem to be.
+/// Returns the likely meanings of foreign tables' columns.
 Answer foreignColumns(Workbench& workbench, const Request& request) {
   return answerOf(foreignColumnsJson(foreignOf(objectOf(request)), currentModel(workbench.session()).cell));
 }
 
-/// The same with {"sigma"?}: they become the readings, with that noise where no column states it.
+/// Converts foreign tables to the readings; {"sigma"?} is the noise if no column states it.
 Answer takeForeign(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const ForeignRequest foreign = foreignOf(body);
@@ -159,7 +161,7 @@ void requireIds(const ReadingSet& set, const std::vector<std::string>& ids) {
     if (!known.contains(id)) throw InputError("ids", inQuotes(id), "ids of the readings");
 }
 
-/// The set with those ids set aside, or taken back. Throws InputError where nothing would be left.
+/// Returns the set with those ids set aside, or taken back. Throws InputError if nothing would be left.
 ReadingSet withSetAside(ReadingSet set, const std::vector<std::string>& ids, bool aside) {
   for (const auto& id : ids) {
     if (aside)
@@ -171,7 +173,8 @@ ReadingSet withSetAside(ReadingSet set, const std::vector<std::string>& ids, boo
   return set;
 }
 
-/// The set with those ids held out of fits, or taken into them. Throws InputError where nothing would be left to fit.
+/// Returns the set with those ids held out of fits, or taken into them. Throws InputError if nothing would be left to
+/// fit.
 ReadingSet withHeldOut(ReadingSet set, const std::vector<std::string>& ids, bool held_out) {
   const std::set<std::string> chosen(ids.begin(), ids.end());
   std::size_t fitted = 0;
@@ -183,7 +186,7 @@ ReadingSet withHeldOut(ReadingSet set, const std::vector<std::string>& ids, bool
   return set;
 }
 
-/// {"ids", and `word`: true or false}: readings are marked, and what was found out from them is gone.
+/// Marks readings, for {"ids", and `word`: true or false}, and deletes the results of the former marks.
 Answer mark(Workbench& workbench, const Request& request, const char* word,
             ReadingSet (*marked)(ReadingSet, const std::vector<std::string>&, bool)) {
   const auto body = objectOf(request);
@@ -209,7 +212,7 @@ Answer holdOut(Workbench& workbench, const Request& request) {
   return mark(workbench, request, "held_out", withHeldOut);
 }
 
-/// The readings that joined last are taken out again; marks on the others stay.
+/// Removes the readings that joined last; marks on the others stay.
 Answer part(Workbench& workbench, const Request&) {
   if (workbench.jobs().isBusy()) return jobRuns();
   const Session session = workbench.session();

@@ -1,5 +1,5 @@
-// Sets of readings for a session: read from files or text, read otherwise, and joined by others, which came from a
-// running arm.
+// Sets of readings for a session: read from files or text, read again with other assumptions, and extended by readings
+// from a running arm.
 #pragma once
 
 #include <cstddef>
@@ -12,42 +12,43 @@
 
 namespace tubeplan::app {
 
-/// The readings of a source, with what looks wrong with them beside what is taken to be so. The base of `cell` is not
-/// known afterwards where that is said of it. Throws InputError.
+/// Returns the readings of a source, with the suspected mistakes and the assumptions made. An assumption may make the
+/// base of `cell` unknown. Throws InputError.
 [[nodiscard]] std::shared_ptr<ReadingSet> readSet(ReadingSource source, const std::string& name, Cell& cell);
 
-/// The readings of these files for a cell, one after another. Throws InputError, also for an id that stands twice.
+/// Returns the readings of these files for a cell, in their order. Throws InputError, also for a duplicate id.
 [[nodiscard]] std::shared_ptr<ReadingSet> openReadings(const std::vector<std::string>& files, Cell cell);
 
-/// What was set aside or held out by hand stays so where the same readings are read again.
+/// Copies the marks "set aside" and "held out" from `before` to the same readings of `again`.
 void keepMarks(const ReadingSet& before, ReadingSet& again);
 
-/// Those of a set (none: null) and these as if all had come in one file: copies and mistakes show in all, and can be
-/// mended. Where they cannot be read so they join as they are, and what is asked of them next says why.
+/// Returns the readings of a set (null: none) and these, processed as one file: duplicates and mistakes are detected in
+/// all of them, and can be mended. If that is impossible, they are joined unprocessed, and later requests on them give
+/// the reason.
 [[nodiscard]] std::shared_ptr<ReadingSet> joinedSet(const ReadingSet* before,
                                                     const std::vector<calibration::Measurement>& arrived, Cell cell);
 
-/// A set without those that joined it last.
+/// Returns a set without the readings that joined it last.
 [[nodiscard]] std::shared_ptr<ReadingSet> partedSet(const ReadingSet& joined, Cell cell);
 
-/// How many of its readings joined the others last; copies that are counted once are not among them.
+/// Returns the number of readings that joined last, without duplicates that count once.
 [[nodiscard]] std::size_t joinedCount(const ReadingSet& set);
 
-/// What the readings are taken with, otherwise than their source says.
+/// Returns the assumptions about the readings that differ from their source.
 [[nodiscard]] std::vector<std::string> assumedOf(const ReadingSet& set);
 
-/// Readings that came from a running arm and wait to join the others.
+/// Queue of readings from a running arm that wait to join the others.
 class Arrivals {
  public:
-  static constexpr std::size_t kMost = 20000;  ///< with those that are there
+  static constexpr std::size_t kMost = 20000;  ///< including the existing readings
 
-  /// How many wait then. Ids of `known`, or that wait already, are passed over or refused. Throws InputError for these,
-  /// and for too many.
+  /// Queues readings and returns the number queued. Ids that are in `known` or already queued are skipped or refused.
+  /// Throws InputError for these, and for too many.
   std::size_t take(std::vector<calibration::Measurement> readings, const ReadingSet* known, bool passes_known);
 
   [[nodiscard]] bool isEmpty() const;
 
-  /// All that wait; none waits any more.
+  /// Returns all queued readings and empties the queue.
   [[nodiscard]] std::vector<calibration::Measurement> hand();
 
  private:

@@ -137,7 +137,7 @@ std::string tubesText(const json& body, const tubesheets::Sheet& sheet, const st
     if (!(number >= 0 && number < static_cast<double>(sheet.tubes.size())) || number != std::floor(number))
       throw InputError("tubes", fmt::format("{}", number), "indices of holes");
     const auto& tube = sheet.tubes[static_cast<std::size_t>(number)];
-    // Several are an area, whose plugged tubes are left out; a single one is meant.
+    // An area of several tubes excludes plugged ones; a single tube is always included.
     names.push_back(numbers.size() > 1 ? fmt::format("R{0}-{0}C{1}-{1}", tube.row, tube.column)
                                        : tubesheets::tubeName(tube.row, tube.column));
   }

@@ -27,7 +27,7 @@ bool fits(std::string_view path, const std::vector<std::string>& words) {
   return k == words.size();
 }
 
-/// A row of another method tells 405 from 404.
+/// Finds the row of a request. `known_path` tells 405 from 404: it is true if a row of another method matches.
 const Route* findRoute(const Request& request, bool& known_path) {
   known_path = false;
   for (const RouteTable table : kTables)

@@ -1,4 +1,4 @@
-// The open table of what the workbench answers: one row per address, the handlers by subject in *_routes.cpp.
+// Open table of the workbench's addresses: one row per address, the handlers by subject in *_routes.cpp.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace tubeplan::app {
 
-/// `path` without "/api/"; a star stands for one word of it. A handler throws InputError for bad input (422) and
-/// nlohmann's exceptions for a body of another shape (400).
+/// Address with its handler. `path` is without "/api/"; a star matches one word of it. A handler throws InputError for
+/// bad input (422) and nlohmann's exceptions for a body of another shape (400).
 struct Route {
   std::string_view method, path;
   Answer (*answer)(Workbench& workbench, const Request& request);

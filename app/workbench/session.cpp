@@ -62,8 +62,8 @@ int pushModel(Session& session, std::string label, std::string origin, Cell cell
 
 namespace {
 
-/// Documents that list the readings are the large ones: how many they list may be kept in all. Four comparisons of as
-/// many readings as the workbench takes, some 100 MiB.
+/// Maximum number of readings listed in all documents together, because these documents are the large ones: four
+/// comparisons of as many readings as the workbench takes, some 100 MiB.
 constexpr std::size_t kMostListed = 40000;
 
 std::size_t readingsListed(const ResultDocument& result) {
@@ -71,8 +71,8 @@ std::size_t readingsListed(const ResultDocument& result) {
   return readings == result.document.end() || !readings->is_array() ? 0 : readings->size();
 }
 
-/// Of models other than the current one the oldest such documents go, as far as there are too many: going back to such
-/// a model has them made again.
+/// Drops the oldest large documents of models other than the current one until the limit holds; they are computed again
+/// on return to such a model.
 void boundResults(Session& session) {
   for (;;) {
     std::size_t all = 0;

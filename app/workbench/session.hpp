@@ -1,5 +1,5 @@
-// What all browsers share: the opened cell's models, the readings, and what has been found out about them. A value, so
-// that whoever answers a request works on a copy of its own that nobody changes.
+// Session shared by all browsers: the models of the opened cell, the readings, and the results. It is a value, so that
+// each request works on its own copy.
 #pragma once
 
 #include <cstdint>
@@ -21,68 +21,68 @@
 
 namespace tubeplan::app {
 
-/// A cell in memory, as it would stand in its files, and where it comes from.
+/// Cell in memory, with the text of its files and its origin.
 struct Model {
   int id = 0;
   std::string label;
   std::string origin;  ///< given, effect, formula, fit, calibration
   Cell cell;
-  planner::Workcell posed;                             ///< arm, base and scene alone: what a posture is asked of
-  std::shared_ptr<const planner::NearestPairs> pairs;  ///< none where the cell has no bodies
+  planner::Workcell posed;                             ///< only arm, base and scene, for questions about postures
+  std::shared_ptr<const planner::NearestPairs> pairs;  ///< null if the cell has no bodies
 };
 using ModelPointer = std::shared_ptr<const Model>;
 
 [[nodiscard]] ModelPointer makeModel(int id, std::string label, std::string origin, Cell cell);
 
-/// Where readings were read from, to be read again with what is said to be wrong with them.
+/// Source of readings, kept to read them again with other assumptions.
 struct ReadingSource {
-  std::vector<std::string> files;    ///< taken together; none where they came as text
-  std::string text;                  ///< of a measurement file
-  double sigma = 0;                  ///< as MeasurementOptions has it
-  std::vector<std::string> assumed;  ///< as takeAssumptions() wants them: taken already
+  std::vector<std::string> files;    ///< files taken together; empty if the readings came as text
+  std::string text;                  ///< text of a measurement file
+  double sigma = 0;                  ///< see MeasurementOptions
+  std::vector<std::string> assumed;  ///< assumptions made already, in the notation of takeAssumptions()
 };
 
 /// Readings of one or more files.
 struct ReadingSet {
   std::string name;
-  std::vector<calibration::Measurement> readings;  ///< each with its sigma
-  calibration::MeasurementChecks checks = {};      ///< what looked wrong when they were opened
-  std::set<std::string> set_aside = {};            ///< ids of those that no fit sees
-  int change = 0;                                  ///< how often readings or marks have changed
-  /// None of simulated readings and of a kept session.
+  std::vector<calibration::Measurement> readings;  ///< readings, each with its sigma
+  calibration::MeasurementChecks checks = {};      ///< suspected mistakes at opening
+  std::set<std::string> set_aside = {};            ///< ids excluded from all fits
+  int change = 0;                                  ///< number of changes of readings or marks
+  /// Null for simulated readings and for those of a kept session.
   std::shared_ptr<const ReadingSource> source = {};
-  std::set<std::string> joined = {};  ///< ids of those that joined the others last; none of a kept session
+  std::set<std::string> joined = {};  ///< ids that joined the others last; empty in a kept session
 };
 
-/// Those that are not set aside.
+/// Returns the readings that are not set aside.
 [[nodiscard]] std::vector<calibration::Measurement> readingsInUse(const ReadingSet& set);
 
-/// A hole touched, by the arm itself or by a simulated one.
+/// Touch of a hole, by the arm itself or by a simulated one.
 struct TouchMade {
   calibration::Measurement touch;
   int tube = -1;  ///< index in the sheet
   bool is_simulated = false;
 };
 
-/// A document that a command has given for one model.
+/// Document that a command has computed for one model.
 struct ResultDocument {
   int model = 0;
-  std::uint64_t revision = 0;  ///< of the state, when it was put there
+  std::uint64_t revision = 0;  ///< revision of the state when the document was added
   nlohmann::json document;
 };
 using ResultPointer = std::shared_ptr<const ResultDocument>;
 
 struct Session {
   std::uint64_t revision = 1;
-  std::vector<ModelPointer> models;  ///< a stack, the opened cell first; never empty
-  std::size_t current = 0;           ///< those above it are there to be done again
+  std::vector<ModelPointer> models;  ///< stack, the opened cell first; never empty
+  std::size_t current = 0;           ///< index of the current model; those above it are kept for redo
   int next_model = 1;
-  std::shared_ptr<const ReadingSet> readings;                   ///< none: null
+  std::shared_ptr<const ReadingSet> readings;                   ///< null without readings
   std::map<std::string, std::map<int, ResultPointer>> results;  ///< by name and model
-  std::string truth;                                            ///< a cell's file; empty: none
-  std::string project;                                          ///< the file it was last saved as; empty: none
-  std::uint64_t saved_revision = 0;                             ///< the revision that stands there
-  std::vector<TouchMade> touches;                               ///< made one by one
+  std::string truth;                                            ///< file of a cell; empty: none
+  std::string project;                                          ///< file of the last save; empty: none
+  std::uint64_t saved_revision = 0;                             ///< revision in that file
+  std::vector<TouchMade> touches;                               ///< touches made one by one
   int next_touch = 1;
   std::shared_ptr<const PlanOutcome> plan;
   PlanRequest plan_request;
@@ -90,22 +90,23 @@ struct Session {
 
 [[nodiscard]] inline const Model& currentModel(const Session& session) { return *session.models[session.current]; }
 
-/// Where on the stack the model of that number is; nothing where there is none.
+/// Returns the index on the stack of the model with that id; nullopt if there is none.
 [[nodiscard]] std::optional<std::size_t> findModel(const Session& session, int id);
 
-/// The result of the current model, else the newest of another; null where there is none.
+/// Returns the result of the current model, else the newest of another; null if there is none.
 [[nodiscard]] ResultPointer findResult(const Session& session, const std::string& name);
 
-/// Of that model alone; null where there is none.
+/// Returns the result of that model alone; null if there is none.
 [[nodiscard]] ResultPointer findResult(const Session& session, const std::string& name, int model);
 
-/// Puts a model on top of the current one; what was there to be done again is gone, with its results. Returns its id.
+/// Puts a model on top of the current one and deletes the models kept for redo, with their results. Returns its id.
 int pushModel(Session& session, std::string label, std::string origin, Cell cell);
 
-/// Of other models' documents that list readings the oldest give way where all would be too large.
+/// Stores a result. If all documents that list readings are too large together, the oldest ones of other models are
+/// dropped.
 void putResult(Session& session, const std::string& name, int model, nlohmann::json document);
 
-/// Takes these for the readings, one change later than those before; what was found out from those is gone.
+/// Replaces the readings, with the next change number, and deletes the results of the former ones.
 void putReadings(Session& session, std::shared_ptr<ReadingSet> set);
 
 }  // namespace tubeplan::app

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostAtOnce = 16;  // programs that work on one cell at a time
+constexpr int kMostAtOnce = 16;  // maximum number of programs that work on one cell at a time
 constexpr std::size_t kMostRecent = 20;
 
 std::string variable(const char* name) {
@@ -26,14 +26,14 @@ std::string variable(const char* name) {
   return value ? value : "";
 }
 
-/// "bench-1a2b3c4d5e6f7081": of the cell's name and place.
+/// Returns "bench-1a2b3c4d5e6f7081", from the cell's name and path.
 std::string sessionName(const std::string& cell) {
   std::error_code error;
   const fs::path place = fs::weakly_canonical(cell, error);
   return fs::path(cell).stem().string() + "-" + fingerprintOf(error ? cell : place.string());
 }
 
-/// A name beside it that is not taken.
+/// Returns an unused name next to the file.
 fs::path freeName(const fs::path& file, const std::string& word) {
   for (int k = 1;; ++k) {
     const auto other =

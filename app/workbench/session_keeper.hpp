@@ -1,5 +1,5 @@
-// Keeps the situation in a file of the state folder after every change, so that a program that is killed, or a machine
-// that stops, loses nothing: the next one takes it up.
+// Storage of the session in a file of the state folder after every change, so that the next program continues after a
+// crash of the program or the machine.
 #pragma once
 
 #include <cstdint>
@@ -14,29 +14,29 @@
 
 namespace tubeplan::app {
 
-/// Where sessions are kept unless something else is asked for: $XDG_STATE_HOME/tubeplan, ~/.local/state/tubeplan.
+/// Returns the default folder of sessions: $XDG_STATE_HOME/tubeplan, ~/.local/state/tubeplan.
 [[nodiscard]] std::string defaultStateFolder();
 
 class SessionKeeper {
  public:
-  /// `folder` is made; empty: nothing is kept. Throws InputError where it cannot be.
+  /// Creates `folder`; empty: nothing is kept. Throws InputError if it cannot be created.
   explicit SessionKeeper(std::filesystem::path folder);
 
-  /// The session kept of this cell's file, where there is one that no other program works on; from now on that file is
-  /// kept. One that cannot be read is put aside with a word on standard error.
+  /// Returns the session kept for this cell's file, if no other program uses it, and keeps that file from now on. An
+  /// unreadable one is renamed, with a message on standard error.
   [[nodiscard]] std::optional<Session> begin(const std::string& cell);
 
-  /// What begin() found is put aside under another name, to be opened by hand.
+  /// Renames the session file that begin() found, so that it can be opened by hand.
   void putAside();
 
-  /// Writes the situation unless a later one is already written. Whoever returns knows it written; a failure is
-  /// reported once on standard error and in problem().
+  /// Writes the session unless a later one is already written. The session is on disk on return; a failure is reported
+  /// once on standard error and in problem().
   void keep(const Session& session);
 
-  /// Why nothing is kept; empty where it is.
+  /// Returns the reason why nothing is kept; empty if sessions are kept.
   [[nodiscard]] std::string problem() const;
 
-  /// Sessions in the folder, newest first, as projectSummary; at most twenty.
+  /// Returns sessions in the folder, newest first, each as by projectSummary(); at most twenty.
   [[nodiscard]] nlohmann::json recent() const;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
@@ -44,9 +44,9 @@ class SessionKeeper {
 
  private:
   std::filesystem::path folder_, file_;
-  FileLock lock_;  ///< beside the file
+  FileLock lock_;  ///< next to the session's file
   mutable std::mutex mutex_;
-  std::uint64_t kept_ = 0;  ///< revision
+  std::uint64_t kept_ = 0;  ///< last revision written
   std::string problem_;
 };
 

@@ -1,4 +1,4 @@
-// The situation as browsers see it: small, and sent whole at every change.
+// Session in the form for browsers: small, and sent completely at every change.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,8 +9,8 @@ namespace tubeplan::app {
 
 [[nodiscard]] nlohmann::json stateJson(const Workbench& workbench);
 
-/// {units, sigma_unit, rows: [...]}: each reading with the line of its file, its place where it has one and the tip
-/// that the model predicts, in the world.
+/// Returns {units, sigma_unit, rows: [...]}: each reading with the line of its file, its place if it has one and the
+/// tip that the model predicts, in the world.
 [[nodiscard]] nlohmann::json readingsJson(const Model& model, const ReadingSet& set);
 
 }  // namespace tubeplan::app

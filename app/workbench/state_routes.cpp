@@ -1,4 +1,4 @@
-// The shared state, its results, undo and the jobs.
+// Shared state, its results, undo and the jobs.
 #include <limits>
 
 #include "app/storage/input_error.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 Answer state(Workbench& workbench, const Request&) { return answerOf(stateJson(workbench)); }
 
-/// Of the model that "?model=" names, else as findResult chooses.
+/// Returns the result of the model in "?model=", else by findResult().
 ResultPointer resultAsked(const Session& session, const Request& request) {
   const auto asked = request.query.find("model");
   if (asked == request.query.end()) return findResult(session, request.words[1]);
@@ -45,7 +45,7 @@ Answer step(Workbench& workbench, bool back) {
 Answer undo(Workbench& workbench, const Request&) { return step(workbench, true); }
 Answer redo(Workbench& workbench, const Request&) { return step(workbench, false); }
 
-/// {"model": id}: any model of the stack becomes the current one; those above it stay there to be done again.
+/// Makes any model of the stack the current one, for {"model": id}; those above it are kept for redo.
 Answer goTo(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const int id = integerOf(body, "model", -1, 0, std::numeric_limits<int>::max());

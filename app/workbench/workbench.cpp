@@ -34,14 +34,15 @@ Session openAsAsked(const WorkbenchOptions& options) {
   return session;
 }
 
-/// Of the cell as its file is now, with the readings that were asked for; without any, those that were kept serve.
+/// Returns true if the kept session has the present text of the cell's file and the requested readings; without
+/// requested readings, the kept ones count.
 bool goesOn(const Session& kept, const Session& asked) {
   Session inputs = asked;
   if (!inputs.readings) inputs.readings = kept.readings;
   return hasSameInputs(kept, inputs) && (asked.truth.empty() || kept.truth == fs::absolute(asked.truth));
 }
 
-/// The kept session where it goes on with what was asked for; else that, the kept one put aside.
+/// Returns the kept session if it fits the request; otherwise the requested one, with the kept one renamed.
 Session takeUp(SessionKeeper& keeper, Session asked, const WorkbenchOptions& options) {
   const bool is_project = isProject(options.cell);
   auto kept = keeper.begin(asked.models.front()->cell.path);
@@ -77,7 +78,7 @@ bool Workbench::change(const std::function<bool(Session&)>& step) {
     ++changed.revision;
     session_ = changed;
   }
-  keeper_.keep(changed);  // before it is sent to anybody
+  keeper_.keep(changed);  // before any browser receives it
   events_.stateChanged();
   return true;
 }
@@ -91,7 +92,7 @@ bool Workbench::replace(Session session) {
     const std::uint64_t revision = std::max(now.revision, session.revision);
     now = std::move(session);
     now.revision = revision;
-    now.saved_revision = is_saved ? revision + 1 : 0;  // as what this step leaves
+    now.saved_revision = is_saved ? revision + 1 : 0;  // revision that this step produces
     return true;
   });
 }

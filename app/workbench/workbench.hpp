@@ -1,4 +1,4 @@
-// The workbench: the situation that all browsers share, the jobs that change it and the folder that is open.
+// Workbench: the session shared by all browsers, the jobs that change it and the opened folder.
 #pragma once
 
 #include <functional>
@@ -16,28 +16,28 @@
 namespace tubeplan::app {
 
 struct WorkbenchOptions {
-  std::string cell;                       ///< file, or a project
+  std::string cell;                       ///< file of a cell or project
   std::vector<std::string> measurements;  ///< files, taken together
-  std::string truth;                      ///< a cell's file, to touch with; empty: none
-  std::string folder;                     ///< empty: the cell's
-  std::string state;                      ///< folder where the session is kept; empty: it is not
-  bool fresh = false;                     ///< a kept session is put aside
+  std::string truth;                      ///< cell file of the true arm for simulated touches; empty: none
+  std::string folder;                     ///< empty: the cell's folder
+  std::string state;                      ///< folder where the session is kept; empty: it is not kept
+  bool fresh = false;                     ///< true: a kept session is renamed and not continued
   int most_listeners = 16;
 };
 
 class Workbench {
  public:
-  /// Reads what is named. Throws InputError.
+  /// Reads the named files. Throws InputError.
   explicit Workbench(const WorkbenchOptions& options);
 
   [[nodiscard]] Session session() const;
 
-  /// Changes the situation, as one step for all who look at it, and sends it to everybody. A step that returns false
-  /// changes nothing; whether it did is returned.
+  /// Applies a step to the session atomically and sends the change to all browsers. Returns the step's result; false
+  /// means that nothing changed.
   bool change(const std::function<bool(Session&)>& step);
 
-  /// Instead of all there is, unless a job works on it: with that cell's session kept from now on, an earlier one of it
-  /// put aside. False where one does.
+  /// Replaces the whole session unless a job works on it, and keeps the session of the new cell from now on; an earlier
+  /// kept one is renamed. Returns false if a job is running.
   bool replace(Session session);
 
   [[nodiscard]] const SessionKeeper& keeper() const { return keeper_; }
@@ -55,10 +55,10 @@ class Workbench {
   SessionKeeper keeper_;
   Events events_;
   Arrivals arrivals_;
-  Jobs jobs_;  ///< last: its thread ends before what it works on
+  Jobs jobs_;  ///< last member, so that its thread ends before the data it works on
 };
 
-/// The situation of a cell, or of a project, just opened. Throws InputError.
+/// Returns the session of a newly opened cell or project. Throws InputError.
 [[nodiscard]] Session openCell(const std::string& file, const std::string& truth);
 
 }  // namespace tubeplan::app
