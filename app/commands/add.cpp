@@ -1,4 +1,5 @@
-// tubeplan add: the cell with one more effect, of the catalogue or the user's own formula, to be fitted with the rest.
+// `tubeplan add`: the cell with a further effect, from the catalogue or the user's own formula, to be fitted with the
+// rest.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -18,7 +19,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// ", temperature, time"
+/// Returns ", temperature, time".
 std::string conditionNames() {
   std::string names;
   for (const auto& kind : deflection::kConditionKinds) names += std::string(", ") + kind.name;

@@ -1,5 +1,5 @@
-// tubeplan arm: arms from URDF or a controller's calibration, arms to URDF or by rows of another convention, and an
-// arm's file shown for checking.
+// `tubeplan arm`: import of arms from URDF or a controller's calibration, export to URDF or to rows of another
+// convention, and display of an arm's file for checking.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -45,7 +45,7 @@ const Units& urdfUnits() {
   return kUnits;
 }
 
-/// What a file of an arm, or of a cell with one, holds.
+/// Content of a file of an arm, or of a cell with one.
 struct ShownArm {
   deflection::Arm arm;
   Units units;
@@ -65,7 +65,7 @@ ShownArm readAnyArm(const std::string& path, const std::string& tip) {
 }
 
 void tell(const char* kind, const std::vector<std::string>& sentences) {
-  constexpr std::size_t kLongest = 500;  // of names out of a file
+  constexpr std::size_t kLongest = 500;  // maximum length of names from a file
   for (const auto& what : sentences) fmt::print(stderr, "{}: {}\n", kind, printable(what, kLongest));
 }
 
@@ -83,7 +83,7 @@ std::string cellText(const UrdfArm& read, const std::string& arm_file) {
   return text;
 }
 
-/// The nominal arm's file with what was calibrated, and what is to be said of it.
+/// File of the nominal arm with its calibrated values, and remarks on it.
 struct CalibratedText {
   std::string arm;
   std::vector<std::string> remarks;
@@ -156,7 +156,7 @@ int exportRows(const ArmOptions& options) {
   return kDone;
 }
 
-/// The URDF that the arm was imported from, with what the arm has otherwise.
+/// Exports into the URDF that the arm was imported from, with the arm's other data.
 int exportIntoUrdf(const ArmOptions& options) {
   const deflection::Arm arm = readAnyArm(options.file, options.tip).arm;
   const UrdfEdit edit = withArmInUrdf(readTextBytes(options.into), options.into, options.tip, arm);
@@ -174,7 +174,7 @@ int exportUrdf(const ArmOptions& options) {
   return kDone;
 }
 
-/// The kinematics YAML that ROS reads of a Universal Robots arm.
+/// Exports the kinematics YAML that ROS reads for a Universal Robots arm.
 int exportKinematics(const ArmOptions& options) {
   const deflection::Arm arm = readAnyArm(options.file, options.tip).arm;
   writeFileAtomically(options.out, robotKinematicsText(robotKinematicsOf(arm, options.file)), "--out");
@@ -202,7 +202,7 @@ int exportArm(const ArmOptions& options) {
   return options.convention.empty() ? exportUrdf(options) : exportRows(options);
 }
 
-/// An option of another action would do nothing.
+/// Throws InputError for an option of another action, which would have no effect.
 void requireOptionsOf(const ArmOptions& options) {
   const std::string kinematics = options.is_kinematics ? "on" : "";
   const std::string format = printsText({"", options.figures.format}) ? "" : options.figures.format;

@@ -1,4 +1,4 @@
-// tubeplan campaign: many calibrations or diagnoses over random truths.
+// `tubeplan campaign`: many calibrations or diagnoses over random truths.
 #include "app/commands/campaign/campaign.hpp"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ const CampaignKind& campaignKindOf(const std::string& name) {
   throw InputError("--kind", inQuotes(name), alternatives(names), suggestion(name, names));
 }
 
-/// What the first rank keeps and writes; every other has none of it.
+/// Checkpoint and output of a campaign, which only the first rank has.
 class CampaignDesk {
  public:
   CampaignDesk(const CampaignOptions& options, const Campaign& campaign)
@@ -50,7 +50,7 @@ class CampaignDesk {
     if (options.resume && options.out.empty())
       throw InputError("--resume", "no folder to continue in", "--out DIR", "name the folder of the stopped campaign");
     RunSet done;
-    noteStopSignals();  // from the first folder on, so that none is left behind
+    noteStopSignals();  // before the first folder is made, so that a stop removes it
     if (!options.out.empty()) {
       folder_.emplace(options.out, "--out");
       folder_->requireOwn({kTallyFile, "campaign.json"}, {"holes.csv", "outcomes.csv", "report.html"});
@@ -132,7 +132,8 @@ int runAlone(const CampaignOptions& options) {
   return CampaignDesk(options, campaign).run(workersOf(options), nullptr);
 }
 
-/// Every rank reads and prepares the same; the first alone says what is wrong, keeps and writes.
+/// Runs a campaign on several ranks. All ranks read and prepare the same; only the first reports errors, keeps
+/// checkpoints and writes.
 int runRanked(const CampaignOptions& options, Ranks& ranks) {
   std::optional<InputError> wrong;
   std::optional<Campaign> campaign;
@@ -149,14 +150,15 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
     for (const auto& [name, value] : campaign->question) question += name + ": " + value + "\n";
   const bool is_same = ranks.fromFirst(question) == question;
   if (!ranks.holdsEverywhere(is_same && !wrong)) {
-    // mpirun ends all ranks at the first exit code that is not 0: it must be of the one that has said why.
+    // mpirun ends all ranks at the first exit code other than 0, which must be that of the rank that reported the
+    // error.
     if (ranks.rank() > 0) return kDone;
     if (wrong) throw *wrong;
     throw InputError("campaign", "different options on one of the machines, or none",
                      "the same program and the same files on each", "copy them to every machine");
   }
   if (desk) return desk->run(workersOf(options), &ranks);
-  noteStopSignals();  // the first rank says when to end
+  noteStopSignals();  // the first rank decides on the end
   serveRuns(*campaign->experiment, workersOf(options), ranks);
   return kDone;
 }
@@ -172,7 +174,7 @@ int run(const CampaignOptions& options) {
 
 std::string groupOf(std::string_view kind) { return fmt::format("Of kind {}, in the cell's units", kind); }
 
-/// An option of another kind would do nothing.
+/// Throws InputError for an option of another kind, which would have no effect.
 void requireOptionsOf(const CLI::App& cli, const std::string& chosen) {
   for (const auto& kind : campaignKinds()) {
     if (kind.name == chosen) continue;

@@ -26,7 +26,7 @@ std::string overview() {
   return text + fmt::format("\n`tubeplan COMMAND --help` describes one. Exit codes: {}.\n", kExitCodes);
 }
 
-// `help`, `help CMD` and no words are other ways to say --help.
+// Replaces `help`, `help CMD` and no words by --help. Returns true for the overview of all commands.
 bool asksForOverview(std::vector<std::string>& words) {
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
@@ -70,7 +70,7 @@ int runCommandLine(std::vector<std::string> words) {
     runs[std::string(command.name)] = command.configure(*sub);
   }
   try {
-    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    std::reverse(words.begin(), words.end());  // in the reverse order that CLI11 expects
     cli.parse(words);
   } catch (const CLI::CallForHelp&) {
     fmt::print("{}", cli.get_subcommand(name)->help("tubeplan"));
@@ -78,7 +78,7 @@ int runCommandLine(std::vector<std::string> words) {
   } catch (const CLI::ParseError& error) {
     refuse(error, name);
   }
-  const InputRecord inputs;  // of this command
+  const InputRecord inputs;  // inputs of this command
   return runs.at(cli.get_subcommands().front()->get_name())();
 }
 

@@ -1,4 +1,4 @@
-// From the words of the command line to an exit code.
+// Parser and runner of the command line.
 #pragma once
 
 #include <string>
@@ -6,9 +6,8 @@
 
 namespace tubeplan::app {
 
-/// Runs the command that `words` (without the program's name) ask for. Returns its exit code; for --help, help,
-/// --version and no words at all prints what is asked and returns 0. Throws InputError for words that make no command
-/// line.
+/// Runs the command of `words` (without the program's name) and returns its exit code. For --help, help, --version and
+/// no words at all it prints the text and returns 0. Throws InputError for words that are no command line.
 int runCommandLine(std::vector<std::string> words);
 
 }  // namespace tubeplan::app

@@ -2,7 +2,7 @@
 
 namespace tubeplan::app {
 
-// Defined in <name>.cpp.
+// Each is defined in <name>.cpp.
 Run configureAdd(CLI::App& cli);
 Run configureArm(CLI::App& cli);
 Run configureCalibrate(CLI::App& cli);

@@ -1,4 +1,4 @@
-// The table of the program's commands.
+// Table of the program's commands.
 #pragma once
 
 #include <span>

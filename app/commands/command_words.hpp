@@ -1,4 +1,4 @@
-// The words of the command line, as the commands declare them: for shells that complete them, and for the manual page.
+// Words of the command line, as the commands declare them: for completion by shells, and for the manual page.
 #pragma once
 
 #include <string>
@@ -7,25 +7,25 @@
 namespace tubeplan::app {
 
 struct OptionWords {
-  std::vector<std::string> names;  ///< "--json", "-o"; of a positional argument its name alone
-  std::string value;               ///< what follows it, in capitals; empty for a flag
+  std::vector<std::string> names;  ///< "--json", "-o"; for a positional argument its name alone
+  std::string value;               ///< name of the value, in capitals; empty for a flag
   std::string description;
-  std::string initial;  ///< what it is where nothing is said; empty without
+  std::string initial;  ///< default value; empty if there is none
   bool is_positional = false;
 };
 
 struct CommandWords {
   std::string name, summary, example;
-  std::vector<OptionWords> options;  ///< in the order of their help
+  std::vector<OptionWords> options;  ///< in the order of the help
 };
 
-/// Of the whole table.
+/// Returns the words of all commands of the table.
 [[nodiscard]] std::vector<CommandWords> commandWords();
 
-/// A script that makes the shell complete commands and options. Throws InputError for a shell that is not known.
+/// Returns a script for a shell's completion of commands and options. Throws InputError for an unknown shell.
 [[nodiscard]] std::string completionScript(const std::string& shell);
 
-/// The manual page, section 1, in roff.
+/// Returns the manual page, section 1, in roff.
 [[nodiscard]] std::string manualPage();
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// tubeplan compare: where the model fails, by how much, and what its error follows.
+// `tubeplan compare`: places and size of a model's error, and the variables that it follows.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Completion of commands and options in the shells that people use.
+// Completion scripts for commands and options in the usual shells.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -50,7 +50,7 @@ std::string bash() {
       fmt::join(names, " "), cases);
 }
 
-/// In single quotes, with the signs that mean something in an argument's description made plain.
+/// Returns text in single quotes, with the special characters of an argument's description escaped.
 std::string zshText(const std::string& text) {
   return replaced(replaced(replaced(replaced(text, "'", "'\\''"), "[", "\\["), "]", "\\]"), ":", "\\:");
 }

@@ -1,4 +1,4 @@
-// tubeplan diagnose: which physical effect the model lacks.
+// `tubeplan diagnose`: the physical effect that the model lacks.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -31,7 +31,7 @@ struct DiagnoseOptions {
   DiagnosisRequest request;
 };
 
-/// What became of --run-sheet, and what to do with it.
+/// Returns the result of --run-sheet, with the instruction for its use.
 std::string sheetText(const DiagnoseOptions& options, const CellReadings& input,
                       const std::vector<calibration::ProposedMeasurement>& sheet) {
   if (options.run_sheet.empty() || calibration::grossMistake(input.checks)) return "";

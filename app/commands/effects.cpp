@@ -1,4 +1,4 @@
-// tubeplan effects: the physical effects that a cell's arm can have, and where.
+// `tubeplan effects`: the physical effects that a cell's arm can have, and their places.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>

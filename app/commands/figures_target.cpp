@@ -24,7 +24,7 @@ std::string jsonText(const nlohmann::json& figures) { return figures.dump(2) + "
 constexpr OutputFormat kFormats[] = {
     {"text", nullptr}, {"json", jsonText}, {"csv", figuresCsv}, {"markdown", figuresMarkdown}};
 
-/// What standard output is for: --json - says the same as --format json.
+/// Returns the format of standard output; --json - is equal to --format json.
 const OutputFormat& formatOf(const FiguresTarget& target) {
   const std::string name = target.json == "-" ? "json" : target.format;
   return *std::ranges::find(kFormats, name, &OutputFormat::name);

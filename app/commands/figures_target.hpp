@@ -1,4 +1,4 @@
-// Where the figures of a command go: --json, a file or standard output, and --format, what else stands there.
+// Destination of a command's figures: --json, a file or standard output, and --format, the form on standard output.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,20 +8,20 @@
 namespace tubeplan::app {
 
 struct FiguresTarget {
-  std::string json;             ///< a file, - for standard output; empty: none is wanted
-  std::string format = "text";  ///< of standard output, one of figureFormats()
+  std::string json;             ///< file, - for standard output; empty: not written
+  std::string format = "text";  ///< form on standard output, one of figureFormats()
 };
 
 [[nodiscard]] std::vector<std::string> figureFormats();
 
-/// Checks, before the work, that --json can be written and that one document alone is for standard output. Throws
+/// Checks before the work that --json can be written and that only one document is for standard output. Throws
 /// InputError.
 void checkFigures(const FiguresTarget& target);
 
-/// Writes what was asked for, NaN and infinity as null; nothing where that is the text for people.
+/// Writes the figures to their destinations, NaN and infinity as null; writes nothing if only the text is requested.
 void writeFigures(const FiguresTarget& target, nlohmann::json figures);
 
-/// Whether standard output is for that text.
+/// Returns true if standard output is for the text.
 [[nodiscard]] bool printsText(const FiguresTarget& target);
 
 /// Writes the figures, or prints the text.

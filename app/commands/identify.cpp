@@ -1,4 +1,4 @@
-// tubeplan identify: the parameters of the model, and the base, from measurements.
+// `tubeplan identify`: the parameters of the model, and the base, from measurements.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -36,7 +36,7 @@ struct IdentifyOptions {
   IdentificationRequest request;
 };
 
-/// A line for each iteration of the fit; beside JSON on the standard output they go where progress goes.
+/// Prints a line for each iteration of the fit; with JSON on standard output, lines go to the stream for progress.
 void printIteration(std::FILE* out, const calibration::LeastSquaresIteration& now) {
   if (now.iteration == 0)
     fmt::print(out, "  {}\n  {:>9} {:>15} {:>12} {:>12}\n", now.method, "iteration", "chi-square", "step", "damping");
@@ -44,7 +44,7 @@ void printIteration(std::FILE* out, const calibration::LeastSquaresIteration& no
   std::fflush(out);
 }
 
-/// Says in the words of a diagnosis why nothing is found.
+/// Prints the reason for a withheld result, in the words of a diagnosis.
 void printWithheld(const IdentifyOptions& options, const IdentificationOutcome& outcome) {
   fmt::print("{}\n{}\n{}{}", nameOf(calibration::Verdict::kInconclusive), noVerdictSentence(outcome.fit.reason),
              options.out.empty() ? "" : "nothing was written\n", warningsText(outcome.warnings));

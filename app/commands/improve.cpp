@@ -1,4 +1,4 @@
-// tubeplan improve: diagnose, add, identify, until nothing more is shown.
+// `tubeplan improve`: repeats diagnose, add and identify until nothing more is found.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -33,13 +33,13 @@ struct ImproveOptions {
   ImprovementRequest request;
 };
 
-/// ", without 2 readings"; nothing of none.
+/// Returns ", without 2 readings"; empty for none.
 std::string withoutText(std::size_t count) {
   if (count == 0) return "";
   return fmt::format(", without {} {}", count, count == 1 ? "reading" : "readings");
 }
 
-/// Writes and prints models as they come, so that what is done stays where the rest is stopped.
+/// Writes and prints models as they are found, so that finished steps survive a stop.
 class Keeper {
  public:
   Keeper(const CellReadings& input, const ImproveOptions& options) : input_(input), options_(options) {}
@@ -48,7 +48,7 @@ class Keeper {
     const auto used = calibration::withoutReadings(input_.readings, model.set_aside);
     const auto files = improvedCell(input_.cell, model.cell, model.fit, used, options_.out);
     step_ = model.step;
-    // A model that only fits what was there before is written at the end: the readings may allow no verdict on it.
+    // The first fit is written at the end, because the readings may allow no verdict on it.
     if (step_ > 0)
       write(files);
     else
@@ -74,7 +74,7 @@ class Keeper {
   int step_ = 0;
 };
 
-/// How it ended, and what was written.
+/// Returns the reason for the end, and the files written.
 std::string endText(const Improvement& result, const ImproveOptions& options) {
   std::string text;
   if (result.end == ImprovementEnd::kNotFitted)

@@ -1,4 +1,4 @@
-// tubeplan ladder: the error of each model in turn, fitted and held-out, against the noise floor.
+// `tubeplan ladder`: the error of each of several models, fitted and held-out, compared with the noise floor.
 #include "app/jobs/ladder.hpp"
 
 #include <CLI/CLI.hpp>

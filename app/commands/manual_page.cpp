@@ -1,4 +1,4 @@
-// The manual page, out of what the commands declare.
+// Manual page, generated from the declarations of the commands.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,7 +10,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Text whose signs roff must not take for its own.
+/// Returns text with the special characters of roff escaped.
 std::string plain(const std::string& text) {
   std::string out;
   bool begins = true;

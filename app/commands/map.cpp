@@ -1,4 +1,4 @@
-// tubeplan map: the holes of a cell's tube sheet.
+// `tubeplan map`: the holes of a cell's tube sheet.
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <map>
@@ -68,7 +68,7 @@ constexpr TextLine kMapWords[] = {
     {"", "fingerprint {fingerprint}\n"},
     {"warnings", "warning: {}\n"}};
 
-// The map's format knows in, mm and m.
+// Returns the map's unit of length: in, mm or m.
 const tubesheets::LengthUnit& csvUnit(const Cell& cell) {
   const auto* unit = tubesheets::findLengthUnit(cell.units.length().name);
   return unit ? *unit : tubesheets::kInch;

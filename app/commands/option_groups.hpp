@@ -12,40 +12,41 @@
 namespace tubeplan::app {
 
 void addCell(CLI::App& cli, std::string& cell);
-void addReadings(CLI::App& cli, ReadingFiles& files);   ///< MEASUREMENTS, one or several files
+void addReadings(CLI::App& cli, ReadingFiles& files);   ///< MEASUREMENTS, one or more files
 void addFigures(CLI::App& cli, FiguresTarget& target);  ///< --json and --format
 
-/// --seed; `of`: what it is the seed of, for --help.
+/// Adds --seed; `of` names the seeded process, for --help.
 void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of);
 
-/// --sigma above zero, a standard deviation of a coordinate in the cell's unit of length; `when`: where it counts.
+/// Adds --sigma above zero, a standard deviation of a coordinate in the cell's unit of length; `when` is the condition
+/// of its use, for --help.
 void addSigma(CLI::App& cli, double& sigma, const std::string& when);
 
-/// --sigma, --prior and --assume, of every command that fits a model to readings.
+/// Adds --sigma, --prior and --assume, for commands that fit a model to readings.
 void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options);
 
-/// --assume alone, of commands that take readings beside their own question.
+/// Adds --assume alone, for commands that take readings as a secondary input.
 void addAssumeOption(CLI::App& cli, std::vector<std::string>& assume);
 
-/// --column, of every command whose --tubes may be a work list: what its columns are
+/// Adds --column, the meanings of a work list's columns, for commands whose --tubes may be a work list
 /// (app/formats/cell/command_inputs.cpp).
 CLI::Option* addListColumns(CLI::App& cli, std::vector<std::string>& columns);
 
-/// A page about what was found: --report FILE, and --open.
+/// Page of results: --report FILE, and --open.
 struct ReportTarget {
-  std::string file;  ///< empty: none is wanted
+  std::string file;  ///< empty: no page
   bool open = false;
 
   [[nodiscard]] bool isWanted() const { return !file.empty(); }
 };
 
-/// `words`: what the page shows, for --help.
+/// Adds --report and --open; `words` describe the page, for --help.
 void addReportOptions(CLI::App& cli, ReportTarget& target, const std::string& words);
 
-/// Before the work: whether it can be written. Throws InputError.
+/// Checks before the work that the page can be written. Throws InputError.
 void checkReportTarget(const ReportTarget& target);
 
-/// Writes the page, and opens it in a browser where that was asked for.
+/// Writes the page, and opens it in a browser with --open.
 void writeReport(const ReportTarget& target, const std::string& page);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// tubeplan plan: the main job.
+// `tubeplan plan`: the tour of the tool through the tubes, from a cell to the files of a plan.
 #include "app/jobs/plan.hpp"
 
 #include <fmt/format.h>
@@ -67,7 +67,7 @@ std::string keptText(const std::string& from, const PlanOutcome& outcome) {
       2 * plan.visits.size() - 1, outcome.tubes_added, outcome.tubes_removed);
 }
 
-/// Into the folder of its own inputs a plan would write over them.
+/// Throws InputError for an output folder in which the plan would overwrite its own inputs.
 void requireOtherNames(const PlanOptions& options) {
   const auto& request = options.request;
   for (const auto& input : {request.cell, request.touches, request.tubes, request.truth}) {
@@ -85,16 +85,16 @@ int run(const PlanOptions& options) {
   requireOtherNames(options);
   if (options.trajectory) requireAccelerations(readCell(options.request.cell).arm);
   checkFigures(options.figures);
-  noteStopSignals();  // from the first folder on, so that none is left behind
+  noteStopSignals();  // before the first folder is made, so that a stop removes it
   OutputFolder folder(options.out, "--out");
   std::vector<std::string> names(std::begin(kPlanFiles), std::end(kPlanFiles));
-  if (options.request.touches != "auto") std::erase(names, "touches.csv");  // then it stays as it is
+  if (options.request.touches != "auto") std::erase(names, "touches.csv");  // an existing file stays unchanged
   folder.requireOwn({"plan.json", kProgressFile}, names);
   PlanCheckpoint checkpoint(folder.path(), options.resume, options.from);
   const PlanOutcome outcome = runPlanJob(options.request, terminalHooks(), checkpoint);
   if (outcome.plan.status == planner::VisitPlanStatus::kStopped) return explainStop(checkpoint, folder);
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) {
-    // Refused touches answer nothing: what an earlier run left stays.
+    // A plan refused for its touches keeps the checkpoint of an earlier run.
     if (outcome.plan.status != planner::VisitPlanStatus::kNotRun) checkpoint.discard();
     return explain(outcome);
   }

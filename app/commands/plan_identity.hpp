@@ -1,4 +1,4 @@
-// Whether a plan's files speak of this sheet and say the same of every tube.
+// Check that a plan's files belong to this sheet and agree on every tube.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace tubeplan::app {
 
-/// One sentence for each fault: another sheet (or this one's mirror image), another leg or viewing side, a tube entry
-/// or a path row that names another leg or tube than the visit it belongs to. Path rows: the first twenty.
+/// Returns one sentence for each fault: another sheet (or this one's mirror image), another leg or viewing side, a tube
+/// entry or a path row that names another leg or tube than its visit. Path rows: the first twenty.
 [[nodiscard]] std::vector<std::string> findIdentityProblems(const PlanFiles& files, const tubesheets::Sheet& sheet);
 
-/// The same sheet seen in a mirror along the divider plate: hot for cold.
+/// Returns the mirror image of the sheet along the divider plate, with hot and cold leg exchanged.
 [[nodiscard]] tubesheets::Sheet mirroredLeg(tubesheets::Sheet sheet);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// What a command that takes readings answers to scripts.
+// Exit codes of commands that take readings.
 #pragma once
 
 #include "app/cli/command.hpp"
@@ -6,8 +6,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the exit code of a command by what it found, which counts for nothing over a mistake in its readings. One
-/// rule for all that take readings.
+/// Returns the exit code of a command by its result; a mistake in the readings overrides the result. Used by all
+/// commands that take readings.
 [[nodiscard]] inline ExitCode answerOver(const calibration::MeasurementChecks& checks, bool is_positive) {
   return is_positive && !calibration::grossMistake(checks) ? kDone : kNegativeAnswer;
 }

@@ -1,4 +1,4 @@
-// tubeplan readings: what other programs wrote, as a measurement table.
+// `tubeplan readings`: tables of other programs as a measurement table.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -48,7 +48,8 @@ void write(const ReadingsOptions& options, const std::string& text) {
     writeFileAtomically(options.out, text, "--out");
 }
 
-/// Reads what was written, so that nothing is that cannot be read. Its lines are nobody's: errors name the tables'.
+/// Counts the readings by reading the new text back, which proves it readable. Errors refer to the source tables,
+/// because the new text's lines are unknown to the user.
 std::size_t countOf(const ForeignReadings& readings, const Cell& cell) {
   const std::string name = "the readings";
   try {

@@ -1,4 +1,4 @@
-// tubeplan report: a project of the workbench as a page, with all that is needed to have its figures again.
+// `tubeplan report`: a project of the workbench as a page, with all files needed to reproduce its figures.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-// tubeplan score: centring and steps inserted by the true arm, without compensation, with goal-point and with via-point
-// compensation.
+// `tubeplan score`: centring and steps inserted by the true arm, without compensation, with goal-point and with
+// via-point compensation.
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -43,20 +43,20 @@ struct ScoreOptions {
   std::uint64_t seed = 1;
 };
 
-/// Spread over the sheet, where none are named.
+/// Number of tubes spread over the sheet if none are named.
 constexpr std::size_t kTubes = 60, kTubesOfRuns = 80;
 
 struct ScoredTube {
   int tube;
-  std::string reason;  ///< why it could not be scored
+  std::string reason;  ///< reason for the failure; empty if scored
   ModeScores scores;
-  Eigen::VectorXd q = {};  ///< of the model with its base as calibrated; empty where it could not be scored
+  Eigen::VectorXd q = {};  ///< joint angles by the model with its calibrated base; empty on failure
 };
 
 struct Scored {
   BothCalibrations calibration;
   std::vector<ScoredTube> tubes;
-  std::vector<std::string> warnings;  ///< of too few segments, and of the base
+  std::vector<std::string> warnings;  ///< on too few segments, and on the base
 };
 
 Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes,
@@ -97,7 +97,7 @@ nlohmann::json scoresJson(const ModeScores& scores, const Units& units) {
   return json;
 }
 
-/// What becomes of all tubes by each compensation; without an error where no tube has a posture.
+/// Returns the results of all tubes by each compensation; without an error if no tube has a posture.
 nlohmann::json compensationsJson(const std::vector<ModeScores>& scores, std::size_t steps, const Units& units) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto counts = countByMode(scores, static_cast<int>(steps));
@@ -173,17 +173,17 @@ std::string scoredText(const nlohmann::json& figures, const Scored& scored, cons
          calibrationText(scored.calibration.flexible, nominal) + textOf(figures, kScoredWords);
 }
 
-/// The thesis's experiment (Calkins 1994, section 5.5, table 5.7), as a campaign's trials that touch the first of the
-/// holes that they visit.
+/// Numbers of holes in the thesis's experiment (Calkins 1994, section 5.5, table 5.7), whose trials touch the first of
+/// the holes that they visit.
 constexpr int kTouchedHoles = 3, kVisitedHoles = 10;
-/// Of how many touched holes a base alone is fitted to, and how often, to see what error it leaves there.
+/// Number of touched holes and of repetitions for the error that a base alone, fitted to the touches, leaves there.
 constexpr int kFittedHoles = 14;
 constexpr std::uint64_t kBaseFits = 20;
 
 struct ScoredRuns {
-  std::vector<std::vector<ModeScores>> scores;  ///< of each run that was scored, hole by hole
-  std::vector<std::string> refused;             ///< why, for each run that could not be calibrated
-  int misfits = 0;                              ///< runs whose touches do not fit
+  std::vector<std::vector<ModeScores>> scores;  ///< per scored run and hole
+  std::vector<std::string> refused;             ///< reason for each run that could not be calibrated
+  int misfits = 0;                              ///< number of runs whose touches do not fit
   bool is_stopped = false;
 };
 
@@ -198,14 +198,14 @@ ScoredRuns scoreRuns(const CentringTrials& trials, int runs, const planner::Plan
       scored.refused.emplace_back(nameOf(trial.failure));
       continue;
     }
-    auto& scores = scored.scores.emplace_back();  // at the hole goal-point and via-point compensation are one
+    auto& scores = scored.scores.emplace_back();  // at the hole itself, goal-point and via-point compensation coincide
     for (const auto& [hole, centring] : trial.visits) scores.push_back({centring[0], centring[1], centring[1]});
     scored.misfits += trial.is_misfit ? 1 : 0;
   }
   return scored;
 }
 
-/// Mean error that a base alone, fitted to many touches, leaves at them [m].
+/// Returns the mean error that a base alone, fitted to many touches, leaves at them [m].
 double meanTouchError(const CentringTrials& trials) {
   double sum = 0;
   int count = 0;
@@ -293,7 +293,7 @@ int runExperiment(const ScoreOptions& options, const std::vector<int>& tubes, co
 
 int run(const ScoreOptions& options) {
   Cell cell = readCell(options.cell);
-  forgetTouches(cell);  // the true arm touches anew
+  forgetTouches(cell);  // the true arm makes new touches
   const Cell true_cell = readCell(options.truth);
   const auto model = workcellOf(cell, "score positioning"), truth = workcellOf(true_cell, "score against it");
   if (model.sheet.fingerprint() != truth.sheet.fingerprint())

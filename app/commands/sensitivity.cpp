@@ -1,4 +1,4 @@
-// tubeplan sensitivity: which member to stiffen or lighten, and which number must be known how well (Calkins 1994,
+// `tubeplan sensitivity`: members worth stiffening or lightening, and numbers whose accuracy matters (Calkins 1994,
 // section 6.3).
 #include <fmt/format.h>
 
@@ -36,14 +36,14 @@ struct SensitivityOptions {
   std::uint64_t seed = 1;
 };
 
-/// Holes of the sheet; the best of them are touched.
+/// Returns holes of the sheet, of which the best are touched.
 BestTouches touchedHoles(const Cell& cell, const std::vector<Eigen::VectorXd>& work_postures) {
   planner::Workcell work = workcellOf(cell, "touch holes");
   work.load = 0;
   return bestTouches(work, touchCandidates(work, kTouchable), work_postures, kChosenTouches, doubtBeside(cell));
 }
 
-/// Postures of a cell without a sheet, each of which touches a mark.
+/// Returns postures of a cell without a sheet, each of which touches a mark.
 BestTouches touchedPostures(const Cell& cell, const std::vector<Eigen::VectorXd>& work_postures, std::uint64_t seed) {
   std::vector<calibration::TouchPlan> marks;
   for (const auto& q : clearPostures(armAndScene(cell), {0}, kTouchable, seed))
@@ -52,7 +52,7 @@ BestTouches touchedPostures(const Cell& cell, const std::vector<Eigen::VectorXd>
   return bestTouches(cell.arm, cell.X_WB, marks, work_postures, {kChosenTouches, usual.touch_sigma, doubtBeside(cell)});
 }
 
-/// The best three touches place the base. Returns why there are none, or nothing.
+/// Chooses the best three touches to place the base. Returns the reason if there are none, else an empty text.
 std::string chooseBaseTouches(const Cell& cell, std::uint64_t seed, SensitivityReport& report,
                               calibration::SensitivityTask& task) {
   const BestTouches best = cell.sheet ? touchedHoles(cell, task.work) : touchedPostures(cell, task.work, seed);
@@ -77,7 +77,7 @@ void findSheetWork(const Cell& cell, const SensitivityOptions& options, Sensitiv
   task.hole_axis_W = planner::kHoleAxis_W;
 }
 
-/// Sigma of every number of the arm, as the readings determine it.
+/// Returns the sigma of every number of the arm, as determined by the readings.
 std::vector<double> posteriorSigmas(const calibration::Estimate& estimate, const deflection::Arm& arm) {
   const auto n = estimate.information.rows();
   const Eigen::MatrixXd covariance = estimate.information.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
@@ -118,7 +118,7 @@ int run(const SensitivityOptions& options) {
   else
     task.work = clearPostures(armAndScene(cell), {task.load}, options.postures, options.seed);
   report.work = static_cast<int>(task.work.size());
-  std::string reason;  // a base that is known, with no sheet over it, stays known
+  std::string reason;  // empty: without a sheet, a known base stays known
   if (!task.work.empty() && (report.has_sheet || !cell.base_known))
     reason = chooseBaseTouches(cell, options.seed + 1, report, task);
   if (reason.empty()) report.figures = calibration::findSensitivities(cell.arm, cell.X_WB, task);

@@ -1,4 +1,4 @@
-// tubeplan serve: the workbench, a web page on loopback.
+// `tubeplan serve`: the workbench, a web page on loopback.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -30,7 +30,7 @@ struct ServeOptions {
 };
 
 constexpr std::size_t kShortestToken = 12;
-constexpr auto kGlanceAtArm = std::chrono::milliseconds(50);  // between looks at what a running arm has written
+constexpr auto kGlanceAtArm = std::chrono::milliseconds(50);  // interval of checks for new data of a running arm
 
 void requireToken(const DoorRules& door) {
   if (door.token.empty() && isLoopback(door.host)) return;

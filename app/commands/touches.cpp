@@ -1,4 +1,4 @@
-// tubeplan touches: which holes to touch, or postures and loads to measure, next.
+// `tubeplan touches`: the next holes to touch, or postures and loads to measure.
 #include "app/jobs/touches.hpp"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ void writeSheet(const std::string& file, const TouchOutcome& outcome) {
   writeFileAtomically(file, runSheetCsv(runSheetOf(outcome), outcome.cell.arm, outcome.cell.units), "--csv");
 }
 
-/// What to do with the sheet that was written.
+/// Returns the instruction for the sheet that was written.
 std::string sheetText(const TouchesOptions& options, const TouchOutcome& outcome) {
   return fmt::format("wrote {}: {}\n", options.csv,
                      fillInText(runSheetOf(outcome), outcome.cell.arm, outcome.cell.units));

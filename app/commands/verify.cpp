@@ -1,4 +1,4 @@
-// tubeplan verify: proves a plan again, by other code than made it.
+// `tubeplan verify`: an independent proof of a plan, by other code than the planner's.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -32,7 +32,7 @@ struct VerifyOptions {
   FiguresTarget figures;
 };
 
-/// Differences between the arm of the cell and the arm that the plan was made with, as their files have them.
+/// Returns the differences between the arm of the cell and the arm of the plan, in the notation of their files.
 std::vector<std::string> armDifferences(const deflection::Arm& cell, const deflection::Arm& plan) {
   const auto now = deflection::parametersOf(cell), then = deflection::parametersOf(plan);
   if (now.size() != then.size()) return {"the cell's arm is not the plan's: its rows or flexible axes differ"};
@@ -43,7 +43,7 @@ std::vector<std::string> armDifferences(const deflection::Arm& cell, const defle
   return differences;
 }
 
-/// Sheet, tool and scene as the cell has them now; arm and base as the plan was made with.
+/// Returns sheet, tool and scene of the present cell, with arm and base of the plan.
 planner::Workcell checkedWorkcell(const Cell& cell, const Cell& planned, const PlanFiles& files) {
   planner::Workcell work = workcellOf(cell, "verify a plan on it");
   work.arm = workcellOf(planned, "verify a plan on it").arm;
@@ -97,9 +97,9 @@ constexpr TextLine kPlanCheckWords[] = {
      "between rows, what deflection adds to the travel is sampled over postures, not proved: {}\n"},
     {"findings", "  {}\n"}};
 
-/// The plan stands on its own base; a cell that was calibrated since knows of another.
+/// Returns the difference between the plan's base and that of the cell, which may have been calibrated since.
 std::string baseDifference(const Cell& cell, const Cell& planned) {
-  constexpr double kSamePlace = 1e-6, kSameTurn = 1e-6;  // m, rad
+  constexpr double kSamePlace = 1e-6, kSameTurn = 1e-6;  // [m], [rad]
   if (!cell.base_known) return "";
   const double place = (cell.X_WB.translation() - planned.X_WB.translation()).norm();
   const double turn =
@@ -111,7 +111,7 @@ std::string baseDifference(const Cell& cell, const Cell& planned) {
       lengthText(place, cell.units), angleOf(std::abs(turn), cell.units), cell.units.angle().name, cell.path);
 }
 
-/// Tubes of the plan that a list would leave out: the map may be newer than the plan.
+/// Returns the tubes of the plan that the map's states would exclude, because the map may be newer than the plan.
 std::string statesText(const tubesheets::Sheet& sheet, const planner::StatedPlan& plan) {
   constexpr std::size_t kNamed = 10;
   std::vector<std::string> named;
@@ -140,7 +140,8 @@ int run(const VerifyOptions& options) {
   planner::PlanCheckOptions checks;
   checks.padding = files.padding_sigmas;
   checks.via_points = files.compensation == "via-point";
-  // Without compensation the deflected tip is meant to miss: only the files' own statements are held against the model.
+  // Without compensation the deflected tip misses by design, so only the files' own statements are compared with the
+  // model.
   if (files.compensation == "none") {
     checks.centring_tolerance = 1;
     checks.limits_tilt = false;

@@ -74,7 +74,8 @@ json branchJson(const planner::TubeBranch& branch, const Model& model, double lo
           {"clearance", is_found ? clearanceOf(model, branch.q, load) : json()}};
 }
 
-/// Returns the inverse kinematics; branches that are found and clear come first.
+/// Finds the postures under a hole, for {"hole", "branch"?, "load"?}. Without "branch" the found one with the largest
+/// margin of clearance is chosen.
 Answer inverse(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const Session now = workbench.session();

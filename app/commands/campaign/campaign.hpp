@@ -1,4 +1,4 @@
-// A campaign as it is asked for and as it is answered. Kinds of campaign are an open table.
+// Request and answer of a campaign. Kinds of campaign are an open table.
 #pragma once
 
 #include <cstdint>
@@ -16,33 +16,33 @@
 
 namespace tubeplan::app {
 
-/// As typed, in the cell's units; what is not stated is each kind's own.
+/// Request as typed, in the cell's units; each kind has its own defaults.
 struct CampaignRequest {
   std::string cell, truth;
   std::uint64_t seed = 1;
 
-  // centre
+  // centring
   std::string tubes;                 ///< empty: spread:80
-  std::vector<std::string> columns;  ///< what those of a work list are
+  std::vector<std::string> columns;  ///< meanings of a work list's columns
   int holes = 10;
   std::vector<int> touches = {3};
   std::vector<std::string> choices = {"best"};
   std::vector<double> touch_sigmas;
   std::optional<double> base_shift, base_turn, stiffness, unmodelled, encoder_sigma;
 
-  // diagnose
+  // diagnosis
   std::string design = "bench", hide = "any";
   int readings = 120;
   double nothing = 0.5;
   int effects = 2;
 };
 
-/// What figures say of the runs behind them.
+/// Numbers of runs behind the figures.
 struct CampaignProgress {
   std::uint64_t runs = 0, done = 0;
 };
 
-/// A file of results beside campaign.json.
+/// File of results next to campaign.json.
 struct CampaignResult {
   std::string name, content;
 };
@@ -50,7 +50,7 @@ struct CampaignResult {
 struct Campaign {
   std::unique_ptr<Experiment> experiment;
   PlanKey question;
-  std::uint64_t largest_chunk = 1;  ///< runs that a worker takes at once
+  std::uint64_t largest_chunk = 1;  ///< maximum number of runs that a worker takes at once
   std::function<nlohmann::json(const CampaignProgress&)> figures;
   std::function<std::string(const nlohmann::json& figures)> text;
   std::function<std::vector<CampaignResult>(const nlohmann::json& figures)> files;
@@ -62,7 +62,7 @@ struct CampaignKind {
 };
 [[nodiscard]] std::span<const CampaignKind> campaignKinds();
 
-// Declared here, each defined in the file of its name.
+// Each is defined in the file of its name.
 Campaign makeCentringCampaign(const CampaignRequest& request);
 Campaign makeDiagnosisCampaign(const CampaignRequest& request);
 

@@ -1,4 +1,4 @@
-// The campaign of centring: its runs, and what is made of their tally.
+// Campaign of centring: its runs, and the results of their tally.
 #include "app/commands/campaign/centring_figures.hpp"
 #include "app/formats/sheet/touch_input.hpp"
 
@@ -45,7 +45,7 @@ class CentringExperiment : public Experiment {
   CentringTally total_;
 };
 
-constexpr std::uint64_t kLargestChunk = 256;  // a tenth of a second or so
+constexpr std::uint64_t kLargestChunk = 256;  // about a tenth of a second
 
 }  // namespace
 

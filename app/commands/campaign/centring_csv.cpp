@@ -41,7 +41,7 @@ class HolesTable {
   [[nodiscard]] std::string text() const { return text_; }
 
  private:
-  /// Nothing where there is no number.
+  /// Returns the number as text; empty if it is not finite.
   static std::string number(double value, int digits) {
     return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "";
   }

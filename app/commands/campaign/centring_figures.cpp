@@ -58,7 +58,7 @@ json quantilesJson(const ErrorSketch& errors, const Units& units) {
   return quantiles;
 }
 
-/// Error and the share of visits up to it, thinned out.
+/// Returns errors and the share of visits up to each, thinned out.
 json curveJson(const ErrorSketch& errors, const Units& units) {
   const auto points = errors.distribution();
   json curve = json::array();
@@ -72,7 +72,7 @@ json curveJson(const ErrorSketch& errors, const Units& units) {
   return curve;
 }
 
-/// Those with the largest mean error, of holes visited ten times or more.
+/// Returns the holes with the largest mean error, of those visited ten times or more.
 json worstHoles(const CentringResults& results, const WayTally& way) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < way.holes.size(); ++k)
@@ -124,7 +124,7 @@ json waysJson() {
   return ways;
 }
 
-/// Returns the standing of the base behind all counts: each run calibrates its own.
+/// Returns the standing of the base for all counts; each run calibrates its own base.
 BaseStanding standingOf(const std::vector<CentringSetting>& settings) {
   const int touches = settings.front().touches;
   const bool is_one = std::ranges::all_of(settings, [&](const auto& other) { return other.touches == touches; });

@@ -1,4 +1,4 @@
-// What a campaign of centring says: JSON, a text for people, a CSV of holes, a page.
+// Results of a campaign of centring: JSON, a text for people, a CSV of holes, a page.
 #pragma once
 
 #include "app/commands/campaign/centring_request.hpp"
@@ -14,16 +14,16 @@ struct CentringResults {
   CampaignProgress progress;
 };
 
-/// All figures but those of single holes, of which only the worst are there.
+/// Returns all figures except those of single holes, of which only the worst are included.
 [[nodiscard]] nlohmann::json centringJson(const CentringResults& results);
 
-/// A few lines for people, of those figures.
+/// Returns the figures as a short text.
 [[nodiscard]] std::string centringText(const nlohmann::json& figures);
 
-/// One line for each setting, way and hole that was visited.
+/// Returns one line for each setting, way and visited hole.
 [[nodiscard]] std::string holesCsv(const CentringResults& results);
 
-/// The self-contained page.
+/// Returns the self-contained page.
 [[nodiscard]] std::string centringPage(const CentringResults& results, const nlohmann::json& figures);
 
 }  // namespace tubeplan::app

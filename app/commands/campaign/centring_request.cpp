@@ -18,11 +18,11 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr int kTouchableHoles = 24;  // as `plan --touches auto`
+constexpr int kTouchableHoles = 24;  // as for `plan --touches auto`
 constexpr std::size_t kMostSettings = 100;
 constexpr int kMostTouchedHoles = 50;
-constexpr double kMostLength = 0.254;  // m (10 in): beyond it no arm finds a hole
-constexpr double kMostAngle = 0.5;     // rad
+constexpr double kMostLength = 0.254;  // [m] (10 in); no arm finds a hole beyond it
+constexpr double kMostAngle = 0.5;     // [rad]
 
 void requireWithin(const std::string& option, double value, double most, const std::string& what) {
   if (!(value >= 0 && value <= most))
@@ -103,10 +103,10 @@ std::vector<CentringSetting> settingsOf(const CampaignRequest& request, const Ce
   return settings;
 }
 
-/// Spread over the sheet, where none are named.
+/// Number of tubes spread over the sheet if none are named.
 constexpr std::size_t kTubes = 80;
 
-/// The tubes to visit, without those whose state keeps the tool out.
+/// Finds the tubes to visit, without those whose state excludes the tool.
 void findHoles(const CampaignRequest& request, CentringTask& task) {
   const std::string tubes = tubesOrSpread(request.tubes, task.model.sheet, kTubes);
   requireWorkList(request.columns, {tubes});

@@ -1,4 +1,4 @@
-// What a campaign of centring is asked for, checked and in internal units.
+// Request for a campaign of centring, checked and in internal units.
 #pragma once
 
 #include "app/commands/campaign/campaign.hpp"
@@ -11,14 +11,14 @@ struct CentringTask {
   Cell cell;
   planner::Workcell model, truth;
   CentringHoles holes;
-  int tubes = 0;  ///< asked for; those out of reach are not among the holes
+  int tubes = 0;  ///< number of requested tubes; those out of reach are not among the holes
   CentringOptions options;
 };
 
-/// Reads the cells, finds which holes are in reach, draws up the settings. Throws InputError.
+/// Reads the cells, finds the holes in reach, and lists the settings. Throws InputError.
 [[nodiscard]] CentringTask centringTask(const CampaignRequest& request);
 
-/// All that figures depend on but the number of runs.
+/// Returns everything that the figures depend on except the number of runs.
 [[nodiscard]] PlanKey centringKey(const CentringTask& task, const CampaignRequest& request);
 
 }  // namespace tubeplan::app
