@@ -1,5 +1,5 @@
-// How the page is built: no inlined files, since the page may load nothing but its own files, and no inline script. With
-// `--mode report` the script and the style of the reports: one of each, which the program writes into every report.
+// Build of the page, without inlined files and inline scripts, because the page may load nothing but its own files. With
+// `--mode report` it builds the script and the style of the reports, one file each, which the program writes into reports.
 import type {BuildOptions} from "vite";
 import {defineConfig} from "vitest/config";
 

@@ -1,9 +1,12 @@
-// The arm's members as meshes, and where they stand at a posture, rigid or deflected, or with the deflection magnified.
+// Meshes of the arm's members, and their poses at a posture, rigid or deflected, or with magnified deflection.
 import {CapsuleGeometry, Group, Mesh, MeshStandardMaterial, Quaternion, SphereGeometry, Vector3} from "three";
 import type {Frame, SceneDocument} from "../server/documents";
 import {layAlong, solidOf, vector} from "./solids";
 
-/** A member that the file gives no body: a slim rod from its frame to the next. As shares of the picture's reach. */
+/**
+ * Radii of the slim rod drawn for a member without a body, from its frame to the next, as shares of the picture's
+ * reach.
+ */
 const ROD = 0.016,
   TIP = 0.012,
   SHORTEST = 0.004;
@@ -57,7 +60,7 @@ function placeRod({reach}: ArmBodies, rod: Mesh, a: Vector3, b: Vector3): void {
   rod.scale.set(reach, long / (1 + 2 * ROD), reach);
 }
 
-/** The deflected frame with its displacement and turn away from the rigid one taken several times. */
+/** Returns the deflected frame with its displacement and rotation from the rigid one multiplied by `times`. */
 export function magnifiedFrame(rigid: Frame, flexible: Frame, times: number): Frame {
   if (times === 1) return flexible;
   const position = rigid.position.map(

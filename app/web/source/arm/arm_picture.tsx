@@ -1,4 +1,4 @@
-// The 3-D picture as a part of a view, with its buttons and the figure of the clearance beside its line.
+// The 3-D picture as a part of a view, with its buttons and the clearance next to its line.
 import {choicesOf, Segments} from "../drawing/segments";
 import {signal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
@@ -18,7 +18,7 @@ import {poseRequest, type ShownReading} from "./pose_link";
 
 const TIMES = [1, 10, 50].map((times) => ({value: times, words: `×${times}`, hint: `Deflection drawn ${times} times`}));
 export const magnified = signal(1);
-/** The errors of all readings: whether they are drawn, and where between before (0) and after (1). */
+/** Display of the errors of all readings: on or off, and the blend from before (0) to after (1). */
 const isFieldShown = signal(false);
 const fade = signal(1);
 const VIEWS = [
@@ -57,7 +57,7 @@ export function ArmPicture({tour = null, isSmall = false}: {tour?: Vector3[] | n
 
 type StageRef = {current: ArmStage | null};
 
-/** The stage on its canvas, as large as its box; the refusal's words where this browser draws none. */
+/** Creates the stage on its canvas, as large as its box; reports the reason if this browser draws none. */
 function useStage() {
   const canvas = useRef<HTMLCanvasElement>(null),
     figure = useRef<HTMLSpanElement>(null);
@@ -84,7 +84,7 @@ function useStage() {
   return {canvas, figure, refusal, stage};
 }
 
-/** The cell, the sheet and the tour; a new cell is looked at from the corner. */
+/** Shows the cell, the sheet and the tour; a new cell is viewed from the corner. */
 function useScene(stage: StageRef, tour: Vector3[] | null): void {
   const scene = sceneDocument.value.document;
   useEffect(() => {
@@ -98,7 +98,7 @@ function useScene(stage: StageRef, tour: Vector3[] | null): void {
   useEffect(() => stage.current?.setTour(tour, palette.value), [tour]);
 }
 
-/** The arm in the posture that was asked for, and the reading that is shown with it. */
+/** Shows the arm in the requested posture, with its reading. */
 function usePose(stage: StageRef): void {
   const scene = sceneDocument.value.document,
     reading = poseRequest.reading.value;
@@ -108,7 +108,7 @@ function usePose(stage: StageRef): void {
   useEffect(() => stage.current?.setReading(reading, palette.value), [reading, scene, palette.value]);
 }
 
-/** The errors of all readings; null where they are not drawn. */
+/** Shows the errors of all readings; null hides them. */
 function useErrors(stage: StageRef, errors: ReadingErrors | null): void {
   const scene = sceneDocument.value.document;
   useEffect(() => {
@@ -147,7 +147,7 @@ function StageBar({stage, isSmall}: {stage: StageRef; isSmall: boolean}) {
   );
 }
 
-/** All errors on and off, and from before to after. */
+/** Switches all errors on and off, and blends from before to after. */
 function FieldBar({errors}: {errors: ReadingErrors}) {
   const hasTwo = errors.series.length > 1;
   return (
@@ -175,7 +175,7 @@ function FieldBar({errors}: {errors: ReadingErrors}) {
   );
 }
 
-/** What the arrows at the tip are, and the way back. */
+/** Explains the arrows at the tip, with a button that removes them. */
 function ShownErrors({reading, factor}: {reading: ShownReading; factor: number}) {
   return (
     <span class="shown-errors" role="status">

@@ -1,5 +1,5 @@
-// The 3-D picture: the sheet, the bowl and its obstacles, the rigid arm as a ghost, the deflected arm in front of it, and
-// the line to what is nearest. It draws only when something has changed.
+// The 3-D picture: the sheet, the bowl and its obstacles, the rigid arm as a ghost, the deflected arm in front of it,
+// and the line to the nearest object. It is drawn only after a change.
 import {
   AmbientLight,
   Box3,
@@ -26,7 +26,7 @@ import {floorOf, plateOf} from "./sheet_plate";
 import {clearanceLine, TOUR, tourLine} from "./stage_lines";
 import {bowlOf, disposeAll, obstacleOf, openingOf, vector} from "./solids";
 
-/** Whether pictures are drawn without a graphics processor, as on a bare server or over a remote desktop. */
+/** True if pictures are drawn without a graphics processor, as on a bare server or over a remote desktop. */
 const IS_SOFTWARE = (() => {
   const context = document.createElement("canvas").getContext("webgl2");
   const name = context?.getExtension("WEBGL_debug_renderer_info");
@@ -35,13 +35,15 @@ const IS_SOFTWARE = (() => {
   return /swiftshader|llvmpipe|software|basic render/i.test(words);
 })();
 
-/** How far the picture goes from its middle, in the cell's unit of length: what is drawn by no figure of the cell is a
- * share of it. */
+/**
+ * Extent of the picture from its middle, in the cell's unit of length. Sizes that no figure of the cell determines are
+ * shares of it.
+ */
 export const pictureReach = signal(1);
 
-/** Without a sheet: as a share of the length of the arm's members, one after another. */
+/** Reach of the picture without a sheet, as a share of the total length of the arm's members. */
 const BESIDE_ARM = 0.6;
-/** An arm whose length is another by more is another arm: the picture is framed anew. */
+/** Relative change of length beyond which an arm counts as another one and is framed anew. */
 const SAME_ARM = 0.3;
 
 function empty(group: Group): void {
@@ -118,7 +120,7 @@ export class ArmStage {
   }
 
   private drawNow(isSharp = false): void {
-    if (this.isDisposed) return; // a frame that was asked for before
+    if (this.isDisposed) return; // a frame requested before the disposal
     this.isAsked = false;
     this.renderer.setPixelRatio(isSharp ? pixelRatio() : this.ratio);
     this.renderer.render(this.scene, this.camera);
@@ -130,15 +132,15 @@ export class ArmStage {
     if (this.ratio < pixelRatio()) this.later = window.setTimeout(() => this.drawNow(true), 400);
   }
 
-  /** Where the page waits for its picture (no graphics processor), motion is drawn coarser, and sharp once it rests. */
+  /** Draws motion coarsely if the page has to wait for its picture (no graphics processor), and sharply at rest. */
   private adapt(msWaited: number): void {
-    // Figures go before pictures, but no picture stays behind them for long.
+    // Figures have priority over pictures, but a picture waits at most this long.
     if (msWaited > 12) this.notBefore = performance.now() + Math.min(2 * msWaited, 400);
     if (msWaited > 24) this.ratio = Math.max(0.45, 0.8 * this.ratio);
     else if (msWaited < 10 && !IS_SOFTWARE) this.ratio = Math.min(pixelRatio(), 1.1 * this.ratio);
   }
 
-  /** The cell: what stands still, and the bodies of the arm. */
+  /** Shows a cell: its fixed objects, and the bodies of the arm. */
   setCell(document: SceneDocument, sheet: SheetModel | null, palette: Palette): void {
     this.palette = palette;
     this.cell = {document, sheet};
@@ -157,7 +159,7 @@ export class ArmStage {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Without a sheet: about the arm as it stands. */
+  /** Frames the arm at its posture, for a cell without a sheet. */
   private frameArm(pose: PoseDocument): void {
     const places = [...pose.frames.rigid.map((frame) => vector(frame.position)), vector(pose.tip.rigid)];
     this.length = lengthAlong(places);
@@ -195,7 +197,7 @@ export class ArmStage {
     this.scene.add(this.ghost.group, this.solid.group);
   }
 
-  /** One of the ready-made views; a leg is looked into from the divider's side, where the bowl is cut open. */
+  /** Chooses one of the fixed views; a leg is viewed from the divider's side, where the bowl is cut open. */
   look(from: "corner" | "side" | "below" | "front"): void {
     const directions = {
       corner: [-1.25, -2.35, -0.42],
@@ -204,7 +206,7 @@ export class ArmStage {
       front: [0.05, -2.7, -0.2],
     } as const;
     const way = new Vector3(...directions[from]);
-    if (!this.cell?.sheet && from !== "below") way.z *= -1; // no sheet hides it: from above
+    if (!this.cell?.sheet && from !== "below") way.z *= -1; // without a sheet, a view from above is free
     this.controls.target.copy(this.focus);
     this.camera.position
       .copy(this.focus)
@@ -237,7 +239,7 @@ export class ArmStage {
     return length > 0 && Math.abs(this.length / length - 1) > SAME_ARM;
   }
 
-  /** The line to what is nearest; magnified, the arm is not where it could touch anything. */
+  /** Draws the line to the nearest object; not with magnified deflection, where the arm is not at its true place. */
   private drawClearance(pose: PoseDocument, palette: Palette): void {
     empty(this.marks);
     const {clearance} = pose;
@@ -245,27 +247,27 @@ export class ArmStage {
     this.marks.add(clearanceLine(vector(clearance.from), vector(clearance.to), this.reach, palette));
   }
 
-  /** The errors of the reading that the arm is brought to; null for none. */
+  /** Shows the errors of the arm's reading; null for none. */
   setReading(reading: ShownReading | null, palette: Palette): void {
     empty(this.errors);
     if (reading) this.errors.add(errorArrows(reading, this.reach, palette));
     this.ask();
   }
 
-  /** The errors of all readings; null for none. */
+  /** Shows the errors of all readings; null for none. */
   setErrors(errors: ReadingErrors | null, palette: Palette): void {
     empty(this.field);
     if (errors) this.field.add(errorField(errors, this.reach, palette));
     this.ask();
   }
 
-  /** From before (0) to after (1). */
+  /** Blends from before (0) to after (1). */
   fadeErrors(after: number): void {
     for (const field of this.field.children) fadeField(field as Group, after);
     this.ask();
   }
 
-  /** A tour through the tips in the order of visiting. */
+  /** Shows a tour through the tips in the order of visiting. */
   setTour(points: Vector3[] | null, palette: Palette): void {
     const old = this.statics.getObjectByName(TOUR);
     if (old) {
@@ -276,7 +278,7 @@ export class ArmStage {
     this.ask();
   }
 
-  /** Where a point of the world is on the canvas, in its own pixels; null behind the camera. */
+  /** Returns the place of a world point on the canvas, in its pixels; null behind the camera. */
   onScreen(point: Vector3): [number, number] | null {
     const seen = point.clone().project(this.camera);
     if (seen.z > 1) return null;

@@ -1,4 +1,4 @@
-// The arm view: the deflected arm under the sheet, sliders that it follows at once, and the operator's read-out.
+// The arm view: the deflected arm under the sheet, sliders that move it at once, and the operator's read-out.
 import {submitting, TextInput, withPoint} from "../drawing/fields";
 import {Figures, Panel} from "../drawing/panel";
 import {Segments} from "../drawing/segments";
@@ -14,7 +14,7 @@ import {isFollowing, isLive} from "./live";
 import {poseRequest, setJoint, showHole, whyNot} from "./pose_link";
 import {ToolInset} from "./tool_inset";
 
-/** Begins under a hole in the middle of the sheet rather than with the arm stretched out through a wall. */
+/** Begins under a hole in the middle of the sheet, because a stretched arm would pass through a wall. */
 function beginUnderHole(): void {
   const model = sheet.value;
   if (!model || poseRequest.hole.peek() >= 0 || poseRequest.reading.peek() || isLive.peek()) return;
@@ -84,7 +84,7 @@ function ReadOut() {
   );
 }
 
-/** Whether this browser goes where the running arm goes. */
+/** Switch that makes this browser follow the running arm. */
 function LiveSwitch() {
   return (
     <label class="live-switch" title="The arm goes where the encoders of the running arm say it is">
@@ -143,7 +143,7 @@ function Sliders() {
   );
 }
 
-/** A hole by its name: the arm goes under it. */
+/** Field for a hole's name; the arm moves under that hole. */
 function HoleBox() {
   const text = useSignal("");
   const go = () => {
@@ -168,7 +168,10 @@ function HoleBox() {
   );
 }
 
-/** How far a joint without limits is moved by its slider either way: a turn, or the picture's reach along a slide. */
+/**
+ * Returns the slider's range in each direction for a joint without limits: one turn, or the picture's reach along a
+ * slide.
+ */
 function unlimitedOf(unit: string): number {
   return unit === "deg" ? 360 : unit === "rad" ? 2 * Math.PI : pictureReach.value;
 }
@@ -185,7 +188,7 @@ function JointSlider({joint, index}: {joint: JointInfo; index: number}) {
       value={poseRequest.joints.value[index] ?? joint.home}
       digits={jointDecimals(joint.unit)}
       onSlide={(next) => {
-        isFollowing.value = false; // a hand on the slider has it
+        isFollowing.value = false; // the slider is moved by hand
         setJoint(index, next);
       }}
       onType={(next) => setJoint(index, Math.min(most, Math.max(least, next)))}
@@ -212,7 +215,7 @@ function LoadSlider() {
 interface SliderProps {
   name: string;
   unit: string;
-  /** The least, the most and the step. */
+  /** Minimum, maximum and step. */
   range: [number, number, number];
   value: number;
   digits: number;
@@ -220,7 +223,7 @@ interface SliderProps {
   onType: (next: number) => void;
 }
 
-/** A slider with its figure, that can be typed: taken on Enter or when it is left. */
+/** Slider with its figure, which can also be typed; it is accepted on Enter or when the field loses the focus. */
 function Slider({name, unit, range: [min, max, step], value, digits, onSlide, onType}: SliderProps) {
   return (
     <label class="slider">

@@ -1,16 +1,16 @@
-// A reading's errors in the 3-D picture: arrows from the tip, drawn larger by a round factor, so that they are seen.
+// A reading's errors in the 3-D picture: arrows from the tip, magnified by a round factor to be visible.
 import {Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3} from "three";
 import type {Palette} from "../drawing/colours";
 import {roundDown125} from "../../../drawing/scales.js";
 import {arrowGroup} from "./arrow_group";
 import type {ShownReading} from "./pose_link";
 
-/** Of the picture's reach: how long the larger error is drawn at most. */
+/** Maximum drawn length of the larger error, as a share of the picture's reach. */
 const LONGEST = 0.24;
-/** Likewise, the length of an arrow's head. */
+/** Length of an arrow's head, as a share of the picture's reach. */
 const HEAD = 0.03;
 
-/** By how much the errors are drawn larger. */
+/** Returns the magnification of the errors. */
 export function factorOf(reading: ShownReading, reach: number): number {
   const most = Math.max(...reading.errors.map(({error}) => (error ? Math.hypot(...error) : 0)));
   return most > 0 ? Math.max(1, roundDown125((LONGEST * reach) / most)) : 1;

@@ -1,13 +1,13 @@
-// A running arm: what its encoders say moves the arm of this browser, as long as it follows.
+// A running arm: its encoders move the arm of this browser while it follows.
 import {effect, signal} from "@preact/signals";
 import {liveNews} from "../server/workbench";
 import {bringArm} from "./pose_link";
 
-/** After so long without a word the arm is taken to stand still, or to be gone [ms]. */
+/** Time without data after which the arm is taken to be at rest or disconnected [ms]. */
 const SILENCE = 3000;
 
 export const isFollowing = signal(true);
-/** Whether a running arm reports where it is. */
+/** True if a running arm reports its posture. */
 export const isLive = signal(false);
 
 let silence: ReturnType<typeof setTimeout> | undefined;

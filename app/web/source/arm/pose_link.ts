@@ -1,5 +1,5 @@
-// The arm's posture in this browser, and the program's answer to it: at most one question is under way, the last one
-// always gets asked, so a slider never waits for a queue.
+// The arm's posture in this browser, and the program's answer to it. At most one question is under way and the last one
+// is always asked, so that a slider never waits for a queue.
 import {batch, computed, effect, signal} from "@preact/signals";
 import type {Mark} from "../drawing/marks";
 import type {InverseDocument, PoseDocument, Vector3} from "../server/documents";
@@ -14,7 +14,7 @@ const inverse = signal<InverseDocument | null>(null);
 const latency = signal(0);
 const reading = signal<ShownReading | null>(null);
 
-/** A reading that the arm is brought to: where its tip is predicted, and the errors there, before and after. */
+/** Reading at whose posture the arm is: the predicted place of its tip, and the errors there, before and after. */
 export interface ShownReading {
   id: string;
   place: Vector3 | null;
@@ -24,7 +24,7 @@ export interface ShownReading {
 
 export const poseRequest = {joints, load, hole, answer, inverse, latency, reading};
 
-// A cell's home is where its arm begins.
+// Identity of the cell; a new cell places the arm at its home posture.
 const cellKey = computed(() => `${state.value?.folder ?? ""} ${cell.value?.file ?? ""} ${cell.value?.name ?? ""}`);
 effect(() => {
   void cellKey.value;
@@ -36,7 +36,7 @@ effect(() => {
   });
 });
 
-/** Brings the arm to a posture that is under no hole, with a load and the reading that was taken there. */
+/** Brings the arm to a posture that is under no hole, with a load and the reading taken there. */
 export function bringArm(posture: number[], loaded = 0, shown: ShownReading | null = null): void {
   batch(() => {
     hole.value = -1;
@@ -72,7 +72,7 @@ async function askPose(): Promise<void> {
   }
 }
 
-// Joints, load, hole or the model changed: ask anew.
+// A change of joints, load, hole or model asks again.
 const model = computed(() => `${state.value?.model ?? -1} ${state.value?.models.length ?? 0}`);
 effect(() => {
   void joints.value;
@@ -89,13 +89,13 @@ export function setJoint(index: number, value: number): void {
   joints.value = next;
 }
 
-/** Why no posture brings the arm under the hole; empty where one does. */
+/** Returns the reason why no posture brings the arm under the hole; empty if one does. */
 export function whyNot(found: InverseDocument): string {
   if (found.status === "found") return "";
   return found.branches.map((branch) => branch.reason).find((reason) => reason !== "") ?? "out of reach";
 }
 
-/** Brings the arm under a hole; the first of its branches unless one is given. */
+/** Brings the arm under a hole, by its first branch unless another is given. */
 export async function showHole(index: number, branch?: number): Promise<void> {
   inverse.value = null;
   reading.value = null;

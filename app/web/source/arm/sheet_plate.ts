@@ -1,4 +1,4 @@
-// What the arm works under or stands on: the sheet's face with the divider, or a plain floor.
+// Surface above or below the arm: the sheet's face with the divider, or a plain floor.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -20,10 +20,10 @@ import {roundDown125} from "../../../drawing/scales.js";
 import type {SheetModel} from "../sheet/sheet_model";
 import {veil} from "./solids";
 
-/** Pixels across the picture of the holes that lies on the sheet's face. */
+/** Width in pixels of the picture of the holes on the sheet's face. */
 const FACE = 2048;
 
-/** The sheet's lower face; its holes are one picture laid on it, smooth at any angle and cheap for every processor. */
+/** Returns the sheet's lower face; its holes are one texture, smooth at any angle and fast on every processor. */
 export function plateOf(sheet: SheetModel, palette: Palette): Object3D {
   const group = new Group();
   const outline = new Shape();
@@ -81,7 +81,7 @@ function divider(sheet: SheetModel, palette: Palette): Object3D {
   return plate;
 }
 
-/** Without a sheet: the plane that the arm stands on, as a grid. */
+/** Returns the plane of the arm's base as a grid, for a cell without a sheet. */
 export function floorOf(palette: Palette, reach: number): Object3D {
   const points: number[] = [];
   const step = 2 * roundDown125(0.1 * reach),

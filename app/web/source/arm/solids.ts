@@ -1,4 +1,4 @@
-// Meshes of the shapes that a cell file knows, and of the arm's members.
+// Meshes of the shapes of a cell file, and of the arm's members.
 import {
   BoxGeometry,
   BufferGeometry,
@@ -27,14 +27,17 @@ export function vector(triple: Triple): Vector3 {
   return new Vector3(...triple);
 }
 
-/** Lays a geometry that stands along y, one unit long, from a to b. */
+/** Places a geometry of unit length along y between a and b. */
 export function layAlong(object: Object3D, a: Vector3, b: Vector3): void {
   object.position.copy(a).add(b).multiplyScalar(0.5);
   const along = b.clone().sub(a);
   object.quaternion.copy(new Quaternion().setFromUnitVectors(UP, along.lengthSq() > 0 ? along.normalize() : UP));
 }
 
-/** A solid of the file in its own frame; null for half spaces and insides, which are drawn as what bounds the scene. */
+/**
+ * Returns a solid of the file in its own frame; null for half spaces and insides, which are drawn as boundaries of the
+ * scene.
+ */
 export function solidOf(shape: SolidShape, material: Material, units: Units | undefined): Object3D | null {
   const geometry = geometryOf(shape);
   if (!geometry) return null;
@@ -67,7 +70,7 @@ function geometryOf(shape: SolidShape): BufferGeometry | null {
   }
 }
 
-/** An obstacle: filled, with its edges, so that it reads in any light. */
+/** Returns an obstacle, filled and with its edges, visible in any light. */
 export function obstacleOf(
   shape: SolidShape,
   units: Units | undefined,
@@ -80,14 +83,15 @@ export function obstacleOf(
   return solid;
 }
 
-/** Of what is seen through from both sides. */
+/** Returns the material of a transparent, two-sided surface. */
 export function veil(color: string, opacity: number): MeshStandardMaterial {
   return new MeshStandardMaterial({color, opacity, side: DoubleSide, transparent: true, depthWrite: false});
 }
 
 /**
- * The inside of a ball above the arm: the half of it under z = 0, and on the kept side of the divider, that
- * of positive or negative y; all round where `side` is 0. */
+ * Returns the inside of a ball above the arm: the half below z = 0, on the side of the divider with positive or
+ * negative y; on both sides if `side` is 0.
+ */
 export function bowlOf(shape: SolidShape, side: -1 | 0 | 1, colours: {fill: string; edge: string}): Object3D {
   const group = new Group();
   const r = shape.radius ?? 1,
@@ -104,7 +108,9 @@ export function bowlOf(shape: SolidShape, side: -1 | 0 | 1, colours: {fill: stri
   return group;
 }
 
-/** The rim of a round opening whose axis goes through the world's origin, and the light that falls through it. */
+/**
+ * Returns the rim of a round opening whose axis passes through the world's origin, and the light that falls through it.
+ */
 export function openingOf(center: Triple, diameter: number, colours: {edge: string}): Object3D {
   const group = new Group();
   const rim = new TorusGeometry(diameter / 2, 0.03 * diameter, 8, 48);
@@ -115,7 +121,7 @@ export function openingOf(center: Triple, diameter: number, colours: {edge: stri
   return group;
 }
 
-/** Everything that a group holds of the graphics memory is given back. */
+/** Frees the graphics memory of all objects of a group. */
 export function disposeAll(root: Object3D): void {
   root.traverse((object) => {
     const mesh = object as Mesh;

@@ -1,5 +1,5 @@
-// Under the hole, magnified: the hole's rim, the steps of the calibration tool where the tool stands, and how far off it
-// is.
+// Magnified picture below the hole: the hole's rim, the steps of the calibration tool at its place, and the centring
+// error.
 import {useEffect, useRef} from "preact/hooks";
 import {Figures} from "../drawing/panel";
 import {palette, type Palette} from "../drawing/colours";
@@ -13,7 +13,7 @@ import {MarkIcon} from "../drawing/marks";
 import {holeName} from "../sheet/sheet_model";
 import {poseRequest} from "./pose_link";
 
-/** The tool's steps as shares of the hole; none where the cell does not say. */
+/** Returns the tool's steps as shares of the hole; empty if the cell states none. */
 function stepShares(): number[] {
   const document = sheetDocument.peek().document;
   const diameters = document?.tool?.diameters;

@@ -1,4 +1,4 @@
-// Where touches have put the base, and what is left at each of them and between them.
+// The base found from touches, and the residuals at the touches and between them.
 import {isNumber, lengthFigure, short} from "../../../drawing/numbers.js";
 import {MARKED, TOUCH_SIGMAS, valueAndSigma} from "../../../drawing/sigma_text.js";
 import type {CalibrateDocument, Units} from "../server/documents";
@@ -39,11 +39,11 @@ export function BasePose({document, length, angle}: {document: CalibrateDocument
 interface TouchFiguresProps {
   document: CalibrateDocument;
   unit: string;
-  /** On paper sigmas stand beside what they are of: nothing can be pointed at. */
+  /** True on paper, where the sigmas are printed because nothing can be pointed at. */
   hasSigmas?: boolean;
 }
 
-/** What is left at each touch and between them; nothing where no base was fitted. */
+/** Shows the residuals at each touch and between touches; nothing if no base was fitted. */
 export function TouchFigures({document, unit, hasSigmas = false}: TouchFiguresProps) {
   const {residuals = [], distances = []} = document;
   if (residuals.length === 0) return null;
@@ -85,7 +85,7 @@ export function TouchFigures({document, unit, hasSigmas = false}: TouchFiguresPr
   );
 }
 
-/** What is suspected of a touch, below its residual. */
+/** Shows the suspicion about a touch, below its residual. */
 function Suspected({document, touch}: {document: CalibrateDocument; touch: string}) {
   const suspicion = suspicionOf(document, touch);
   if (!suspicion) return null;
@@ -100,7 +100,7 @@ function Suspected({document, touch}: {document: CalibrateDocument; touch: strin
   );
 }
 
-/** An error, marked where it is of many sigmas. */
+/** Shows an error, marked if it is many sigmas. */
 function Left({value, sigma, hasSigma}: {value: number; sigma: number; hasSigma: boolean}) {
   const times = Math.abs(value) / sigma,
     isBad = times > TOUCH_SIGMAS,
@@ -114,7 +114,7 @@ function Left({value, sigma, hasSigma}: {value: number; sigma: number; hasSigma:
   );
 }
 
-/** Values and their sigmas below them, to the digits that those carry. */
+/** Shows values with their sigmas below them, to the digits that the sigmas justify. */
 function FigureRows({name, values, sigmas}: {name: string; values: readonly number[]; sigmas: readonly number[]}) {
   const pairs = values.map((value, k) => valueAndSigma(value, sigmas[k]));
   return (

@@ -1,4 +1,4 @@
-// Where the base stands: its place with sigmas, what is left at each touch, distances, correlations.
+// The calibrated base: its place with sigmas, the residual of each touch, distances, correlations.
 import {Panel} from "../drawing/panel";
 import {fixed, isNumber, short} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
@@ -62,7 +62,7 @@ function FoundBase({document}: {document: CalibrateDocument}) {
   );
 }
 
-/** How the touches fit, or that they place no base. */
+/** Shows the quality of the fit, or that the touches place no base. */
 function FitFigure({document}: {document: CalibrateDocument}) {
   const isBad = document.status !== "done" || isFallingShort(document);
   return (
@@ -105,7 +105,7 @@ function FromNominal({nominal}: {nominal: NonNullable<CalibrateDocument["nominal
   );
 }
 
-/** What stands between backticks as code. */
+/** Shows text between backticks as code. */
 function InCode({text}: {text: string}) {
   return <>{text.split("`").map((part, k) => (k % 2 === 1 ? <code>{part}</code> : part))}</>;
 }

@@ -1,4 +1,4 @@
-// A covariance as the correlations that it holds: squares as large as they are strong, told apart by sign in colour and shape.
+// A covariance as its correlations: squares whose size is the strength, with the sign in colour and shape.
 import {fixed} from "../../../drawing/numbers.js";
 
 const NAMES = ["x", "y", "z", "about x", "about y", "about z"];

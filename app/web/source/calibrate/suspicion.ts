@@ -1,20 +1,19 @@
-// What a calibration suspects of its touches: the one that does not agree with the others, joint readings that were read
-// wrongly.
+// Suspicions of a calibration about its touches: the one that disagrees with the others, and wrong joint readings.
 import {short} from "../../../drawing/numbers.js";
 import type {CalibrateDocument, SuspectReading} from "../server/documents";
 
 export interface Suspicion {
-  /** Whether the others fit without it; else a joint reading of it would explain the misfit. */
+  /** True if the others fit without it; otherwise one of its joint readings would explain the misfit. */
   isOdd: boolean;
   words: string;
 }
 
-/** "theta1 read 0.4 deg too large?" */
+/** Returns "theta1 read 0.4 deg too large?" */
 export function readingWords({joint, off, unit}: SuspectReading): string {
   return `${joint} read ${short(Math.abs(off))} ${unit} too ${off > 0 ? "large" : "small"}?`;
 }
 
-/** What is suspected of a touch; null where nothing is. */
+/** Returns the suspicion about a touch; null if there is none. */
 export function suspicionOf(document: CalibrateDocument | null, touch: string): Suspicion | null {
   if (!document) return null;
   const isOdd = document.odd_touch === touch;

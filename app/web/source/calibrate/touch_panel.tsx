@@ -1,4 +1,4 @@
-// The list of touches: made, proposed, and the hole that is picked; joints are entered or simulated.
+// The list of touches: made, proposed, and the chosen hole; joints are entered or simulated.
 import {submitting, withPoint} from "../drawing/fields";
 import {Icon} from "../drawing/icons";
 import {Panel} from "../drawing/panel";
@@ -66,7 +66,7 @@ export function TouchPanel({model}: {model: SheetModel}) {
   );
 }
 
-/** The base once found, the error that its doubt leaves is worked out anew. */
+/** Calibrates the base, then computes the centring error that its uncertainty leaves. */
 async function calibrate(): Promise<void> {
   if (!(await runJob("Calibrate", "/api/calibrate"))) return;
   const {status} = await get<CalibrateDocument>("/api/results/calibrate");

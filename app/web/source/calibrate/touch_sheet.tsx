@@ -1,4 +1,4 @@
-// The sheet with the holes to touch ringed, over the error that the model leaves at each hole.
+// The sheet with rings at the holes to touch, above the model's error at each hole.
 import {signal} from "@preact/signals";
 import {useCallback, useMemo} from "preact/hooks";
 import {drawRings, strokeLine, TYPEFACE} from "../drawing/canvas";
@@ -85,7 +85,7 @@ export function TouchSheet({model}: {model: SheetModel}) {
   );
 }
 
-/** A cross over a ring, in its colour: a touch that is suspected, told apart without colour too. */
+/** Draws a cross over a ring, in its colour: a suspected touch, recognizable without colour. */
 function crossOver(context: CanvasRenderingContext2D, [x, y]: Place): void {
   const reach = 15;
   for (const side of [-reach, reach]) strokeLine(context, [x - side, y - reach], [x + side, y + reach]);

@@ -1,14 +1,14 @@
-// The page's own canvases: as sharp as the screen, in the page's type.
+// Canvases of the page: at the screen's resolution, in the page's typeface.
 
-/** The family of the page's type, as a canvas's font and a plot's take it. */
+/** Font family of the page, in the form for canvases and plots. */
 export const TYPEFACE = "'IBM Plex Sans Variable', system-ui, sans-serif";
 
-/** Pixels of the canvas for one of the page; more than two cost much and show little. */
+/** Returns the canvas pixels per pixel of the page, at most two, because more cost much and show little. */
 export function pixelRatio(): number {
   return Math.min(2, devicePixelRatio || 1);
 }
 
-/** Sizes a canvas for its place in the page and clears it; what is drawn is in the page's pixels. */
+/** Sizes a canvas for its place in the page and clears it; drawing is in the page's pixels. */
 export function clearedContext(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D {
   const ratio = pixelRatio();
   canvas.width = Math.max(1, Math.round(width * ratio));
@@ -18,7 +18,7 @@ export function clearedContext(canvas: HTMLCanvasElement, width: number, height:
   return context;
 }
 
-/** Rings of one radius, as one stroke of the context's own colour and width. */
+/** Draws rings of one radius as one stroke, in the context's colour and width. */
 export function drawRings(context: CanvasRenderingContext2D, places: Iterable<[number, number]>, radius: number): void {
   context.beginPath();
   for (const [x, y] of places) {
@@ -28,7 +28,7 @@ export function drawRings(context: CanvasRenderingContext2D, places: Iterable<[n
   context.stroke();
 }
 
-/** A line through places, as one stroke of the context's own colour and width. */
+/** Draws a line through places as one stroke, in the context's colour and width. */
 export function strokeLine(context: CanvasRenderingContext2D, ...places: (readonly number[])[]): void {
   context.beginPath();
   for (const [x, y] of places) context.lineTo(x, y);

@@ -1,4 +1,4 @@
-// The page's colours as the canvas needs them, read from the style sheet so that dark, light and print stay in one place.
+// The page's colours for canvases, read from the style sheet, which alone defines dark, light and print.
 import {signal} from "@preact/signals";
 
 type Words<Text extends string> = Text extends `${infer First} ${infer Others}` ? First | Words<Others> : Text;
@@ -24,7 +24,7 @@ type ColourScheme = "auto" | "light" | "dark";
 const KEPT = "tubeplan.scheme";
 const wantsDark = matchMedia("(prefers-color-scheme: dark)");
 
-/** A file that is opened in a frame of its own may ask no browser what it keeps. */
+/** Returns the scheme that this browser has stored; a file in a frame of its own may not access the storage. */
 function keptScheme(): ColourScheme {
   try {
     return (localStorage.getItem(KEPT) as ColourScheme | null) ?? "auto";
@@ -50,7 +50,10 @@ export function chooseScheme(next: ColourScheme): void {
   applyScheme();
 }
 
-/** Paper is white: what is drawn for it is drawn in black on white, or in light colours, and put back afterwards. */
+/**
+ * Follows changes of the colours. For printing, pictures are drawn in black on white, or in light colours, and restored
+ * afterwards.
+ */
 export function followColours(onPaper: "print" | "light" = "print"): void {
   wantsDark.addEventListener("change", applyScheme);
   window.addEventListener("beforeprint", () => {
@@ -61,7 +64,7 @@ export function followColours(onPaper: "print" | "light" = "print"): void {
   applyScheme();
 }
 
-/** The workbench's: as its user chose. */
+/** Follows the colours that the user of the workbench chose. */
 export function followChosenColours(): void {
   scheme.value = keptScheme();
   followColours();

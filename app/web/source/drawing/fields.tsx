@@ -1,4 +1,4 @@
-// Fields of forms: one of several choices, a tick, a text; what is entered goes into a signal or to whoever asks.
+// Fields of forms: a choice, a tick box, a text; input is stored in a signal or passed to a callback.
 import type {Signal} from "@preact/signals";
 import type {ComponentChildren, ComponentProps} from "preact";
 import type {Choice} from "./segments";
@@ -8,7 +8,7 @@ interface SelectProps<T> {
   choices: readonly Choice<T>[];
   value: T;
   onChoose: (value: T) => void;
-  /** Before the choices are looked at. */
+  /** Called before the choices open. */
   onOpen?: () => void;
 }
 
@@ -46,7 +46,7 @@ export function Check({of, title, kind = "check", children}: CheckProps) {
 
 interface TextProps extends Omit<ComponentProps<"input">, "value" | "onInput"> {
   of: Signal<string>;
-  /** After every change. */
+  /** Called after every change. */
   onEdit?: () => void;
 }
 
@@ -58,14 +58,14 @@ export function TextInput({of, onEdit, ...others}: TextProps) {
   return <input {...others} value={of.value} spellcheck={false} onInput={(event) => edit(event.currentTarget.value)} />;
 }
 
-/** A set with one more, or one less where it was there. */
+/** Returns a set with the entry added, or removed if it was present. */
 export function toggled<T>(set: ReadonlySet<T>, entry: T): ReadonlySet<T> {
   const next = new Set(set);
   if (!next.delete(entry)) next.add(entry);
   return next;
 }
 
-/** Does what a form is for, instead of what browsers do with forms. */
+/** Returns a submit handler that runs `act` instead of the browser's own submission. */
 export function submitting(act: (form: HTMLFormElement) => unknown) {
   return (event: SubmitEvent & {currentTarget: HTMLFormElement}) => {
     event.preventDefault();
@@ -73,7 +73,7 @@ export function submitting(act: (form: HTMLFormElement) => unknown) {
   };
 }
 
-/** A number as it is typed with a point or a comma. */
+/** Returns the text of a number with a decimal point, typed with a point or a comma. */
 export function withPoint(text: string): string {
   return text.trim().replace("−", "-").replace(",", ".");
 }

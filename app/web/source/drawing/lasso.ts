@@ -1,8 +1,8 @@
-// A loop drawn by hand over a picture, and what lies within it. A click stays a click.
+// A lasso drawn over a picture, and the points within it. A click remains a click.
 
 export type Loop = [number, number][];
 
-/** Whether a point lies within the loop, closed by its own ends. */
+/** Returns true if a point is within the loop, which is closed by its own ends. */
 export function isInside(loop: readonly (readonly [number, number])[], x: number, y: number): boolean {
   let inside = false;
   for (let i = 0, j = loop.length - 1; i < loop.length; j = i++) {
@@ -13,7 +13,7 @@ export function isInside(loop: readonly (readonly [number, number])[], x: number
   return inside;
 }
 
-/** From so many pixels on it is a loop. */
+/** Least extent of a loop in pixels. */
 const LEAST = 6;
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -26,8 +26,8 @@ function makeOutline(): {picture: SVGSVGElement; line: SVGPolygonElement} {
 }
 
 /**
- * Follows a pointer that draws a loop over an element and tells it when the pointer is let go, in the element's pixels;
- * with Shift it adds to what is picked. The outline is drawn in `stage`, which must lie where the element does.
+ * Follows a pointer that draws a loop over an element, and reports the loop on release, in the element's pixels; with
+ * Shift the loop adds to the selection. The outline is drawn in `stage`, which must cover the element.
  */
 export function followLasso(
   element: HTMLElement,

@@ -1,4 +1,4 @@
-// Marks on the page's canvases and beside text; their outlines are those of the reports.
+// Marks on the page's canvases and next to text, with the outlines used in reports.
 import type {ColourName} from "./colours";
 import {hollowPath, outlineOf, type Shape} from "../../../drawing/shapes.js";
 
@@ -16,10 +16,10 @@ interface Paths {
 }
 
 const made = new Map<string, Paths>();
-/** Radii change while a sheet is zoomed: what was made for others is forgotten then. */
+/** Maximum number of cached radii; zooming changes the radius, and a full cache is emptied. */
 const MOST_MADE = 64;
 
-/** Its paths about the origin, made once for each radius. */
+/** Returns the shape's paths about the origin, cached for each radius. */
 function pathsOf(shape: Shape, r: number): Paths {
   const key = `${shape} ${r}`;
   const known = made.get(key);
@@ -31,7 +31,7 @@ function pathsOf(shape: Shape, r: number): Paths {
   return paths;
 }
 
-/** Draws a mark of radius r about (x, y); fill and stroke are the context's own. */
+/** Draws a mark of radius r about (x, y); fill and stroke are those of the context. */
 export function drawMark(context: CanvasRenderingContext2D, shape: Shape, x: number, y: number, r: number): void {
   const {fill, line, width} = pathsOf(shape, r);
   context.translate(x, y);
@@ -43,7 +43,7 @@ export function drawMark(context: CanvasRenderingContext2D, shape: Shape, x: num
   context.translate(-x, -y);
 }
 
-/** The outline of one mark at many places; thousands of paths made of text would take twice as long and more. */
+/** Returns the outline of one mark at many places; thousands of paths from text would take more than twice as long. */
 export function marksPath(shape: Shape, places: Iterable<readonly [number, number]>, r: number): Path2D {
   const one = new Path2D(hollowPath(shape, 0, 0, r)),
     all = new Path2D();
@@ -59,7 +59,7 @@ interface MarkAtProps {
   isHollow?: boolean;
 }
 
-/** A mark about a place in an SVG picture; a hollow one has a line where it would be filled. */
+/** Mark at a place in an SVG picture; a hollow one is outlined and not filled. */
 export function MarkAt({mark, x, y, r, isHollow = false}: MarkAtProps) {
   const colour = `var(--${mark.colour})`;
   if (isHollow) return <path d={hollowPath(mark.shape, x, y, r)} fill="none" stroke={colour} stroke-width={0.28 * r} />;
@@ -72,7 +72,7 @@ export function MarkAt({mark, x, y, r, isHollow = false}: MarkAtProps) {
   );
 }
 
-/** A mark as a small picture beside text. */
+/** Mark as a small picture next to text. */
 export function MarkIcon({mark, size = 14, isHollow = false}: {mark: Mark; size?: number; isHollow?: boolean}) {
   return (
     <svg class="mark" width={size} height={size} viewBox="0 0 16 16" aria-hidden="true" stroke-linejoin="round">

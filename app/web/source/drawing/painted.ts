@@ -1,8 +1,8 @@
-// A canvas that is painted at every size of its place, and with every change of what it shows.
+// A canvas that is painted at every change of its size and of its inputs.
 import type {RefObject} from "preact";
 import {useLayoutEffect} from "preact/hooks";
 
-/** Paints with every change of `inputs`, colours among them, at once, so that paper has its own. */
+/** Paints at every change of `inputs`, including colours, at once, so that print has its own colours. */
 export function usePainted(
   canvas: RefObject<HTMLCanvasElement>,
   paint: (canvas: HTMLCanvasElement) => void,

@@ -1,15 +1,15 @@
-// A panel of a view: its head with what stands at the end of it, and its body; figures as names with their values.
+// A panel of a view: its head with elements at the end, and its body; figures as names with values.
 import type {ComponentChildren} from "preact";
 
 interface PanelProps {
   title?: ComponentChildren;
-  /** What else stands in the head, after the title and at its end; without title, head and end there is no head. */
+  /** Further content of the head, after the title and at its end; without title, head and end there is no head. */
   head?: ComponentChildren;
   end?: ComponentChildren;
   /** Further classes of the panel and of its body. */
   kind?: string;
   body?: string;
-  /** What the body is to those who do not see it. */
+  /** Accessibility role of the body. */
   role?: "tabpanel";
   children?: ComponentChildren;
 }

@@ -1,10 +1,10 @@
-// Series of uPlot as marks of their own shape instead of lines.
+// Series of uPlot drawn as marks of their own shape instead of lines.
 import uPlot from "uplot";
 import {marksPath, type Mark} from "./marks";
 
 export interface MarkLook {
   isHollow?: boolean;
-  /** Whether the mark of a row is drawn; all are without it. */
+  /** Returns true if the mark of a row is drawn; without it all are. */
   isDrawn?: (row: number) => boolean;
 }
 
@@ -23,7 +23,7 @@ export function markPaths(mark: Mark, colour: string, look: MarkLook = {}): uPlo
   };
 }
 
-/** Where a series has values, in the canvas's pixels. */
+/** Yields the places of a series' values, in the canvas's pixels. */
 function* placesOf(
   plot: uPlot,
   series: number,

@@ -1,4 +1,4 @@
-// A row of choices of which one holds: one tab stop, arrow keys within.
+// A row of exclusive choices: one tab stop, arrow keys within.
 
 export interface Choice<T> {
   value: T;
@@ -6,8 +6,10 @@ export interface Choice<T> {
   hint?: string;
 }
 
-/** Follows keys from button to button within an element, each to be taken as it is come to; at an end round to the other,
- * or not. */
+/**
+ * Moves the focus from button to button within an element by keys, and chooses each focused one; `isRound` continues
+ * from one end at the other.
+ */
 export function roving(keys: Record<string, 1 | -1>, isRound = true) {
   return (event: KeyboardEvent) => {
     const by = keys[event.key];
@@ -33,7 +35,7 @@ interface SegmentsProps<T> {
   onChoose: (value: T) => void;
 }
 
-/** Without a value (`undefined`) the buttons are commands side by side. */
+/** Buttons side by side, one of them chosen. Without a value (`undefined`) they are commands. */
 export function Segments<T extends string | number>({label, choices, value, onChoose}: SegmentsProps<T>) {
   const hasValue = choices.some((choice) => choice.value === value);
   return (
@@ -54,7 +56,7 @@ export function Segments<T extends string | number>({label, choices, value, onCh
   );
 }
 
-/** Pairs of value and words as choices. */
+/** Returns pairs of value and words as choices. */
 export function choicesOf<T>(pairs: readonly (readonly [T, string])[]): Choice<T>[] {
   return pairs.map(([value, words]) => ({value, words}));
 }

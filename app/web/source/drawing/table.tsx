@@ -2,7 +2,7 @@
 import type {ComponentChildren} from "preact";
 import {MISSING} from "../../../drawing/numbers.js";
 
-/** A cell is text, an element, or null for what is missing; columns in `text` are no numbers. */
+/** Content of a table. A cell is text, an element, or null for a missing value; columns in `text` hold no numbers. */
 export interface TableProps {
   heads: readonly ComponentChildren[];
   rows: readonly (readonly ComponentChildren[])[];

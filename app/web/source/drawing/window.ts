@@ -1,12 +1,12 @@
-// Long lists of which only the rows in sight are in the page, so that thousands cost nothing.
+// Long lists of which the page contains only the visible rows, so that thousands cost nothing.
 import {useSignal} from "@preact/signals";
 import type {RefObject} from "preact";
 import {useEffect} from "preact/hooks";
 
-/** Rows above and below those in sight that are there too. */
+/** Number of additional rows above and below the visible ones. */
 const MORE = 8;
 
-/** Of `count` rows, each so high in pixels, those that a box shows: from the first to before the last. */
+/** Returns the visible rows of `count` rows, each `high` pixels high: from `first` up to and without `last`. */
 export function useWindow(box: RefObject<HTMLElement>, count: number, high: number): {first: number; last: number} {
   const top = useSignal(0),
     height = useSignal(400);

@@ -1,11 +1,12 @@
-// The catalogue by kinds: each with its law, its numbers and where it can be on this arm, and what these readings say of it.
+// The catalogue by kinds: each with its law, its numbers, its possible places on this arm, and the information of the
+// readings on it.
 import type {CatalogueDocument, DiagnoseDocument, ConfoundingDocument} from "../server/documents";
 
 export interface EffectPlace {
   at: string;
-  /** Share of what it does that no fitted number can do; null without readings. */
+  /** Share of its displacement that no fitted number can reproduce; null without readings. */
   kept: number | null;
-  /** The least size that would have been seen, in words of number and unit; null where it was not asked. */
+  /** Least detectable size, as number and unit; null if it was not computed. */
   least: {number: string; size: number | null; unit: string; isBeyondUsual: boolean} | null;
   confounded: {effect: string; at: string; share: number}[];
 }
@@ -47,7 +48,7 @@ export function kindsOf(
   return [...kinds.values()];
 }
 
-/** Words are looked for in the name, what it is, the law and the places; all must be there. */
+/** Returns the kinds that contain all words of the text in name, description, law or places. */
 export function filteredKinds(kinds: readonly EffectKind[], text: string): EffectKind[] {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
   return kinds.filter((kind) => {

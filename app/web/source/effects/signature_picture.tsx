@@ -1,4 +1,4 @@
-// What an effect does to the tip of this arm, drawn against what it follows.
+// The displacement of this arm's tip by an effect, drawn against the variable that it follows.
 import {plainUnit, tickTexts} from "../../../drawing/numbers.js";
 import {roundTicks} from "../../../drawing/scales.js";
 import type {SignatureDocument} from "../server/documents";
@@ -12,7 +12,7 @@ const WIDTH = 420,
   BOTTOM = 34;
 
 export function SignaturePicture({effect, at}: {effect: string; at: string}) {
-  // The laws stand without their picture.
+  // The laws are shown even without their picture.
   const shown = useAnswer<SignatureDocument>(
     `/api/signature?effect=${encodeURIComponent(effect)}&at=${encodeURIComponent(at)}`,
   ).document;

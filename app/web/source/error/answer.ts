@@ -1,4 +1,4 @@
-// What is known of the model as it is now: the newest verdict, or how the last change has changed the error.
+// Conclusion on the present model: the newest verdict, or the change of the error by the last change of the model.
 import {computed} from "@preact/signals";
 import {verdictMark} from "../../../drawing/kinds.js";
 import {short} from "../../../drawing/numbers.js";
@@ -19,19 +19,19 @@ function answerOf({verdict, verdict_words}: {verdict: string; verdict_words?: st
   return {words: verdict_words ?? verdict, mark: verdictMark(verdict), items: items.map(pageWords)};
 }
 
-/** What the top of the view says: of the newest document about the model as it is now. */
+/** Sentence at the top of the view, from the newest document about the present model. */
 export const answer = computed<Answer | null>(() => {
   const diagnosed = currentDiagnosis.value,
     compared = currentComparison.value;
   if (diagnosed) return answerOf(diagnosed, verdictItems(diagnosed));
   const fallen = fallOfError();
-  // The comparison's first sentence says the error, as the fall does: its reasons follow.
+  // The comparison's first sentence states the error, which the change states too; its reasons follow.
   if (fallen && compared && compared.verdict !== "adequate")
     return answerOf(compared, [...fallen.items, ...verdictItems(compared).slice(1)]);
   return fallen ?? (compared ? answerOf(compared, verdictItems(compared)) : null);
 });
 
-/** How the last change of the model has changed the error, where the ladder knows. */
+/** Returns the change of the error by the last change of the model, if the ladder contains it. */
 function fallOfError(): Answer | null {
   const document = ladder.value.document;
   if (!document || document.model !== state.value?.model || document.models.length < 2 || !state.value.can_undo)

@@ -15,31 +15,31 @@ import type {Vector3} from "../server/documents";
 export interface ArrowsLook {
   errors: ErrorPair | null;
   plane: Plane;
-  /** Of the errors. */
+  /** Unit of the errors. */
   unit: string;
-  /** Under the arrows, in the plane that it lies across; null where the cell has none. */
+  /** Sheet drawn under the arrows, in its own plane; null if the cell has none. */
   sheet: SheetModel | null;
-  /** Ids of readings that are drawn in any case. */
+  /** Ids of readings that are always drawn. */
   picked?: ReadonlySet<string>;
-  /** The one series that is drawn; all are without it, and their scale is that of all. */
+  /** Index of the only series drawn; undefined draws all, with a common scale. */
   only?: number;
 }
 
-/** Where each reading's place is, in pixels. */
+/** Place of each reading on the screen, in pixels. */
 export type PlacesOnScreen = ([number, number] | null)[];
 
-/** The length on screen of an error that few are beyond, in pixels. */
+/** Length on the screen of an error that few exceed, in pixels. */
 const LONG = 42;
 
-/** The length on screen of the ruler of places, at most, in pixels. */
+/** Maximum length on the screen of the ruler of places, in pixels. */
 const LONGEST_RULER = 90;
 
-/** The sheet lies across the world's z. */
+/** Returns true if the plane is parallel to the sheet, normal to the world's z. */
 export function isOverSheet({axes}: Plane): boolean {
   return axes[0] === 0 && axes[1] === 1;
 }
 
-/** Draws them; where each reading's place is, in pixels. */
+/** Draws the arrows. Returns the place of each reading, in pixels. */
 export function drawArrows(canvas: HTMLCanvasElement, look: ArrowsLook, colours: Palette): PlacesOnScreen {
   const {errors, plane: which, unit, sheet: onPlate, picked, only} = look;
   const {clientWidth: width, clientHeight: height} = canvas.parentElement!;
@@ -75,7 +75,7 @@ export function drawArrows(canvas: HTMLCanvasElement, look: ArrowsLook, colours:
   return shown;
 }
 
-/** An error as a dot at its place and an arrow from there; hollow before, full after, as marks are. */
+/** Draws an error as a dot at its place and an arrow; hollow before, full after, as marks are. */
 function drawError(
   context: CanvasRenderingContext2D,
   at: [number, number],
@@ -91,7 +91,7 @@ function drawError(
 interface Frame {
   camera: Camera;
   size: Size;
-  /** -1 where the sheet is seen from below: +x points left, as in the sheet's own picture. */
+  /** -1 if the sheet is seen from below: +x points left, as in the sheet's own picture. */
   sign: number;
   at: (place: Vector3) => [number, number];
 }
@@ -99,7 +99,7 @@ interface Frame {
 const BESIDE_SHEET = {left: 12, right: 12, top: 12, bottom: 12};
 const BESIDE_PLACES = {left: 45, right: 45, top: 30, bottom: 30};
 
-/** Fits the places, or the whole sheet where the cell has one. */
+/** Returns a frame that fits the places, or the whole sheet if the cell has one. */
 function makeFrame(which: Plane, places: Vector3[], onSheet: SheetModel | null, size: Size): Frame {
   const sign = onSheet?.viewingSide === "below" ? -1 : 1;
   const drawn = (place: Vector3): [number, number] => {
@@ -143,7 +143,7 @@ function drawScale({context, colours, width, height}: Canvas, unit: string, larg
   context.textAlign = "left";
 }
 
-/** A round length of the places, beside the axes. */
+/** Draws a ruler of round length for the places, next to the axes. */
 function drawRuler({context, height}: Canvas, scale: number, unit: string): void {
   const length = roundDown125(LONGEST_RULER / scale),
     x = 84,

@@ -1,4 +1,4 @@
-// What could be missing: the answer with its Add, then every effect that was tried, most probable first.
+// Possibly missing effects: the answer with its Add button, then every tried effect, most probable first.
 import {
   effectTitle,
   explanationsOf,
@@ -53,7 +53,7 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
   );
 }
 
-/** Whether the model as it is now has this effect. */
+/** Returns true if the present model has this effect. */
 function hasEffect(effect: EffectAt): boolean {
   return currentModel.value?.effects.some((own) => own.effect === effect.effect && own.at === effect.at) ?? false;
 }
@@ -126,7 +126,7 @@ function AddButton({explanation}: {explanation: Shown}) {
   );
 }
 
-/** Adds a ranked effect, unless the model has it. */
+/** Button that adds a ranked effect, unless the model has it. */
 function RankedAction({row: {entry: effect, title}}: {row: RankedRow}) {
   if (hasEffect(effect)) return <span class="good">✓</span>;
   return (

@@ -1,4 +1,5 @@
-// What could be missing, what would tell explanations apart, a formula of one's own, and the fitted numbers.
+// Possibly missing effects, readings that would distinguish explanations, the user's own formula, and the fitted
+// numbers.
 import {signal} from "@preact/signals";
 import {plural} from "../../../drawing/numbers.js";
 import {Panel} from "../drawing/panel";

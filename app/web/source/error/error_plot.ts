@@ -33,7 +33,7 @@ interface MadePlot {
   words: string;
 }
 
-/** How the plot looks: the end of the scale of errors where it is shared with another, and brief where two stand side by side. */
+/** Style of the plot: the end of a scale of errors shared with another plot, and `brief` for plots side by side. */
 interface PlotLook {
   colours: Palette;
   most: number | null;
@@ -70,7 +70,7 @@ export function makePlot(errors: ErrorPair, view: View, look: PlotLook): MadePlo
   };
 }
 
-/** The readings that have the variable, from left to right. */
+/** Returns the readings that have the variable, from left to right. */
 function plotRows(errors: ErrorPair, isLevel: boolean, xs: readonly (number | undefined)[]): PlotRow[] {
   return xs
     .flatMap((x, index) =>

@@ -1,4 +1,4 @@
-// Where the model fails: the errors at their places, as those of each joint, or every reading as a row.
+// Evidence of the model's failure: the errors at their places, per joint, or as one row for each reading.
 import {signal} from "@preact/signals";
 import {choicesOf} from "../drawing/segments";
 import {Tabs} from "../drawing/tabs";

@@ -1,5 +1,5 @@
-// What the plot of the errors opens on: where the chosen cause shows, else what the pattern search found, else what the
-// unexplained remainder follows. A choice by hand holds until other errors are shown.
+// Initial choice of the plot of the errors: the variable of the chosen cause, else the finding of the pattern search,
+// else the variable that the unexplained remainder follows. A manual choice holds until other errors are shown.
 import {computed, effect, signal} from "@preact/signals";
 import {cell, units} from "../server/workbench";
 import {leverage} from "./leverage";
@@ -49,7 +49,7 @@ export const suggestedView = computed<View | null>(() => {
   );
 });
 
-/** A law to begin with where no known effect explains the error: an error of the joint that follows the variable most. */
+/** Initial formula if no known effect explains the error: an error of the joint that follows the variable most. */
 export const suggestedFormula = computed(() => {
   const errors = readingErrors.value,
     view = suggestedView.value;
@@ -64,13 +64,13 @@ function lawOf({key, kind}: Variable): string {
   return kind === "joint" ? `c*sin(${key}) + d*cos(${key})` : `c*${key}`;
 }
 
-/** Where the explanation that stands beside the drawn one shows. */
+/** View of the explanation that is drawn next to the main one. */
 export const viewBeside = computed<View | null>(() => {
   const errors = errorsBeside.value;
   return errors ? (viewOfPair(errors, variables.value, parts.value) ?? suggestedView.value) : null;
 });
 
-// ---- a choice by hand
+// ---- manual choice
 
 export const chosenVariable = signal("");
 export const chosenPart = signal("");

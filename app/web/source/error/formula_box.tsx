@@ -1,4 +1,4 @@
-// An effect of one's own as a formula: tried means added, fitted and set beside the others; undo takes it back.
+// A user's own effect as a formula: trying it adds it, fits it and shows it with the others; undo removes it.
 import {signal, useSignal} from "@preact/signals";
 import {effectTitle} from "../../../drawing/explanations.js";
 import type {CatalogueDocument} from "../server/documents";
@@ -9,7 +9,7 @@ import {ProblemWords} from "../shell/states";
 import {cell, runningJob, units} from "../server/workbench";
 import {addEffects, addFormula} from "./loop";
 
-/** Kept over changes of view. */
+/** Kept when the view changes. */
 export const formulaText = signal("");
 
 export function FormulaBox() {
@@ -44,7 +44,7 @@ export function FormulaBox() {
   );
 }
 
-/** Every effect of the catalogue at every place of this arm, to add without being asked. */
+/** Menu of every effect of the catalogue at every place of this arm, to add without a proposal. */
 function CatalogueMenu() {
   const isWanted = useSignal(false),
     chosen = useSignal(-1);

@@ -1,4 +1,4 @@
-// Joint by joint: small pictures of the error as that of each joint, the loudest framed. One look says where.
+// Joint by joint: small pictures of the error expressed as an error of each joint, with the largest framed.
 import {useMemo, useRef} from "preact/hooks";
 import {clearedContext, strokeLine} from "../drawing/canvas";
 import {palette, type Palette} from "../drawing/colours";
@@ -19,12 +19,15 @@ import {SeriesLegend} from "./series_legend";
 interface JointGridProps {
   errors: ErrorPair;
   multiples: readonly Multiple[];
-  /** The panel that is shown large, and what a click on one does; pictures alone without. */
+  /**
+   * True for the panel that is shown large, and the action of a click on a panel; without them the pictures are
+   * passive.
+   */
   isShown?: (multiple: Multiple) => boolean;
   onChoose?: (multiple: Multiple) => void;
 }
 
-/** A row for each joint, a column for each kind of variable. */
+/** Grid with a row for each joint, a column for each kind of variable. */
 export function JointGrid({errors, multiples, isShown, onChoose}: JointGridProps) {
   const loud = loudest(multiples);
   const most = useMemo(() => multiplesScale(multiples, errors), [multiples, errors]);

@@ -1,12 +1,12 @@
-// The ladder of errors as figures: its models, and whether a model is accepted.
+// The ladder of errors as figures: its models, and their acceptance.
 import {modelNames, type ComparedModel as BareModel} from "../../../drawing/ladder.js";
 import {errorUnit, idsSetAside} from "../../../drawing/error_budget.js";
 import type {CompareDocument, DiagnoseDocument, LadderDocument} from "../server/documents";
 
 export interface ComparedModel extends BareModel {
-  /** The largest error: held out, else fitted. */
+  /** Largest error: held-out, else fitted. */
   worst: number | null;
-  /** Of so many holes, in how many every step of the tool would go in; null where there is no sheet. */
+  /** Number of holes, and of those in which every step of the tool would enter; null without a sheet. */
   centred: {holes: number; all: number} | null;
 }
 
@@ -31,7 +31,7 @@ export function ladderOf(document: LadderDocument): Ladder {
   };
 }
 
-/** Of a comparison or a diagnosis alone: the model as it stands, refitted, and with each explanation. */
+/** Returns the ladder of one comparison or diagnosis: the given model, the refitted one, and with each explanation. */
 export function ladderOfOne(document: CompareDocument | DiagnoseDocument): Ladder {
   return {
     models: (document.ladder ?? []).map((model) => ({
@@ -46,12 +46,12 @@ export function ladderOfOne(document: CompareDocument | DiagnoseDocument): Ladde
   };
 }
 
-/** The rows of a diagnosis that are the diagnosed model, as it stands and refitted. */
+/** Rows of a diagnosis for the diagnosed model, as given and refitted. */
 const DIAGNOSED_ROWS = 2;
 
 /**
- * The models up to the diagnosed one, with the figures that its verdict is of. Where the diagnosis sets other readings
- * aside than the ladder, its own rows alone are of its readings.
+ * Returns the models up to the diagnosed one, with the figures of its verdict. If the diagnosis excludes other readings
+ * than the ladder, only its own rows are used, because they share its readings.
  */
 export function ladderOfDiagnosis(climbed: LadderDocument | null, diagnosed: DiagnoseDocument): Ladder {
   const own = ladderOfOne(diagnosed);
@@ -66,7 +66,7 @@ export function ladderOfDiagnosis(climbed: LadderDocument | null, diagnosed: Dia
 
 export type Acceptance = "accepted" | "in part" | "rejected";
 
-/** A model against a tolerance: by its errors on readings that it has not seen, where there are any. */
+/** Returns the acceptance of a model at a tolerance, by its held-out errors if there are any. */
 export function acceptanceOf(model: ComparedModel, tolerance: number | null): Acceptance | null {
   const rms = model.heldout ?? model.fitted;
   if (tolerance === null || rms === null || model.worst === null) return null;

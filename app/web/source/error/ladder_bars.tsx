@@ -1,4 +1,4 @@
-// The ladder: the error of each model, fitted and held out, falling towards the noise floor.
+// The ladder: the error of each model, fitted and held-out, down to the noise floor.
 import {signal} from "@preact/signals";
 import {cell} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
@@ -7,7 +7,7 @@ import {ladderOf, ladderOfDiagnosis, ladderOfOne, type Ladder} from "./ladder";
 import {LadderRows, MARKS_IN_WORDS} from "./ladder_rows";
 import {compare, currentDiagnosis, ladder} from "./loop";
 
-// ---- the tolerance: the user's, one for each cell, kept in this browser
+// ---- the tolerance, chosen by the user for each cell and kept in this browser
 
 const KEPT = "tubeplan.tolerance";
 const typed = signal(keptObject<string>(KEPT));
@@ -26,7 +26,7 @@ function setTolerance(text: string): void {
 
 // ---- the bars
 
-/** Of the document that the verdict is of, so that its figures are those of the bars. */
+/** Returns the ladder of the verdict's own document, so that its figures agree with the bars. */
 function shownLadder(): Ladder | null {
   const climbed = ladder.value.document,
     diagnosed = currentDiagnosis.value;

@@ -5,9 +5,9 @@ import {type Acceptance, acceptanceOf, type ComparedModel, type Ladder} from "./
 
 interface LadderRowsProps {
   ladder: Ladder;
-  /** The tolerance; null without one. */
+  /** Tolerance; null without one. */
   limit?: number | null;
-  /** The model that the others stand back behind; without one none does. */
+  /** Model in the foreground; undefined emphasizes none. */
   now?: number;
 }
 
@@ -42,7 +42,7 @@ export function LadderRows({ladder: {models, floor, unit}, limit = null, now}: L
   );
 }
 
-/** The sign of each, what it says of a model, and what is within the tolerance then. */
+/** Sign of each acceptance, its meaning for a model, and the errors that are within the tolerance. */
 const MARKS: Record<Acceptance, {sign: string; words: string; within: string}> = {
   accepted: {sign: "✓", words: "accepted: no error is beyond the tolerance", within: "every error"},
   "in part": {
@@ -60,7 +60,7 @@ export const MARKS_IN_WORDS = Object.values(MARKS)
   .map(({sign, within}) => `${sign} ${within}`)
   .join(", ");
 
-/** What a model is called, whether it is accepted, and what it is worth under the sheet. */
+/** Name of a model, its acceptance, and the holes that the tool enters with it. */
 function ModelName({model, limit}: {model: ComparedModel; limit: number | null}) {
   const acceptance = acceptanceOf(model, limit);
   return (

@@ -1,5 +1,5 @@
-// How far joints take the tip at the readings, asked of the program while errors are looked at: of every joint, and of
-// the axes that the found causes turn.
+// Leverage of the joints on the tip at the readings, requested while errors are shown: of every joint, and of the axes
+// on which the found causes act.
 import {computed} from "@preact/signals";
 import type {EffectAt, LeverageDocument} from "../server/documents";
 import {answerTo} from "../server/answers";

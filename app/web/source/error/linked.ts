@@ -1,17 +1,17 @@
-// What the pictures of the error view share: the reading pointed at, and those selected to be set aside.
+// State shared by the pictures of the error view: the pointed reading, and the readings selected to be set aside.
 import {effect, signal} from "@preact/signals";
 import {readingErrors} from "./residuals";
 
-/** What a loop in a picture selects; with Shift, beside what is selected already. */
+/** Selects the readings of a lasso; with Shift in addition to the present selection. */
 export function selectReadings(ids: Iterable<string>, isMore: boolean): void {
   selectedReadings.value = new Set(isMore ? [...selectedReadings.peek(), ...ids] : ids);
 }
 
-/** Ids; "" where none is pointed at. */
+/** Id of the pointed reading; "" for none. */
 export const pointed = signal("");
 export const selectedReadings = signal<ReadonlySet<string>>(new Set());
 
-// Errors that are drawn anew have other places; what was selected of those before stays selected, where it is still here.
+// New errors have other places; the former selection is kept for readings that still exist.
 effect(() => {
   const here = new Set((readingErrors.value?.readings ?? []).map(({id}) => id));
   const picked = selectedReadings.peek(),
@@ -20,5 +20,5 @@ effect(() => {
   if (kept.length < picked.size) selectedReadings.value = new Set(kept);
 });
 
-/** Of the ring about a reading that is selected, in the page's pixels. */
+/** Radius of the ring about a selected reading, in the page's pixels. */
 export const SELECTED_RADIUS = 5;

@@ -1,4 +1,4 @@
-// The loop as orders to the program: compare, diagnose, add, and what the page does of itself in between.
+// The calibration loop as requests to the program: compare, diagnose, add, and the page's automatic steps between them.
 import {computed, effect} from "@preact/signals";
 import type {
   CompareDocument,
@@ -16,7 +16,7 @@ export const diagnose = result<DiagnoseDocument>("diagnose");
 export const identify = result<IdentifyDocument>("identify");
 export const ladder = result<LadderDocument>("ladder");
 
-/** Documents that speak of the model as it is now; those of another are kept, but say nothing of this one. */
+/** Diagnosis of the present model; those of other models are kept but not shown. */
 export const currentDiagnosis = computed(() => {
   const document = diagnose.value.document;
   return document && document.model === state.value?.model ? document : null;
@@ -26,13 +26,13 @@ export const currentComparison = computed(() => {
   return document && document.model === state.value?.model ? document : null;
 });
 
-/** Compares; the ladder, where it does not yet end at this model, comes first. */
+/** Compares; includes the ladder if it does not yet end at this model. */
 export async function startCompare(): Promise<void> {
   const hasLadder = state.value?.results.ladder?.model === state.value?.model;
   await runJob("Compare", "/api/compare", {ladder: !hasLadder});
 }
 
-// Readings that the program was started with are compared as soon as somebody looks.
+// Readings given at the program's start are compared when the view is first opened.
 let isFirst = true;
 effect(() => {
   const now = state.value;
@@ -51,19 +51,23 @@ async function compareAtOnce(): Promise<void> {
   }
 }
 
-/** A comparison under way gives way to a change of the readings; other work on them is not stopped unasked. */
+/**
+ * A running comparison is stopped by a change of the readings; other jobs on them are not stopped without a request.
+ */
 export const areChangeable = computed(() => runningJobs.value.every((job) => job.kind === "compare"));
 
-/** The readings here are marked, or taken otherwise. The answer is the state after it: what is asked next is asked of that. */
+/**
+ * Marks the readings or reads them otherwise. The answer is the state after the change, and later requests refer to it.
+ */
 export async function changeReadings(title: string, change: () => Promise<WorkbenchState>): Promise<boolean> {
   await stopJobs("compare");
   return attempt(title, async () => takeState(await change()));
 }
 
-/** Kinds of jobs whose answer is of the readings. */
+/** Kinds of jobs whose answer depends on the readings. */
 export const WORK_ON_READINGS = ["compare", "ladder", "diagnose", "identify", "add", "remove"];
 
-/** Other readings are here: what is being found out from those before is not asked for any more. */
+/** Stops jobs on the former readings after a change of the readings. */
 export function stopWorkOnReadings(): Promise<void> {
   return stopJobs(...WORK_ON_READINGS);
 }
@@ -72,13 +76,13 @@ export function startDiagnose(): Promise<boolean> {
   return runJob("Diagnose", "/api/diagnose", {effects: 3, next: 6});
 }
 
-/** Adds effects, refits, and looks at what is left. */
+/** Adds effects, refits, and compares the result. */
 export async function addEffects(effects: EffectAt[]): Promise<void> {
   const causes = effects.map(({effect, at, add}) => add ?? `${effect}@${at}`);
   if (await runJob("Add", "/api/add", {causes})) await startCompare();
 }
 
-/** Takes effects out of the model, or holds numbers (free@NAME) that were fitted; refits, and looks at what is left. */
+/** Removes effects from the model, or holds numbers (free@NAME) that were fitted; refits, and compares the result. */
 export async function removeCauses(causes: string[]): Promise<void> {
   if (await runJob("Switch off", "/api/remove", {causes})) await startCompare();
 }

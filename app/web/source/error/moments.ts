@@ -1,10 +1,10 @@
-// The moments about the arm's rows at the readings, asked of the program while errors are looked at.
+// The moments about the arm's rows at the readings, requested while errors are shown.
 import type {MomentsDocument} from "../server/documents";
 import {answerTo} from "../server/answers";
 import {report, state} from "../server/workbench";
 import {view} from "../shell/page_state";
 
-/** What hangs on the readings, as their comparison has them, and on the model; null while nobody looks. */
+/** Returns a key that changes with the compared readings and with the model; null while the view is closed. */
 export function readingsKey(): string | null {
   const now = state.value;
   if (!now?.measurements || view.value !== "error") return null;

@@ -1,4 +1,4 @@
-// One button: what an engineer would do next.
+// One button: the next step that an engineer would take.
 import type {ComponentChildren} from "preact";
 import {useEffect, useRef} from "preact/hooks";
 import {briefTitle} from "../../../drawing/explanations.js";
@@ -18,7 +18,7 @@ interface Step {
   act: () => unknown;
   title?: string;
   isOff?: boolean;
-  /** Nothing calls for it: it may be done all the same. */
+  /** True for a step that is possible but not called for. */
   isQuiet?: boolean;
 }
 
@@ -26,7 +26,7 @@ export function NextStep({isBusy}: {isBusy: boolean}) {
   const diagnosis = currentDiagnosis.value;
   const {words, act, title, isOff, isQuiet} =
     stepOfMistake() ?? (diagnosis ? stepAfter(diagnosis, isBusy) : null) ?? stepOfLoop(isBusy);
-  // A button that is off loses the focus: it has it again with the next step, for those who work by keys.
+  // A disabled button loses the focus; it gets it again with the next step, for use by keyboard.
   const button = useRef<HTMLButtonElement>(null);
   const hadFocus = useRef(false);
   useEffect(() => {
@@ -50,7 +50,7 @@ export function NextStep({isBusy}: {isBusy: boolean}) {
   );
 }
 
-/** The readings are taken otherwise where that explains their error. */
+/** Returns the step that corrects the reading of the file if that explains the error. */
 function stepOfMistake(): Step | null {
   if (!mistake.value) return null;
   const {sentence, way} = mistake.value;
@@ -74,19 +74,19 @@ function stepAfter(diagnosis: DiagnoseDocument, isBusy: boolean): Step | null {
   return null;
 }
 
-/** Whether further readings, or other means, would settle what these leave open. */
+/** Returns true if further readings, or other means, would decide between the open explanations. */
 function isOpen({verdict, next_readings: next, splitting}: DiagnoseDocument): boolean {
   const others = (splitting?.other_means?.length ?? 0) + (splitting?.columns_to_add?.length ?? 0);
   return (verdict === "ambiguous" || verdict === "inconclusive") && next.length + others > 0;
 }
 
-/** No known effect: a law of one's own, begun with what the error follows. */
+/** Opens the formula box, without a known effect, with the variable that the error follows. */
 function tryFormula(): void {
   if (formulaText.peek().trim() === "") formulaText.value = suggestedFormula.peek();
   effectsTab.value = "formula";
 }
 
-/** Compare, then diagnose. */
+/** Returns the step of the loop: compare, then diagnose. */
 function stepOfLoop(isBusy: boolean): Step {
   if (!answer.value) return {words: "Compare", act: startCompare, isOff: isBusy};
   const isDone = answer.value.mark === verdictMark("adequate");

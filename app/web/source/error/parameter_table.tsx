@@ -1,4 +1,4 @@
-// What the last fit found, each parameter with its interval and whether the readings identify it.
+// Results of the last fit: each parameter with its interval and its identifiability by the readings.
 import {exact, MISSING, plainUnit, short} from "../../../drawing/numbers.js";
 import {valueAndSigma} from "../../../drawing/sigma_text.js";
 import {Table} from "../drawing/table";
@@ -6,7 +6,7 @@ import type {IdentifyDocument} from "../server/documents";
 
 interface ParameterTableProps {
   parameters: IdentifyDocument["parameters"];
-  /** Whether there is room for 95 % intervals. */
+  /** True if there is room for 95 % intervals. */
   hasIntervals?: boolean;
 }
 

@@ -1,10 +1,13 @@
-// What is painted into the plot of the errors beside its points: the law with its band below them, means above them.
+// Elements painted into the plot of the errors with its points: the law with its band below them, means above them.
 import uPlot from "uplot";
 import {strokeLine} from "../drawing/canvas";
 import type {Palette} from "../drawing/colours";
 import type {Bin} from "../../../drawing/binned.js";
 
-/** The law as a line through what the cause does, its band the spread of that; levels as short lines of their own. */
+/**
+ * Paints the law as a line through the cause's displacements, with their spread as a band; levels are separate short
+ * lines.
+ */
 export function paintLaw(plot: uPlot, law: readonly Bin[], isLevel: boolean, colours: Palette): void {
   if (law.length === 0) return;
   const at = placing(plot);
@@ -69,7 +72,7 @@ export function paintMeans(plot: uPlot, means: readonly Bin[], colours: Palette)
   });
 }
 
-/** Paints what is cut at the edges of the plot. */
+/** Paints with clipping at the edges of the plot. */
 export function paintWithin(plot: uPlot, paint: (context: CanvasRenderingContext2D) => void): void {
   const {ctx: context, bbox} = plot;
   context.save();

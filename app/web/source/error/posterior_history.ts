@@ -1,4 +1,5 @@
-// How the posterior has moved: what each diagnosis of one model said, reading after reading, as far as this page has seen.
+// History of the posterior: the probabilities of each diagnosis of one model, reading after reading, as seen by this
+// page.
 import {computed, effect, signal} from "@preact/signals";
 import {explanationTitle} from "../../../drawing/explanations.js";
 import {cell, state} from "../server/workbench";
@@ -6,7 +7,7 @@ import {currentDiagnosis} from "./loop";
 
 export interface PosteriorStep {
   readings: number;
-  /** Probability of each explanation by its title, and that nothing is missing. */
+  /** Probability of each explanation by its title, and that of nothing missing. */
   of: Record<string, number>;
 }
 
@@ -29,7 +30,9 @@ effect(() => {
   steps.value = [...earlier, {readings, of}].sort((a, b) => a.readings - b.readings).slice(-MOST_STEPS);
 });
 
-/** The steps, and the titles that were ever the most probable, the now most probable first; none before there are two. */
+/**
+ * Steps, and the titles that were ever the most probable, the presently most probable first; null before there are two.
+ */
 export const posteriorHistory = computed<{steps: PosteriorStep[]; titles: string[]} | null>(() => {
   if (steps.value.length < 2 || !state.value) return null;
   const most = new Map<string, number>();

@@ -1,4 +1,4 @@
-// The posterior over the number of readings: one line for each explanation, named at its end with what it has now.
+// The posterior over the number of readings: one line for each explanation, with its name and present value at the end.
 import {MISSING, probability} from "../../../drawing/numbers.js";
 import {posteriorHistory} from "./posterior_history";
 
@@ -20,7 +20,7 @@ export function PosteriorPicture() {
   const y = (share: number) => HEIGHT - BOTTOM - share * (HEIGHT - TOP - BOTTOM);
   const of = (title: string, k: number) => steps[k].of[title] ?? 0;
   const now = titles.map((title) => of(title, steps.length - 1));
-  // Names below one another, each as near to its line's end as the one above it leaves.
+  // Names are stacked, each as near to its line's end as the one above permits.
   let free = 0;
   const names = now.map((share) => (free = Math.max(free + NAME_HEIGHT, y(share) + 4)));
   return (

@@ -1,4 +1,4 @@
-// Effects that were tried, most probable first. On paper nothing can be pointed at: what the page says there stands in words.
+// Tried effects, most probable first. On paper, where nothing can be pointed at, tooltips are printed as words.
 import type {ComponentType} from "preact";
 import type {Barred} from "../../../drawing/ranking.js";
 import {IS_THERE, type rankingRows} from "../../../drawing/ranking.js";
@@ -8,7 +8,7 @@ export type RankedRow = ReturnType<typeof rankingRows<RankedEffect>>[number];
 
 interface RankingTableProps {
   rows: readonly RankedRow[];
-  /** What can be done with an effect; on paper nothing. */
+  /** Action on an effect; on paper there is none. */
   action?: ComponentType<{row: RankedRow}>;
 }
 
@@ -39,7 +39,7 @@ export function RankingTable({rows, action: Action}: RankingTableProps) {
   );
 }
 
-/** A figure behind a bar of its share. */
+/** Figure in front of a bar of its share. */
 export function Chance({share, text}: Barred) {
   return (
     <span class="chance">
@@ -51,7 +51,7 @@ export function Chance({share, text}: Barred) {
   );
 }
 
-/** Less than this share of an effect shows in the readings: on paper it is said how much. */
+/** Share below which an effect is hardly visible in the readings; on paper the share is printed. */
 const LITTLE = 0.5;
 
 function Ranked({row, action: Action}: {row: RankedRow} & Pick<RankingTableProps, "action">) {

@@ -1,4 +1,4 @@
-// What looked wrong with the readings when they were opened: one line for each, and how to mend it.
+// Suspected mistakes found when the readings were opened: one line each, with the correction.
 import {computed} from "@preact/signals";
 import {MarkIcon, type Mark} from "../drawing/marks";
 import {plural, short} from "../../../drawing/numbers.js";
@@ -43,20 +43,20 @@ function waysOf(check: ReadingCheck): string[] {
   return [check.assume, ...check.equally].filter((way): way is string => way !== null && way !== "");
 }
 
-/** The mistake that must be settled before any verdict on the model; null where there is none, or none that is known. */
+/** The mistake that must be settled before any verdict on the model; null if there is none or none is known. */
 export const mistake = computed(() => {
   const checks = state.value?.measurements?.checks ?? [];
   const found = checks.find((check) => check.severity === "mistake" && waysOf(check).length > 0);
   return found ? {sentence: found.sentence, way: waysOf(found)[0]} : null;
 });
 
-/** Takes what is suspected to be so, in memory, and looks at what is left; without any, as the file has it. */
+/** Assumes the suspected mistakes, in memory, and compares again; without any, reads the file as it states. */
 export async function assume(...ways: string[]): Promise<void> {
   const taken = () => post<WorkbenchState>("/api/measurements/assume", {assume: ways});
   if (await changeReadings("The readings cannot be taken so", taken)) await startCompare();
 }
 
-/** What was taken to be so, and the way back. */
+/** Assumptions made, with a button to revoke them. */
 function Assumed({assumed}: {assumed: string[]}) {
   const isAsIs = assumed.every((way) => way === "as-is");
   return (
@@ -69,7 +69,7 @@ function Assumed({assumed}: {assumed: string[]}) {
   );
 }
 
-/** Takes those that joined last out again, and looks at what is left. */
+/** Removes the readings that joined last, and compares again. */
 async function part(): Promise<void> {
   const parted = () => post<WorkbenchState>("/api/measurements/part", {});
   if (await changeReadings("The readings stay together", parted)) await startCompare();
@@ -93,7 +93,7 @@ interface Step {
   onBack: () => void;
 }
 
-/** What was done with the readings as they came, and the way back. */
+/** Changes made to the readings at their import, with a button to revoke them. */
 function Reversible({words, back, title, onBack}: Step) {
   return (
     <li class="remark">

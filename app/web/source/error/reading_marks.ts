@@ -1,4 +1,4 @@
-// Marks on readings: set aside or held out, and taken back, as steps that can be undone while nothing else has changed.
+// Marks on readings, set aside or held out, as steps that can be undone until something else changes.
 import {computed, signal} from "@preact/signals";
 import {plural} from "../../../drawing/numbers.js";
 import type {WorkbenchState} from "../server/documents";
@@ -15,7 +15,7 @@ interface Marking {
   isOn: boolean;
 }
 
-/** A marking that was made, and what stood there after it. */
+/** Marking that was made, with the former state. */
 interface Step extends Marking {
   change: number;
   model: number;
@@ -28,7 +28,7 @@ const ADDRESSES: Record<MarkKind, string> = {
 
 const steps = signal<Step[]>([]);
 
-/** The last marking, where nothing else was done since. */
+/** The last marking, if nothing else was done since. */
 export const lastMarking = computed<Step | null>(() => {
   const last = steps.value.at(-1),
     now = state.value;
@@ -44,12 +44,12 @@ function send({kind, ids, isOn}: Marking): Promise<boolean> {
   return changeReadings("Readings", () => post<WorkbenchState>(ADDRESSES[kind], {ids, [kind]: isOn}));
 }
 
-/** As the next change of the readings will be counted, unless another browser is faster. */
+/** Returns the number of the next change of the readings, unless another browser is faster. */
 function nextChange(): number {
   return (state.peek()?.measurements?.change ?? 0) + 1;
 }
 
-/** Marks readings that do not have the mark yet, and looks at what is left. */
+/** Marks readings that do not have the mark yet, and compares again. */
 export async function markReadings(kind: MarkKind, ids: string[], isOn: boolean): Promise<void> {
   const step = {kind, ids, isOn, change: nextChange(), model: state.peek()?.model ?? -1};
   if (ids.length === 0 || !(await send(step))) return;
@@ -58,13 +58,13 @@ export async function markReadings(kind: MarkKind, ids: string[], isOn: boolean)
   await startCompare();
 }
 
-/** Takes the last marking back; the one before it can be taken back then. */
+/** Undoes the last marking; the one before it can be undone then. */
 export async function undoMarking(): Promise<void> {
   const last = lastMarking.peek(),
     change = nextChange();
   if (!last || !(await send({...last, isOn: !last.isOn}))) return;
   const earlier = steps.peek().slice(0, -1);
-  // What stood there before this one stands there again.
+  // The state before this marking is restored.
   steps.value = earlier.map((step, k) =>
     k === earlier.length - 1 && step.change === last.change - 1 ? {...step, change} : step,
   );

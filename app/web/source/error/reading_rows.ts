@@ -1,4 +1,4 @@
-// The readings as rows of a table: everything that is said of one, what is searched, and in which order.
+// The readings as rows of a table: the data of each, the search, and the order.
 import {isNumber} from "../../../drawing/numbers.js";
 import type {MeasurementRow, Units, Vector3} from "../server/documents";
 import type {ReadingErrors} from "./residuals";
@@ -11,7 +11,7 @@ export interface ReadingRow {
   senses: number[];
   before: number | null;
   after: number | null;
-  /** Of before and after: an angle's where the reading measures nothing else. */
+  /** Unit of the errors before and after: that of angles if the reading measures nothing else. */
   sizeUnit: string;
   sigmas: number | null;
   isAside: boolean;
@@ -22,7 +22,7 @@ export interface Column {
   key: string;
   words: string;
   unit: string;
-  /** Of the table's column, in CSS. */
+  /** Width of the table's column, in CSS. */
   width: string;
   of: (row: ReadingRow) => number | string | null;
 }
@@ -31,7 +31,7 @@ function sizeOf(error: Vector3 | null | undefined): number | null {
   return error ? Math.hypot(...error) : null;
 }
 
-/** All that were read; those set aside have the error of the model as it stands. */
+/** Returns rows for all readings; those set aside have the error of the given model. */
 export function rowsOf(
   measured: readonly MeasurementRow[],
   errors: ReadingErrors | null,
@@ -59,7 +59,7 @@ export function rowsOf(
   });
 }
 
-/** The unit of all errors; none where lengths and angles stand among each other, so that every row has to say its own. */
+/** Returns the common unit of all errors; empty if lengths and angles are mixed, so that every row states its own. */
 export function sizeUnitOf(rows: readonly ReadingRow[], lengthUnit: string): string {
   const units = new Set(rows.filter((row) => row.before !== null || row.after !== null).map((row) => row.sizeUnit));
   return units.size > 1 ? "" : ([...units][0] ?? lengthUnit);
@@ -89,7 +89,7 @@ export function columnsOf(
   ];
 }
 
-/** What is missing comes last, whichever way it is sorted. */
+/** Returns the rows in order; missing values are last in both directions. */
 export function sorted(rows: readonly ReadingRow[], column: Column, isDown: boolean): ReadingRow[] {
   const missing = (value: number | string | null) => value === null || value === undefined;
   return [...rows].sort((a, b) => {
@@ -103,7 +103,10 @@ export function sorted(rows: readonly ReadingRow[], column: Column, isDown: bool
   });
 }
 
-/** Words are looked for in id and point; "sigma>3", "theta3<=40", "aside" and "held-out" ask for more; all must hold. */
+/**
+ * Returns the rows that satisfy all words: words are searched in id and point; "sigma>3", "theta3<=40", "aside" and
+ * "held-out" are conditions.
+ */
 export function filtered(rows: readonly ReadingRow[], text: string, columns: readonly Column[]): ReadingRow[] {
   const tests = text
     .trim()
@@ -113,7 +116,7 @@ export function filtered(rows: readonly ReadingRow[], text: string, columns: rea
   return rows.filter((row) => tests.every((test) => test(row)));
 }
 
-/** The first word that asks for something by <, > or = which no column and number answers; null where there is none. */
+/** Returns the first word with <, > or = that names no column or no number; null if there is none. */
 export function wrongWord(text: string, columns: readonly Column[]): string | null {
   return text.split(/\s+/).find((word) => /[<>=]/.test(word) && !questionOf(word, columns)) ?? null;
 }

@@ -85,7 +85,7 @@ export function ReadingTable() {
   );
 }
 
-/** All that the filter leaves and that are not set aside. */
+/** Selects all filtered readings that are not set aside. */
 function pickRows(rows: ReadingRow[]): void {
   selectReadings(
     rows.filter((row) => !row.isAside).map((row) => row.id),
@@ -126,7 +126,7 @@ function Rows({rows, columns, isBusy}: {rows: ReadingRow[]; columns: readonly Co
   );
 }
 
-/** Sorts by its column, the largest first; again turns the order round. */
+/** Head of a column; a click sorts by it, the largest first, and a second click reverses the order. */
 function ColumnHead({column}: {column: Column}) {
   const isSorted = order.value.column === column.key,
     {isDown} = order.value;
@@ -143,7 +143,7 @@ function ColumnHead({column}: {column: Column}) {
   );
 }
 
-/** With its unit, where the column's head has none. */
+/** Returns the size, with its unit if the column's head has none. */
 function sizeText(size: number | null, row: ReadingRow, columns: readonly Column[]): string {
   const isOfOneUnit = columns.find(({key}) => key === "before")!.unit !== "";
   return size === null || isOfOneUnit ? short(size) : `${short(size)} ${row.sizeUnit}`;

@@ -1,4 +1,4 @@
-// The errors as arrows at the readings' places: over the sheet where the cell has one, else in plan or from a side.
+// The errors as arrows at the readings' places: over the sheet if the cell has one, else in plan or from a side.
 import {Segments} from "../drawing/segments";
 import {effect as follow, signal} from "@preact/signals";
 import type {RefObject} from "preact";
@@ -34,7 +34,7 @@ export function PlaneChoice() {
   );
 }
 
-/** Within so many pixels a place is pointed at. */
+/** Distance in pixels within which a place is pointed at. */
 const NEAR = 12;
 
 export function ResidualArrows() {
@@ -66,7 +66,7 @@ export function ResidualArrows() {
   );
 }
 
-/** Draws the arrows with every change and at every size; where the readings' places are, in pixels. */
+/** Draws the arrows at every change and size. Returns the places of the readings, in pixels. */
 function useDrawnArrows(canvas: RefObject<HTMLCanvasElement>, errors: ReadingErrors | null) {
   const places = useRef<PlacesOnScreen>([]);
   const look: ArrowsLook = {
@@ -84,7 +84,7 @@ function useDrawnArrows(canvas: RefObject<HTMLCanvasElement>, errors: ReadingErr
   return places;
 }
 
-/** A loop about places selects their readings. */
+/** Selects readings by a lasso about their places. */
 function useLassoOnArrows(
   canvas: RefObject<HTMLCanvasElement>,
   places: {current: PlacesOnScreen},
@@ -121,7 +121,7 @@ function useRingAtPointed(
   );
 }
 
-/** Readings that are selected have a ring. */
+/** Draws rings about the selected readings. */
 function drawPicked(
   canvas: HTMLCanvasElement,
   errors: ReadingErrors | null,

@@ -1,5 +1,5 @@
-// The errors against anything that a reading says of itself: before hollow and after full on one scale, the law of the
-// cause drawn through, means of bins with their bars.
+// The errors against any variable of the readings: before hollow and after full on one scale, the law of the cause as a
+// line, means of bins with their bars.
 import {useMemo, useRef} from "preact/hooks";
 import {palette} from "../drawing/colours";
 import {explanationTitle} from "../../../drawing/explanations.js";
@@ -61,7 +61,7 @@ export function ResidualPlot() {
   );
 }
 
-/** Which explanation stands beside the drawn one; nothing where there is but one. */
+/** Choice of the explanation next to the drawn one; empty if there is only one. */
 function BesideChoice() {
   const explanations = currentDiagnosis.value?.explanations ?? [];
   if (explanations.length < 2) return null;
@@ -82,9 +82,9 @@ function BesideChoice() {
 interface ErrorPlotProps {
   errors: ReadingErrors | null;
   view: View | null;
-  /** The end of the scale of errors where it is shared with the plot beside. */
+  /** End of the scale of errors if it is shared with the plot next to it. */
   most: number | null;
-  /** Of the explanation, where two stand side by side; -1 where one is alone. */
+  /** Index of the explanation if two are side by side; -1 for a single plot. */
   index: number;
 }
 

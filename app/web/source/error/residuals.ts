@@ -1,5 +1,5 @@
-// The readings' errors, measured less predicted, before and after: the diagnosis with the explanation that is chosen,
-// else the model before beside the model as it is now, else the comparison of the model as given and refitted.
+// The readings' errors, measured less predicted, before and after: the diagnosis with the chosen explanation, else the
+// former model compared with the present one, else the comparison of the model as given and refitted.
 import {computed, effect, signal} from "@preact/signals";
 import {AFTER, BEFORE} from "../../../drawing/kinds.js";
 import {errorsOfExplanation, errorsOfRefit, type ErrorPair} from "../../../drawing/reading_errors.js";
@@ -17,23 +17,23 @@ import {currentModel, report, state} from "../server/workbench";
 import {compare, currentDiagnosis} from "./loop";
 
 export interface ReadingErrors extends ErrorPair<ErrorReading> {
-  /** Of how many sigmas each reading's error is, before and after, as far as it is known. */
+  /** Error of each reading in sigmas, before and after, if known. */
   sigmas: (number | undefined)[][];
-  /** How large each reading's error is, before and after, in the unit of what it measures: an angle is no length. */
+  /** Size of each reading's error, before and after, in the unit of its measured quantity: an angle is no length. */
   sizes: (number | null)[][];
   sizeUnits: string[];
 }
 
-/** Which of the diagnosis's explanations is drawn. */
+/** Index of the diagnosis's explanation that is drawn. */
 export const chosenExplanation = signal(0);
 effect(() => {
   void currentDiagnosis.value?.revision;
   chosenExplanation.value = 0;
 });
 
-// ---- the comparison of the model before
+// ---- comparison of the former model
 
-/** The model that the current one was made of, where both were compared. */
+/** The model from which the present one was made, if both were compared. */
 const modelBefore = computed<Model | null>(() => {
   const now = state.value;
   if (!now) return null;
@@ -83,12 +83,12 @@ function sizeExplained(reading: DiagnosedReading, index: number): number | null 
     : (reading.size_explained[index] ?? null);
 }
 
-/** Sigmas hang on the direction of the error little, on its size wholly. */
+/** Returns sigmas scaled with the size of the error, because they depend little on its direction. */
 function scaledSigmas(sigmas: number | undefined, from: number | null, to: number | null): number | undefined {
   return sigmas === undefined || to === null || !(from! > 0) ? undefined : (sigmas * to) / from!;
 }
 
-/** What a comparison says of each reading's error, before as another one has it and after its own refit. */
+/** Returns the errors of each reading in a comparison: before by another comparison, after by its own refit. */
 function comparedErrors(
   {readings}: CompareDocument,
   before: (Pick<ComparedReading, "size_after" | "sigmas_after"> | undefined)[],
@@ -144,7 +144,7 @@ function ofComparison(document: CompareDocument): ReadingErrors {
   };
 }
 
-// ---- another explanation beside the one that is drawn
+// ---- another explanation next to the drawn one
 
 function drawnIndex(document: DiagnoseDocument): number {
   return Math.min(chosenExplanation.value, document.explanations.length - 1);
@@ -154,14 +154,14 @@ export const drawnExplanation = computed(() =>
   currentDiagnosis.value ? Math.max(0, drawnIndex(currentDiagnosis.value)) : 0,
 );
 
-/** By hand: -1 for none; null for as the verdict has it. */
+/** Manual choice: -1 for none; null to follow the verdict. */
 const besideByHand = signal<number | null>(null);
 effect(() => {
   void currentDiagnosis.value?.revision;
   besideByHand.value = null;
 });
 
-/** Which explanation stands beside the drawn one: where several are open the next of them, unless another is wanted. */
+/** Index of the explanation next to the drawn one: the next of several open ones, unless another is chosen. */
 export const besideExplanation = computed(() => {
   const document = currentDiagnosis.value;
   if (!document || document.explanations.length < 2) return -1;

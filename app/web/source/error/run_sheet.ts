@@ -1,6 +1,5 @@
-// A run sheet: the readings that a diagnosis proposes, as a measurement table in which what is measured is to be filled in.
-// This browser keeps it, one for each cell, with what is ticked off and typed in, also when a new diagnosis says something
-// else.
+// A run sheet: the readings that a diagnosis proposes, as a measurement table with fields for the measured values. This
+// browser keeps it, one for each cell, with ticks and typed values, even if a new diagnosis differs.
 import {computed, effect, signal} from "@preact/signals";
 import type {MeasurementsDocument} from "../server/documents";
 import {get, postText} from "../server/requests";
@@ -10,14 +9,14 @@ import {currentDiagnosis} from "./loop";
 import {readingErrors} from "./residuals";
 import {fillById, filledRows, lineOf, tableOf, type RunSheet} from "./run_sheet_table";
 
-// ---- what is kept
+// ---- storage
 
 const KEPT = "tubeplan.run-sheet";
 const sheets = signal(keptObject<RunSheet>(KEPT));
 
 export const runSheet = computed<RunSheet | null>(() => {
   const kept = sheets.value[cell.value?.file ?? ""];
-  // An earlier program's does not say what is to be filled in, and may have predictions there.
+  // A sheet of an earlier program does not state the fields to fill in, and may have predictions there.
   return kept && typeof kept.text === "string" && Array.isArray(kept.fill) ? kept : null;
 });
 
@@ -36,7 +35,7 @@ export function putRunSheetAway(): void {
   put(null);
 }
 
-// A new diagnosis with other proposals replaces a sheet on which nothing was done yet, or all.
+// A new diagnosis with other proposals replaces a sheet that is untouched or complete.
 effect(() => {
   const document = currentDiagnosis.value;
   if (!document?.run_sheet || !cell.value) return;
@@ -58,11 +57,13 @@ effect(() => {
   });
 });
 
-/** Ids of the readings that are here, as far as their errors are drawn. */
+/** Ids of the present readings whose errors are drawn. */
 export const takenIds = computed(() => new Set((readingErrors.value?.readings ?? []).map(({id}) => id)));
 
-/** The same as the program has them now: the errors of readings that have just come are not here yet. None where it does
- * not answer, for what is asked next would not be answered either. */
+/**
+ * Returns the ids that the program has now, including readings without errors yet. Returns an empty set if the program
+ * does not answer, because the next request would fail too.
+ */
 export async function idsHere(): Promise<Set<string>> {
   if (!state.peek()?.measurements) return new Set();
   try {
@@ -73,14 +74,14 @@ export async function idsHere(): Promise<Set<string>> {
   }
 }
 
-// ---- given back
+// ---- return of readings
 
-/** Readings that are new join those that are here; the comparison follows, and a diagnosis where there was one. */
+/** Adds new readings to the present ones, compares, and diagnoses if there was a diagnosis. */
 export function joinReadings(text: string): Promise<boolean> {
   return attempt("Readings to join", () => postText("/api/live/readings", text));
 }
 
-/** Whether a table is this run sheet, filled in: its ids, none of which is here yet. */
+/** Returns true if a table is this run sheet, filled in, with no id among the present readings. */
 export function isFilledSheet(text: string): boolean {
   const sheet = runSheet.peek();
   if (!sheet) return false;
@@ -89,7 +90,7 @@ export function isFilledSheet(text: string): boolean {
   return columns[0] === "id" && rows.length > 0 && rows.every((row) => own.has(row[0]));
 }
 
-/** Of a sheet that comes back: the rows that are not here yet and filled in, as far as they must be or at all. */
+/** Returns the new rows of a returned sheet that are filled in, completely ("whole") or partly ("begun"). */
 export function freshRows(text: string, here: ReadonlySet<string>, asFarAs: "whole" | "begun"): string {
   const sheet = runSheet.peek();
   const {columns, rows} = tableOf(sheet ? filledRows(text, fillById(sheet), asFarAs) : text);

@@ -1,4 +1,4 @@
-// The run sheet on the page: printed or taken along as CSV, ticked off, filled in or dropped back.
+// The run sheet on the page: printed or saved as CSV, ticked off, filled in or dropped back.
 import {Icon} from "../drawing/icons";
 import {plural} from "../../../drawing/numbers.js";
 import {freshRows, joinReadings, putRunSheetAway, runSheet, takenIds} from "./run_sheet";

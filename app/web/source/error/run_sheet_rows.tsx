@@ -1,4 +1,4 @@
-// The rows of the run sheet: each reading's posture and load, what is ticked off, and what is typed in.
+// The rows of the run sheet: each reading's posture and load, ticks, and typed values.
 import {senseArrow} from "../../../drawing/conditions.js";
 import {fixed, isNumber, jointDecimals, short} from "../../../drawing/numbers.js";
 import {poseRequest} from "../arm/pose_link";
@@ -11,8 +11,10 @@ import type {FillIn} from "../server/documents";
 interface JointColumn {
   name: string;
   unit: string;
-  /** Where its reading stands in a row, where it will stand of a row that measures it, and the sense in which it arrives;
-   * -1 where no column has that. */
+  /**
+   * Index of the joint's reading in a row, of its reading in a measuring row, and of the sense of arrival; -1 if no
+   * column has it.
+   */
   k: number;
   near: number;
   sense: number;
@@ -20,7 +22,7 @@ interface JointColumn {
 
 interface Layout {
   joints: JointColumn[];
-  /** Where the load stands; -1 where no column has it. */
+  /** Index of the load; -1 if no column has it. */
   load: number;
   open: string[];
   hasSeparations: boolean;
@@ -43,7 +45,7 @@ function jointColumn(columns: readonly string[], column: string, k: number): Joi
   return [{name: joint.name, unit: joint.unit, k, near, sense: columns.indexOf(`${joint.name}_dir`)}];
 }
 
-/** The joint's reading that is proposed. */
+/** Returns the proposed reading of the joint. */
 function proposedJoint(row: readonly string[], {k, near}: JointColumn): number {
   return Number(row[k] || row[near]);
 }
@@ -155,7 +157,7 @@ function tick(sheet: RunSheet, id: string, isTaken: boolean): void {
   change({ticked: isTaken ? [...sheet.ticked, id] : sheet.ticked.filter((other) => other !== id)});
 }
 
-/** A number that is typed in ticks its reading off. */
+/** Stores a typed number and ticks its reading off. */
 function type(sheet: RunSheet, id: string, column: string, value: string): void {
   const typed = {...sheet.typed, [id]: {...sheet.typed[id], [column]: value.replace(",", ".")}};
   change({typed, ticked: sheet.ticked.includes(id) ? sheet.ticked : [...sheet.ticked, id]});

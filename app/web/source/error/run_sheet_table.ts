@@ -1,15 +1,15 @@
-// A run sheet as a table: what is to be filled in, and what has been.
+// A run sheet as a table: the fields to fill in, and their values.
 import type {FillIn} from "../server/documents";
 
 export interface RunSheet {
   text: string;
-  /** Of each row what is to be filled in, as the program says it. */
+  /** Fields to fill in for each row, as the program states them. */
   fill: FillIn[];
-  /** Ids of readings that were taken, by the hand that ticks them off. */
+  /** Ids of readings ticked off by hand. */
   ticked: string[];
-  /** Typed in: for each id the fields that are to be filled in, by column. */
+  /** Typed values: for each id the fields to fill in, by column. */
   typed: Record<string, Record<string, string>>;
-  /** How far each reading sets the explanations apart, in sigmas, where that is known. */
+  /** Separation of the explanations by each reading, in sigmas, if known. */
   separations: (number | null)[];
 }
 
@@ -18,7 +18,7 @@ export interface RunSheetTable {
   rows: string[][];
 }
 
-/** The fields of a line; quotes as in CSV. */
+/** Returns the fields of a line; quotes as in CSV. */
 export function fieldsOf(line: string): string[] {
   const fields: string[] = [];
   let field = "",
@@ -45,7 +45,7 @@ export function tableOf(text: string): RunSheetTable {
   return {columns, rows};
 }
 
-/** Whether what is refused is a row of a table, by its line, and not the columns. */
+/** Returns true if a refusal refers to a row of a table, by its line, and not to the columns. */
 export function isOfRow(where: string | undefined, text: string): boolean {
   const line = Number(/:(\d+)/.exec(where ?? "")?.[1]);
   const heading = text.split("\n").findIndex(hasFields) + 1;
@@ -56,23 +56,23 @@ export function lineOf(fields: readonly string[]): string {
   return fields.map((field) => (/[",]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field)).join(",");
 }
 
-/** What is to be filled in, by the ids of the rows. */
+/** Returns the fields to fill in, by the ids of the rows. */
 export function fillById({text, fill}: RunSheet): Map<string, FillIn> {
   return new Map(tableOf(text).rows.map(([id], r) => [id, fill[r]]));
 }
 
-/** Columns of the sheet that are to be filled in for one reading or more, in its order. */
+/** Returns the columns of the sheet to fill in for at least one reading, in its order. */
 export function openColumns({text, fill}: RunSheet): string[] {
   const open = new Set(fill.flatMap(({columns, optional}) => [...columns, ...optional]));
   return tableOf(text).columns.filter((column) => open.has(column));
 }
 
-/** How many of the fields that make a row a reading are filled in. */
+/** Returns the number of filled fields among those that a reading requires. */
 function filledCount(columns: readonly string[], row: readonly string[], fill: FillIn): number {
   return fill.columns.filter((column) => (row[columns.indexOf(column)] ?? "") !== "").length;
 }
 
-/** The rows of a sheet that are filled in as far as they must be, or of which anything is; "" where there is none. */
+/** Returns the rows of a sheet that are filled in completely ("whole") or partly ("begun"); "" if there is none. */
 export function filledRows(text: string, fill: ReadonlyMap<string, FillIn>, asFarAs: "whole" | "begun"): string {
   const {columns, rows} = tableOf(text);
   const filled = rows.filter((row) => {
@@ -82,7 +82,7 @@ export function filledRows(text: string, fill: ReadonlyMap<string, FillIn>, asFa
   return filled.length === 0 ? "" : `${[columns, ...filled].map(lineOf).join("\n")}\n`;
 }
 
-/** The sheet with what was typed in. */
+/** Returns the sheet with the typed values. */
 export function withTyped({text, typed}: RunSheet): string {
   const {columns, rows} = tableOf(text);
   const filled = rows.map((row) => row.map((field, k) => typed[row[0]]?.[columns[k]]?.trim() || field));

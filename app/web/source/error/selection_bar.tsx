@@ -1,5 +1,5 @@
-// What can be done with readings that were selected in a picture or the table: they are set aside or held out, and the
-// ladder follows; what was done last can be taken back.
+// Actions on readings selected in a picture or the table: they are set aside or held out, the ladder is computed again,
+// and the last action can be undone.
 import {plural} from "../../../drawing/numbers.js";
 import {selectedReadings} from "./linked";
 import {areChangeable} from "./loop";

@@ -1,4 +1,4 @@
-// What the series of errors are, with their marks.
+// Legend of the series of errors, with their marks.
 import type {ComponentChildren} from "preact";
 import {shareText} from "../../../drawing/shares.js";
 import {MarkIcon} from "../drawing/marks";
@@ -6,9 +6,9 @@ import type {ErrorPair} from "../../../drawing/reading_errors.js";
 
 interface SeriesLegendProps {
   errors: ErrorPair | null;
-  /** What the series are is said above: here before and after alone. */
+  /** True if the series are explained above, so that only before and after are named. */
   isBrief?: boolean;
-  /** How many of the readings are drawn. */
+  /** Number of readings drawn. */
   most: number;
   children?: ComponentChildren;
 }

@@ -1,11 +1,11 @@
-// "A or B": the readings that would discriminate, and what else would.
+// "A or B": the readings, and other means, that would decide between explanations.
 import {PAIR_HEADS, pairCells} from "../../../drawing/conditions.js";
 import {Table} from "../drawing/table";
 import {PosteriorPicture} from "./posterior_picture";
 import {RunSheetPanel} from "./run_sheet_panel";
 import type {DiagnoseDocument} from "../server/documents";
 
-/** The proposals of a diagnosis, the run sheet that is under way, and what the readings taken since have said. */
+/** Proposals of a diagnosis, the run sheet in progress, and the results of the readings taken since. */
 export function Splitting({document}: {document: DiagnoseDocument | null}) {
   return (
     <div class="splitting">

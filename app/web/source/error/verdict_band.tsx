@@ -1,4 +1,4 @@
-// The verdict with its sentences and figures, and the next thing to do.
+// The verdict with its sentences and figures, and the next step.
 import {budgetText, errorUnit, idsSetAside, setAsideText} from "../../../drawing/error_budget.js";
 import {isNumber, short, whole} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
@@ -50,7 +50,7 @@ export function VerdictBand() {
   );
 }
 
-/** What the error is and divides into; the readings that are in none of these figures are shown at a click. */
+/** Error with its budget; a click shows the readings excluded from these figures. */
 function Budget({document}: {document: JudgedDocument}) {
   const ids = idsSetAside(document);
   return (
@@ -65,13 +65,13 @@ function Budget({document}: {document: JudgedDocument}) {
   );
 }
 
-/** How many readings are not set aside by hand. */
+/** Returns the number of readings that are not set aside by hand. */
 function readingsInUse(): number {
   const measurements = state.value?.measurements;
   return measurements ? measurements.readings - measurements.set_aside : 0;
 }
 
-/** "52 of 120" where some are set aside, by hand or as outliers, or held out. */
+/** Returns "52 of 120" if some are set aside, by hand or as outliers, or held out. */
 function usedText(measurements: ReadingsInfo | null | undefined, judged: JudgedDocument | null): string {
   if (!measurements) return "";
   const {readings, set_aside, held_out} = measurements;
@@ -79,7 +79,7 @@ function usedText(measurements: ReadingsInfo | null | undefined, judged: JudgedD
   return used === readings ? whole(readings) : `${whole(used)} of ${whole(readings)}`;
 }
 
-/** Errors of twice the stated noise and more are marked, by a sign as well as by colour. */
+/** Least squared ratio of errors to the stated noise at which they are marked, by a sign as well as by colour. */
 const TWICE = 4;
 
 function Misfit({chi2}: {chi2: number | null | undefined}) {

@@ -1,4 +1,4 @@
-// What plots of the clearance over a motion's time have in common: a root scale, since it matters near zero, and the
+// Common parts of plots of the clearance over a motion's time: a root scale, because values near zero matter, and the
 // required clearance as a line.
 import uPlot from "uplot";
 import {exact} from "../../../drawing/numbers.js";
@@ -41,7 +41,7 @@ export function paintRequired(plot: uPlot, required: number | null, unit: string
   ctx.restore();
 }
 
-/** Words in the context's own colour, on a ground that parts them from the lines behind. */
+/** Paints words in the context's colour, on a background that separates them from the lines. */
 export function paintWords({ctx}: uPlot, words: string, x: number, y: number, colours: Palette): void {
   ctx.font = `${11 * uPlot.pxRatio}px ${TYPEFACE}`;
   ctx.strokeStyle = colours.panel;

@@ -1,4 +1,4 @@
-// What a plan is asked with, and the button that asks for it.
+// The inputs of a plan, and the button that requests it.
 import {signal} from "@preact/signals";
 import {plural} from "../../../drawing/numbers.js";
 import {Check, Select} from "../drawing/fields";

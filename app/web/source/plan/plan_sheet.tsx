@@ -1,4 +1,4 @@
-// The sheet of the plan view: the work list and the tour over it, coloured by how far the tool goes in.
+// The sheet of the plan view: the work list and the tour over it, coloured by the steps of the tool that enter.
 import {signal} from "@preact/signals";
 import {useCallback, useMemo} from "preact/hooks";
 import {MarkIcon} from "../drawing/marks";
@@ -19,7 +19,10 @@ import {paintTour} from "./tour_painting";
 
 const mode = signal("via_point");
 
-/** What the tour is coloured by: each way that is scored against the true arm, and what the plan itself expects. */
+/**
+ * Returns the possible colourings of the tour: each way of compensation scored against the true arm, and the plan's own
+ * expectation.
+ */
 function modesOf({modes}: PlanDocument): Choice<string>[] {
   const scored = (modes ?? []).map(({name, words, brief}) => ({value: name, words: brief, hint: words}));
   return [...scored, {value: "predicted", words: "predicted"}];
@@ -105,7 +108,7 @@ function ModeChoice({document, shownMode}: {document: PlanDocument | null; shown
   );
 }
 
-/** How many holes the tool enters with no step, with one, ..., with all. */
+/** Numbers of holes that the tool enters with no step, with one, ..., with all. */
 function StepCounts({document, colouring}: {document: PlanDocument; colouring: Colouring}) {
   return (
     <span class="counts">

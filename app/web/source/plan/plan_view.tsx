@@ -1,4 +1,4 @@
-// The plan view: a work list chosen on the sheet, made into a proved tour, played with the arm, and taken away as files.
+// The plan view: a work list chosen on the sheet, planned as a proved tour, played with the arm, and exported as files.
 import {useEffect, useMemo} from "preact/hooks";
 import {Vector3} from "three";
 import {Panel} from "../drawing/panel";
@@ -73,7 +73,7 @@ function Plan({model}: {model: SheetModel}) {
   );
 }
 
-/** Just under each hole, where the tool comes from. */
+/** Returns the points just under each hole, where the tool comes from. */
 function tourPoints(model: SheetModel, holes: number[]): Vector3[] | null {
   if (holes.length < 2) return null;
   return holes
@@ -81,7 +81,7 @@ function tourPoints(model: SheetModel, holes: number[]): Vector3[] | null {
     .map((hole) => new Vector3(model.world[3 * hole], model.world[3 * hole + 1], -1));
 }
 
-/** What the plan is proved for; a base that nobody placed is to be calibrated first. */
+/** Base that the plan is proved for, with the advice to calibrate a base that nobody placed. */
 function Standing({base}: {base?: PlanDocument["base"]}) {
   if (!base?.words) return null;
   return (

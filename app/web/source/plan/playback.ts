@@ -1,4 +1,4 @@
-// Playing a plan: a clock that runs along the path, and the joints at any time of it.
+// Playback of a plan: a clock that runs along the path, and the joints at any time of it.
 import {computed, effect, signal} from "@preact/signals";
 import type {PathClearances, PathDocument, PlanDocument} from "../server/documents";
 import {answerTo} from "../server/answers";
@@ -8,15 +8,15 @@ import {poseRequest} from "../arm/pose_link";
 import {jointsAt, sampleAt} from "./sampling";
 
 export const plan = result<PlanDocument>("plan");
-/** The distance to what is nearest at the path's samples, as far as it has been asked for; null where nothing is near. */
+/** Distance to the nearest object at the path's samples, as far as requested; null without a near object. */
 export const clearances = signal<(number | null)[]>([]);
 export const time = signal(0);
 export const speed = signal(1);
 export const isPlaying = signal(false);
-/** Set while a view shows the plan, so that the sliders of the arm are left alone otherwise. */
+/** True while a view shows the plan, so that the sliders of the arm are left alone otherwise. */
 export const isFollowed = signal(false);
 
-// ---- the path belongs to the plan: fetched when the plan is
+// ---- the path of the plan, fetched with it
 
 const planMark = computed(() => state.value?.results.plan?.revision ?? -1);
 const found = answerTo<PathDocument>({
@@ -28,7 +28,7 @@ const found = answerTo<PathDocument>({
 const foundPath = computed(() => found.value.document);
 export const path = computed(() => (foundPath.value ? perSample(foundPath.value) : null));
 
-// Another path is played from its beginning.
+// A new path is played from its beginning.
 effect(() => {
   const document = path.value;
   isPlaying.value = false;
@@ -39,7 +39,7 @@ effect(() => {
 
 const AT_ONCE = 500;
 
-/** A batch at a time: each takes about a tenth of a second, and poses are asked in between. */
+/** Requests the clearances in batches of about a tenth of a second, with requests for poses between them. */
 async function askClearances(mark: number, samples: number): Promise<void> {
   try {
     while (clearances.peek().length < samples && planMark.peek() === mark) {
@@ -53,7 +53,7 @@ async function askClearances(mark: number, samples: number): Promise<void> {
   }
 }
 
-/** Clearance is proved of whole segments: each sample has that of its own. */
+/** Assigns to each sample the clearance of its segment, because clearance is proved for whole segments. */
 function perSample(document: PathDocument): PathDocument {
   const {clearance, segment, time: times} = document;
   if (!clearance || clearance.length === times.length) return document;
@@ -62,9 +62,9 @@ function perSample(document: PathDocument): PathDocument {
 
 export const endTime = computed(() => path.value?.time.at(-1) ?? 0);
 
-// ---- where in the path a time is
+// ---- place of a time in the path
 
-/** The visit that a sample belongs to: from the path, else counted by its approaches. */
+/** Visit of each sample, from the path, else counted by its approaches. */
 export const visitOfSample = computed<Int32Array>(() => {
   const document = path.value;
   if (!document) return new Int32Array(0);
@@ -87,7 +87,7 @@ export const currentVisit = computed(() => {
   return document ? (visitOfSample.value[sampleAt(document.time, time.value)] ?? 0) : -1;
 });
 
-/** The time at which each tube is reached: the end of its approach. */
+/** Time at which each tube is reached, which is the end of its approach. */
 export const arrivals = computed<number[]>(() => {
   const document = path.value;
   const count = plan.value.document?.tubes.length ?? 0;
@@ -130,7 +130,7 @@ export function goToVisit(visit: number): void {
   if (Number.isFinite(at)) time.value = at;
 }
 
-// The arm follows the clock; the pose is solved by the program, one at a time.
+// The arm follows the clock; the program solves one pose at a time.
 effect(() => {
   const document = path.value;
   const at = time.value;

@@ -1,7 +1,7 @@
-// Where in a path a time is, and the joints there.
+// Places of a time in a path, and the joints there.
 import type {PathDocument} from "../server/documents";
 
-/** The last sample at or before a time. */
+/** Returns the last sample at or before a time. */
 export function sampleAt(times: readonly number[], at: number): number {
   let low = 0,
     high = times.length - 1;
@@ -13,7 +13,7 @@ export function sampleAt(times: readonly number[], at: number): number {
   return low;
 }
 
-/** Straight between samples, as the motion was proved. */
+/** Returns the joints, linear between samples, as the motion was proved. */
 export function jointsAt(document: PathDocument, at: number): number[] {
   const i = sampleAt(document.time, at),
     j = Math.min(i + 1, document.time.length - 1);

@@ -1,4 +1,4 @@
-// The planned holes in the order of visiting, and those that are selected beside them.
+// The planned holes in the order of visiting, and further selected holes.
 import {computed} from "@preact/signals";
 import {selection, sheet} from "../shell/page_state";
 import {plan} from "./playback";
@@ -9,7 +9,7 @@ export const tour = computed<number[]>(() => {
   return model && document ? document.tubes.map((tube) => model.find(tube.row, tube.column)) : [];
 });
 
-/** Selected holes that the plan does not have yet. */
+/** Selected holes that are not in the plan yet. */
 export const unplanned = computed<ReadonlySet<number>>(() => {
   const planned = new Set(tour.value);
   return new Set([...selection.value].filter((hole) => !planned.has(hole)));

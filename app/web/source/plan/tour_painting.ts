@@ -1,4 +1,4 @@
-// The tour over the sheet: its course, each hole's mark, holes out of reach, and where it is now.
+// The tour over the sheet: its course, each hole's mark, holes out of reach, and its present place.
 import {toPixel, type Camera, type Size} from "../../../drawing/frames.js";
 import {UNREACHABLE} from "../../../drawing/kinds.js";
 import {drawRings, strokeLine} from "../drawing/canvas";
@@ -17,9 +17,9 @@ interface Canvas {
 interface Tour {
   model: SheetModel;
   colouring: Colouring;
-  /** In the order of visiting; -1 for one that the sheet does not have. */
+  /** Holes in the order of visiting; -1 for one that the sheet does not have. */
   holes: readonly number[];
-  /** The visit that is shown; -1 for none. */
+  /** Index of the visit shown; -1 for none. */
   at: number;
   unreachable: readonly {row: number; column: number}[];
 }

@@ -1,5 +1,5 @@
-// Clearance, travel time and centring along the tour, with the playhead; the cursor reads the clearance, a click goes
-// there.
+// Clearance, travel time and centring along the tour, with the playhead; the cursor reads the clearance, a click moves
+// the playhead there.
 import {choicesOf, Segments} from "../drawing/segments";
 import {signal, useSignalEffect} from "@preact/signals";
 import {useMemo, useRef} from "preact/hooks";
@@ -24,7 +24,7 @@ const WHATS: [What, string][] = [
   ["centring", "Chance of all steps"],
 ];
 const what = signal<What>("clearance");
-/** The time under the mouse. */
+/** Time under the pointer. */
 const pointed = signal<number | null>(null);
 
 export function TourPlot() {
@@ -66,7 +66,7 @@ export function TourPlot() {
   );
 }
 
-/** What the arm keeps clear where the mouse points, else where the tour is played. */
+/** Clearance of the arm at the pointed time, else at the playhead. */
 function ClearanceFigure({along}: {along: PathDocument}) {
   const at = pointed.value ?? time.value;
   const sample = sampleAt(along.time, at);
@@ -85,7 +85,7 @@ function ClearanceFigure({along}: {along: PathDocument}) {
   );
 }
 
-/** Times, and one or two courses over them: what is found at the samples, and what is proved of their motions. */
+/** Returns times, and one or two courses over them: sampled values, and proved values of the motions. */
 function pointsOf(
   which: What,
   document: PlanDocument,
@@ -147,7 +147,9 @@ function axesOf(which: What, document: PlanDocument, colours: Palette): uPlot.Ax
   ];
 }
 
-/** The clearance as a line, with what is proved of the motions as steps; else a bar for each tube. */
+/**
+ * Returns the clearance as a line, with the proved clearance of the motions as steps; otherwise a bar for each tube.
+ */
 function seriesOf(which: What, hasProved: boolean, colours: Palette): uPlot.Series[] {
   const isBars = which !== "clearance";
   return [

@@ -1,4 +1,4 @@
-// Play, pause, scrub, speed.
+// Controls of the playback: play, pause, position, speed.
 import {Segments} from "../drawing/segments";
 import {Icon} from "../drawing/icons";
 import {clock, MISSING, short} from "../../../drawing/numbers.js";

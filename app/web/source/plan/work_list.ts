@@ -1,5 +1,5 @@
-// A work list from a file: its tubes become the selection, its stays go with them, and what is left out of it is said.
-// Where its headings say nothing, its columns are asked for.
+// A work list from a file: its tubes become the selection, with their stays, and excluded tubes are reported.
+// Unrecognized headings open the dialog for columns.
 import type {ListColumnsDocument} from "../shell/columns_choice";
 import {askForColumns, type ColumnsUse, type TableText} from "../shell/columns_dialog";
 import {selection, stays, view} from "../shell/page_state";
@@ -9,7 +9,7 @@ import {cell, report} from "../server/workbench";
 interface WorkListDocument {
   name: string;
   tubes: number[];
-  /** Seconds at a tube, by its index. */
+  /** Stay at each tube by its index [s]. */
   stays: Record<string, number>;
   notes: string[];
 }
@@ -32,14 +32,14 @@ const LIST: ColumnsUse = {
   },
 };
 
-/** Whether a table is a work list: its headings name tubes, or it is opened where lists are and names no joints. */
+/** Returns true if a table is a work list: its headings name tubes, or it is opened as a list and names no joints. */
 export async function seemsToBeList(table: TableText): Promise<boolean> {
   if (!cell.value?.has_sheet) return false;
   try {
     const {states} = await post<ListColumnsDocument>(COLUMNS, {tables: [table]});
     return states === "tubes" || (states === "neither" && view.value === "plan");
   } catch {
-    return false; // no table of any kind: what reads readings says why
+    return false; // not a table: the reader of readings gives the reason
   }
 }
 
@@ -52,7 +52,7 @@ export async function openList(list: TableText): Promise<void> {
   }
 }
 
-/** Its columns are asked for, unless they are understood and something else was refused. */
+/** Asks for the meanings of the columns, unless they are understood and the refusal has another reason. */
 async function askAfter(list: TableText, refused: unknown): Promise<void> {
   try {
     const document = await post<ListColumnsDocument>(COLUMNS, {tables: [list]});

@@ -1,4 +1,4 @@
-// Opens a work list from a file, and says how many of the tubes chosen have a stay of their own.
+// Button that opens a work list from a file, with the number of selected tubes that have their own stay.
 import {plural} from "../../../drawing/numbers.js";
 import {openList} from "./work_list";
 import {staysOfSelection} from "../shell/page_state";
@@ -15,7 +15,7 @@ export function WorkListButton() {
           const input = event.currentTarget,
             file = input.files?.[0];
           if (file) await openList({name: file.name, text: await file.text()});
-          input.value = ""; // the same file may be opened again
+          input.value = ""; // allows opening the same file again
         }}
       />
     </label>

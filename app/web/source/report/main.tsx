@@ -1,4 +1,4 @@
-// Starts a report: its document stands in the file, which asks nothing of any network.
+// Starts a report: its document is in the file, which requests nothing from any network.
 import "./sharp";
 import "uplot/dist/uPlot.min.css";
 import "../../../drawing/colours.css";

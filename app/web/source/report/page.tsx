@@ -1,4 +1,4 @@
-// A report as a page: its head, its sections with a list of them, what it is of.
+// A report as a page: its head, a list of its sections, the sections and the facts.
 import type {ComponentType} from "preact";
 import {useErrorBoundary} from "preact/hooks";
 import type {OfReport} from "./parts";
@@ -8,7 +8,7 @@ export interface SectionKind {
   id: string;
   title: string;
   Content: ComponentType<OfReport>;
-  /** Whether a document has such a section; all have without it. */
+  /** Returns true if a document has such a section; without it all do. */
   of?: (report: Report) => boolean;
 }
 
@@ -16,7 +16,7 @@ export interface PageKind {
   title: string;
   Head: ComponentType<OfReport>;
   sections: readonly SectionKind[];
-  /** What the report is of, name by name. */
+  /** Facts of the report, each with its name. */
   facts: (report: Report) => readonly (readonly [string, unknown])[];
 }
 
@@ -49,14 +49,14 @@ export function ReportPage({kind, report}: {kind: PageKind} & OfReport) {
   );
 }
 
-/** A section that cannot be drawn says so and leaves the others alone. */
+/** Section that shows its own failure and leaves the others alone. */
 function Guarded({section: {Content}, report}: {section: SectionKind} & OfReport) {
   const [error] = useErrorBoundary();
   if (error) return <p class="missing">This part could not be drawn: {error.message}</p>;
   return <Content report={report} />;
 }
 
-/** The figures at its head. */
+/** Figures at the head of the report. */
 export function Summary({facts}: {facts: readonly (readonly [string, unknown])[]}) {
   if (facts.length === 0) return null;
   return (

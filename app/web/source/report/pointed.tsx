@@ -1,8 +1,8 @@
-// What is under the pointer, said beside it; paper goes without.
+// Text about the element under the pointer; omitted on paper.
 import type {ComponentChildren} from "preact";
 import {useSignal} from "@preact/signals";
 
-/** Lines about what is pointed at, the first its name; null of nothing. */
+/** Lines about the pointed element, the first its name; null if nothing is pointed at. */
 export type Lines = (string | null | false)[] | null;
 
 interface PointedProps {

@@ -1,11 +1,11 @@
-// Stacked bars of shares; every part carries its case's mark and its count.
+// Stacked bars of shares; every part has its case's mark and its count.
 import {plural, whole} from "../../../drawing/numbers.js";
 import {stepMark} from "../../../drawing/steps.js";
 import {MarkIcon} from "../drawing/marks";
 
 interface StepBarsProps {
   label: string;
-  /** How many holes each number of steps enters, by name of the model or mode. */
+  /** Numbers of holes by the number of steps that enter, for each model or mode. */
   rows: readonly {name: string; counts: readonly number[]}[];
 }
 

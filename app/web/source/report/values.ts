@@ -1,8 +1,8 @@
-// Reading a report's document, any part of which may be missing.
+// Reader of a report's document, any part of which may be missing.
 import {isNumber, MISSING, plainUnit, short} from "../../../drawing/numbers.js";
 import {tubeTitle} from "../../../drawing/sheet_model.js";
 
-/** As it stands in the file: any part may be missing, or another thing than it should be. */
+/** Document of the file, in which any part may be missing or of an unexpected type. */
 export type Report = Record<string, any>;
 
 export function list(value: unknown): Report[] {

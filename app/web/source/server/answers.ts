@@ -1,4 +1,4 @@
-// Documents that the program is asked for anew whenever what they are of changes.
+// Documents that are requested from the program again whenever their inputs change.
 import {computed, effect, signal, useSignal, type ReadonlySignal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
 import type {Problem} from "./documents";
@@ -12,16 +12,18 @@ export interface Loaded<T> {
 const NOTHING: Loaded<never> = {document: null, problem: null};
 
 interface Question {
-  /** What the document is of: another key, another document; "": there is none; null: nobody looks, and what is known
-   * stays. */
+  /**
+   * Key of the document's inputs: another key requests another document; "": there is none; null: the view is closed,
+   * and the known document stays.
+   */
   key: () => string | null;
   path: () => string;
-  /** Whether the document before is shown until the new one is here. */
+  /** True if the former document is shown until the new one arrives. */
   keeps?: boolean;
   onProblem?: (error: unknown) => void;
 }
 
-/** A document that is missing is none. */
+/** Returns the answer to a question; a missing document counts as none. */
 export function answerTo<T>({key, path, keeps = false, onProblem}: Question): ReadonlySignal<Loaded<T>> {
   const into = signal<Loaded<T>>(NOTHING),
     wantedKey = computed(key);
@@ -49,7 +51,7 @@ export function answerTo<T>({key, path, keeps = false, onProblem}: Question): Re
   return into;
 }
 
-/** The document at an address, for as long as a component is there; none without an address. */
+/** Returns the document at an address, for the lifetime of a component; none without an address. */
 export function useAnswer<T>(path: string): Loaded<T> {
   const into = useSignal<Loaded<T>>(NOTHING);
   useEffect(() => {

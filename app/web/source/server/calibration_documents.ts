@@ -1,4 +1,4 @@
-// Touches and where the base stands.
+// Documents of touches and of the calibrated base.
 import type {Units, Vector3} from "./common_documents";
 
 export interface TouchesDocument {
@@ -11,7 +11,7 @@ export interface TouchList {
   touches: {id: string; hole: number; name?: string; joints: number[]; simulated?: boolean}[];
 }
 
-/** One joint reading of one touch which, were it off by so much, would explain that the touches do not fit. */
+/** Joint reading of one touch whose error `off` would explain the misfit of the touches. */
 export interface SuspectReading {
   touch: string;
   joint: string;
@@ -28,8 +28,10 @@ export interface TouchResidual {
   size: number;
 }
 
-/** Of touches that were refused base, sigma, covariance and nominal are not there; of too few, or of some along a line,
- *  the residuals neither. */
+/**
+ * Document of a calibration. Refused touches have no base, sigma, covariance and nominal; too few touches, or some
+ * along a line, have no residuals either.
+ */
 export interface CalibrateDocument {
   status: "done" | "refused" | "not-converged";
   reason: string;
@@ -43,7 +45,7 @@ export interface CalibrateDocument {
   residuals?: TouchResidual[];
   distances?: {from: string; to: string; by_arm: number; on_sheet: number; difference: number; sigma: number}[];
   suspects: string[];
-  /** The one touch without which the others fit; as suspect_readings, not in what an earlier program left. */
+  /** Touch without which the others fit; like suspect_readings, absent in documents of earlier programs. */
   odd_touch?: string | null;
   suspect_readings?: SuspectReading[];
   verdict?: "adequate" | "falls-short";

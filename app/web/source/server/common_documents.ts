@@ -1,4 +1,4 @@
-// What several of the server's documents hold.
+// Common parts of the server's documents.
 
 export type Vector3 = [number, number, number];
 export type Vector2 = [number, number];
@@ -9,11 +9,11 @@ export interface Units {
   force: string;
   temperature?: string;
   time?: string;
-  /** That readings may state under these names. */
+  /** Conditions that readings may state under these names. */
   conditions?: {name: string; unit: string}[];
 }
 
-/** How a base was placed; `words` continue "proved" and "steps". */
+/** Placement of a base; `words` continue "proved" and "steps". */
 export interface BaseStanding {
   status: string;
   words: string;
@@ -21,7 +21,7 @@ export interface BaseStanding {
   touches: number;
 }
 
-/** What is wrong with an input, as the program says it. */
+/** Problem with an input, in the program's words. */
 export interface Problem {
   where?: string;
   found?: string;

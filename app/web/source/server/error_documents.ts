@@ -1,11 +1,11 @@
-// The loop: readings, their errors, what is missing, the numbers of the model.
+// Documents of the calibration loop: readings, their errors, missing effects, the numbers of the model.
 import type {ErrorBudget} from "../../../drawing/error_budget.js";
 import type {Units, Vector3} from "./common_documents";
 import type {EffectAt, EffectNumber} from "./state_documents";
 
-/** What every document about errors says of them: their unit, what they divide into, and what is in none of them. */
+/** Common part of all documents about errors: their unit, their budget, and the readings excluded from them. */
 export interface JudgedDocument {
-  /** Not in what an earlier program left in a project, like the others. */
+  /** Absent in projects of earlier programs, like the following ones. */
   error_unit?: string;
   error_budget?: ErrorBudget | null;
   set_aside?: string[];
@@ -14,23 +14,22 @@ export interface JudgedDocument {
   revision: number;
 }
 
-/** The same with a verdict. */
+/** Document about errors with a verdict. */
 export interface VerdictDocument extends JudgedDocument {
   verdict: string;
-  /** Not in what an earlier program left in a project. */
+  /** Absent in projects of earlier programs. */
   verdict_words?: string;
-  /** The errors of the model as it stands, refitted, and with each explanation. */
+  /** Errors of the given model, of the refitted one, and with each explanation. */
   ladder?: {name: string; rms: number | null; heldout_rms: number | null}[];
   sentence: string;
-  /** Sentence by sentence, the error first, without the advice of `splitting`; not in what an earlier program left in a
-   *  project. */
+  /** Sentences, the error first, without the advice of `splitting`; absent in projects of earlier programs. */
   sentences?: string[];
   chi2_per_dof: number;
   p_value: number;
   rms: Record<string, number>;
 }
 
-/** Conditions that it states are beside these, under the names that the units have them by. */
+/** Reading with its errors. Its conditions are further keys, with the names stated in the units. */
 export interface ErrorReading {
   id: string;
   kind: string;
@@ -39,7 +38,7 @@ export interface ErrorReading {
   joints: number[];
   senses?: number[];
   load?: number;
-  force?: Vector3; // on the tip beside the load, world axes
+  force?: Vector3; // on the tip in addition to the load, world axes
   sigma?: number;
   held_out?: boolean;
 }
@@ -47,7 +46,7 @@ export interface ErrorReading {
 export interface ComparedReading extends ErrorReading {
   error_before: Vector3;
   error_after: Vector3;
-  /** Lengths of those errors, an angle where the reading measures nothing else, in their unit. */
+  /** Sizes of those errors in their unit; an angle if the reading measures nothing else. */
   size_before: number | null;
   size_after: number | null;
   size_unit: string;
@@ -57,7 +56,7 @@ export interface ComparedReading extends ErrorReading {
   position_after?: Vector3;
 }
 
-/** A test of whether the error follows a variable, in one frame. */
+/** Test of the error's dependence on a variable, in one frame. */
 export interface PatternTest {
   kind: string;
   variable: string;
@@ -105,13 +104,13 @@ export interface DiagnosedReading extends ErrorReading {
   after: Vector3 | null;
   explained: (Vector3 | null)[];
   position: Vector3;
-  /** As of a compared reading, before and with each explanation; not in what an earlier program left in a project. */
+  /** Sizes as for a compared reading, before and with each explanation; absent in projects of earlier programs. */
   size_before?: number | null;
   size_explained?: (number | null)[];
   size_unit?: string;
 }
 
-/** A reading that would discriminate between explanations, with the posture, load and sense of arrival to take it at. */
+/** Reading that would discriminate between explanations, with its posture, load and sense of arrival. */
 export interface NextReading {
   point?: string;
   kind?: string;
@@ -120,16 +119,16 @@ export interface NextReading {
   senses?: Record<string, number>;
   splits?: string[];
   separation_sigmas?: number;
-  /** Not in what an earlier program left in a project. */
+  /** Absent in projects of earlier programs. */
   fill_in?: FillIn;
 }
 
-/** Columns of a run sheet that somebody has to fill in for a reading. */
+/** Columns of a run sheet to be filled in for a reading. */
 export interface FillIn {
   columns: string[];
-  /** So many of them make it a reading. */
+  /** Least number of filled columns that makes it a reading. */
   least: number;
-  /** Conditions that the readings so far state. */
+  /** Conditions that the present readings state. */
   optional: string[];
 }
 
@@ -141,7 +140,7 @@ export interface DiagnoseDocument extends VerdictDocument {
   ranking: RankedEffect[];
   readings: DiagnosedReading[];
   next_readings: NextReading[];
-  /** They, row by row, as a measurement table in which what is measured is to be filled in. */
+  /** Proposed readings, row by row, as a measurement table with empty fields for the measured values. */
   run_sheet?: string;
   splitting?: {
     advice?: string;
@@ -156,9 +155,9 @@ export interface DiagnoseDocument extends VerdictDocument {
     }[];
   };
   warnings: (string | {sentence: string})[];
-  /** What the ranking's probabilities are of. */
+  /** Meaning of the ranking's probabilities. */
   probability_words?: string;
-  /** The least of each effect that would have been seen. */
+  /** Least detectable size of each effect. */
   detectable?: {
     effect: string;
     at: string;
@@ -167,7 +166,7 @@ export interface DiagnoseDocument extends VerdictDocument {
     unit: string;
     beyond_plausible: boolean;
   }[];
-  /** What is left that no known effect explains. */
+  /** Remaining error that no known effect explains. */
   remainder?: {size: number | null; follows: {variable: string; share: number}[]};
   alternatives: EffectAt[][];
   joints: {name: string; unit: string}[];
@@ -212,7 +211,10 @@ export interface CatalogueDocument {
   }[];
 }
 
-/** What an effect of half the usual size does to the tip of this arm; no values where it does not move it. */
+/**
+ * Displacement of this arm's tip by an effect of half the usual size; without values if the effect does not move the
+ * tip.
+ */
 export interface SignatureDocument {
   effect: string;
   at: string;
@@ -223,13 +225,13 @@ export interface SignatureDocument {
   shift_unit: string;
 }
 
-/** Which causes the readings can hardly distinguish. */
+/** Causes that the readings can hardly distinguish. */
 export interface ConfoundingDocument {
   readings: number;
   causes: {effect: string; at: string; kept: number; confounded: {effect: string; at: string; share: number}[]}[];
 }
 
-/** How far joints and axes take the tip at each reading, three numbers for each name; where base and tool stand. */
+/** Leverage of joints and axes on the tip at each reading, three numbers for each name; the places of base and tool. */
 export interface LeverageDocument {
   units: string[];
   names: string[];
@@ -246,7 +248,7 @@ export interface MomentsDocument {
   readings: Record<string, number[]>;
 }
 
-/** A reading as it was read, with the tip that the model predicts there. */
+/** Reading as in its file, with the tip that the model predicts there. */
 export interface MeasurementRow extends ErrorReading {
   position: Vector3 | null;
   tip: Vector3 | null;

@@ -1,4 +1,4 @@
-// Sheet, scene, postures and what is known of every hole.
+// Documents of sheet, scene, postures and fields over the holes.
 import type {Units, Vector2, Vector3} from "./common_documents";
 
 export interface SheetDocument {
@@ -12,7 +12,10 @@ export interface SheetDocument {
   view_words: string;
   leg: string;
   leg_words: string;
-  /** In the bowl, in the world; u and v its direction from the sheet's middle as drawn. Null: the cell does not say. */
+  /**
+   * Manway in the bowl, in the world; u and v: its direction from the sheet's middle in the drawing. Null if the cell
+   * states none.
+   */
   manway: {center: Vector3; diameter: number; u: number; v: number} | null;
   tool?: {diameters: number[]; tolerances: number[]; step_words: string[]} | null;
   holes: {
@@ -25,12 +28,12 @@ export interface SheetDocument {
     v: number[];
     state: number[];
     states: string[];
-    /** The same for a reader. */
+    /** States of the holes in words. */
     state_words: string[];
   };
 }
 
-/** A shape of the cell file: its kind and the fields of that kind, in the world or in its row's frame. */
+/** Shape of the cell file: its kind and the fields of that kind, in the world or in its row's frame. */
 export interface SolidShape {
   kind: string;
   name: string;

@@ -1,7 +1,7 @@
-// What the program says to its command line, said on the page: its options are fields and buttons here.
+// Translation of the program's messages from its command line to the page, on which options are fields and buttons.
 import type {Problem} from "./documents";
 
-/** Advice that names an option, and what does the same here; with nothing that does, it is of no use here. */
+/** Advice that names an option, and its equivalent on the page; advice without an equivalent is omitted. */
 const ADVICE: readonly (readonly [RegExp, string])[] = [
   [/--(column|units)\b/, "Choose above what each column is, and its unit."],
   [/--(dates|orientation|points|kind)\b/, "Choose it below the tables."],
@@ -12,7 +12,7 @@ const ADVICE: readonly (readonly [RegExp, string])[] = [
   [/--[a-z]|`tubeplan /, ""],
 ];
 
-/** Without the options that it offers beside something else. */
+/** Returns the text without options that it offers as an alternative. */
 export function pageWords(text: string): string {
   return text
     .replace(/ \(--[^)]*\)/g, "")

@@ -1,4 +1,4 @@
-// A plan, its path and what it keeps clear.
+// Documents of a plan, its path and its clearances.
 import type {BaseStanding, Units, Vector3} from "./common_documents";
 
 export interface PlannedTube {
@@ -26,21 +26,21 @@ export interface PlanDocument {
   min_clearance: number;
   clearance_required: number;
   tightest: string;
-  /** How the tool goes from tube to tube; not in what an earlier program left in a project. */
+  /** Motion of the tool between tubes; absent in projects of earlier programs. */
   travel?: {kind: string; on_line?: number; line_deviation?: number | null};
   counts?: Record<string, number[]>;
-  /** The ways of compensation that are scored; as step_words, not in what an earlier program left in a project. */
+  /** Scored ways of compensation; like step_words, absent in projects of earlier programs. */
   modes?: {name: string; words: string; brief: string}[];
-  /** What 0, 1, ... steps of the tool that enter are called. */
+  /** Names of 0, 1, ... steps of the tool that enter. */
   step_words?: string[];
-  /** What the plan is of; without the standing in what an earlier program left in a project. */
+  /** Base of the plan; without its standing in projects of earlier programs. */
   base?: Partial<BaseStanding>;
   warnings?: string[];
   sentence?: string;
   units: Units;
 }
 
-/** The distance to what is nearest at some of a path's samples. */
+/** Distances to the nearest object at some of a path's samples. */
 export interface PathClearances {
   from: number;
   samples: number;

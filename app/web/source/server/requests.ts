@@ -1,7 +1,7 @@
-// Asking the server: JSON in and out, and the program's own words where it refuses.
+// Requests to the server: JSON in and out, with the program's own words for a refusal.
 import type {Problem} from "./documents";
 
-/** A refusal of the server, or its silence. */
+/** Refusal of the server, or its failure to answer. */
 export class ServerProblem extends Error {
   constructor(
     readonly status: number,
@@ -18,7 +18,7 @@ async function problemOf(response: Response): Promise<Problem> {
       return {message: `The server answered ${response.status}.`, ...body.error};
     }
   } catch {
-    // Not JSON: the status is all there is.
+    // Without JSON only the status is known.
   }
   return {message: `The server answered ${response.status} ${response.statusText}.`};
 }

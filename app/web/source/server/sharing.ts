@@ -1,10 +1,11 @@
-// What is the same in two answers is one object, so that whoever looks at a part does not hear of a change elsewhere.
+// Sharing of equal parts of two answers as one object, so that observers of a part are not notified of changes
+// elsewhere.
 
 function isParted(value: unknown): value is Record<string, unknown> {
   return typeof value === "object" && value !== null;
 }
 
-/** `next`, with the parts of `before` where they are equal; `before` itself where all of it is. */
+/** Returns `next` with the equal parts of `before`; `before` itself if all parts are equal. */
 export function sharing<T>(before: unknown, next: T): T {
   if (Object.is(before, next) || !isParted(before) || !isParted(next) || Array.isArray(before) !== Array.isArray(next))
     return next;

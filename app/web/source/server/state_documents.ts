@@ -1,4 +1,4 @@
-// The state that all browsers share.
+// Documents of the state shared by all browsers.
 import type {BaseStanding, Problem, Units, Vector3} from "./common_documents";
 
 export interface JointInfo {
@@ -27,17 +27,17 @@ export interface CellInfo {
 export interface EffectAt {
   effect: string;
   at: string;
-  /** What it is, for a reader who does not know its name. */
+  /** Description for a reader who does not know the name. */
   words?: string;
-  /** What its law may hang on, by kinds of variables, the plainest first; empty: on anything. */
+  /** Kinds of variables on which its law may depend, the plainest first; empty: on anything. */
   varies_with?: string[];
-  /** As the order to add it takes it, with the sizes that were found. */
+  /** Text for a request to add it, with the sizes found. */
   add?: string;
-  /** The law of a formula of the user. */
+  /** Law of a user's formula. */
   formula?: string;
-  /** Other names of it, that no reading could distinguish from it. */
+  /** Other effects that no reading could distinguish from it. */
   also?: {effect: string; at: string}[];
-  /** The same in words; not in what an earlier program left in a project. */
+  /** Those effects in words; absent in projects of earlier programs. */
   also_words?: string;
   parameters?: Record<string, EffectNumber | number | string>;
 }
@@ -62,19 +62,19 @@ export interface ReadingsInfo {
   readings: number;
   kinds: Record<string, number>;
   sigma: number | null;
-  /** How many are set aside, and how often that was changed. */
+  /** Number of readings set aside; `change` counts the changes. */
   set_aside: number;
   held_out: number;
   change: number;
-  /** How many joined the others last: they can be taken out again. */
+  /** Number of readings that joined last and can be removed again. */
   joined: number;
-  /** What they are taken with, otherwise than their file says. */
+  /** Assumptions about the readings that differ from their file. */
   assumed: string[];
   checks: ReadingCheck[];
   missing_columns: MissingColumn[];
 }
 
-/** What looked wrong with the readings when they were opened. */
+/** Suspected mistake found when the readings were opened. */
 export interface ReadingCheck {
   name: string;
   severity: "mistake" | "remark";
@@ -107,11 +107,11 @@ export interface Job {
 export interface ResultMark {
   model: number;
   revision: number;
-  /** All that have one. */
+  /** Ids of all models that have the result. */
   models: number[];
 }
 
-/** Where the encoders of a running arm say it is, or what is wrong with what came. */
+/** Posture of a running arm by its encoders, or a problem with the received data. */
 export interface LiveNews {
   source: string;
   joints?: number[];
@@ -122,7 +122,7 @@ export interface LiveNews {
 
 export interface WorkbenchState {
   revision: number;
-  /** Of two states, and of two words of a job, the greater is the newer, whichever came first. */
+  /** Number of the state or of a job's message; the greater one is newer, whichever arrived first. */
   moment: number;
   version: string;
   folder: string;
@@ -136,10 +136,10 @@ export interface WorkbenchState {
   jobs: Job[];
   touches?: number;
   project: {
-    /** What it was last saved as, in the folder. */
+    /** File in the folder of the last save. */
     file: string | null;
     unsaved: boolean;
-    /** Whether every change is kept in the state folder, and why not. */
+    /** True if every change is kept in the state folder; otherwise `problem` is the reason. */
     kept: boolean;
     problem: string;
   };

@@ -1,4 +1,4 @@
-// The server's state as signals: from /api/events, the same in every browser; results fetched when they change.
+// The server's state as signals: from /api/events, the same in every browser; results are fetched when they change.
 import {batch, computed, effect, signal, type ReadonlySignal} from "@preact/signals";
 import type {Job, LiveNews, Model, Problem, SceneDocument, SheetDocument, Units, WorkbenchState} from "./documents";
 import {answerTo, type Loaded} from "./answers";
@@ -10,7 +10,7 @@ export const state = signal<WorkbenchState | null>(null);
 export const connection = signal<"connecting" | "live" | "lost">("connecting");
 export const jobs = signal<ReadonlyMap<string, Job>>(new Map());
 
-/** The newest from a running arm; null until there is one. */
+/** Newest data of a running arm; null until there are any. */
 export const liveNews = signal<LiveNews | null>(null);
 
 export const cell = computed(() => state.value?.cell ?? null);
@@ -20,14 +20,14 @@ export const currentModel = computed<Model | null>(
   () => state.value?.models.find((model) => model.id === state.value?.model) ?? null,
 );
 
-/** The label of the model that a result is of, where that is not the model as it is now; else "". */
+/** Returns the label of the model that a result belongs to if that is not the present model; otherwise "". */
 export function otherModelOf(name: string): string {
   const id = state.value?.results[name]?.model;
   if (id === undefined || id === state.value?.model) return "";
   return state.value?.models.find((model) => model.id === id)?.label ?? "a model that is gone";
 }
 
-/** The running job of a kind, if one is. */
+/** Returns the running job of a kind, if there is one. */
 export function runningJob(...kinds: string[]): Job | null {
   return runningJobs.value.find((job) => kinds.includes(job.kind)) ?? null;
 }
@@ -38,10 +38,10 @@ function noteJob(job: Job): void {
   jobs.value = withJob(jobs.value, job);
 }
 
-/** A program that was started anew may count from the beginning. */
+/** True after a new connection, because a restarted program counts from the beginning. */
 let isNewConnection = true;
 
-/** It says something every 10 s; from so much silence on it is taken not to answer. */
+/** The server sends at least every 10 s; after this time without data it counts as not answering [ms]. */
 const LONGEST_SILENCE = 25_000;
 let heard = 0;
 
@@ -64,7 +64,7 @@ export function takeState(next: WorkbenchState): void {
   });
 }
 
-/** The server keeps the token in a cookie; it need not stay in the address bar. */
+/** Removes the token from the address bar, because the server keeps it in a cookie. */
 export function dropTokenFromAddress(): void {
   const address = new URL(location.href);
   if (!address.searchParams.has("token")) return;
@@ -72,13 +72,13 @@ export function dropTokenFromAddress(): void {
   history.replaceState(null, "", address);
 }
 
-/** Follows the server; the browser reconnects by itself, and every connection begins with the whole state. */
+/** Follows the server; the browser reconnects automatically, and every connection begins with the whole state. */
 export function followServer(): void {
   const events = new EventSource("/api/events");
   for (const name of ["open", "state", "job", "live", "alive"]) events.addEventListener(name, hear);
   events.addEventListener("open", () => {
     isNewConnection = true;
-    notices.value = []; // of what was asked of the program before
+    notices.value = []; // about earlier requests to the program
   });
   events.addEventListener("state", (event) => {
     takeState(JSON.parse(event.data) as WorkbenchState);
@@ -97,7 +97,7 @@ export function followServer(): void {
 
 const results = new Map<string, ReadonlySignal<Loaded<unknown>>>();
 
-/** The result document of a name; it renews itself whenever the state says that it changed. */
+/** Returns the result document of a name, fetched again whenever the state reports a change. */
 export function result<T>(name: string): ReadonlySignal<Loaded<T>> {
   const known =
     results.get(name) ?? answerTo<unknown>({key: () => markOf(name), path: () => `/api/results/${name}`, keeps: true});
@@ -110,7 +110,7 @@ function markOf(name: string): string {
   return entry ? `${entry.model}:${entry.revision}` : "";
 }
 
-/** What belongs to the cell: asked for once for each. */
+/** Returns a document of the cell, requested once for each cell. */
 function perCell<T>(path: string, isThere: () => boolean): ReadonlySignal<Loaded<T>> {
   const key = () => (cell.value && isThere() ? `${state.value?.folder} ${cell.value.file} ${cell.value.name}` : "");
   return answerTo<T>({key, path: () => path});
@@ -119,7 +119,7 @@ function perCell<T>(path: string, isThere: () => boolean): ReadonlySignal<Loaded
 export const sheetDocument = perCell<SheetDocument>("/api/sheet", () => cell.value?.has_sheet === true);
 export const sceneDocument = perCell<SceneDocument>("/api/scene", () => true);
 
-// ---- what went wrong, shown until it is put away
+// ---- errors, shown until they are dismissed
 
 export interface Notice {
   id: number;
@@ -139,12 +139,12 @@ export function dismiss(id: number): void {
   notices.value = notices.value.filter((notice) => notice.id !== id);
 }
 
-/** Sends an order; where it is refused, says why. True where it was taken. */
+/** Sends a request and shows the reason for a refusal. Returns true if it was accepted. */
 export function order(title: string, path: string, body: unknown = {}): Promise<boolean> {
   return attempt(title, () => post(path, body));
 }
 
-/** Does what may be refused, and says why where it is. True where it was done. */
+/** Runs an action that may be refused and shows the reason. Returns true if it succeeded. */
 export async function attempt(title: string, act: () => Promise<unknown>): Promise<boolean> {
   try {
     await act();
@@ -155,15 +155,17 @@ export async function attempt(title: string, act: () => Promise<unknown>): Promi
   }
 }
 
-/** Orders for jobs that the program has not answered yet. */
+/** Paths of requests for jobs that the program has not answered yet. */
 const starting = signal<readonly string[]>([]);
 
-/** Whether a job of the kind that this address starts is being started or runs: a button pressed twice. */
+/** Returns true if a job that this path starts is starting or running, as after a double click. */
 function isUnderWay(path: string): boolean {
   return starting.peek().includes(path) || runningJob(path.slice(path.lastIndexOf("/") + 1)) !== null;
 }
 
-/** Starts a job and waits for its end, by the events; false where it failed, was stopped, or is under way. */
+/**
+ * Starts a job and waits for its end, by the events; returns false if it failed, was stopped, or is already running.
+ */
 export async function runJob(title: string, path: string, body: unknown = {}): Promise<boolean> {
   if (isUnderWay(path)) return false;
   try {
@@ -174,7 +176,7 @@ export async function runJob(title: string, path: string, body: unknown = {}): P
   }
 }
 
-/** Orders a job, and notes it as soon as the program has taken it. */
+/** Requests a job, and records it as soon as the program has accepted it. */
 export async function startJob(path: string, body: unknown): Promise<Job> {
   starting.value = [...starting.peek(), path];
   try {
@@ -209,7 +211,7 @@ async function ended(id: string): Promise<boolean> {
   return job === undefined || job.status === "done";
 }
 
-/** Stops the running jobs of these kinds, also those that are just being started, and waits for their end. */
+/** Stops the running and starting jobs of these kinds, and waits for their end. */
 export async function stopJobs(...kinds: string[]): Promise<void> {
   await until(() => starting.value.length === 0);
   const stopped = runningJobs.peek().filter((job) => kinds.includes(job.kind));
@@ -231,7 +233,7 @@ effect(() => {
   if (state.value !== null) isFirst = false;
 });
 
-// What a running arm sends may be wrong: reported once, wherever one looks.
+// Wrong data of a running arm are reported once, in any view.
 effect(() => {
   const {problem, source} = liveNews.value ?? {};
   if (problem) report(`${source}: not taken`, problem);

@@ -1,4 +1,4 @@
-// What the sheet's holes can be coloured by. Each colouring sorts the holes into a few kinds with a colour and a shape.
+// Colourings of the sheet's holes. Each colouring sorts the holes into a few kinds with a colour and a shape.
 import type {ColourName} from "../drawing/colours";
 import type {Mark, Shape} from "../drawing/marks";
 import {NOT_PLANNED, stateMark, UNREACHABLE} from "../../../drawing/kinds.js";
@@ -15,13 +15,13 @@ export interface Kind {
 
 export interface Colouring {
   title: string;
-  /** What the figures are, in a sentence. */
+  /** Meaning of the figures, in a sentence. */
   meaning: string;
   kinds: Kind[];
-  /** The kind of each hole. */
+  /** Kind of each hole. */
   of: Uint8Array;
   counts: number[];
-  /** More about a hole, in words. */
+  /** Returns further words about a hole. */
   words: (hole: number) => string[];
 }
 
@@ -56,7 +56,10 @@ export function byReach(sheet: SheetModel, reach: ReachDocument): Colouring {
   );
 }
 
-/** How far the tool goes in at the planned tubes: as predicted, or by the true arm in one of the ways of compensation. */
+/**
+ * Returns the colouring by the steps that enter at the planned tubes: predicted, or by the true arm in one of the ways
+ * of compensation.
+ */
 export function bySteps(sheet: SheetModel, plan: PlanDocument, mode: string): Colouring {
   const inserted = stepKinds(plan);
   const kinds = [...inserted, {name: "out of reach", mark: UNREACHABLE}, {name: "not on the list", mark: NOT_PLANNED}];
@@ -92,7 +95,7 @@ const BANDS: {shape: Shape; colour: ColourName}[] = [
 ];
 const UNKNOWN: Mark = {shape: "cross", colour: "faint"};
 
-/** Bands of a figure over the holes, at quantiles rounded to two digits, small to large. */
+/** Returns bands of a figure over the holes, at quantiles rounded to two digits, small to large. */
 export function byField(
   sheet: SheetModel,
   field: FieldDocument,

@@ -1,4 +1,4 @@
-// What lies under the holes, and the numbers of rows and columns along the picture's edges.
+// Background of the holes, and the numbers of rows and columns along the picture's edges.
 import {TYPEFACE} from "../drawing/canvas";
 import type {Palette} from "../drawing/colours";
 import {toPixel, type Camera, type Size} from "../../../drawing/frames.js";
@@ -15,7 +15,7 @@ export function drawGround(context: Context, sheet: SheetModel, camera: Camera, 
 
 const FONT = `500 11px ${TYPEFACE}`;
 
-/** Ticks along the picture's edges, over whatever the sheet shows there, so that they stay in sight at every zoom. */
+/** Draws ticks along the picture's edges, over the sheet, so that they remain visible at every zoom. */
 export function drawTicks(context: Context, sheet: SheetModel, camera: Camera, size: Size, palette: Palette): void {
   context.font = FONT;
   context.fillStyle = palette.panel;

@@ -1,11 +1,14 @@
-// Thousands of holes in about a millisecond: every kind of mark is drawn once, at a few sub-pixel places, and stamped
-// into one picture by copying its pixels. It needs no graphics processor, and holes never overlap, so nothing is blended.
+// Thousands of holes in about a millisecond: every kind of mark is drawn once, at a few sub-pixel places, and copied
+// into one picture pixel by pixel. It needs no graphics processor, and holes never overlap, so nothing is blended.
 import type {Palette} from "../drawing/colours";
 import {drawMark, type Mark} from "../drawing/marks";
 import {toPixel, type Camera, type Size} from "../../../drawing/frames.js";
 import type {SheetModel} from "./sheet_model";
 
-/** Sub-pixel places along each axis: small marks need them to look evenly spaced, large ones do not. */
+/**
+ * Returns the number of sub-pixel places along each axis: small marks need them to look evenly spaced, large ones do
+ * not.
+ */
 function placesOf(radius: number): number {
   return radius < 6 ? 4 : radius < 14 ? 2 : 1;
 }
@@ -24,7 +27,7 @@ export class HoleLayer {
 
   constructor(private readonly context: CanvasRenderingContext2D) {}
 
-  /** Draws the holes; `kinds[i]` says which of `marks` hole i has, and `shown[k]` whether such holes are drawn. */
+  /** Draws the holes; `kinds[i]` is the index in `marks` for hole i, and `shown[k]` is true if such holes are drawn. */
   draw(
     sheet: SheetModel,
     camera: Camera,

@@ -1,4 +1,4 @@
-// What is known of the hole that is pointed out, and the posture that brings the tool under it.
+// Data of the pointed hole, and the posture that brings the tool under it.
 import {Figures, Panel} from "../drawing/panel";
 import {fixed, jointDecimals, lengthFigure} from "../../../drawing/numbers.js";
 import type {InverseDocument} from "../server/documents";
@@ -43,7 +43,7 @@ export function HolePanel({model, colouring: shown}: {model: SheetModel; colouri
   );
 }
 
-/** The joints that bring the tool under the hole, or why none do. */
+/** Joints that bring the tool under the hole, or the reason why none do. */
 function Posture({inverse}: {inverse: InverseDocument | null}) {
   if (!inverse) return <p class="muted reserve">Finding a posture …</p>;
   if (inverse.status !== "found" || !inverse.joints) return <p class="reserve bad">Out of reach: {whyNot(inverse)}</p>;

@@ -1,4 +1,4 @@
-// Selecting holes by ranges, and what can be done with those that are selected.
+// Selection of holes by ranges, and actions on the selected holes.
 import {useSignal} from "@preact/signals";
 import {submitting, TextInput} from "../drawing/fields";
 import {Panel} from "../drawing/panel";

@@ -3,14 +3,14 @@ import {fit as fitted, fromPixel, type Camera, type Extent, type Size} from "../
 
 export type {Camera, Size};
 
-/** Around a sheet that is fitted to its picture. */
+/** Margins around a sheet fitted to its picture, in pixels. */
 export const MARGIN = {left: 44, right: 20, top: 34, bottom: 46};
 
 export function fit(extent: Extent, size: Size): Camera {
   return fitted(extent, size, MARGIN);
 }
 
-/** Zooms by a factor and keeps the place under a pixel where it is. */
+/** Zooms by a factor and keeps the place under a pixel fixed. */
 export function zoomed(
   camera: Camera,
   size: Size,

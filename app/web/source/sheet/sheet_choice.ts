@@ -1,4 +1,4 @@
-// What the sheet's holes are coloured by, and the colouring where it is known.
+// Choice of the sheet's colouring, and the colouring itself if known.
 import {computed, effect, signal} from "@preact/signals";
 import type {FieldDocument, Model, PlanDocument, ReachDocument} from "../server/documents";
 import {answerTo} from "../server/answers";
@@ -25,16 +25,16 @@ const reach = result<ReachDocument>("reach"),
   field = result<FieldDocument>("field"),
   plan = result<PlanDocument>("plan");
 
-// ---- before and after: the field of the model that the current one was made of, on one scale with its own
+// ---- before and after: the field of the model from which the present one was made, on a common scale
 
-/** The model below the current one on the stack. */
+/** Model below the current one on the stack. */
 export const modelBefore = computed<Model | null>(() => {
   const now = state.value;
   const at = now?.models.findIndex((model) => model.id === now.model) ?? -1;
   return at > 0 ? now!.models[at - 1] : null;
 });
 
-/** Whether the sheet shows that one. */
+/** True if the sheet shows the model before. */
 export const isBefore = signal(false);
 const modelNow = computed(() => state.value?.model);
 effect(() => {
@@ -53,13 +53,13 @@ const fieldBefore = answerTo<FieldDocument>({
   onProblem: (error) => report("The model before", error),
 });
 
-/** Works out what the sheet is coloured by, of the model that is shown. */
+/** Computes the field of a colouring, for the model shown. */
 export async function computeField(choice: Choice): Promise<void> {
   const model = isBefore.peek() ? modelBefore.peek()?.id : undefined;
   await runJob(TITLES[choice], "/api/field", {of: choice, model});
 }
 
-/** Shows the model before, or the current one again; what is not known yet is worked out. */
+/** Shows the model before, or the current one again; computes a missing field. */
 export function showBefore(before: boolean): void {
   isBefore.value = before;
   if (colouring.peek() === null) void computeField(chosen.peek());

@@ -1,4 +1,4 @@
-// The drawing of a sheet: three layers (ground, holes, and what lies over them) under one camera, drawn once a frame.
+// The drawing of a sheet: three layers (ground, holes, and a view's paintings) under one camera, drawn once a frame.
 import type {Signal} from "@preact/signals";
 import {drawRings, pixelRatio} from "../drawing/canvas";
 import {palette, type Palette} from "../drawing/colours";
@@ -10,12 +10,12 @@ import {fromPixel, toPixel, type Camera, type Size} from "../../../drawing/frame
 import {fit, panned, zoomed} from "./sheet_camera";
 import type {SheetModel} from "./sheet_model";
 
-/** What a view draws over the holes. */
+/** Painter of a view over the holes. */
 export type PaintOver = (context: CanvasRenderingContext2D, camera: Camera, size: Size, palette: Palette) => void;
 
 export interface SheetPictureProps {
   sheet: SheetModel;
-  /** Of its lengths. */
+  /** Unit of the sheet's lengths. */
   unit: string;
   colouring: Colouring;
   hidden?: ReadonlySet<number>;
@@ -24,7 +24,7 @@ export interface SheetPictureProps {
   paintOver?: PaintOver;
   onPick?: (hole: number, event: {shiftKey: boolean; ctrlKey: boolean; metaKey: boolean}) => void;
   onLasso?: (holes: number[], isMore: boolean) => void;
-  /** In a page that is read and scrolled: the wheel zooms with Ctrl alone. */
+  /** True in a scrolling page, where the wheel zooms only with Ctrl. */
   isInText?: boolean;
 }
 
@@ -82,7 +82,7 @@ export class SheetDrawing {
     this.move(zoomed(this.camera, this.size, x, y, factor, this.limits()));
   }
 
-  /** Draws at the next frame; what is drawn over the holes alone is cheap and often asked for. */
+  /** Requests drawing at the next frame; the layer over the holes alone is cheap and often requested. */
   ask(parts: {ground?: boolean; holes?: boolean} = {ground: true, holes: true}): void {
     this.parts = {ground: this.parts.ground || !!parts.ground, holes: this.parts.holes || !!parts.holes, over: true};
     if (this.isAsked) return;
@@ -111,7 +111,7 @@ export class SheetDrawing {
     }
     this.drawOver(colours);
     this.parts = {ground: false, holes: false, over: false};
-    performance.clearMeasures("sheet"); // whoever watches hears of each; none are kept
+    performance.clearMeasures("sheet"); // observers receive each measure; none are stored
     performance.measure("sheet", {start});
   }
 
@@ -132,7 +132,7 @@ export class SheetDrawing {
   private drawSelection(colours: Palette): void {
     const {selection, sheet} = this.props;
     if (!selection || selection.size === 0) return;
-    // Between the hole's mark, whose shape says what it is, and the neighbours'.
+    // The radius is between that of the hole's mark, whose shape shows its kind, and that of the neighbours.
     const mark = sheet.holeRadius * this.camera.scale;
     const r = Math.max(3.2, 1.22 * mark, 0.47 * sheet.pitch * this.camera.scale);
     this.over.strokeStyle = colours.accent;

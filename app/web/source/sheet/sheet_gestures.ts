@@ -1,4 +1,4 @@
-// Pointers and keys on a sheet: wheel, drag, pinch, lasso, and from hole to hole by arrows.
+// Pointers and keys on a sheet: wheel, drag, pinch, lasso, and arrow keys from hole to hole.
 import type {Signal} from "@preact/signals";
 import {toPixel} from "../../../drawing/frames.js";
 import {panned} from "./sheet_camera";
@@ -22,12 +22,12 @@ export function makeGestures(held: {current: SheetDrawing | null}, isLassoing: S
   };
 }
 
-/** The pointers that are down on a sheet, and what they do there. */
+/** Pointers that are down on a sheet, with their gesture. */
 class SheetPointers {
   private readonly places = new Map<number, Place>();
-  /** Along its way, in pixels: a click moves next to nothing. */
+  /** Path length of the pointer in pixels, which a click keeps near zero. */
   private moved = 0;
-  /** The distance between two fingers; 0 before the first is known. */
+  /** Distance between two fingers; 0 before the first is known. */
   private spread = 0;
 
   constructor(
@@ -95,7 +95,7 @@ class SheetPointers {
     if (this.drawing.props.isInText && !event.ctrlKey) return;
     event.preventDefault();
     this.tip.value = null;
-    const step = event.deltaMode === 1 ? 0.05 : 0.0016; // by lines, or by pixels
+    const step = event.deltaMode === 1 ? 0.05 : 0.0016; // in lines, or in pixels
     this.drawing.zoom(...this.placeOf(event), Math.exp(-event.deltaY * step));
   }
 

@@ -1,4 +1,4 @@
-// What the page asks of a sheet beyond its drawing: the names of its holes, and from hole to hole by arrow keys.
+// Functions of the page on a sheet besides its drawing: names of holes, and movement between holes by arrow keys.
 import {tubeTitle, type SheetModel} from "../../../drawing/sheet_model.js";
 
 export type {SheetModel};
@@ -7,7 +7,7 @@ export function holeName(sheet: SheetModel, hole: number): string {
   return tubeTitle(sheet.row[hole], sheet.column[hole]);
 }
 
-/** The hole next to another in a direction of the picture, for the arrow keys. */
+/** Returns the hole next to another in a direction of the picture, for the arrow keys. */
 export function neighbour(sheet: SheetModel, from: number, du: number, dv: number): number {
   let best = from,
     least = Infinity;

@@ -1,4 +1,4 @@
-// What the views of a cell's tube sheet have in common: words where there is no sheet, and a panel with its picture.
+// Common parts of the views of a cell's tube sheet: a text if there is no sheet, and a panel with its picture.
 import type {ComponentChildren} from "preact";
 import {cell, sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
@@ -12,7 +12,7 @@ interface WithSheetProps {
   children: (model: SheetModel) => ComponentChildren;
 }
 
-/** Shows the sheet once it is read; `without` is what to say of a cell that has none. */
+/** Shows the sheet once it is read; `without` is the text for a cell that has none. */
 export function WithSheet({without, children}: WithSheetProps) {
   const {problem} = sheetDocument.value;
   if (cell.value && !cell.value.has_sheet)

@@ -1,15 +1,16 @@
-// Which column of foreign tables, of readings or of a work list, is what: as the program guessed, as the user chose, as it was chosen before.
+// Meanings of the columns of foreign tables, of readings or of a work list: as the program guessed, as the user chose,
+// as chosen earlier.
 import {keep, keptObject} from "./kept";
 
 export interface ColumnsDocument {
-  /** `names`: the column by which rows of several tables go together. */
+  /** Tables; `names` is the column that matches the rows of several tables. */
   tables: {
     name: string;
     columns: string[];
     rows: string[][];
     count: number;
     names: number | null;
-    /** What was made of the file's numbers, a sentence each. */
+    /** Remarks on the conversion of the file's numbers, one sentence each. */
     remarks?: string[];
   }[];
   targets: {
@@ -18,27 +19,27 @@ export interface ColumnsDocument {
     is_required: boolean;
     found: {table: number; column: number; unit: string} | null;
   }[];
-  /** What else may be said of the tables, by the name that the server takes it under. */
+  /** Further choices about the tables, by their names for the server. */
   options: {name: string; label: string; values: {value: string; words: string}[]}[];
-  /** Lists of quantities: those of one list must be there. */
+  /** Alternative lists of quantities, one of which must be complete. */
   needs?: string[][];
 }
 
-/** What a table seems to be to a reader of work lists. */
+/** Likely meanings of a table's columns as a work list. */
 export interface ListColumnsDocument extends ColumnsDocument {
   states: "tubes" | "joints" | "neither";
-  /** Its headings need no choice. */
+  /** True if its headings need no choice. */
   is_understood: boolean;
 }
 
-/** Of one column; an empty quantity: nothing is taken of it; a factor of its numbers, where it is stated. */
+/** Choice for one column; an empty quantity ignores it; a factor of its numbers, if stated. */
 export interface ColumnChoice {
   quantity: string;
   unit: string;
   factor?: string;
 }
 
-/** Of the options those that were chosen. */
+/** Chosen values of the options. */
 export type TableOptions = Record<string, string>;
 
 export function guessed(document: ColumnsDocument): ColumnChoice[][] {
@@ -48,7 +49,7 @@ export function guessed(document: ColumnsDocument): ColumnChoice[][] {
   return choices;
 }
 
-/** What keeps the readings from being taken, in words. */
+/** Returns in words what prevents accepting the readings. */
 export function missingOf(document: ColumnsDocument, choices: ColumnChoice[][]): string[] {
   const chosen = choices.flat().filter((choice) => choice.quantity !== "");
   const words: string[] = [];
@@ -65,7 +66,7 @@ export function missingOf(document: ColumnsDocument, choices: ColumnChoice[][]):
   return words;
 }
 
-/** As the server takes them: "x_mm=points.txt:X". */
+/** Returns the columns in the notation of the server: "x_mm=points.txt:X". */
 export function chosenColumns(document: ColumnsDocument, choices: ColumnChoice[][]): string[] {
   return document.tables.flatMap((table, t) =>
     choices[t].flatMap(({quantity, unit, factor}, c) => {
@@ -76,12 +77,12 @@ export function chosenColumns(document: ColumnsDocument, choices: ColumnChoice[]
   );
 }
 
-// ---- remembered in this browser
+// ---- storage in this browser
 
 const KEPT = "tubeplan.columns";
 const MOST_KEPT = 20;
 
-/** Tables are the same where their columns are, for an arm with the same joints. */
+/** Returns a key, equal for tables with the same columns and arms with the same joints. */
 function keyOf(document: ColumnsDocument): string {
   const joints = document.targets.filter((target) => target.is_required).map((target) => target.quantity);
   return JSON.stringify([joints, ...document.tables.map((table) => table.columns)]);

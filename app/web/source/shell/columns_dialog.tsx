@@ -1,5 +1,5 @@
-// A table that another program wrote: which of its columns is what. The program says what they seem to be; the user has
-// the last word, and what was chosen once is chosen again for a table with the same columns.
+// Dialog for the columns of another program's table. The program proposes their meanings, the user decides, and the
+// choice is remembered for tables with the same columns.
 import {signal} from "@preact/signals";
 import {Select, submitting, TextInput, withPoint} from "../drawing/fields";
 import {choicesOf} from "../drawing/segments";
@@ -26,15 +26,15 @@ export interface TableText {
   text: string;
 }
 
-/** What tables are asked about for: readings or a work list. */
+/** Use of the tables: readings or a work list. */
 export interface ColumnsUse {
-  /** Where the server says what their columns seem to be. */
+  /** Address of the server that proposes the meanings of the columns. */
   address: string;
-  /** Whether the noise of a coordinate is asked for where no column states it. */
+  /** True if the dialog asks for the noise of a coordinate that no column states. */
   asksNoise: boolean;
-  /** Takes the tables with the columns chosen; what it throws is shown in the dialog. */
+  /** Accepts the tables with the chosen columns; the dialog shows the errors that it throws. */
   take: (taken: TakenTables) => Promise<void>;
-  /** Goes on once they are taken. */
+  /** Called after the tables are accepted. */
   then: () => Promise<void>;
 }
 
@@ -57,7 +57,7 @@ const foreign = signal<Foreign | null>(null);
 const problem = signal<Problem | null>(null);
 const sigma = signal("");
 
-/** Opens the dialog where those texts are tables; else says so by throwing. */
+/** Opens the dialog if those texts are tables; otherwise throws the reason. */
 export async function askForColumns(tables: TableText[], use: ColumnsUse): Promise<void> {
   const document = await post<ColumnsDocument>(use.address, {tables});
   foreign.value = {use, tables, document, choices: rememberedChoices(document) ?? guessed(document), options: {}};
@@ -74,7 +74,7 @@ export function ColumnsDialog() {
   );
 }
 
-/** Says more of the tables: what their columns seem to be may be different then. */
+/** Changes the options of the tables, which may change the proposed meanings of their columns. */
 async function changeOptions(shown: Foreign, options: TableOptions): Promise<void> {
   problem.value = null;
   foreign.value = {...shown, options};
@@ -87,7 +87,7 @@ async function changeOptions(shown: Foreign, options: TableOptions): Promise<voi
   }
 }
 
-/** What no column says: the noise of a coordinate. */
+/** Returns the noise of a coordinate, which no column states. */
 function noise({use}: Foreign): {sigma?: number} {
   return !use.asksNoise || sigma.value.trim() === "" ? {} : {sigma: Number(withPoint(sigma.value))};
 }

@@ -15,7 +15,8 @@ export function Dialog({name, title, children}: DialogProps) {
   const isOpen = dialog.value === name,
     onClose = () => closeDialog(name);
   const element = useRef<HTMLDialogElement>(null);
-  // The browser tells of a closing later, when the dialog may be open again: of the page's own it is not to be heard.
+  // The browser reports a closing later, when the dialog may be open again; the page ignores reports of its own
+  // closings.
   const ownClosings = useRef(0);
   useLayoutEffect(() => {
     const own = element.current;

@@ -1,4 +1,5 @@
-// Tables may be dropped anywhere on the page: readings, a log of joints and a file of points together, or a work list.
+// Target for tables dropped anywhere on the page: readings, a log of joints and a file of points together, or a work
+// list.
 import {useEffect} from "preact/hooks";
 import {useSignal} from "@preact/signals";
 import {loadFiles} from "./load";

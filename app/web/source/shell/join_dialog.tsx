@@ -1,4 +1,4 @@
-// A table of other readings than those that are open: to join them, or to take their place.
+// Dialog for a table of new readings: to join the open ones, or to replace them.
 import {plural} from "../../../drawing/numbers.js";
 import {state} from "../server/workbench";
 import {Dialog} from "./dialog";

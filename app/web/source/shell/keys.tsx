@@ -24,7 +24,7 @@ const LIST: Record<string, Record<string, string>> = {
     Enter: "pick the hole",
     "Shift arrows, drag": "move the sheet",
     "+  −  wheel, pinch": "larger, smaller",
-    // With a blank: a bare number would come before all others.
+    // The blank keeps the key from sorting first, as a bare number would.
     "0 ": "whole sheet",
     "L, Shift drag": "lasso (with Ctrl: add to the selection)",
   },
@@ -44,7 +44,7 @@ function isTyping(event: KeyboardEvent): boolean {
   );
 }
 
-/** An open menu that the focus has left, as by a button of it that can be pressed no more; whether there was one. */
+/** Closes an open menu that has lost the focus, as after a button of it is disabled. Returns true if there was one. */
 function closeMenu(): boolean {
   const menu = document.querySelector<HTMLDetailsElement>("details.menu[open]");
   if (!menu) return false;

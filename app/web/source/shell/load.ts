@@ -1,4 +1,4 @@
-// Loading readings and cells. Readings are compared with the model as soon as they are here.
+// Loading of readings and cells. Readings are compared with the model as soon as they are loaded.
 import {signal} from "@preact/signals";
 import type {WorkbenchState} from "../server/documents";
 import {asProblem, post, postText} from "../server/requests";
@@ -22,30 +22,30 @@ async function afterReadings(): Promise<void> {
   await startCompare();
 }
 
-/** A run sheet that comes back: what is filled in and not here yet joins the readings. */
+/** Joins the new rows of a returned run sheet that are filled in. */
 async function joinSheet(name: string, text: string): Promise<void> {
-  // Rows half filled are for the program to refuse, line by line.
+  // Half-filled rows are sent, so that the program refuses them line by line.
   const fresh = freshRows(text, await idsHere(), "begun");
   showErrors();
   if (fresh !== "") await joinReadings(fresh);
   else report(name, {message: "No row of this run sheet is filled in, or all of them are here already."});
 }
 
-/** Ids of a measurement table; null where it is no such table. */
+/** Returns the ids of a measurement table; null if it is no such table. */
 function idsOf(text: string): string[] | null {
   const {columns, rows} = tableOf(text);
   const id = columns.indexOf("id");
   return id >= 0 && columns.includes("kind") && rows.length > 0 ? rows.map((row) => row[id]) : null;
 }
 
-/** Whether measurement tables have readings of which none is here: they may join those that are, or take their place. */
+/** Returns true if measurement tables contain only new readings, which may join the present ones or replace them. */
 async function haveOthers(texts: string[]): Promise<boolean> {
   const here = await idsHere(),
     ids = texts.map(idsOf);
   return here.size > 0 && ids.every((own) => own !== null && own.every((id) => !here.has(id)));
 }
 
-/** Readings that may join: their files' names and texts. */
+/** Readings that may join, with their files' names and texts. */
 export const offered = signal<{name: string; texts: string[]} | null>(null);
 
 export async function joinOffered(): Promise<void> {
@@ -54,7 +54,7 @@ export async function joinOffered(): Promise<void> {
   await joinAll(texts);
 }
 
-/** One after another, as far as they are taken. */
+/** Joins the tables one after another until one is refused. */
 async function joinAll(texts: string[]): Promise<void> {
   for (const text of texts) if (!(await joinReadings(text))) return;
 }
@@ -64,13 +64,13 @@ export async function openOffered(): Promise<void> {
   await attempt(`${name} cannot be read`, () => openTables(name, texts));
 }
 
-/** The first takes the place of the readings here, the others join it. Throws where the first is refused. */
+/** Replaces the readings by the first table and joins the others. Throws if the first is refused. */
 async function openTables(name: string, [first, ...others]: string[]): Promise<void> {
   takeState(await postText<WorkbenchState>(`/api/measurements?name=${encodeURIComponent(name)}`, first));
   if (others.length === 0) return afterReadings();
   showErrors();
   await stopWorkOnReadings();
-  await joinAll(others); // which are compared as they join
+  await joinAll(others); // which compares the readings as they join
 }
 
 const READINGS: ColumnsUse = {
@@ -81,7 +81,10 @@ const READINGS: ColumnsUse = {
   then: afterReadings,
 };
 
-/** Measurement tables or a work list; else whatever another program wrote, in one file or in several that belong together. */
+/**
+ * Loads measurement tables or a work list; otherwise the tables of another program, in one file or in several that
+ * belong together.
+ */
 export async function loadFiles(files: File[]): Promise<void> {
   const names = files.map((file) => file.name).join(" and ");
   if (files.some(({name}) => /\.(ya?ml|tubeplan)$/i.test(name))) {
@@ -103,7 +106,7 @@ export async function loadFiles(files: File[]): Promise<void> {
       return await openTables(names, texts);
     } catch (error) {
       refused = error;
-      // Its columns are known: there is nothing to ask about them.
+      // Its columns are known, so there is nothing to ask about them.
       if (idsOf(texts[0]) !== null && isOfRow(asProblem(error).where, texts[0]))
         return report(`${names} cannot be read`, error);
     }
@@ -141,6 +144,6 @@ interface Practice {
 }
 
 export async function simulate(practice: Practice): Promise<void> {
-  const spread = cell.value && cell.value.identify.length > 0 ? 0.1 : 0; // of the numbers that the cell sets free
+  const spread = cell.value && cell.value.identify.length > 0 ? 0.1 : 0; // spread of the numbers that the cell sets free
   if (await runJob("Practice readings", "/api/simulate", {...practice, spread})) await afterReadings();
 }

@@ -1,4 +1,4 @@
-// A menu that unfolds from its button, and closes with Escape or once something else is turned to.
+// A menu that unfolds from its button, and closes with Escape or after a change of the focus.
 import type {ComponentChildren} from "preact";
 import {useEffect, useRef} from "preact/hooks";
 
@@ -33,7 +33,7 @@ export function Menu({kind = "", buttonKind, title, button, children}: MenuProps
         event.stopPropagation();
       }}
       onFocusOut={(event) => {
-        // A click where nothing takes the focus is the pointer's to judge.
+        // A click on an element without focus is handled by the pointer's handler.
         if (event.relatedTarget) closeUnlessAt(event.relatedTarget);
       }}
     >

@@ -1,5 +1,5 @@
-// The models as steps with names and figures, to go back to any of them; effects and free numbers of the current one, to
-// be switched off and on.
+// The models as steps with names and figures, each of which can be restored; effects and free numbers of the current
+// one, as switches.
 import {computed} from "@preact/signals";
 import {Icon} from "../drawing/icons";
 import {errorUnit} from "../../../drawing/error_budget.js";
@@ -10,7 +10,7 @@ import type {EffectAt, EffectNumber, Model} from "../server/documents";
 import {currentModel, order, runningJobs, state} from "../server/workbench";
 import {Menu} from "./menu";
 
-/** The held-out error of each model, as far as the ladder of the current one has them: its last models are the stack. */
+/** Held-out error of each model in the ladder of the current one, whose last models are the stack. */
 const heldOut = computed<Map<number, number | null>>(() => {
   const now = state.value,
     document = ladder.value.document;
@@ -28,7 +28,7 @@ interface Switch {
   key: string;
   title: string;
   isOn: boolean;
-  /** The effect, to be added again. */
+  /** Effect to be added again. */
   effect: EffectAt | null;
 }
 
@@ -41,7 +41,7 @@ function known<T>(
   of: (model: Model) => readonly T[],
   key: (entry: T) => string,
 ): Map<string, T> {
-  // The newest has the last word on an effect's numbers.
+  // The newest model determines an effect's numbers.
   return new Map(models.flatMap((model) => of(model).map((entry): [string, T] => [key(entry), entry])));
 }
 
@@ -58,7 +58,7 @@ const effectSwitches = computed<Switch[]>(() => {
   }));
 });
 
-/** Numbers of the arm's file that are fitted; those of effects go with them. */
+/** Fitted numbers of the arm's file; those of effects belong to their effects. */
 const freeSwitches = computed<Switch[]>(() => {
   const models = state.value?.models ?? [];
   const own = new Set(currentModel.value?.free ?? []);
@@ -70,7 +70,7 @@ const freeSwitches = computed<Switch[]>(() => {
   return [...all.keys()].map((name) => ({key: name, title: name, isOn: own.has(name), effect: null}));
 });
 
-/** As the order to add it takes it, with the sizes that it had. */
+/** Returns the effect in the form for a request to add it, with its former sizes. */
 function causeOf(effect: EffectAt): EffectAt {
   const numbers = Object.entries(effect.parameters ?? {}).map(
     ([name, number]) => `${name}=${(number as EffectNumber).value}`,
@@ -120,7 +120,7 @@ export function ModelSteps() {
   );
 }
 
-/** `side`: 0 for the current model, 1 for one that was taken back. */
+/** Button of a model. `side`: −1 for an earlier model, 0 for the current one, 1 for an undone one. */
 function StepButton({model, side, isBusy}: {model: Model; side: number; isBusy: boolean}) {
   return (
     <button

@@ -1,4 +1,4 @@
-// Opening: readings and cells of the folder, a file of one's own, or readings made for practice.
+// Dialog for opening: readings and cells of the folder, a file of the user, or simulated readings for practice.
 import {plural} from "../../../drawing/numbers.js";
 import {useAnswer} from "../server/answers";
 import {cell, state} from "../server/workbench";
@@ -15,7 +15,7 @@ interface Files {
   recent: RecentSession[];
 }
 
-/** A session that was kept, or put aside. */
+/** Session that was kept, or renamed. */
 interface RecentSession {
   file: string;
   cell: string;
@@ -73,7 +73,7 @@ function OpenBody() {
   );
 }
 
-/** Projects of the folder, and sessions that are kept of themselves; nothing where there is neither. */
+/** Projects of the folder, and automatically kept sessions; empty if there are neither. */
 function Projects({files}: {files: Files}) {
   if (files.projects.length + files.recent.length === 0) return null;
   return (

@@ -1,4 +1,4 @@
-// Says of a result that it is of another model than the one that stands there now.
+// Note that a result belongs to another model than the present one.
 import {MarkIcon} from "../drawing/marks";
 import {otherModelOf} from "../server/workbench";
 

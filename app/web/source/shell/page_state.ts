@@ -1,4 +1,4 @@
-// What belongs to this browser alone: the view, the hole pointed out, the holes selected, dialogs. Kept over a reload.
+// State of this browser alone: the view, the pointed hole, the selected holes, dialogs. It survives a reload.
 import {computed, effect, signal} from "@preact/signals";
 import {sheetDocument, state} from "../server/workbench";
 import {toggled} from "../drawing/fields";
@@ -14,7 +14,7 @@ function viewOfAddress(): ViewName {
 
 export const view = signal<ViewName>(viewOfAddress());
 
-// An address without a view opens on the one that has something: the errors of readings, else the sheet where there is one.
+// An address without a view opens a view with content: the errors of readings, else the sheet if there is one.
 let isOpened = location.hash !== "";
 effect(() => {
   if (isOpened || !state.value) return;
@@ -29,7 +29,7 @@ effect(() => {
 export type DialogName = "open" | "keys" | "practice" | "save" | "unsaved" | "columns" | "join";
 export const dialog = signal<"" | DialogName>("");
 
-/** A browser tells of a closed dialog a little later, when another one may be open: that one stays. */
+/** Closes a dialog by name; a browser reports a closing later, when another dialog may be open, which stays. */
 export function closeDialog(name: DialogName): void {
   if (dialog.value === name) dialog.value = "";
 }
@@ -59,11 +59,11 @@ const isStay = (entry: unknown): entry is [number, number] =>
   Array.isArray(entry) && isHole(entry[0]) && typeof entry[1] === "number";
 
 export const selection = signal<ReadonlySet<number>>(new Set(keptList(KEPT).filter(isHole)));
-/** Seconds at a hole, as the work list that was opened last says. */
+/** Stay at each hole by the work list opened last [s]. */
 export const stays = signal<ReadonlyMap<number, number>>(new Map(keptList(KEPT_STAYS).filter(isStay)));
 export const picked = signal(-1);
 
-/** Of the holes selected those that have a stay of their own, as the server takes them. */
+/** Stays of the selected holes that have their own, in the form for the server. */
 export const staysOfSelection = computed(() =>
   Object.fromEntries([...stays.value].filter(([hole]) => selection.value.has(hole))),
 );
@@ -71,7 +71,7 @@ export const staysOfSelection = computed(() =>
 effect(() => sessionStorage.setItem(KEPT, JSON.stringify([...selection.value])));
 effect(() => sessionStorage.setItem(KEPT_STAYS, JSON.stringify([...stays.value])));
 
-// Holes are numbers of one sheet: another sheet begins with none.
+// Selected holes are indices of one sheet, so another sheet begins with none.
 let sheetName = "";
 effect(() => {
   if (!sheet.value) return;

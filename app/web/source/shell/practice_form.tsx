@@ -1,4 +1,4 @@
-// Readings of an arm that hides an effect, to practise on.
+// Form for simulated readings of an arm with a hidden effect, for practice.
 import {useSignal, type Signal} from "@preact/signals";
 import {submitting, TextInput} from "../drawing/fields";
 import type {CatalogueDocument} from "../server/documents";
@@ -32,7 +32,7 @@ export function PracticeForm() {
   );
 }
 
-/** By name, with those of the catalogue to choose from. */
+/** Field for the effect's name, with those of the catalogue as choices. */
 function HiddenEffect({hide}: {hide: Signal<string>}) {
   const effects = useAnswer<CatalogueDocument>("/api/catalogue").document?.effects ?? [];
   return (

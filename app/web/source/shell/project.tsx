@@ -1,4 +1,4 @@
-// Keeping the work: saved as a project in the opened folder; what is not saved is never dropped unasked.
+// Saving of the work as a project in the opened folder; unsaved work is never dropped without confirmation.
 import {computed, signal, useSignal} from "@preact/signals";
 import {submitting, TextInput} from "../drawing/fields";
 import type {Problem, WorkbenchState} from "../server/documents";
@@ -11,7 +11,7 @@ import {ProblemWords} from "./states";
 
 const project = computed(() => state.value?.project ?? null);
 
-/** What shall be done once the work is saved, or need not be. */
+/** Action that waits until the work is saved or discarded. */
 const opening = signal<{name: string; go: (discard: boolean) => Promise<void>} | null>(null);
 
 // ---- saving
@@ -25,7 +25,7 @@ async function saveAs(file: string, overwrite: boolean): Promise<Problem | null>
   }
 }
 
-/** Under the name it has; asks for one where it has none. */
+/** Saves under the present name; asks for one if there is none. */
 export async function save(): Promise<void> {
   const file = project.value?.file;
   if (!file) {
@@ -78,7 +78,7 @@ function SaveForm() {
 
 // ---- opening something else
 
-/** Opens a cell, project or session; where work would be dropped, asks first. */
+/** Opens a cell, project or session; asks first if work would be dropped. */
 export async function openInstead(path: string, body: Record<string, unknown>, name: string): Promise<void> {
   const go = async (discard: boolean) => {
     try {
@@ -117,9 +117,9 @@ export function UnsavedDialog() {
   );
 }
 
-// ---- the header's part
+// ---- part of the header
 
-/** What can be taken away, and whether it is there. */
+/** Possible exports, and their availability. */
 const EXPORTS: [string, string, (now: WorkbenchState) => unknown][] = [
   ["cell.yaml", "Model", () => true],
   ["project.tubeplan", "Project", () => true],

@@ -1,4 +1,4 @@
-// The way from view to view: one tab stop, arrow keys within.
+// Navigation between views: one tab stop, arrow keys within.
 import {Icon, type IconName} from "../drawing/icons";
 import {roving} from "../drawing/segments";
 import {view, VIEWS, type ViewName} from "./page_state";

@@ -1,4 +1,4 @@
-// What a view shows when it has nothing to show: that it waits, that something is not there, or what went wrong.
+// Placeholders of a view without content: waiting, missing data, or an error.
 import type {ComponentChildren} from "preact";
 import type {Problem} from "../server/documents";
 import {pageProblem} from "../server/page_words";
@@ -21,7 +21,7 @@ export function Nothing({title, children}: {title: string; children?: ComponentC
   );
 }
 
-/** The program's own words: where, what was found, what was expected, what to do. */
+/** Problem in the program's own words: the place, the input found, the input expected, the remedy. */
 export function ProblemWords({problem}: {problem: Problem}) {
   const {where, found, expected, message, advice} = pageProblem(problem);
   return (

@@ -1,4 +1,4 @@
-// The workbench: header, the views on a rail, dialogs, and what must be seen in any of them.
+// The workbench: header, the views on a rail, dialogs, and notices common to all views.
 import type {ComponentType} from "preact";
 import {lazy, Suspense} from "preact/compat";
 import {useEffect} from "preact/hooks";
@@ -19,7 +19,7 @@ import {SaveDialog, UnsavedDialog} from "./project";
 import {Rail} from "./rail";
 import {Waiting} from "./states";
 
-// Views with an arm in them bring the 3-D library along: it is fetched when first looked at.
+// Views with an arm include the 3-D library, which is fetched when such a view is first opened.
 const ArmView = lazy(() => import("../arm/arm_view"));
 const PlanView = lazy(() => import("../plan/plan_view"));
 

@@ -1,4 +1,4 @@
-// The pages of campaigns: of centring, and of how often a diagnosis is right.
+// The pages of campaigns: of centring, and of the rate of correct diagnoses.
 import {MISSING, plural, probability, short, whole} from "../../../../drawing/numbers.js";
 import type {PageKind} from "../page";
 import {Card, Lead, Named, type OfReport, Table} from "../parts";
@@ -35,7 +35,7 @@ const DIAGNOSIS: PageKind = {
   facts: FACTS,
 };
 
-/** The page of a campaign, by its kind. */
+/** Returns the page of a campaign, by its kind. */
 export function campaignPage(report: Report): PageKind {
   return report.kind === "diagnose" ? DIAGNOSIS : CENTRING;
 }
@@ -70,7 +70,7 @@ function diagnosisSentence(report: Report): string {
   );
 }
 
-// ---- how often a diagnosis is right
+// ---- rates of correct diagnoses
 
 function Rates({label, rows}: {label: string; rows: readonly Estimate[]}) {
   return <Estimates label={label} rows={rows} to={1} title="fraction of the runs" write={probability} />;

@@ -18,7 +18,7 @@ import {isSplit, NextReadingsSection, WarningsSection} from "./next_readings";
 import {reportExplanations} from "./pairs";
 import {AlternativesSection, HiddenSection, RankingSection} from "./ranking";
 
-/** Only where the page has what makes an error at the tip that of a joint. */
+/** Returns true if the page has the leverages, which convert an error at the tip into an error of a joint. */
 const hasLevers = (report: Report) => object(report.leverage) !== null;
 const hasAny = (name: string) => (report: Report) => Array.isArray(report[name]) && report[name].length > 0;
 
@@ -97,7 +97,7 @@ export const ERROR_PAGES: Record<string, PageKind> = {
   ]),
 };
 
-/** What the report comes to, sentence by sentence, with its figures. */
+/** Conclusion of the report, sentence by sentence, with its figures. */
 function Head({report}: OfReport) {
   const {verdict} = report,
     answer = answerOf(report);

@@ -1,4 +1,4 @@
-// A plot of a report: as the page draws it, with what is under the pointer said beside it.
+// A plot of a report, drawn as on the page, with a text about the pointed point next to it.
 import {useMemo, useRef} from "preact/hooks";
 import type uPlot from "uplot";
 import {nearestPlace} from "../../../../drawing/frames.js";
@@ -12,10 +12,10 @@ import {type Lines, Pointed} from "../pointed";
 import type {Report} from "../values";
 import {conditionsText, readingName} from "./pairs";
 
-/** So near a point, in pixels, is pointed at. */
+/** Distance in pixels within which a point is pointed at. */
 const NEAR = 12;
 
-/** `tell`: about a row of the data, in words. */
+/** Plot with a text; `tell` returns the words about a row of the data. */
 export function PlotBox({tell, class: name = "", ...plot}: PlotProps & {tell: (row: number) => Lines; class?: string}) {
   const held = useRef<uPlot | null>(null);
   const find = (event: PointerEvent) => {
@@ -42,7 +42,7 @@ interface ErrorPlotBoxProps {
   report: Report;
   errors: ErrorPair;
   view: View;
-  /** The end of the scale of errors where several plots share it. */
+  /** End of a scale of errors that several plots share. */
   most?: number | null;
   isSmall?: boolean;
 }

@@ -1,4 +1,5 @@
-// What a comparison found; how a model was improved; how a project's models came about, and how to have them again.
+// The findings of a comparison, the steps of an improvement, and the history of a project's models with the commands
+// that reproduce them.
 import {errorUnit} from "../../../../drawing/error_budget.js";
 import {verdictMark} from "../../../../drawing/kinds.js";
 import {fixed, isNumber, pValue, short, whole} from "../../../../drawing/numbers.js";
@@ -12,7 +13,7 @@ import {modelCells, modelHeads} from "./ladder";
 import {LawSection} from "./law";
 import {conditionsText, sizeOf} from "./pairs";
 
-/** Patterns as texts or as {name | of | with, sentence | text, p_value, share | correlation}. */
+/** Shows patterns, given as texts or as {name | of | with, sentence | text, p_value, share | correlation}. */
 export function PatternsSection({report}: OfReport) {
   if (!Array.isArray(report.patterns)) return <Missing what="What the errors depend on" />;
   if (report.patterns.length === 0) return <p>The errors depend on nothing recorded in the readings.</p>;
@@ -31,7 +32,7 @@ export function PatternsSection({report}: OfReport) {
   return <TableCard what="What the errors depend on" heads={heads} rows={rows} />;
 }
 
-/** Worst readings as ids, or as {id, error | size, sigmas}. */
+/** Shows the worst readings, given as ids or as {id, error | size, sigmas}. */
 export function WorstSection({report}: OfReport) {
   const byId = new Map(list(report.readings).map((reading) => [String(reading.id), reading]));
   const rows = (Array.isArray(report.worst) ? report.worst : []).map((worst: unknown) => {
@@ -50,7 +51,7 @@ export function WorstSection({report}: OfReport) {
   return <TableCard what="The worst readings" heads={heads} rows={rows} text={[0, 1, 2]} />;
 }
 
-/** Of each step the verdict, what was added and why, and the errors with the law of it. */
+/** Shows for each step the verdict, the added cause with the reason, and the errors with its law. */
 export function ImprovementSection({report}: OfReport) {
   const steps = list(report.steps);
   if (steps.length === 0) return <Missing what="The steps" />;

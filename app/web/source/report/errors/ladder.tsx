@@ -1,4 +1,4 @@
-// The error of each model in turn, over the noise floor; the models as a table, and how far the tool goes in with each.
+// The error of each model over the noise floor; the models as a table, and the steps of the tool that enter with each.
 import {errorUnit} from "../../../../drawing/error_budget.js";
 import {comparedModels, errorOf, LADDER_WORDS} from "../../../../drawing/ladder.js";
 import {isNumber, percent, plural, pValue, short, whole} from "../../../../drawing/numbers.js";
@@ -11,7 +11,7 @@ export function noiseFloorOf(report: Report): number | null {
   return errorOf(report.noise_floor ?? object(report.rms)?.noise_floor);
 }
 
-/** The models of a diagnosis, a comparison or a ladder. */
+/** Returns the models of a diagnosis, a comparison or a ladder. */
 function modelsOf(report: Report, first: "models" | "ladder"): Report[] {
   const [own, other] = [list(report[first]), list(report[first === "models" ? "ladder" : "models"])];
   return own.length > 0 ? own : other;
@@ -52,12 +52,12 @@ export function ModelsSection({report}: OfReport) {
 
 const numberOf = (value: unknown, write: (value: unknown) => string) => (isNumber(value) ? write(value) : null);
 
-/** What `modelCells` are. */
+/** Returns the headings of `modelCells`. */
 export function modelHeads(unit: string): string[] {
   return ["model", `error, ${unit}`, `held-out, ${unit}`, "chi-square per degree of freedom", "p"];
 }
 
-/** A model's name and errors. */
+/** Returns a model's name and errors. */
 export function modelCells(model: Report): (string | null)[] {
   return [
     textOf(model.name, textOf(model.model, textOf(model.cell))),
@@ -68,7 +68,7 @@ export function modelCells(model: Report): (string | null)[] {
   ];
 }
 
-/** The models that were scored; all under the same tool. */
+/** Returns the models that were scored, all with the same tool. */
 function stepRows(report: Report): {name: string; counts: number[]}[] {
   const models = list(report.models),
     count = models.find((model) => Array.isArray(model.steps))?.steps.length;

@@ -1,4 +1,4 @@
-// The errors as what a cause makes of them: against the variable that its law depends on, the law drawn through them.
+// The errors as errors of a cause's quantity, against the variable of its law, with the law as a line.
 import {useMemo} from "preact/hooks";
 import {explanationTitle} from "../../../../drawing/explanations.js";
 import {multiplesOf, loudest, multiplesScale} from "../../../../drawing/joint_multiples.js";
@@ -68,7 +68,7 @@ function LawLegend({errors, hasLaw}: {errors: ErrorPair; hasLaw: boolean}) {
   );
 }
 
-/** Where a joint's errors are: each joint's against its angle, its direction, its moment and the load. */
+/** Shows the errors of each joint against its angle, its direction, its moment and the load. */
 export function JointsSection({report}: OfReport) {
   const {errors, multiples} = useMemo(() => {
     const {pairs, axes} = errorsOf(report),

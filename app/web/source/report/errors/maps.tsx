@@ -1,4 +1,5 @@
-// The error at every reading's place as an arrow, seen from above and from the side; and against all that a reading says.
+// The error at every reading's place as an arrow, seen from above and from the side; and against all variables of the
+// readings.
 import {useSignal} from "@preact/signals";
 import {useMemo, useRef} from "preact/hooks";
 import {nearestPlace} from "../../../../drawing/frames.js";
@@ -18,7 +19,7 @@ import {lengthText, lengthUnit, type Report} from "../values";
 import {ErrorPlotBox} from "./error_plot_box";
 import {conditionsText, errorsOf, readingName, rootMeanSquare, sizeOf} from "./pairs";
 
-/** Of the planes, what a page has room for: seen from above and from one side. */
+/** Planes that a page has room for: seen from above and from one side. */
 const VIEWS = PLANES.slice(0, 2);
 
 export function MapsSection({report}: OfReport) {
@@ -46,7 +47,7 @@ interface ArrowMapProps {
   report: Report;
   errors: ErrorPair;
   view: Plane;
-  /** The series that is drawn. */
+  /** Index of the series drawn. */
   only: number;
 }
 
@@ -87,7 +88,10 @@ function tellErrors(report: Report, errors: ErrorPair, index: number): Lines {
   ];
 }
 
-/** What errors are not drawn against here: what follows from the joints, and the places, which have maps of their own. */
+/**
+ * Variables that the errors are not drawn against here: quantities that follow from the joints, and the places, which
+ * have their own maps.
+ */
 const ELSEWHERE = ["moment", "position", "set-up", "point", "order"];
 
 export function ChartsSection({report}: OfReport) {

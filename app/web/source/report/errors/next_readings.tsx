@@ -1,4 +1,4 @@
-// What to measure next so that open explanations are told apart, and warnings about effects.
+// The next readings, which would distinguish open explanations, and warnings about effects.
 import {PAIR_HEADS, pairCells, senseArrow, separations} from "../../../../drawing/conditions.js";
 import {short} from "../../../../drawing/numbers.js";
 import {Chance} from "../../error/ranking_table";
@@ -40,13 +40,15 @@ export function NextReadingsSection({report}: OfReport) {
   );
 }
 
-/** What is to be written down of a reading, by the document. */
+/** Returns the quantities of a reading to write down, from the document. */
 function toFill(reading: Report): string[] {
   const fill = object(reading.fill_in) ?? {};
   return [...textList(fill.columns), ...textList(fill.optional)];
 }
 
-/** Joints with an arrow for the sense in which each must arrive, and the separation as a bar of the largest. */
+/**
+ * Shows joints with an arrow for the required sense of arrival, and the separation as a bar relative to the largest.
+ */
 function NextReadings({next}: {next: Report[]}) {
   const joints = Object.keys(object(next[0].posture) ?? {}),
     blank = [...new Set(next.flatMap(toFill))];

@@ -1,4 +1,4 @@
-// The readings of a report about errors, and the pairs of series, before and after, in which they are shown.
+// The readings of a report about errors, and the pairs of series, before and after, that show them.
 import {conditionsOf} from "../../../../drawing/conditions.js";
 import {partsOf} from "../../../../drawing/error_parts.js";
 import {explanationsOf, isEnough} from "../../../../drawing/explanations.js";
@@ -18,7 +18,7 @@ import {angleUnit, list, object, type Report, textOf, vector} from "../values";
 
 const MOST_SIDE_BY_SIDE = 4;
 
-/** Its explanations with their effects as objects, best first. */
+/** Returns the report's explanations with their effects as objects, best first. */
 export function reportExplanations(report: Report): (Pick<Explanation, "effects"> & Partial<Explanation>)[] {
   return explanationsOf({
     explanations: list(report.explanations).map((entry) => ({...entry, effects: list(entry.effects)})),
@@ -27,15 +27,17 @@ export function reportExplanations(report: Report): (Pick<Explanation, "effects"
 }
 
 interface ErrorsOfReport {
-  /** The errors before and after: of each explanation that is left, best first; of a comparison those of its refit. */
+  /**
+   * Errors before and after: for a diagnosis by each remaining explanation, best first; for a comparison by its refit.
+   */
   pairs: ErrorPair[];
-  /** What they can be drawn against, and as which parts. */
+  /** Variables that the errors can be drawn against, with their parts. */
   axes: ReturnType<typeof errorAxesOf>;
 }
 
 const known = new WeakMap<Report, ErrorsOfReport>();
 
-/** Made once for all sections. */
+/** Returns the errors of a report, computed once for all sections. */
 export function errorsOf(report: Report): ErrorsOfReport {
   const made = known.get(report);
   if (made) return made;
@@ -76,7 +78,10 @@ function errorAxesOf(report: Report, {readings, places}: ErrorPair) {
   };
 }
 
-/** Where an explanation's law lives; of what is unexplained where it follows something, else what the search found. */
+/**
+ * Returns the view of an explanation's law; for an unexplained error the view of the variable that it follows, else of
+ * the pattern found.
+ */
 export function lawViewOf(report: Report, pair: ErrorPair, axes: ReturnType<typeof errorAxesOf>): View | null {
   const {variables, parts} = axes;
   return (
@@ -86,7 +91,7 @@ export function lawViewOf(report: Report, pair: ErrorPair, axes: ReturnType<type
   );
 }
 
-/** The findings of the pattern search, the most significant first. */
+/** Returns the findings of the pattern search, the most significant first. */
 function foundPatterns(report: Report): Report[] {
   const findings = list(report.tested).filter(({finding}) => finding === true);
   return list(report.patterns).length > 0 ? list(report.patterns) : findings.sort((a, b) => a.p_value - b.p_value);
@@ -106,7 +111,7 @@ export function readingName(reading: Report | undefined): string {
   return `reading ${textOf(reading?.id)}`;
 }
 
-/** "theta1 −53.1, theta2 75.7; load 20 lbf". */
+/** Returns "theta1 −53.1, theta2 75.7; load 20 lbf". */
 export function conditionsText(report: Report, reading: Report): string {
   const joints = jointNames(report, reading),
     rows = conditionsOf(reading, joints, object(report.units) ?? {});
@@ -115,7 +120,7 @@ export function conditionsText(report: Report, reading: Report): string {
   return [ofJoints.join(", "), ...others].filter((text) => text).join("; ");
 }
 
-/** The joints, numbered where the page does not have their names. */
+/** Returns the joints, numbered if the page does not have their names. */
 function jointNames(report: Report, reading: Report) {
   const given = list(report.joints);
   return (Array.isArray(reading.joints) ? reading.joints : []).map((_: unknown, i: number) => ({

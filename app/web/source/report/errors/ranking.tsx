@@ -1,4 +1,4 @@
-// Every effect that was tried, most probable first; explanations side by side; what could still be there unseen.
+// Every tried effect, most probable first; explanations side by side; and effects that could remain undetected.
 import {errorUnit} from "../../../../drawing/error_budget.js";
 import {explanationTitle, isEnough, plainName, sizeText} from "../../../../drawing/explanations.js";
 import {plural, pValue, short, whole} from "../../../../drawing/numbers.js";
@@ -53,7 +53,7 @@ function rankingLead(report: Report): string {
 // ---- explanations side by side
 
 const MOST_DIFFERING = 6;
-/** Of the noise: explanations nearer than that are the same at these readings. */
+/** Share of the noise within which explanations count as equal at these readings. */
 const SAME_SHARE = 0.01;
 
 export function AlternativesSection({report}: OfReport) {
@@ -87,7 +87,10 @@ export function AlternativesSection({report}: OfReport) {
   );
 }
 
-/** Where an explanation predicts other readings than the first, each fitted with everything that is free. */
+/**
+ * Shows the readings at which an explanation differs from the first in its prediction, each fitted with all free
+ * numbers.
+ */
 function Differences({report, index}: {index: number} & OfReport) {
   const differences = list(report.readings)
     .flatMap((reading) => {
@@ -119,7 +122,7 @@ function Differences({report, index}: {index: number} & OfReport) {
   );
 }
 
-// ---- what could still be there unseen, what was not tried, and which readings were left out
+// ---- undetected effects, effects not tried, and readings left out
 
 export function HiddenSection({report}: OfReport) {
   const detectable = list(report.detectable),
@@ -166,7 +169,7 @@ function NoneOf({given, what, none}: {given: unknown; what: string; none: string
   return Array.isArray(given) ? <p class="note">{none}</p> : <Missing what={what} />;
 }
 
-/** One row for each effect's number, with all places. */
+/** Shows one row for each effect's number, with all places. */
 function DetectableTable({detectable}: {detectable: Report[]}) {
   const groups = new Map<string, Report[]>();
   for (const entry of detectable) {

@@ -1,4 +1,4 @@
-// How far the tool goes into each tube, without compensation and with it. Words come with the report.
+// Number of the tool's steps that enter each tube, without compensation and with it. The report contains the words.
 import {isNumber, probability, short} from "../../../../drawing/numbers.js";
 import {stepCountOf, stepsAtError, stepText} from "../../../../drawing/steps.js";
 import {visitText} from "../../../../drawing/visits.js";
@@ -8,11 +8,11 @@ export interface Mode {
   key: string;
   name: string;
   brief: string;
-  /** How many steps enter at a tube; null where that is not known. */
+  /** Number of steps that enter at a tube; null if unknown. */
   caseOf: (tube: Report) => number | null;
 }
 
-/** The modes of compensation, in the order of the report. */
+/** Returns the modes of compensation, in the order of the report. */
 export function modesOf(report: Report): Mode[] {
   return list(report.modes).map(({name, words, brief}) => ({
     key: textOf(name),
@@ -22,7 +22,7 @@ export function modesOf(report: Report): Mode[] {
   }));
 }
 
-/** What the plan itself expects: its own number, else the likeliest, else by the predicted error. */
+/** Returns the plan's own expectation: its stated number, else the most probable one, else by the predicted error. */
 export function predictedMode(report: Report): Mode {
   const caseOf = (tube: Report) => {
     if (tube.probability_by_steps === null) return null;
@@ -33,31 +33,31 @@ export function predictedMode(report: Report): Mode {
   return {key: "predicted", name: "as predicted", brief: "predicted", caseOf};
 }
 
-/** The modes of which any tube is scored. */
+/** Returns the modes in which any tube is scored. */
 export function scoredModes(report: Report): Mode[] {
   return modesOf(report).filter((mode) => list(report.tubes).some((tube) => mode.caseOf(tube) !== null));
 }
 
-/** The number of steps that enter at a centring error, by the tool's tolerances; null when it is not known. */
+/** Returns the number of steps that enter at a centring error, by the tool's tolerances; null if unknown. */
 function knownSteps(error: unknown, steps: unknown): number | null {
   const tolerances = list(steps).map((step) => step.tolerance);
   if (!isNumber(error) || tolerances.length === 0 || !tolerances.every(isNumber)) return null;
   return stepsAtError(error, tolerances);
 }
 
-/** A tube's number of steps in one mode against the true arm; null when it was not scored. */
+/** Returns a tube's number of steps in one mode against the true arm; null if it was not scored. */
 function scoredCase(tube: Report, mode: string, steps: unknown): number | null {
   const score = object(tube[mode]);
   if (!score) return null;
   return Number.isInteger(score.steps) ? Math.max(0, score.steps) : knownSteps(score.error, steps);
 }
 
-/** The probabilities of 0, 1, ..., all steps at a tube; null where the report has none. */
+/** Returns the probabilities of 0, 1, ..., all steps at a tube; null if the report has none. */
 export function chancesOf(tube: Report, report: Report): number[] | null {
   return numbers(tube.probability_by_steps, stepCountOf(report) + 1);
 }
 
-/** Tubes by number of steps in one mode: from `counts` when given, else counted; null when nothing was scored. */
+/** Returns tubes by number of steps in one mode: from `counts` if given, else counted; null if nothing was scored. */
 export function countsOf(report: Report, mode: string): number[] | null {
   const all = stepCountOf(report),
     given = numbers(object(report.counts)?.[mode], all + 1);
@@ -66,7 +66,7 @@ export function countsOf(report: Report, mode: string): number[] | null {
   return Array.from({length: all + 1}, (_, steps) => cases.filter((value) => value === steps).length);
 }
 
-/** "against the true arm all three steps enter in 41 of 60 tubes with via-point compensation, 0 without". */
+/** Returns "against the true arm all three steps enter in 41 of 60 tubes with via-point compensation, 0 without". */
 export function wholeToolText(report: Report): string | null {
   const after = countsOf(report, "via_point"),
     before = countsOf(report, "none");
@@ -85,7 +85,7 @@ export interface CentringError {
   error: number;
 }
 
-/** The scored errors of one mode. */
+/** Returns the scored errors of one mode. */
 export function errorsOf(report: Report, mode: string): CentringError[] {
   return list(report.tubes).flatMap((tube) => {
     const {dx, dy, error} = object(tube[mode]) ?? {};
@@ -98,13 +98,13 @@ export function largestError(errors: readonly CentringError[]): number {
   return errors.reduce((most, {dx, dy}) => Math.max(most, Math.hypot(dx, dy)), 0);
 }
 
-/** "visit 7 of 60": the tubes are listed in visiting order. */
+/** Returns "visit 7 of 60": the tubes are listed in visiting order. */
 export function visitOf(report: Report, tube: Report): string {
   const tubes = list(report.tubes);
   return visitText(tubes.indexOf(tube), tubes.length);
 }
 
-/** What a mode's picture says of a hole, by row and column. */
+/** Returns a function that describes a hole of a mode's picture, by row and column. */
 export function holeTeller(report: Report, mode: Mode): (row: number, column: number) => string[] {
   const byName = (tubes: Report[]) => new Map(tubes.map((tube) => [`${tube.row} ${tube.column}`, tube]));
   const tubes = byName(list(report.tubes)),

@@ -1,4 +1,4 @@
-// The centring errors: as arrows on the sheet, with the scale that they are drawn at, and as landing points in one hole.
+// The centring errors: as arrows on the sheet, with their scale, and as landing points in one hole.
 import {useCallback, useMemo} from "preact/hooks";
 import {UNSCORED} from "../../../../drawing/kinds.js";
 import {exact, isNumber, plural, short, whole} from "../../../../drawing/numbers.js";
@@ -11,14 +11,14 @@ import {lengthUnit, list, object, tubeName} from "../values";
 import {type CentringError, errorsOf, holeTeller, largestError, type Mode, modesOf} from "./cases";
 import {type Painter, paintArrow, paintMarks, type Place, readSheet, SheetBox} from "./sheet_box";
 
-/** The place that an arrow is about. */
+/** Mark at an arrow's place. */
 const PLACE: Mark = {shape: "disc", colour: "muted"};
-/** The longest arrow's length, in parts of the sheet's width. */
+/** Length of the longest arrow, as a share of the sheet's width. */
 const ARROW_SHARE = 0.06;
 
 const widthOf = ({plate}: SheetModel) => plate.right - plate.left;
 
-/** The factor by which errors are drawn larger than the sheet, so that the longest arrow has a fair length. */
+/** Returns the magnification of errors relative to the sheet, so that the longest arrow has a suitable length. */
 export function magnificationFor(largest: number, sheet: SheetModel): number {
   return largest > 0 ? roundDown125((ARROW_SHARE * widthOf(sheet)) / largest) : 1;
 }
@@ -70,7 +70,7 @@ function PredictedError({report}: OfReport) {
   );
 }
 
-/** One map of arrows; it shares the scale of the map before unless its arrows would then be too short to see. */
+/** Map of arrows; it shares the scale of the previous map unless its arrows would be too short to see. */
 function ArrowMap({report, sheet, mode, shared}: {sheet: SheetModel; mode: Mode; shared: number | null} & OfReport) {
   const unit = lengthUnit(report),
     isBefore = mode.key === "none";
@@ -107,7 +107,7 @@ function ArrowMap({report, sheet, mode, shared}: {sheet: SheetModel; mode: Mode;
   );
 }
 
-/** The arrow of a round length in a corner: what length on the picture is what error. */
+/** Paints an arrow of round length in a corner, with the error that it represents. */
 export function paintArrowScale(painter: Painter, sheet: SheetModel, factor: number, unit: string): void {
   const {context, size, scale, colours} = painter;
   const length = roundDown125((ARROW_SHARE * widthOf(sheet)) / factor),
@@ -166,14 +166,16 @@ function LandingTarget({report, mode}: {mode: Mode} & OfReport) {
   );
 }
 
-/** The error at the rim: all rings with room to spare, the errors where they are not far beyond the largest ring. */
+/**
+ * Returns the error at the rim: all rings with some margin, and the errors if they are not far beyond the largest ring.
+ */
 function targetReach(tolerances: readonly number[], largest: number): number {
   if (tolerances.length === 0) return largest > 0 ? 1.1 * largest : 1;
   const ring = Math.max(...tolerances);
   return Math.max(1.25 * ring, Math.min(1.1 * largest, 3 * ring));
 }
 
-/** In the same view as the sheet; a point past the rim sits on it. */
+/** Landing points in the same view as the sheet; a point beyond the rim is drawn on it. */
 function Landing({report, mode, entry, reach}: {mode: Mode; entry: CentringError; reach: number} & OfReport) {
   const {tube, dx, dy, error} = entry,
     steps = mode.caseOf(tube);

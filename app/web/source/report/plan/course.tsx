@@ -1,4 +1,4 @@
-// How far the tool goes in, what the tour keeps clear, and how long it takes.
+// The steps that enter, the clearance of the tour, and its duration.
 import {useMemo} from "preact/hooks";
 import uPlot from "uplot";
 import {duration, exact, fixed, isNumber, percent, plural, short, whole} from "../../../../drawing/numbers.js";
@@ -16,7 +16,7 @@ import {StepBars} from "../step_bars";
 import {lengthUnit, list, object, points, type Report, textOf} from "../values";
 import {countsOf, modesOf} from "./cases";
 
-// ---- how many steps enter
+// ---- numbers of steps that enter
 
 export function StepsSection({report}: OfReport) {
   const rows = modesOf(report).map(({key, brief}) => ({name: brief, counts: countsOf(report, key)}));
@@ -57,7 +57,7 @@ function StepTable({report, rows}: {rows: readonly {name: string; counts: number
   return <Table heads={["", ...heads, "of"]} rows={cells} />;
 }
 
-/** The centring errors of a case: above the first tolerance, or up to the step's own. */
+/** Returns the centring errors of a case: above the first tolerance, or up to the step's own. */
 function errorRange(tolerances: readonly number[], steps: number): string {
   if (steps > tolerances.length || tolerances.length === 0) return "";
   return steps === 0 ? `> ${exact(tolerances[0])}` : `≤ ${exact(tolerances[steps - 1])}`;
@@ -141,7 +141,7 @@ function makeClearance(report: Report, curve: readonly [number, number][], colou
   return {options, data};
 }
 
-/** A triangle under the least sample, and its figure. */
+/** Paints a triangle under the least sample, and its figure. */
 function paintLeast(plot: uPlot, least: readonly [number, number], words: string, colours: Palette): void {
   const [x, y] = [plot.valToPos(least[0], "x", true), plot.valToPos(least[1], "y", true)],
     r = 5 * uPlot.pxRatio;
@@ -161,7 +161,7 @@ function paintLeast(plot: uPlot, least: readonly [number, number], words: string
   });
 }
 
-// ---- the travel time beside its lower bound and the plain order by rows
+// ---- the travel time compared with its lower bound and the order by rows
 
 export function TimeSection({report}: OfReport) {
   const times = object(report.times);

@@ -37,7 +37,7 @@ export const PLAN_PAGE: PageKind = {
   ],
 };
 
-/** "60 tubes visited in 9 min 12 s of travel; against the true arm ...; least clearance 0.25 in." */
+/** Returns "60 tubes visited in 9 min 12 s of travel; against the true arm ...; least clearance 0.25 in." */
 function headSentence(report: Report): string {
   const time = object(report.times)?.travel_time_s,
     {tubes, unreachable, min_clearance: least} = report;
@@ -51,7 +51,7 @@ function headSentence(report: Report): string {
   return parts.length === 0 ? "No results are recorded." : `${parts.join("; ")}.`;
 }
 
-/** What is longer is no figure for the summary's grid, but a sentence of its own. */
+/** Maximum length of a fact in the summary's grid; a longer one is a sentence of its own. */
 const LONGEST_FACT = 60;
 
 function Head({report}: OfReport) {
@@ -90,7 +90,7 @@ function Head({report}: OfReport) {
   );
 }
 
-/** For which base the plan is proved and steps are given. */
+/** Base for which the plan is proved and steps are stated. */
 function Standing({report}: OfReport) {
   const {placed, words} = object(report.base) ?? {};
   if (textOf(words, "") === "") return null;

@@ -1,4 +1,4 @@
-// The sheet of a report: the workbench's picture of it, in a text, with what a section paints over its holes.
+// The sheet of a report: the workbench's picture within a text, with a section's paintings over its holes.
 import {useCallback, useMemo} from "preact/hooks";
 import {drawArrow} from "../../../../drawing/arrows.js";
 import {distance, toPixel, type Camera, type Size} from "../../../../drawing/frames.js";
@@ -19,7 +19,7 @@ const signOf = (report: Report) => (object(report.sheet)?.viewed_from === "above
 
 const known = new WeakMap<Report, SheetModel | null>();
 
-/** The sheet's model, made once for all sections; null without holes. */
+/** Returns the sheet's model, computed once for all sections; null without holes. */
 export function readSheet(report: Report): SheetModel | null {
   const made = known.has(report) ? known.get(report)! : makeSheet(report);
   known.set(report, made);
@@ -58,7 +58,7 @@ function makeSheet(report: Report): SheetModel | null {
   } as Parameters<typeof makeSheetModel>[0]);
 }
 
-/** The holes of each state that needs a mark. */
+/** Returns the holes of each state that needs a mark. */
 export function stateGroups(sheet: SheetModel): {name: string; mark: Mark; count: number}[] {
   const {counts} = byState(sheet);
   return sheet.states.flatMap((state, k) =>
@@ -66,7 +66,7 @@ export function stateGroups(sheet: SheetModel): {name: string; mark: Mark; count
   );
 }
 
-/** What a section paints with: a place of the sheet in pixels, colours, pixels for a length. */
+/** Tools of a section for painting: a place of the sheet in pixels, colours, pixels per length. */
 export interface Painter {
   context: CanvasRenderingContext2D;
   at: (place: ArrayLike<number>) => Place;
@@ -81,7 +81,7 @@ interface SheetBoxProps {
   label: string;
   tell: (row: number, column: number) => string[];
   paint: (painter: Painter) => void;
-  /** Holes stand back behind what is painted over them. */
+  /** True if the holes are drawn faintly behind a section's paintings. */
   isFaint?: boolean;
 }
 
@@ -114,7 +114,7 @@ export function SheetBox({report, sheet, label, tell, paint, isFaint = false}: S
 const FAINT: Mark = {shape: "ring", colour: "faint"};
 const FONT = `11px ${TYPEFACE}`;
 
-/** The directions of x and y in a corner that the round sheet leaves free. */
+/** Draws the directions of x and y in a corner that the round sheet leaves free. */
 function drawAxes(context: CanvasRenderingContext2D, sign: number, size: Size, colours: Palette): void {
   const x = size.width - 24 - (sign > 0 ? 26 : 0),
     y = size.height - 24;
@@ -129,7 +129,7 @@ function drawAxes(context: CanvasRenderingContext2D, sign: number, size: Size, c
   context.fillText("y", x + 9 * sign, y - 14);
 }
 
-/** Marks of one kind at places of the sheet. */
+/** Paints marks of one kind at places of the sheet. */
 export function paintMarks(
   {context, at, colours}: Painter,
   mark: Mark,
@@ -147,7 +147,7 @@ export interface MarkGroup {
   places: Place[];
 }
 
-/** All groups that are not hidden, their marks as large as all of them allow. */
+/** Paints all groups that are not hidden, with the largest marks that fit all of them. */
 export function paintGroups(painter: Painter, groups: readonly MarkGroup[], hidden: ReadonlySet<string> = new Set()) {
   const radius = markRadius(
     painter,
@@ -156,7 +156,7 @@ export function paintGroups(painter: Painter, groups: readonly MarkGroup[], hidd
   for (const {mark, name, places} of groups) if (!hidden.has(name)) paintMarks(painter, mark, places, radius);
 }
 
-/** An arrow between two places in pixels, in one colour. */
+/** Paints an arrow between two places in pixels, in one colour. */
 export function paintArrow(
   context: CanvasRenderingContext2D,
   from: Place,
@@ -169,7 +169,7 @@ export function paintArrow(
   drawArrow(context, from[0], from[1], to[0] - from[0], to[1] - from[1], false, 5 + width);
 }
 
-/** A few words beside a place in pixels, on a ground of their own. */
+/** Paints a few words next to a place in pixels, on a background. */
 export function paintTag({context, size, colours}: Painter, text: string, [x, y]: Place, isStrong = false): void {
   context.font = isStrong ? `bold ${FONT}` : FONT;
   const wide = context.measureText(text).width;
@@ -185,7 +185,7 @@ export function paintTag({context, size, colours}: Painter, text: string, [x, y]
   context.font = FONT;
 }
 
-/** A radius in pixels for marks at these places: as large as their nearest neighbours allow, within reason. */
+/** Returns a radius in pixels for marks at these places, limited by their nearest neighbours and by `largest`. */
 export function markRadius({at}: Painter, places: readonly Place[], largest = 5.5): number {
   if (places.length < 2) return largest;
   const sorted = places.map(at).sort((a, b) => a[0] - b[0]);
@@ -193,7 +193,7 @@ export function markRadius({at}: Painter, places: readonly Place[], largest = 5.
   return Math.max(1.6, Math.min(largest, 0.46 * nearest[Math.floor(0.1 * nearest.length)]));
 }
 
-/** The distance to the nearest other place, or `limit` if none is nearer; places are sorted by x. */
+/** Returns the distance to the nearest other place, or `limit` if none is nearer; places are sorted by x. */
 function nearestDistance(sorted: readonly Place[], index: number, limit: number): number {
   let best = limit;
   for (const step of [-1, 1])

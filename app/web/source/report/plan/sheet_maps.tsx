@@ -40,7 +40,7 @@ export function SheetSection({report}: OfReport) {
   );
 }
 
-/** The groups of marks that a map shows. */
+/** Returns the groups of marks that a map shows. */
 function groupsOf(report: Report, mode: Mode): MarkGroup[] {
   const placed = (tubes: unknown) => list(tubes).filter(({x, y}) => isNumber(x) && isNumber(y));
   const group = ({mark, name}: {mark: Mark; name: string}, tubes: Report[]): MarkGroup => ({
@@ -64,7 +64,7 @@ interface SheetMapProps {
   modes: readonly Mode[];
 }
 
-/** One map with its heading, a choice of mode when there are several, and its legend with live counts. */
+/** Map with its heading, a choice of mode if there are several, and a legend with current counts. */
 function SheetMap({report, sheet, heading, modes}: SheetMapProps) {
   const chosen = useSignal(modes[0].key),
     hidden = useSignal<ReadonlySet<string>>(new Set());
@@ -125,7 +125,7 @@ function OtherHoles({report, sheet}: {sheet: SheetModel} & OfReport) {
   );
 }
 
-/** The tubes that cannot be visited, by reason; long lists fold away. */
+/** Tubes that cannot be visited, by reason; long lists are folded. */
 function Unreachable({report}: OfReport) {
   const tubes = list(report.unreachable);
   if (!Array.isArray(report.unreachable)) return <Missing what="Tubes that cannot be visited" />;

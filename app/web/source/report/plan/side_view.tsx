@@ -62,7 +62,7 @@ export function SideViewSection({report}: OfReport) {
   );
 }
 
-/** How far the tip moves, from the last points of the two chains. */
+/** Displacement of the tip, from the last points of the two chains. */
 function Deflection({view, factor, unit}: {view: Report; factor: number; unit: string}) {
   const rigid = points(view.rigid).at(-1),
     flexible = points(view.flexible).at(-1);
@@ -83,7 +83,7 @@ function Deflection({view, factor, unit}: {view: Report; factor: number; unit: s
   );
 }
 
-/** The deflected chain with its deflection magnified. */
+/** Returns the deflected chain with its deflection magnified. */
 function magnified(view: Report, factor: number): Point[] {
   const rigid = points(view.rigid),
     flexible = points(view.flexible);
@@ -92,7 +92,9 @@ function magnified(view: Report, factor: number): Point[] {
   return rigid.map((_, i) => [far(i, 0), far(i, 1)]);
 }
 
-/** The circle in which the arm's plane cuts the bowl, a sphere about the sheet's centre; null when it is not known. */
+/**
+ * Returns the circle in which the arm's plane cuts the bowl, a sphere about the sheet's centre; null if it is unknown.
+ */
 function bowlOf(report: Report, view: Report): {center: Point; radius: number} | null {
   const aside = isNumber(view.centre_aside) ? view.centre_aside : 0;
   if (!isNumber(report.bowl_radius) || report.bowl_radius <= aside) return null;
@@ -103,7 +105,7 @@ function bowlOf(report: Report, view: Report): {center: Point; radius: number} |
 const WIDTH = 1000,
   TALLEST = 460;
 
-/** The corners of the box about a capsule. */
+/** Returns the corners of the box about a capsule. */
 function boxOf({from, to, radius}: Report): Point[] {
   return [from, to].flatMap(([r, z]: Point): Point[] => [-radius, radius].map((far) => [r + far, z + far]));
 }
@@ -162,7 +164,7 @@ function SideView({report, view, factor}: {view: Report; factor: number} & OfRep
   );
 }
 
-/** An arm as a line with its joints, a diamond at its tip. */
+/** Arm as a line with its joints, a diamond at its tip. */
 function Chain({places, kind, colour}: {places: Point[]; kind: string; colour: ColourName}) {
   if (places.length < 2) return null;
   const [x, y] = places.at(-1)!;

@@ -1,4 +1,4 @@
-// The tip's trace in the order of visiting, and a walk along it.
+// The tip's trace in the order of visiting, with a slider along it.
 import {useSignal} from "@preact/signals";
 import {useCallback, useEffect, useMemo} from "preact/hooks";
 import {distance} from "../../../../drawing/frames.js";
@@ -10,7 +10,7 @@ import {list, points, type Report, tubeName} from "../values";
 import {holeTeller, modesOf, predictedMode, visitOf} from "./cases";
 import {markRadius, type Painter, paintArrow, paintMarks, paintTag, type Place, readSheet, SheetBox} from "./sheet_box";
 
-/** The trace with the length run at each point, and the point at which each tube is reached. */
+/** Trace with the path length at each point, and the point at which each tube is reached. */
 interface Tour {
   trace: Place[];
   lengths: number[];
@@ -82,7 +82,7 @@ function TourMap({report, sheet}: {sheet: SheetModel} & OfReport) {
   );
 }
 
-/** A slider along the tour and a button that moves it. */
+/** Slider along the tour, with a button that moves it. */
 function Walk({part, onMove}: {part: number; onMove: (part: number) => void}) {
   const isPlaying = useSignal(false);
   useEffect(() => {
@@ -113,7 +113,7 @@ function Walk({part, onMove}: {part: number; onMove: (part: number) => void}) {
   );
 }
 
-/** The place at a part (0 to 1) of the tour's length and the last tube reached there. */
+/** Returns the place at a part (0 to 1) of the tour's length and the last tube reached there. */
 function placeAlong({trace, lengths, total, stops}: Tour, part: number): {place: Place; reached: Report | null} {
   const run = part * total;
   const found = lengths.findIndex((length, i) => i > 0 && length >= run),
@@ -125,7 +125,7 @@ function placeAlong({trace, lengths, total, stops}: Tour, part: number): {place:
   return {place: [x, y], reached: reached?.tube ?? null};
 }
 
-/** So many pixels lie between two arrow heads on the trace. */
+/** Distance between two arrow heads on the trace, in pixels. */
 const BETWEEN_HEADS = 70;
 
 function paintTrace(painter: Painter, {trace, lengths, total}: Tour): void {
@@ -146,7 +146,9 @@ function paintTrace(painter: Painter, {trace, lengths, total}: Tour): void {
   }
 }
 
-/** Blue to orange by way of a light or dark grey-violet: distinct for colour-blind eyes at both ends. */
+/**
+ * Returns a colour from blue to orange through a light or dark grey-violet, whose ends colour-blind eyes distinguish.
+ */
 function tourColour(part: number): string {
   const stops = [
     [0, 114, 178],
@@ -158,7 +160,7 @@ function tourColour(part: number): string {
   return `rgb(${stops[k].map((value, i) => Math.round(value + share * (stops[k + 1][i] - value))).join(",")})`;
 }
 
-/** A dot at each tube; order numbers at the first, the last and every few between. */
+/** Paints a dot at each tube, with order numbers at the first, the last and every few between. */
 function paintStops(painter: Painter, report: Report): void {
   const places = placed(report).map(({x, y}): Place => [x, y]),
     last = places.length - 1;
