@@ -1,4 +1,4 @@
-// What other programs wrote, opened in the page: a tracker's points and a log of the joints, column by column.
+// Tests of foreign tables opened in the page: a tracker's points and a log of the joints, column by column.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {readFileSync, writeFileSync} from "node:fs";
@@ -8,7 +8,7 @@ import {ask, launch, makeFolder, openTab, serve, simulate, stateOf} from "./work
 
 let made, browser, points, log;
 
-/** The simulated readings as a tracker and a controller would have written them. */
+/** Writes the simulated readings in the form of a tracker and a controller. */
 function writeForeign() {
   const [head, ...rows] = readFileSync(path.join(made.folder, "readings.csv"), "utf8").trim().split("\n");
   const at = (name) => head.split(",").indexOf(name);

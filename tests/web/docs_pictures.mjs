@@ -1,5 +1,6 @@
-// Takes the pictures of the documents anew: `node tests/web/docs_pictures.mjs` (make pictures). The workbench with a
-// diagnosis, the sheet of the demo's report before and after, and what the four scenes leave of the sheet.
+// Makes the pictures of the documents: `node tests/web/docs_pictures.mjs` (make pictures). They show the workbench with
+// a diagnosis, the sheet of the demo's report before and after, and the reachable holes of the sheet in the four
+// scenes.
 import {execFileSync} from "node:child_process";
 import {readFileSync} from "node:fs";
 import path from "node:path";
@@ -26,14 +27,14 @@ async function workbench(browser, folder) {
   await tab.waitForSelector(".ladder-row >> text=as given, rigid", LIMIT);
   await tab.click(".tabs >> text=Joints");
   await tab.mouse.move(1270, 50);
-  await tab.waitForTimeout(2000); // bars and marks have come to their places
+  await tab.waitForTimeout(2000); // until animations have ended
   await tab.screenshot({path: docs("workbench.png")});
   await tab.context().close();
   await stop();
 }
 
 async function reportOfDemo(browser, folder) {
-  // The recipe is the Makefile's own: the picture shows what it makes.
+  // The recipe is the Makefile's own, so that the picture shows its output.
   execFileSync("make", ["-C", source, "-o", "program", "demo", `OUT=${folder}/demo`, `BUILD=${path.dirname(program)}`]);
   const address = pathToFileURL(path.join(folder, "demo/report.html")).href;
   const tab = await openTab(browser, address, {viewport: {width: 1280, height: 900}});
@@ -45,7 +46,7 @@ async function reportOfDemo(browser, folder) {
   await tab.context().close();
 }
 
-/** Each scene's sheet, and all four on one page of their own. */
+/** Takes pictures of each scene's sheet, and of all four on one page. */
 async function scenes(browser, folder) {
   const sheets = [];
   for (const scene of SCENES) {

@@ -1,5 +1,5 @@
-// What says why: the plot opens on the variable of what was found, before and after stand in it together, and every
-// reading can be asked, shown and set aside.
+// Tests of the evidence: the plot opens on the variable of the found cause, shows before and after together, and every
+// reading can be queried, shown and set aside.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import path from "node:path";
@@ -11,15 +11,15 @@ let made, browser;
 before(async () => ({made, browser} = await begin()));
 after(() => finish({made, browser}));
 
-/** A workbench with readings that hide an effect, compared. */
+/** Starts a workbench with readings that hide an effect, and compares them. */
 async function compared(name, hide, more = {}) {
   simulate(made.folder, name, {hide, seed: 7, ...more});
   const server = await serve(made.folder, "bench.yaml", [path.join(made.folder, `${name}.csv`)]);
   const tab = await openTab(browser, `${server.address}#error`);
-  await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000}); // compared at once
-  await tab.waitForSelector(".ladder-row >> text=as given, rigid"); // the ladder, not what the comparison shows before it
+  await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000}); // compared without a request
+  await tab.waitForSelector(".ladder-row >> text=as given, rigid"); // the ladder, not the comparison's bars shown before it
   await tab.waitForFunction(() => !document.querySelector(".job"));
-  // Moments and levers come by themselves, and the plot is made anew with them: a loop would be lost.
+  // Moments and leverages arrive later and redraw the plot, which would cancel a lasso.
   await tab.waitForFunction(() =>
     ["moment_tool_z", "as theta4"].every((value) => document.querySelector(`.residual-plot option[value='${value}']`)),
   );
@@ -37,13 +37,13 @@ async function diagnosed(tab) {
 
 const variable = (tab) => tab.locator("select[aria-label='Variable']").inputValue();
 const part = (tab) => tab.locator("select[aria-label='Part of the error']").inputValue();
-/** Waits until the plot is of that variable. */
+/** Waits until the plot shows that variable. */
 const opensOn = (tab, wanted) =>
   tab.waitForFunction((key) => document.querySelector("select[aria-label='Variable']")?.value === key, wanted, {
     timeout: 10000,
   });
 
-// Every effect of the catalogue is opened by app/web/tests/opening.test.ts.
+// The test app/web/tests/opening.test.ts opens every effect of the catalogue.
 const FOUND = [
   ["hysteresis@theta4:0.06deg", "theta4_dir", "as theta4"],
   ["base-slip@base:x=0.08,y=0.05,time=90", "time", ""],
@@ -87,7 +87,7 @@ describe("joint by joint", () => {
     await tab.click(".joint-panel.loud");
     await opensOn(tab, "theta4_dir");
     assert.equal(await part(tab), "as theta4");
-    // Added, nothing is loud any more.
+    // After the addition no panel is framed any more.
     await diagnosed(tab);
     await tab.click(".next:has-text('Add')");
     await tab.waitForSelector(".joint-panel.loud", {state: "detached", timeout: 60000});
@@ -169,7 +169,7 @@ describe("a reading", () => {
     await close();
   });
 
-  /** A loop about a part of a picture, as a hand draws it: shares of its width and height. */
+  /** Draws a lasso about a part of a picture; corners are shares of its width and height. */
   async function lasso(tab, selector, corners) {
     const box = await tab.locator(selector).boundingBox();
     const [first, ...others] = corners.map(([x, y]) => [box.x + x * box.width, box.y + y * box.height]);
@@ -221,7 +221,7 @@ describe("a reading", () => {
     await tab.mouse.move(...first);
     await tab.mouse.down();
     await tab.mouse.move(...second, {steps: 4});
-    assert.equal(await ended(server, (await ask(server, "ladder", {})).body.id), "done"); // a loop is under way
+    assert.equal(await ended(server, (await ask(server, "ladder", {})).body.id), "done"); // a lasso is in progress
     await tab.waitForFunction(() => !document.querySelector(".job"));
     for (const corner of [third, last, first]) await tab.mouse.move(...corner, {steps: 4});
     await tab.mouse.up();
@@ -232,7 +232,7 @@ describe("a reading", () => {
     await tab.waitForFunction(
       (wanted) =>
         performance.getEntriesByType("resource").filter(({name}) => name.endsWith("/compare")).length >= wanted,
-      3, // the first by itself, its result, and the new one
+      3, // the first automatic one, its result, and the new one
     );
     assert.ok(revision > 1);
     assert.equal(await tab.innerText(".selection-bar b"), picked);
@@ -284,7 +284,7 @@ describe("a reading", () => {
     await tab.focus(".reading-rows");
     await tab.keyboard.press("Control+a");
     await tab.waitForSelector(`.selection-bar >> text=${left} readings selected`);
-    await tab.keyboard.press("?"); // Esc closes the topmost alone
+    await tab.keyboard.press("?"); // Esc closes only the topmost
     await tab.waitForSelector("dialog[open] kbd");
     await tab.keyboard.press("Escape");
     await tab.waitForSelector("dialog[open]", {state: "detached"});

@@ -1,13 +1,13 @@
-// Every effect of the catalogue in four clicks: readings that hide it are opened with `tubeplan serve CELL READINGS`, and the
-// page is clicked as a hand would until the error has fallen. A table: what was found, on which variable the plot opened,
-// what error was promised and what was left. Exit code 1 where one of them does not end within 5 % of what was promised.
+// Tests every effect of the catalogue in four clicks. Readings that hide it are opened with `tubeplan serve CELL READINGS`,
+// and the page is clicked until the error has fallen. The output is a table: the effect found, the variable on which the
+// plot opened, the promised error and the remaining one. Exits with 1 if one does not end within 5 % of the promised error.
 //   node tests/web/four_clicks.mjs [EFFECT ...]
 import path from "node:path";
 import {readFileSync} from "node:fs";
 import {launch, makeFolder, openTab, serve, simulate, source, writeDesign, writeWeightless} from "./workbench.mjs";
 
 const MOST_CLICKS = 4;
-const NEAR = 0.05; // of what was promised
+const NEAR = 0.05; // relative tolerance of the promised error
 const LIMIT = {timeout: 180_000};
 const rows = JSON.parse(readFileSync(path.join(source, "app/web/tests/hidden_effects.json"), "utf8"));
 const asked = process.argv.slice(2);
@@ -15,7 +15,7 @@ const asked = process.argv.slice(2);
 const idle = (tab) => tab.waitForFunction(() => !document.querySelector(".job"), null, LIMIT);
 const variable = (tab) => tab.locator("select[aria-label='Variable']").inputValue();
 
-/** The card of what is hidden, else the first. */
+/** Returns the card of the hidden effect, else the first. */
 async function cardOf(tab, name) {
   const titles = await tab.locator(".explanation-words > b").allInnerTexts();
   const words = name.replace("@", " at ");

@@ -1,5 +1,6 @@
-// Kills the program at random instants of its work, as a power cut would, and starts it again: what it had answered must
-// be there, and a saved project must be whole. `node tests/web/kills.mjs [KILLS] [SEED]`; ends with 1 where anything is lost.
+// Kills the program at random instants of its work, as in a power cut, and starts it again. Everything that it had
+// answered must be present, and a saved project must be complete. `node tests/web/kills.mjs [KILLS] [SEED]`; exits with
+// 1 if anything is lost.
 import {spawnSync} from "node:child_process";
 import {existsSync} from "node:fs";
 import path from "node:path";
@@ -8,7 +9,7 @@ import {ask, makeFolder, program, serve, simulate, stateOf} from "./workbench.mj
 const kills = Number(process.argv[2] ?? 50);
 let seed = Number(process.argv[3] ?? 1);
 
-/** Park and Miller's generator: the same instants for the same seed. */
+/** Returns a number of Park and Miller's generator, so that a seed repeats its instants. */
 function random() {
   seed = (48271 * seed) % 2147483647;
   return seed / 2147483647;
@@ -26,7 +27,7 @@ let lost = 0,
 
 const numberOf = (name) => [...marks[name].values()].filter(Boolean).length;
 
-/** One order; what it changes counts once it is answered, and may or may not count while it is not. */
+/** Sends one request; its change is expected after the answer, and possible without one. */
 async function work(server) {
   ++orders;
   const kind = below(6);
@@ -44,7 +45,7 @@ async function work(server) {
   }
 }
 
-/** Works until it is killed. */
+/** Works until the program is killed. */
 async function workUntil(server, instant) {
   let isKilled = false;
   const killed = new Promise((resolve) =>
@@ -78,7 +79,7 @@ for (let kill = 1; kill <= kills; ++kill) {
     ])
       if (Math.abs(count - numberOf(word)) > 1) complain(`${word}: ${count}, answered ${numberOf(word)}`);
   if (found) {
-    // The order that the kill cut off may have counted: from here on as the program has it.
+    // The interrupted request may have taken effect, so the program's state is the new reference.
     const all = (await ask(server, "measurements")).body;
     for (const [word, name] of [
       ["aside", "set_aside"],

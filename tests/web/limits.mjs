@@ -1,11 +1,11 @@
-// What a file of tests needs to end, whatever happens: a limit for each test, and one for what is left running after the
-// last of them.
+// Limits that end a file of tests in any case: one for each test, and one for processes that still run after the last
+// test.
 import {after, it as test} from "node:test";
 
 const TEST_LIMIT = 180_000;
 const LEFT_OVER_LIMIT = 10_000;
 
-/** A test that fails, by its name, where it does not end. */
+/** Defines a test that fails, by its name, if it does not end in time. */
 export function it(name, body) {
   return test(name, {timeout: TEST_LIMIT}, body);
 }

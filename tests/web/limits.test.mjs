@@ -1,4 +1,4 @@
-// That the tests themselves end: with a word, in seconds, whatever does not start or fails.
+// Tests that the tests themselves end within seconds and with a message, whatever does not start or fails.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {spawn} from "node:child_process";
@@ -21,7 +21,7 @@ function write(name, text) {
   return file;
 }
 
-/** Runs a file of tests with a program of ours in place of tubeplan or the browser. */
+/** Runs a file of tests with a dummy program in place of tubeplan or the browser. */
 function runTests(name, body, environment) {
   const file = write(
     `${name}.test.mjs`,
@@ -30,7 +30,7 @@ function runTests(name, body, environment) {
      ${body}`,
   );
   const env = {...process.env, ...environment};
-  delete env.NODE_TEST_CONTEXT; // of its own, not a part of this run
+  delete env.NODE_TEST_CONTEXT; // a separate run, not a part of this one
   return new Promise((resolve) => {
     const start = Date.now();
     const child = spawn(process.execPath, ["--test", file], {env});
@@ -44,7 +44,7 @@ function runTests(name, body, environment) {
   });
 }
 
-/** Whether a process runs: one that has ended may still wait to be taken note of. */
+/** Returns true if a process runs; an ended one may remain as a zombie. */
 function isRunning(pid) {
   const file = `/proc/${pid}/stat`;
   return existsSync(file) && !/\) [ZX] /.test(readFileSync(file, "utf8"));

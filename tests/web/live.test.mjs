@@ -1,5 +1,5 @@
-// A running arm beside the page: the read-out follows its encoders, by POST and by a watched file, and readings that it
-// takes join the others.
+// Tests of a running arm: the read-out follows its encoders, by POST and by a watched file, and its readings join the
+// others.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {appendFileSync, readFileSync, writeFileSync} from "node:fs";
@@ -15,7 +15,7 @@ after(() => finish({made, browser}));
 const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 const joints = (k) => [10 + 0.05 * k, 45, -35 - 0.03 * k, 12];
 
-/** Notes when the read-out of the deflected tip changes. */
+/** Records the times at which the read-out of the deflected tip changes. */
 const watchReadOut = (tab) =>
   tab.evaluate(() => {
     window.changes = [];
@@ -29,7 +29,7 @@ const watchReadOut = (tab) =>
 
 const changes = (tab) => tab.evaluate(() => window.changes.length);
 
-/** Waits until the read-out is that of a posture; gives its deflected tip. */
+/** Waits until the read-out is that of a posture; returns its deflected tip. */
 async function shows(tab, server, joints, load) {
   const pose = (await ask(server, "pose", {joints, load})).body;
   const x = pose.flexible.position[0].toFixed(3).replace("-", "−");
@@ -51,7 +51,7 @@ describe("encoders of a running arm", () => {
     }
     assert.deepEqual(answer.body.tip, await shows(tab, server, joints(59), 20));
     assert.ok((await changes(tab)) > 2, "the read-out stood until the last posture");
-    // The switch is there as long as the arm is heard of.
+    // The switch is present as long as the arm sends data.
     await ask(server, "live/encoders", {joints: joints(59), load: 20});
     await tab.waitForSelector("input[aria-label='Follow the running arm']:checked");
     await tab.focus(".slider input[type=range] >> nth=0");

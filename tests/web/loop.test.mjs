@@ -1,5 +1,5 @@
-// From data to an error at the noise floor in four clicks, and what surrounds the loop: undo, reload, two browsers,
-// files that are wrong or hostile.
+// Tests of the loop, from data to an error at the noise floor in four clicks, and of undo, reload, two browsers, wrong
+// and hostile files.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {readFileSync} from "node:fs";
@@ -24,7 +24,7 @@ after(async () => {
   made?.remove();
 });
 
-/** Held-out error over the noise floor of the last model, as the page shows it. */
+/** Returns the held-out error over the noise floor of the last model, as the page shows it. */
 async function timesFloor(tab) {
   const text = await tab.locator(".ladder-row.now .bar-text").last().innerText();
   return Number(/([\d.]+) × floor/.exec(text)[1]);
@@ -96,7 +96,7 @@ describe("the loop", () => {
     const tab = await openTab(browser, `${own.address}#error`);
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 120000});
     await tab.dispatchEvent(".next", "click");
-    await tab.evaluate(() => document.querySelector(".next").click()); // pressed twice
+    await tab.evaluate(() => document.querySelector(".next").click()); // a double click
     await tab.waitForSelector(".job >> text=/catalogue|effects/", {timeout: 60000});
     assert.equal(await tab.locator(".notice").count(), 0);
     const start = Date.now();
@@ -126,7 +126,7 @@ describe("the loop", () => {
     await tab.waitForFunction(() => !document.querySelector(".job"));
     await tab.click("button[title^='Undo']");
     await tab.waitForSelector(".models >> text=hysteresis@theta4");
-    // The refused formula is answered with 4xx, which the browser notes in its console.
+    // The refused formula gives a 4xx, which the browser logs in its console.
     assert.deepEqual(
       tab.errors.filter((text) => !/status of 4/.test(text)),
       [],
@@ -140,7 +140,7 @@ describe("the loop", () => {
     const lines = readFileSync(path.join(made.folder, "readings.csv"), "utf8").split("\n");
     lines[3] = lines[3].replace(/,(\d)/, ",not-a-number$1");
     await drop(tab, "bad.csv", lines.join("\n"));
-    // Another notice may be there: work that the undo before took the ground from.
+    // Another notice may be present, about work that the undo has made obsolete.
     const notice = tab.locator(".notice", {hasText: "bad.csv"});
     await notice.waitFor();
     const words = await notice.innerText();
@@ -204,7 +204,7 @@ describe("practice readings", () => {
       timeout: 60000,
     });
     await tab.waitForSelector(".next:not([disabled])", {timeout: 60000});
-    tab.errors.length = 0; // the refusal above is a 4xx, which the browser notes
+    tab.errors.length = 0; // the refusal above is a 4xx, which the browser logs
     await own.stop();
     await tab.waitForSelector(".silence >> text=does not respond");
     await tab.context().close();
@@ -232,7 +232,7 @@ describe("the catalogue", () => {
     await tab.focus(".effect-list [aria-selected=true]");
     await tab.keyboard.press("ArrowDown");
     await tab.waitForSelector(".effects-view h2 >> text=tool-weight");
-    // Effects of one number each are confounded both ways.
+    // Effects of one number each are confounded in both directions.
     const {causes} = (await ask(server, "confounding")).body;
     const confoundingOf = (effect, at) => causes.find((cause) => cause.effect === effect && cause.at === at).confounded;
     const has = (list, effect, at) => list.some((other) => other.effect === effect && other.at === at);

@@ -1,5 +1,6 @@
 // Measures the page: frames per second with 15,529 holes, time to the first picture, slider latency, weight; with
-// --pictures DIR it also takes the screenshots, with --live SECONDS it sends twenty encoder readings a second. Figures are printed; nothing is asserted, machines differ.
+// --pictures DIR it also takes the screenshots, with --live SECONDS it sends twenty encoder readings a second. It
+// prints figures and asserts nothing, because machines differ.
 import {mkdirSync, readdirSync, readFileSync, statSync} from "node:fs";
 import path from "node:path";
 import {gzipSync} from "node:zlib";
@@ -29,7 +30,7 @@ function weigh() {
   );
 }
 
-/** From the request to the first drawing of all holes. */
+/** Measures from the request to the first drawing of all holes. */
 async function firstPicture(browser, address) {
   const times = [];
   for (let i = 0; i < 3; ++i) {
@@ -65,7 +66,7 @@ async function framesPerSecond(browser, address) {
     };
     requestAnimationFrame(tick);
   });
-  // The sheet is moved from inside the page, once for each frame: what is measured is the page, not the test's messages.
+  // The sheet is moved from inside the page, once per frame, so that the test's messages are not measured.
   await tab.evaluate(
     () =>
       new Promise((resolve) => {
@@ -101,7 +102,7 @@ async function framesPerSecond(browser, address) {
   await tab.context().close();
 }
 
-/** From a slider's input event to the read-out with the program's answer. */
+/** Measures from a slider's input event to the read-out with the program's answer. */
 async function sliderLatency(browser, address) {
   const tab = await openTab(browser, `${address}#arm`);
   await tab.waitForSelector(".slider input[type=range]");
@@ -154,7 +155,7 @@ async function settled(tab) {
   await tab.waitForTimeout(500);
 }
 
-/** From *Set aside*, for what a loop in the plot selects, to the new ladder, and to the new comparison. */
+/** Measures from *Set aside*, after a lasso in the plot, to the new ladder, and to the new comparison. */
 async function newLadder(tab, what) {
   const box = await tab.locator(".residual-plot .u-over").boundingBox();
   await tab.mouse.move(box.x + 0.6 * box.width, box.y + 2);
@@ -186,7 +187,10 @@ async function newLadder(tab, what) {
   );
 }
 
-/** From a pointer's motion over the plot of 10,000 readings to the page's next frame, and from a click to a new ladder. */
+/**
+ * Measures from a pointer's motion over the plot of 10,000 readings to the page's next frame, and from a click to a new
+ * ladder.
+ */
 async function hoverLatency(browser, folder) {
   const file = simulate(folder, "many", {hide: "hysteresis@theta4:0.06deg", readings: 10000});
   const own = await serve(folder, "bench.yaml", [file]);
@@ -224,7 +228,7 @@ async function hoverLatency(browser, folder) {
   await own.stop();
 }
 
-/** Twenty encoder readings a second: how far behind the read-out is, and whether memory grows. */
+/** Measures the delay of the read-out and the growth of memory at twenty encoder readings a second. */
 async function liveInput(browser, folder, seconds) {
   const own = await serve(folder, "bench.yaml");
   const tab = await openTab(browser, `${own.address}#arm`);
@@ -327,7 +331,7 @@ async function pictures(browser, folder, into) {
           ),
         null,
         {timeout: 10000},
-      ); // drawn sharp
+      ); // drawn sharply
       await tab.waitForTimeout(800);
       await shoot(tab, `${view}-${name}`);
     }

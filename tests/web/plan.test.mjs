@@ -1,4 +1,5 @@
-// Sixty tubes of the mock-up: touched, calibrated, planned, played and taken away as files; a job is stopped on the way.
+// Tests with sixty tubes of the mock-up: touched, calibrated, planned, played and exported as files; a job is stopped
+// meanwhile.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import path from "node:path";
@@ -65,7 +66,7 @@ describe("the mock-up", () => {
 
   it("is calibrated by three simulated touches", async () => {
     await tab.click(".rail-entry >> text=Calibrate");
-    // The hole picked before has a row of its own.
+    // The hole picked before has its own row.
     const own = await tab.innerText(".touch-row:not(.done) > span >> nth=0");
     await tab.click(".calibrate-view >> text=Suggest");
     await tab.waitForFunction(

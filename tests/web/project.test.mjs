@@ -1,4 +1,5 @@
-// Keeping the work: saved, exported, taken up after the program was killed, and never dropped unasked.
+// Tests of saving the work: it is saved, exported, restored after the program was killed, and never dropped without
+// confirmation.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {spawnSync} from "node:child_process";
@@ -22,7 +23,7 @@ after(async () => {
 
 const post = (server, name, body = {}) => ask(server, name, body);
 
-/** A model with an effect added. */
+/** Makes a model with an added effect. */
 async function makeWork(server) {
   for (const [name, body] of [
     ["compare", {}],
@@ -68,7 +69,7 @@ describe("the work", () => {
     await tab.keyboard.press("o");
     await tab.click(".file >> text=mine.tubeplan");
     await tab.waitForSelector(".models >> text=hysteresis@theta4");
-    // The refusal that is asked about is a 409, which the browser notes.
+    // The expected refusal is a 409, which the browser logs.
     assert.deepEqual(
       tab.errors.filter((text) => !/status of 409/.test(text)),
       [],
@@ -124,13 +125,13 @@ describe("the work", () => {
             ++steps;
           }
         } catch {
-          break; // killed while it was asked
+          break; // killed during the request
         }
       }
       await dying;
       const next = await serve(made.folder, "bench.yaml", [], state);
       const now = await stateOf(next);
-      // One change may have been made whose answer was never heard.
+      // One change may have been made whose answer did not arrive.
       const more = now.revision - answered.revision;
       assert.ok(more === 0 || more === 1, `revision ${now.revision} after ${answered.revision} was answered`);
       assert.equal(now.models.length, answered.models.length);
@@ -145,7 +146,7 @@ describe("the work", () => {
 });
 
 describe("the report of a project", () => {
-  /** Runs the program; what it says on standard output and error, and its exit code. */
+  /** Runs the program; returns its standard output and error, and its exit code. */
   function run(words, environment = {}) {
     const {status, stdout, stderr} = spawnSync(program, words, {
       cwd: made.folder,
@@ -167,7 +168,7 @@ describe("the report of a project", () => {
     assert.equal(made_.status, 0, made_.said);
     const report = JSON.parse(made_.out);
 
-    // The inputs are those of the files, by their hashes.
+    // The hashes prove that the inputs are those of the files.
     assert.deepEqual(report.set_aside, ["4"]);
     assert.equal(report.inputs.length, 3);
     for (const input of report.inputs) {
@@ -180,7 +181,7 @@ describe("the report of a project", () => {
     assert.match(facts.get("Report made"), /^\d{4}-\d\d-\d\d \d\d:\d\d UTC$/);
     assert.equal(facts.get("Readings in use"), "59");
 
-    // Every command line, word by word, and the figures that it gives.
+    // Each command line is checked word by word, with the figures that it gives.
     const told = report.commands.map((line) => line.split(" "));
     assert.equal(told[0][1], "report");
     const figures = told.slice(1).map((words) => {

@@ -1,5 +1,5 @@
-// The reports in a real browser, from the file as the program writes it: every part is drawn, nothing is asked of the
-// network, and words come with the figures.
+// Tests of reports in a real browser, from the files that the program writes: every part is drawn, nothing is requested
+// from the network, and figures have words.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {execFileSync} from "node:child_process";
@@ -21,7 +21,7 @@ after(async () => {
   made?.remove();
 });
 
-/** The program with these words, in the folder; an answer of no (1) is as good as a yes. */
+/** Runs the program with these words, in the folder; exit codes 0 and 1 are both accepted. */
 function run(...words) {
   try {
     execFileSync(program, words, {cwd: made.folder, stdio: "pipe", timeout: 240000});
@@ -30,7 +30,7 @@ function run(...words) {
   }
 }
 
-/** A report with all of its parts, of which only those named say that they are not recorded. */
+/** Opens a report with all of its parts, of which only those named may be reported missing. */
 async function opened(name, unrecorded = []) {
   const asked = [];
   const tab = await openTab(browser, "about:blank");
@@ -40,7 +40,7 @@ async function opened(name, unrecorded = []) {
   assert.deepEqual(tab.errors, []);
   assert.deepEqual(asked, []);
   assert.deepEqual(await tab.locator(".missing").allInnerTexts(), unrecorded);
-  // Two pixels and more for one of the page: sharp on paper.
+  // At least two canvas pixels per pixel of the page are sharp on paper.
   const ratios = await tab.evaluate(() =>
     [...document.querySelectorAll("canvas")].map(({width, clientWidth}) => width / (clientWidth || width)),
   );
@@ -56,7 +56,7 @@ async function opened(name, unrecorded = []) {
   return tab;
 }
 
-/** How many pixels of a canvas have a colour of the style sheet, or next to it. */
+/** Returns the number of pixels of a canvas with a colour of the style sheet, or a similar one. */
 function inkOf(tab, canvas, colour) {
   return tab
     .locator(canvas)
@@ -155,7 +155,7 @@ describe("reports", () => {
       "goal-point",
       "predicted",
     ]);
-    // The ground, the holes, and the tour over them.
+    // The ground, the holes, and the tour over them are drawn.
     for (const [k, colour] of ["rim", "faint", "ink"].entries())
       assert.ok((await inkOf(tab, `#tour canvas >> nth=${k}`, colour)) > 20, colour);
     assert.ok((await inkOf(tab, "#clearance canvas", "accent")) > 100);
@@ -187,7 +187,7 @@ describe("reports", () => {
       "--out",
       "found",
     );
-    const found = await opened("found/report.html", ["Nothing hidden: not recorded."]); // of two runs both hide something
+    const found = await opened("found/report.html", ["Nothing hidden: not recorded."]); // both of two runs hide something
     assert.match(await found.innerText("#effects thead"), /the truth named/);
     await found.context().close();
   });
@@ -208,7 +208,7 @@ describe("reports", () => {
     await tab.waitForFunction(() => document.documentElement.dataset.scheme === "dark");
     await tab.evaluate(() => dispatchEvent(new Event("beforeprint")));
     assert.equal(await scheme(), "light");
-    assert.ok((await inkOf(tab, "#why canvas", "case0")) > 50); // drawn anew with the colours of paper
+    assert.ok((await inkOf(tab, "#why canvas", "case0")) > 50); // redrawn with the colours of paper
     await tab.evaluate(() => dispatchEvent(new Event("afterprint")));
     assert.equal(await scheme(), "dark");
     await tab.context().close();

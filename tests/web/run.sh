@@ -1,8 +1,8 @@
 #!/bin/sh
-# The page end to end in a real browser. Exit code 77 where something that it needs is not on this machine, with its name.
+# Tests of the page end to end in a real browser. Exits with 77, naming the missing item, if this machine lacks one.
 # Environment: TUBEPLAN (the program), TUBEPLAN_WEB (a folder with the page's packages), TUBEPLAN_PAGE (a built page to
 # show instead of the program's own), TUBEPLAN_CHROMIUM; TUBEPLAN_SLOWNESS=N runs the page N times slower, TUBEPLAN_JITTER=MS
-# holds up questions and answers by up to so many milliseconds each.
+# delays each request and answer by up to MS milliseconds.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 skip() { echo "skipped: $1"; exit 77; }

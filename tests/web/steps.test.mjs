@@ -1,5 +1,6 @@
-// What is done with what was found: any step of the models gone back to, effects and fitted numbers switched off and on,
-// the run sheet ticked off and dropped back, the posterior moved by it, one explanation beside another.
+// Tests of actions on the results: any step of the models is restored, effects and fitted numbers are switched off and
+// on, the run sheet is ticked off and dropped back, the posterior changes with it, and explanations are shown side by
+// side.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {readFileSync, writeFileSync} from "node:fs";
@@ -15,7 +16,7 @@ after(() => finish({made, browser}));
 
 const idle = (tab) => tab.waitForFunction(() => !document.querySelector(".job"), null, LIMIT);
 
-/** `tubeplan serve CELL READINGS`, compared by itself and diagnosed by a click. */
+/** Starts `tubeplan serve CELL READINGS`, which compares automatically, and diagnoses by a click. */
 async function diagnosed(name, options) {
   simulate(made.folder, name, options);
   const server = await serve(made.folder, "bench.yaml", [path.join(made.folder, `${name}.csv`)]);
@@ -55,7 +56,7 @@ describe("the models as steps", () => {
     await tab.waitForFunction(() => document.querySelectorAll(".model-panel ol button").length === 5, null, LIMIT);
     await idle(tab);
     assert.equal(await tab.locator(".model-panel input:checked").count(), fitted);
-    // Esc closes the topmost alone.
+    // Esc closes only the topmost.
     await tab.focus(".model-panel input >> nth=0");
     await tab.keyboard.press("Escape");
     await tab.waitForSelector(".model-panel", {state: "hidden"});
@@ -98,13 +99,13 @@ describe("several explanations", () => {
     assert.equal(lines.length, count);
     const columns = header.split(",");
     const at = (prefix) => columns.findIndex((name) => name.startsWith(prefix));
-    /** Where the model has the tip: somebody measured that. */
+    /** Returns the model's place of the tip as a measured one. */
     const place = async (line) => {
       const fields = line.split(",");
       const joints = [1, 2, 3, 4].map((k) => Number(fields[columns.indexOf(`theta${k}_deg`)]));
       return (await ask(server, "pose", {joints, load: Number(fields[at("load")])})).body.tip.flexible;
     };
-    // By hand: the coordinates of the first.
+    // By hand, the coordinates of the first reading are typed.
     const first = await place(lines[0]);
     const id = lines[0].split(",")[0];
     for (const [k, axis] of ["x_in", "y_in", "z_in"].entries())
@@ -120,7 +121,7 @@ describe("several explanations", () => {
     assert.equal((await stateOf(server)).measurements.readings, 91);
     await tab.waitForSelector(".posterior svg", LIMIT);
 
-    // As a file: the second is filled in, the others are still empty.
+    // In the file, the second reading is filled in and the others are still empty.
     const second = lines[1].split(",");
     (await place(lines[1])).forEach((value, k) => (second[at(["x_", "y_", "z_"][k])] = value.toFixed(4)));
     await drop(tab, "run-sheet.csv", [header, lines[0], second.join(","), ...lines.slice(2), ""].join("\n"));
@@ -190,7 +191,7 @@ describe("readings that look wrong", () => {
     const wrong = path.join(made.folder, "slow-millimetres.csv");
     writeFileSync(wrong, text.replace("x_in,y_in,z_in", "x_mm,y_mm,z_mm"));
     const server = await serve(made.folder, "bench.yaml", [wrong]);
-    // What the page asks for by itself reaches the program after the click.
+    // Automatic requests of the page reach the program after the click.
     const tab = await openTab(browser, server.address, {
       prepare: (page) =>
         page.route("**/api/compare", async (route) => {
@@ -208,7 +209,7 @@ describe("readings that look wrong", () => {
     await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", LIMIT);
     assert.deepEqual(await tab.locator(".notice").allInnerTexts(), []);
 
-    // Two tables of the program's own at once are one set; a cell is none.
+    // Two tables of the program's own, opened together, are one set; a cell is refused.
     const [header, ...lines] = text.trim().split("\n");
     const half = (part, mark) => [header, ...part.map((line) => `${mark}${line}`), ""].join("\n");
     await drop(tab, [
@@ -236,7 +237,7 @@ describe("readings that look wrong", () => {
         page.route("**/api/measurements?name=*", async (route) => {
           const response = await route.fetch();
           while (!(await isIdle())) await new Promise((resolve) => setTimeout(resolve, 30));
-          await new Promise((resolve) => setTimeout(resolve, 500)); // in which the page is told of it
+          await new Promise((resolve) => setTimeout(resolve, 500)); // time for the page to receive the state
           await route.fulfill({response});
         }),
     });
@@ -276,7 +277,7 @@ describe("the arm's picture", () => {
     await tab.waitForFunction(() => /m$/.test(document.querySelector(".clearance-figure")?.textContent));
     const picture = await tab.locator(".arm-picture canvas").screenshot();
     const other = await tab.context().newPage();
-    // Arm and line of clearance are a part of the picture, not all of it: they were drawn in inches once.
+    // Arm and line of clearance cover a part of the picture only; a drawing in inches would fill it.
     const share = await other.evaluate(async (base64) => {
       const image = new Image();
       image.src = `data:image/png;base64,${base64}`;
@@ -308,7 +309,7 @@ describe("the sheet", () => {
     await tab.click("text=Work out the sag", LIMIT);
     await tab.waitForSelector(".before-after >> text=after", LIMIT);
     await tab.waitForFunction(() => !document.querySelector(".to-compute"), null, LIMIT);
-    await tab.click(".before-after >> text=before"); // worked out by itself
+    await tab.click(".before-after >> text=before"); // computed automatically
     await tab.waitForSelector(".before-after .muted >> text=as given");
     await tab.waitForFunction(
       () => !document.querySelector(".to-compute") && !document.querySelector(".job"),

@@ -1,4 +1,5 @@
-// Tools of one to eight steps from outside: the report of a plan shows the counts, names and chances of its plan.json.
+// Tests with tools of one to eight steps from outside: the report of a plan shows the counts, names and probabilities
+// of its plan.json.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {execFileSync} from "node:child_process";

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The page's own unit tests, among its packages in TUBEPLAN_WEB; those that ask the program itself ask TUBEPLAN. Exit code 77 where npm or the packages are not there.
+# Unit tests of the page, with its packages in TUBEPLAN_WEB; tests that need the program use TUBEPLAN. Exits with 77 if npm
+# or the packages are missing.
 web=$(cd "$(dirname "$0")/../../app/web" && pwd)
 export TUBEPLAN_CELLS="${web%/web}/cells" TUBEPLAN_PAGES="${web%/web}"
 skip() { echo "skipped: $1"; exit 77; }

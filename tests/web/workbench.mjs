@@ -1,5 +1,4 @@
-// Starts the real server with the built page, and a browser to look at it: what every test here and the measuring
-// script share.
+// Common parts of the tests and of the measuring script: the real server with the built page, and a browser.
 import assert from "node:assert/strict";
 import {spawn, execFileSync} from "node:child_process";
 import {cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
@@ -14,13 +13,13 @@ const web = process.env.TUBEPLAN_WEB ?? path.join(source, "app/web");
 const {chromium} = createRequire(path.join(web, "package.json"))("playwright-core");
 
 export const program = process.env.TUBEPLAN ?? path.join(source, "build/tubeplan");
-/** The built page as a folder; without one the server shows the page that it was built with. */
+/** Folder of the built page; if empty the server shows the page that it was built with. */
 export const page = process.env.TUBEPLAN_PAGE ?? "";
-/** How many times slower than here the page runs, so that tests are also tried on a machine that is busy. */
+/** Factor by which the page is slowed down, so that tests are also tried as on a busy machine. */
 const slowness = Number(process.env.TUBEPLAN_SLOWNESS ?? 1);
-/** Milliseconds that each question, and each answer, is held up at most, so that they overtake the events. */
+/** Maximum delay of each request, and each answer [ms], so that events overtake them. */
 const jitter = Number(process.env.TUBEPLAN_JITTER ?? 0);
-// Milliseconds. What does not start is told in seconds.
+// Limits [ms], short enough that a failed start is reported within seconds.
 const SIMULATE_LIMIT = 120_000;
 const START_LIMIT = 20_000;
 const ANSWER_LIMIT = 20_000;
@@ -29,7 +28,7 @@ const STOP_LIMIT = 3000;
 
 const browserPath = process.env.TUBEPLAN_CHROMIUM ?? "/usr/bin/chromium";
 
-/** A folder of its own with the shipped cells, gone at the end. */
+/** Makes a folder with the shipped cells, removed at the end. */
 export function makeFolder() {
   const folder = mkdtempSync(path.join(tmpdir(), "tubeplan-web-"));
   cpSync(path.join(source, "app/cells"), folder, {recursive: true});
@@ -39,14 +38,14 @@ export function makeFolder() {
   };
 }
 
-/** A design file: readings of that kind anywhere in the room. */
+/** Writes a design file: readings of that kind anywhere in the room. */
 export function writeDesign(folder, kind) {
   const file = path.join(folder, `design-${kind}.yaml`);
   writeFileSync(file, `kind: ${kind}\nat: anywhere\nloads: [0, 20, 40]\n`);
   return file;
 }
 
-/** Practice readings made by the program, as NAME.csv in the folder. */
+/** Simulates practice readings with the program, as NAME.csv in the folder. */
 export function simulate(folder, name, options) {
   const out = path.join(folder, `${name}-made`);
   execFileSync(
@@ -74,7 +73,7 @@ export function simulate(folder, name, options) {
   return file;
 }
 
-/** The cell with an arm whose file states no weights, as NAME-weightless.yaml. */
+/** Writes the cell with an arm whose file states no weights, as NAME-weightless.yaml. */
 export function writeWeightless(folder, cell) {
   const text = readFileSync(path.join(folder, `${cell}.yaml`), "utf8"),
     arm = /^arm: (\S+)/m.exec(text)[1];
@@ -84,7 +83,7 @@ export function writeWeightless(folder, cell) {
   return `${cell}-weightless`;
 }
 
-/** The mock-up with another sheet: a full disc of 15,529 holes. */
+/** Writes the mock-up with another sheet: a full disc of 15,529 holes. */
 export function writeDisc(folder) {
   const text = readFileSync(path.join(folder, "mockup.yaml"), "utf8")
     .replace(/layout: \{[^}]*\}/, "layout: {type: disc, pitch: 0.875, radius: 57.25}")
@@ -98,7 +97,7 @@ export function writeDisc(folder) {
 
 let states = 0;
 
-// A test that fails does not stop its servers: they must neither keep this process alive nor outlive it.
+// A failed test does not stop its servers, which must neither keep this process alive nor outlive it.
 const running = new Set();
 process.on("exit", () => running.forEach((child) => child.kill("SIGKILL")));
 
@@ -131,7 +130,7 @@ function addressOf(child, said, limit) {
   });
 }
 
-/** Ends a server; one that has ended already did so by itself, and that is a failure. */
+/** Ends a server; fails if it has already ended by itself. */
 function end(child, signal, said) {
   return new Promise((resolve, reject) => {
     if (child.exitCode !== null || child.signalCode !== null) {
@@ -148,7 +147,7 @@ function end(child, signal, said) {
   });
 }
 
-/** tubeplan serve on a free port, its session kept in `state`; resolves once it has printed its address. */
+/** Starts tubeplan serve on a free port, its session kept in `state`; resolves once it has printed its address. */
 export async function serve(
   folder,
   cell,
@@ -174,13 +173,13 @@ export async function serve(
   return {
     address,
     pid: child.pid,
-    /** As when the machine stops: no word to the program. */
+    /** Kills the server without notice, as when the machine stops. */
     kill: () => end(child, "SIGKILL", said),
     stop: () => end(child, "SIGINT", said),
   };
 }
 
-/** A document of the server, or its answer to an order; a server that says nothing is a failure. */
+/** Returns a document of the server, or its answer to a request; fails if the server does not answer. */
 export async function ask({address}, name, body) {
   const signal = AbortSignal.timeout(ANSWER_LIMIT);
   const order = {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)};
@@ -190,7 +189,7 @@ export async function ask({address}, name, body) {
 
 export const stateOf = async (server) => (await ask(server, "state")).body;
 
-/** How a job ends, by its number. */
+/** Returns the outcome of a job, by its number. */
 export async function ended(server, id, limit = JOB_LIMIT) {
   for (const start = Date.now(); Date.now() - start < limit;) {
     const job = (await stateOf(server)).jobs.find((entry) => entry.id === id);
@@ -200,7 +199,7 @@ export async function ended(server, id, limit = JOB_LIMIT) {
   throw new Error(`job ${id} was not done within ${limit / 1000} s`);
 }
 
-/** Chromium. Of one that does not start Playwright would itself tell only half a minute after its limit. */
+/** Starts Chromium; without this limit Playwright reports a failed start only half a minute after its own. */
 export function launch(limit = START_LIMIT) {
   const launched = chromium.launch({
     executablePath: browserPath,
@@ -217,7 +216,7 @@ export function launch(limit = START_LIMIT) {
 
 const heldUp = () => new Promise((resolve) => setTimeout(resolve, Math.random() * jitter));
 
-/** Questions and answers on their way for different times; the events come as they are. */
+/** Delays requests and answers by different times; events are not delayed. */
 async function holdUp(route) {
   await heldUp();
   try {
@@ -225,12 +224,14 @@ async function holdUp(route) {
     await heldUp();
     await route.fulfill({response});
   } catch {
-    await route.abort().catch(() => {}); // a tab that is closed meanwhile
+    await route.abort().catch(() => {}); // the tab was closed meanwhile
   }
 }
 
-/** A tab whose console errors are kept: a test ends by asserting that there are none. `prepare` is run on it before it
- * goes to the address. */
+/**
+ * Opens a tab whose console errors are kept: a test ends by asserting that there are none. `prepare` is called with it
+ * before it opens the address.
+ */
 export async function openTab(browser, address, {prepare = async () => {}, ...options} = {}) {
   const context = await browser.newContext({
     viewport: {width: 1280, height: 720},
@@ -241,7 +242,7 @@ export async function openTab(browser, address, {prepare = async () => {}, ...op
     const session = await context.newCDPSession(tab);
     await session.send("Emulation.setCPUThrottlingRate", {rate: slowness});
     await session.send("Network.enable");
-    const latency = 40 * slowness; // ms
+    const latency = 40 * slowness; // [ms]
     await session.send("Network.emulateNetworkConditions", {
       offline: false,
       latency,
@@ -258,11 +259,11 @@ export async function openTab(browser, address, {prepare = async () => {}, ...op
   return tab;
 }
 
-/** The words of the controls that a telephone's window cuts off, but in rows that scroll sideways. */
+/** Returns the words of the controls that a telephone's window cuts off, except in rows that scroll sideways. */
 export async function controlsCutOff(tab) {
   const before = tab.viewportSize();
   await tab.setViewportSize({width: 400, height: 800});
-  await tab.waitForTimeout(300); // the layout has settled
+  await tab.waitForTimeout(300); // until the layout has settled
   const {count, cut} = await tab.evaluate(() => {
     const controls = [...document.querySelectorAll(".view .panel :is(button, input, select)")].filter(
       (control) => control.checkVisibility() && !control.closest(".tabs, .segments"),
@@ -279,12 +280,12 @@ export async function controlsCutOff(tab) {
   return cut;
 }
 
-/** Its errors, but that a result was gone again before it was fetched: the browser notes that by itself. */
+/** Returns the tab's errors, except that a result was gone before it was fetched, which the browser logs by itself. */
 export function errorsOf(tab) {
   return tab.errors.filter((text) => !/status of 404/.test(text));
 }
 
-/** Drops a file, or a list of names and texts, on the page as a hand would. */
+/** Drops a file, or a list of names and texts, on the page. */
 export async function drop(tab, name, text) {
   const data = await tab.evaluateHandle(
     (files) => {
@@ -297,7 +298,7 @@ export async function drop(tab, name, text) {
   await tab.dispatchEvent("main", "drop", {dataTransfer: data});
 }
 
-/** What a file of tests begins with: a folder with the shipped cells, and a browser. */
+/** Prepares a file of tests: a folder with the shipped cells, and a browser. */
 export async function begin() {
   return {made: makeFolder(), browser: await launch()};
 }
@@ -307,7 +308,7 @@ export async function finish({made, browser}) {
   made?.remove();
 }
 
-/** A tab and its server with the way to put both away: the page must have said nothing wrong. */
+/** Returns a tab and its server with a function that closes both and asserts that the page reported no error. */
 export function closable(tab, server) {
   const close = async () => {
     assert.deepEqual(tab.errors, []);

@@ -1,4 +1,4 @@
-// What the calibrate view shows of touches, those that were refused among them.
+// Tests of the calibrate view's touches, including refused ones.
 import {describe, expect, it} from "vitest";
 import type {CalibrateDocument} from "../source/server/documents";
 import {readingWords, suspicionOf} from "../source/calibrate/suspicion";

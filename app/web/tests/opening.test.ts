@@ -1,6 +1,6 @@
-// For every effect of the catalogue: readings that hide it, made and diagnosed by the program itself, open the plot of the
-// errors on the variable that its law lives on, and the error falls to what was promised once it is added. Only where
-// TUBEPLAN names the program.
+// Tests every effect of the catalogue with readings that hide it, simulated and diagnosed by the program itself. The
+// plot of the errors opens on the variable of its law, and the error falls to the promised one after the effect is
+// added. Runs only if TUBEPLAN names the program.
 import {execFileSync, spawn, type ChildProcess} from "node:child_process";
 import {mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
@@ -24,19 +24,19 @@ const cells = process.env.TUBEPLAN_CELLS ?? path.resolve(__dirname, "../../cells
 
 interface Row {
   hide: string;
-  /** The variable that it must open on, as a regular expression. */
+  /** Regular expression of the variable that the plot must open on. */
   opens_on: string;
-  /** On the bench unless another cell is named. */
+  /** Name of the cell; bench by default. */
   cell?: string;
-  /** With an arm whose file states no weights. */
+  /** True for an arm whose file states no weights. */
   weightless?: boolean;
-  /** Of the readings, anywhere in the room; as the design `bench` has them, of places alone, where none is named. */
+  /** Kind of the readings, anywhere in the room; by default those of the design `bench`, positions only. */
   kind?: string;
 }
 
-/** What is hidden in the readings of each row; also clicked through in the browser by tests/web/four_clicks.mjs. */
+/** Effects hidden in the readings of each row; tests/web/four_clicks.mjs also tries them in the browser. */
 const TABLE = JSON.parse(readFileSync(path.join(__dirname, "hidden_effects.json"), "utf8")) as Row[];
-/** The error that is left against the one that was promised. */
+/** Relative tolerance between the remaining and the promised error. */
 const NEAR = 0.05;
 
 interface Server {
@@ -46,7 +46,7 @@ interface Server {
 const servers = new Map<string, Server>();
 let folder = "";
 
-/** The cell's file; with its arm's weights left out where the row says so. */
+/** Returns the cell's file, without its arm's weights if the row says so. */
 function fileOf({cell = "bench", weightless}: Row): string {
   const shipped = path.join(cells, `${cell}.yaml`);
   if (!weightless) return shipped;
@@ -107,9 +107,9 @@ async function done(server: Server, name: string, body: unknown): Promise<void> 
   throw new Error(`${name} was not done within 90 s`);
 }
 
-/** Readings that hide the row's effect are those of the server. */
+/** Puts readings with the row's hidden effect on the server. */
 async function simulate(server: Server, row: Row): Promise<void> {
-  const spread = row.cell ? 0 : 0.1; // of the numbers that the cell sets free
+  const spread = row.cell ? 0 : 0.1; // spread of the numbers that the cell sets free
   if (!row.kind) {
     await done(server, "simulate", {design: "bench", readings: 120, seed: 7, hide: [row.hide], spread});
     return;
@@ -122,7 +122,7 @@ async function simulate(server: Server, row: Row): Promise<void> {
   await takeText(server, "measurements?name=readings.csv", readFileSync(path.join(made, "measurements.csv"), "utf8"));
 }
 
-/** The cause to look at: what was hidden where it is among the explanations, else the first of all. */
+/** Returns the hidden cause if it is among the explanations, else the first of all. */
 function causeOf(document: DiagnoseDocument, hidden: string): [EffectAt, number] {
   const isHidden = ({effect, at}: EffectAt) => `${effect}@${at}` === hidden;
   const index = Math.max(

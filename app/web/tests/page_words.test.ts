@@ -1,4 +1,4 @@
-// What the program says to its command line, as the page says it.
+// Tests of the program's command-line messages as the page words them.
 import {describe, expect, it} from "vitest";
 import {pageAdvice, pageProblem, pageWords} from "../source/server/page_words";
 

@@ -1,4 +1,4 @@
-// Tools of one to eight steps: what page and report count, name and mark is what the document says.
+// Tests with tools of one to eight steps: counts, names and marks of page and report agree with the document.
 import {describe, expect, it} from "vitest";
 import {stepCountOf, stepKinds, stepsAtError, stepText} from "../../drawing/steps.js";
 import {chancesOf, countsOf, predictedMode, scoredModes, wholeToolText} from "../source/report/plan/cases";
@@ -8,7 +8,10 @@ import type {SheetModel} from "../source/sheet/sheet_model";
 
 const TOOLS = [1, 2, 3, 4, 5, 6, 7, 8];
 
-/** k + 1 tubes into which k of n steps go by the true arm, for every k; the likeliest number is one more. */
+/**
+ * Returns a plan in which, for every k, k of n steps enter k + 1 tubes by the true arm; the most probable number is one
+ * more.
+ */
 function planOf(n: number): PlanDocument {
   const inserted = Array.from({length: n + 1}, (_, k) => Array<number>(k + 1).fill(k)).flat();
   const tubes = inserted.map((steps, i) => {
@@ -35,7 +38,7 @@ function planOf(n: number): PlanDocument {
   } as Partial<PlanDocument> as PlanDocument;
 }
 
-/** The same as a report carries it: the modes beside one another. */
+/** Returns the plan in the form of a report, with the modes side by side. */
 const reported = (plan: PlanDocument) => ({
   ...plan,
   tubes: plan.tubes.map((tube) => ({...tube, ...tube.scored})),
@@ -43,7 +46,7 @@ const reported = (plan: PlanDocument) => ({
   steps: plan.counts!.none.slice(1).map((_, k) => ({diameter: 0.1 * (k + 1), tolerance: 1 / (k + 1)})),
 });
 
-/** Holes of row 1, as many as there are tubes, one of row 2, and one that nobody asked for. */
+/** Returns a sheet with holes of row 1, as many as there are tubes, one of row 2, and one that was not requested. */
 const sheetFor = (plan: PlanDocument) =>
   ({
     count: plan.tubes.length + 2,
