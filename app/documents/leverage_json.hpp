@@ -19,8 +19,8 @@ namespace tubeplan::app {
 [[nodiscard]] nlohmann::json leverageJson(const Cell& cell, const std::vector<calibration::Measurement>& readings,
                                           const std::vector<std::string>& names);
 
-/// Returns true if a name at which a found effect may act ("theta3", "theta3<-theta2", "forearm.z") is a rotation of a
-/// row about one of its axes ("forearm.z"), which leverageJson() accepts.
+/// Returns true if a name at which a found effect may act is a rotation of a row about one of its axes, which
+/// leverageJson() accepts: "forearm.z", but not "theta3" or "theta3<-theta2".
 [[nodiscard]] bool isAxisOfRow(const deflection::Arm& arm, const std::string& at);
 
 }  // namespace tubeplan::app

@@ -29,9 +29,9 @@ struct PoseFigures {
 /// Returns {rigid, flexible, change, iterations}, each tip in the arm's base frame.
 [[nodiscard]] nlohmann::json poseFiguresJson(const deflection::FlexibleKinematics& shape, const Units& units);
 
-/// Returns {tip_error, needed, warning}: the tip's error at that posture because of too few beam segments, the number
-/// of segments that leave less than a hundredth of the deflection, and a sentence if the stated segments leave more,
-/// else empty.
+/// Returns {tip_error, needed, warning} for a posture: the tip's error because of too few beam segments; the number of
+/// segments that leave less than a hundredth of the deflection; a warning if the stated segments leave more, else an
+/// empty text.
 [[nodiscard]] nlohmann::json segmentsJson(const Cell& cell, const deflection::Posture& posture,
                                           const deflection::FlexibleKinematics& shape);
 

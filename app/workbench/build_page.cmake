@@ -1,6 +1,6 @@
 # cmake -DNPM=npm -DFROM=app/web -DDRAWING=app/drawing -DTO=build/web -DFALLBACK=no_page.cpp -DOUTPUT=embedded_page.cpp -P build_page.cmake
-# Fetches the page's packages, builds it and the reports' script in TO and embeds them. Where the packages cannot be fetched (no network) the
-# program is built without its page, and says so; a page that does not build is an error.
+# Fetches the page's packages, builds it and the reports' script in TO and embeds them. If the packages cannot be fetched (no network) the
+# program is built without its page, with a message; a page that does not build is an error.
 cmake_minimum_required(VERSION 3.25)
 set(stamp "${TO}/packages.stamp")
 set(lock "${FROM}/package-lock.json")
@@ -17,15 +17,15 @@ if(NOT EXISTS "${stamp}" OR "${lock}" IS_NEWER_THAN "${stamp}")
   file(TOUCH "${stamp}")
 endif()
 
-# Sources are copied, so that nothing is built among them; the modules that need no page stand beside them, as they do
-# there. Copies of an earlier page go first, its tests as well: they would be checked with this one's sources.
+# Copies the sources, so that nothing is built among them, and the modules of app/drawing next to them, as in the source
+# tree. Copies of an earlier page are removed first, with its tests, which would be checked with the new sources.
 cmake_path(GET TO PARENT_PATH beside)
 file(REMOVE_RECURSE "${TO}/source" "${TO}/public" "${TO}/tests" "${TO}/dist" "${TO}/dist-report" "${beside}/drawing")
 file(COPY "${DRAWING}" DESTINATION "${beside}")
 file(COPY "${FROM}/" DESTINATION "${TO}" PATTERN node_modules EXCLUDE PATTERN dist* EXCLUDE PATTERN tests EXCLUDE)
 execute_process(COMMAND ${NPM} run --silent build WORKING_DIRECTORY "${TO}" COMMAND_ERROR_IS_FATAL ANY)
 
-# Script and style stand in blocks of every report: nothing in them may end these, or ask a server.
+# Script and style are in blocks of every report, so nothing in them may end a block or request anything from a server.
 file(READ "${TO}/dist-report/report.js" script)
 file(READ "${TO}/dist-report/report.css" style)
 if("${script}${style}" MATCHES "</(script|style)|<!--|/api/|[^\t\r\n -~]")

@@ -1,13 +1,13 @@
 # cmake -DPAGE=build/web/dist -DREPORT=build/web/dist-report -DOUTPUT=embedded_page.cpp -P embed_files.cmake
-# Writes OUTPUT, which defines embeddedPage() of page_files.hpp and embeddedReport() of page_sources.hpp. The assembler takes
-# the files in as they are, so that large ones cost the compiler nothing.
+# Writes OUTPUT, which defines embeddedPage() of page_files.hpp and embeddedReport() of page_sources.hpp. The assembler
+# includes the files unchanged, so that large ones cost the compiler nothing.
 cmake_minimum_required(VERSION 3.25)
 set(assembly "")
 set(symbols "")
 set(functions "")
 set(number 0)
 
-# Files of a folder, one of which must be there, as a function.
+# Writes a function that returns the files of a folder, one of which must exist.
 function(embed_folder folder needed name)
   file(GLOB_RECURSE files LIST_DIRECTORIES false RELATIVE "${folder}" "${folder}/*")
   list(SORT files)

@@ -27,7 +27,7 @@ using nlohmann::json;
 
 constexpr CheckpointFormat kProjectFormat = {"tubeplan project 1", "a project saved by tubeplan serve",
                                              "open the cell and its readings anew"};
-/// Result that is not kept: a plan refers to the planner's memory and is computed again faster than stored.
+/// Name of the result that is not kept: it belongs to objects of the planner in memory, and is computed again.
 constexpr const char* kNotKept = "plan";
 
 std::string allReadingsText(const Session& session) {

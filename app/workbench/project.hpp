@@ -1,5 +1,5 @@
 // Project file of a session: the cell, every model in the form of its files, readings with those set aside, touches,
-// and results. A plan is not included, because it is made again.
+// and results. Plans are excluded and are computed again.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,5 @@
-// Tests of actions on the results: any step of the models is restored, effects and fitted numbers are switched off and
-// on, the run sheet is ticked off and dropped back, the posterior changes with it, and explanations are shown side by
-// side.
+// Tests of actions on the results: any step of the models is restored; effects and fitted numbers are switched off and
+// on. The run sheet is ticked off and dropped back; the posterior changes with it; explanations are shown side by side.
 import assert from "node:assert/strict";
 import {after, before, describe} from "node:test";
 import {readFileSync, writeFileSync} from "node:fs";

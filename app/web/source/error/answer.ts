@@ -19,7 +19,7 @@ function answerOf({verdict, verdict_words}: {verdict: string; verdict_words?: st
   return {words: verdict_words ?? verdict, mark: verdictMark(verdict), items: items.map(pageWords)};
 }
 
-/** Sentence at the top of the view, from the newest document about the present model. */
+/** Verdict and sentences at the top of the view, from the newest document about the present model. */
 export const answer = computed<Answer | null>(() => {
   const diagnosed = currentDiagnosis.value,
     compared = currentComparison.value;

@@ -80,7 +80,7 @@ function isOpen({verdict, next_readings: next, splitting}: DiagnoseDocument): bo
   return (verdict === "ambiguous" || verdict === "inconclusive") && next.length + others > 0;
 }
 
-/** Opens the formula box, without a known effect, with the variable that the error follows. */
+/** Opens the formula box, filled with the suggested formula if it is empty. */
 function tryFormula(): void {
   if (formulaText.peek().trim() === "") formulaText.value = suggestedFormula.peek();
   effectsTab.value = "formula";
