@@ -1,5 +1,6 @@
-// Build of the page, without inlined files and inline scripts, because the page may load nothing but its own files. With
-// `--mode report` it builds the script and the style of the reports, one file each, which the program writes into reports.
+// Build of the page, without inlined files and inline scripts, because the page may load nothing but its own files.
+// With `--mode report` it builds the script and the style of the reports, one file each, which the program writes into
+// every report.
 import type {BuildOptions} from "vite";
 import {defineConfig} from "vitest/config";
 

@@ -1,6 +1,7 @@
 # cmake -DNPM=npm -DFROM=app/web -DDRAWING=app/drawing -DTO=build/web -DFALLBACK=no_page.cpp -DOUTPUT=embedded_page.cpp -P build_page.cmake
-# Fetches the page's packages, builds it and the reports' script in TO and embeds them. If the packages cannot be fetched (no network) the
-# program is built without its page, with a message; a page that does not build is an error.
+# Fetches the page's packages, builds it and the reports' script in TO and embeds them. If the
+# packages cannot be fetched (no network) the program is built without its page, with a message; a page that does not
+# build is an error.
 cmake_minimum_required(VERSION 3.25)
 set(stamp "${TO}/packages.stamp")
 set(lock "${FROM}/package-lock.json")

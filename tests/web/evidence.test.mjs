@@ -16,8 +16,8 @@ async function compared(name, hide, more = {}) {
   simulate(made.folder, name, {hide, seed: 7, ...more});
   const server = await serve(made.folder, "bench.yaml", [path.join(made.folder, `${name}.csv`)]);
   const tab = await openTab(browser, `${server.address}#error`);
-  await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000}); // compared without a request
-  await tab.waitForSelector(".ladder-row >> text=as given, rigid"); // the ladder, not the comparison's bars shown before it
+  await tab.waitForSelector(".next:has-text('Diagnose'):not([disabled])", {timeout: 60000}); // compared by itself
+  await tab.waitForSelector(".ladder-row >> text=as given, rigid"); // the ladder, not the earlier bars of the comparison
   await tab.waitForFunction(() => !document.querySelector(".job"));
   // Moments and leverages arrive later and redraw the plot, which would cancel a lasso.
   await tab.waitForFunction(() =>

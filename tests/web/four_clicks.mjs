@@ -1,6 +1,7 @@
-// Tests every effect of the catalogue in four clicks. Readings that hide it are opened with `tubeplan serve CELL READINGS`,
-// and the page is clicked until the error has fallen. The output is a table: the effect found, the variable on which the
-// plot opened, the promised error and the remaining one. Exits with 1 if one does not end within 5 % of the promised error.
+// Tests every effect of the catalogue in four clicks. Readings that hide it are opened with `tubeplan serve CELL
+// READINGS`, and the page is clicked until the error has fallen. The output is a table: the effect found, the variable
+// on which the plot opened, the promised error and the remaining one. Exits with 1 if one does not end within 5 % of the
+// promised error.
 //   node tests/web/four_clicks.mjs [EFFECT ...]
 import path from "node:path";
 import {readFileSync} from "node:fs";

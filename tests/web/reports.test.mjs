@@ -187,7 +187,7 @@ describe("reports", () => {
       "--out",
       "found",
     );
-    const found = await opened("found/report.html", ["Nothing hidden: not recorded."]); // both of two runs hide something
+    const found = await opened("found/report.html", ["Nothing hidden: not recorded."]); // both runs hide something
     assert.match(await found.innerText("#effects thead"), /the truth named/);
     await found.context().close();
   });

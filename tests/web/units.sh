@@ -1,6 +1,6 @@
 #!/bin/sh
-# Unit tests of the page, with its packages in TUBEPLAN_WEB; tests that need the program use TUBEPLAN. Exits with 77 if npm
-# or the packages are missing.
+# Unit tests of the page, with its packages in TUBEPLAN_WEB; tests that need the program use TUBEPLAN. Exits with 77 if
+# npm or the packages are missing.
 web=$(cd "$(dirname "$0")/../../app/web" && pwd)
 export TUBEPLAN_CELLS="${web%/web}/cells" TUBEPLAN_PAGES="${web%/web}"
 skip() { echo "skipped: $1"; exit 77; }
