@@ -25,7 +25,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kMostClosest = 8;
-constexpr double kBaselineTolerance = 1e-6;  // share of chi-square; every model is fitted again about it
+constexpr double kBaselineTolerance = 1e-6;  // share of chi-square; every model is fitted again from it
 constexpr double kOutlier = 14.8;  // log odds against a reading being an outlier of 30 sigmas in three coordinates
 
 IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
@@ -49,14 +49,15 @@ Identification fitBaseline(const PlacedArm& start, const std::vector<Measurement
   return baseline;
 }
 
-/// An answer with what it was found by: errors kept out, powers and views are worked out for the one that is given.
+/// Intermediate result with the work behind it. Errors kept out, detectable sizes and views are computed only for the
+/// final one.
 struct Answer {
   explicit Answer(const DiagnosisOptions& options) : work{options, {}, {}, nullptr, nullptr, {}, {}, {}} {}
 
   Diagnosis result;
   DiagnosisWork work;
   std::vector<Measurement> held_out;
-  bool is_found = false;  ///< whether models compete in `work`
+  bool is_found = false;  ///< true: competing models exist in `work`
 };
 
 void describeBaseline(const DiagnosisWork& work, Diagnosis& result) {
@@ -68,7 +69,7 @@ void describeBaseline(const DiagnosisWork& work, Diagnosis& result) {
   result.before = errorSize(work.basis.readings, work.basis.weights, residual.error);
 }
 
-/// Why no verdict is possible; empty where one is.
+/// Returns why no verdict is possible; empty if one is.
 std::string inconclusiveSince(const DiagnosisWork& work, const Diagnosis& result) {
   const int numbers = work.basis.weights.degrees_of_freedom - result.degrees_of_freedom;
   auto problem = findLackOfFreedom(work.basis.readings, result.degrees_of_freedom, numbers);
@@ -76,7 +77,7 @@ std::string inconclusiveSince(const DiagnosisWork& work, const Diagnosis& result
   return problem ? problem->what + "; needed: " + problem->needed : "";
 }
 
-/// The models that compete, by their linear evidence; none where no verdict is possible.
+/// Compares the models by their linear evidence, if a verdict is possible.
 void weighModels(Answer& answer) {
   Diagnosis& result = answer.result;
   result.reason = inconclusiveSince(answer.work, result);
@@ -93,8 +94,7 @@ void weighModels(Answer& answer) {
   compareModels(answer.work);
 }
 
-/// Scatter that follows nothing is noise where readings that were repeated scatter as much: they say so of the noise,
-/// whatever is stated.
+/// Counts scatter that follows nothing as noise if repeated readings scatter as much, whatever noise is stated.
 void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model, Diagnosis& result) {
   const Repeats repeats = repeatsBy(work, model);
   const bool is_larger =
@@ -111,8 +111,8 @@ void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model,
   result.scatter_probability = 0;
 }
 
-/// Takes back that nothing is missing where noise alone would hardly leave such residuals, whatever causes compete: no
-/// verdict of `diagnose` may be kinder than that of a comparison by the same chi-square.
+/// Withdraws the verdict that nothing is missing if noise alone would hardly leave such residuals. A diagnosis never
+/// gives a better verdict than a comparison with the same chi-square.
 void withholdAdequate(const DiagnosisWork& work, Diagnosis& result) {
   if (result.verdict != Verdict::kAdequate || !(result.p_value < kLackOfFit)) return;
   takeRepeatsForNoise(work, modelOfNothing(work), result);
@@ -122,7 +122,7 @@ void withholdAdequate(const DiagnosisWork& work, Diagnosis& result) {
                   "likely; needed: more readings, or a sigma that is known";
 }
 
-/// The verdict, from the leading models' fits.
+/// Sets the verdict from the leading models' fits.
 void conclude(Answer& answer) {
   DiagnosisWork& work = answer.work;
   Diagnosis& result = answer.result;
@@ -144,7 +144,7 @@ void conclude(Answer& answer) {
   if (is_part ? result.remainder.follows.empty() : result.isScatterAlone()) takeRepeatsForNoise(work, named, result);
 }
 
-/// Up to its models; the verdict is still to be concluded.
+/// Returns the baseline and its competing models, still without a verdict.
 Answer compareAll(Identification baseline, const std::vector<Measurement>& all, const std::vector<int>& set_aside,
                   const DiagnosisOptions& options) {
   Answer found(options);
@@ -168,7 +168,7 @@ Answer compareAll(Identification baseline, const std::vector<Measurement>& all, 
   return found;
 }
 
-/// How far alternatives differ over the arm's range.
+/// Sets the distances between the alternatives' predictions over the arm's range.
 void setApart(const DiagnosisWork& work, Diagnosis& result) {
   if (result.alternatives.size() < 2) return;
   const RangeViews views(work.basis, work.options.seed);
@@ -190,11 +190,12 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   return std::move(result);
 }
 
-/// Log of the best model's weight; the readings that were set aside count as outliers, each at its odds.
+/// Returns the log weight of the best model; readings that were set aside count as outliers, each at its odds.
 double bestWeight(const Answer& found, const std::vector<Measurement>& readings) {
   if (!found.is_found) return -std::numeric_limits<double>::infinity();
   const auto& best = found.work.models.front();
-  // Readings that are set aside have no density of their own: that of an outlier stands for it, against one of noise.
+  // Readings that are set aside have no density in the model. The density of an outlier, relative to noise, is used for
+  // them.
   const double outliers = countOutliers(found.result.set_aside, readings);
   const auto set_aside = static_cast<double>(found.result.set_aside.size());
   const auto& weights = found.work.noise.front().weights;
@@ -204,7 +205,7 @@ double bestWeight(const Answer& found, const std::vector<Measurement>& readings)
   return best.logWeight() + set_aside * density - outliers * kOutlier;
 }
 
-/// Within which the linear evidence of its models may err.
+/// Returns the log weight within which the linear evidence of the models may be wrong.
 double windowOf(const Answer& found) {
   if (!found.is_found) return 0;
   return leaderWindow(found.work.models.front().logWeight(), modelOfNothing(found.work).logWeight());
@@ -223,8 +224,8 @@ Diagnosis diagnosed(const PlacedArm& start, const std::vector<Measurement>& read
   std::optional<WithoutOutliers> without = withoutOutliers(readings, baseline, options.baseline.outlier_level, fit);
   Answer whole = compareAll(std::move(baseline), readings, {}, options);
   if (!without || !whole.is_found) return concluded(std::move(whole), readings);
-  // A base that slips between touches of one point makes outliers too: a cause that explains every reading goes before
-  // setting some aside.
+  // A base that slips between touches of one point also causes outliers. A cause that explains every reading has
+  // priority over setting readings aside.
   Answer fewer = compareAll(std::move(without->fit), readings, without->set_aside, options);
   const double before = bestWeight(whole, readings), after = bestWeight(fewer, readings);
   if (std::abs(before - after) > std::max(windowOf(whole), windowOf(fewer)))

@@ -1,9 +1,9 @@
-// Which physical effect a model lacks: named where the readings show it, and said so where they cannot.
+// Diagnosis of the physical effect that a model lacks, with a verdict that states what the readings cannot decide.
 //
-// One idea: every hypothesis (nothing missing; a cause at its place; several; each with an unknown remainder or
-// without; the unknown alone) has a prior and an evidence, the probability of the readings with its numbers integrated
-// over their priors (Laplace's approximation about a fit of its own). The posterior decides the verdict (Bayesian model
-// class selection: Beck and Yuen 2004, J. Eng. Mech. 130:192).
+// Every hypothesis has a prior and an evidence: nothing missing, a cause at its place, several causes, each with or
+// without an unknown remainder, or the unknown alone. The evidence is the probability of the readings with the
+// hypothesis's numbers integrated over their priors (Laplace's approximation about a separate fit). The posterior
+// decides the verdict (Bayesian model class selection: Beck and Yuen 2004, J. Eng. Mech. 130:192).
 #pragma once
 
 #include <vector>
@@ -16,14 +16,17 @@ namespace tubeplan::calibration {
 [[nodiscard]] Diagnosis diagnose(const PlacedArm& start, const std::vector<Measurement>& readings,
                                  const DiagnosisOptions& options);
 
-/// Models that compete, each fitted with everything that is free; without a verdict.
+/// Competing models, each fitted with everything that is free, without a verdict.
 struct CompetingExplanations {
-  std::vector<Explanation> found;  ///< those that the search fitted, nothing missing among them; most probable first
-  std::vector<Explanation> asked;  ///< as asked for, in that order; without effects where one cannot be fitted
+  /// Models that the search fitted, including that nothing is missing; most probable first.
+  std::vector<Explanation> found;
+  /// Requested models in the order of the request; without effects if one cannot be fitted.
+  std::vector<Explanation> asked;
 };
 
-/// Each model asked for is a list of effects; where their values are not neutral the fit is begun at these too, and the
-/// more probable end is taken. Nothing is found where the model cannot be fitted, or where it was asked to stop.
+/// Fits competing models and each requested one, given as a list of effects. If their values are not neutral, a second
+/// fit starts at them and the more probable result is kept. Returns no models if the model cannot be fitted or on a
+/// request to stop.
 [[nodiscard]] CompetingExplanations competingExplanations(const PlacedArm& start,
                                                           const std::vector<Measurement>& readings,
                                                           const DiagnosisOptions& options,

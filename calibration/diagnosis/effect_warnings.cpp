@@ -13,18 +13,18 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kGap = 8;          // of -2 log of the posterior
-constexpr double kLack = 0.003;     // p of the lack of fit below which more is missing
-constexpr double kNearNeutral = 2;  // sigmas
-constexpr double kByChance = 0.05;  // p from which a fall is noise
-constexpr int kRivals = 6;          // models that are fitted in place of an effect
-constexpr double kMostWork = 2e4;   // fitted numbers times readings times effects, up to which rivals are fitted
+constexpr double kGap = 8;          // least difference of -2 log of the posterior
+constexpr double kLack = 0.003;     // p-value of the lack of fit below which more is missing
+constexpr double kNearNeutral = 2;  // in sigmas
+constexpr double kByChance = 0.05;  // p-value from which a fall counts as noise
+constexpr int kRivals = 6;          // number of models that are fitted in place of an effect
+constexpr double kMostWork = 2e4;   // most fitted numbers times readings times effects for which rivals are fitted
 
-/// What the warnings of both commands look at.
+/// Common input of the warnings for an identification and for a diagnosis.
 struct Case {
   const PlacedArm& start;
-  const std::vector<Measurement>& readings;  ///< without those that were set aside
-  IdentificationOptions options;             ///< of the fit with all effects, untold
+  const std::vector<Measurement>& readings;  ///< without readings that were set aside
+  IdentificationOptions options;             ///< of the fit with all effects, without hooks
   const Identification& with;
   ErrorSize heldout;
 
@@ -33,12 +33,12 @@ struct Case {
   }
 };
 
-/// What the table of effects says of a fitted number of one.
+/// Returns the row of the table of effects for a fitted number.
 const deflection::EffectParameter& parameterOf(const deflection::Effect& effect, const IdentifiedNumber& number) {
   return deflection::numbersOf(effect)[static_cast<std::size_t>(number.unknown.path.value)];
 }
 
-/// The fitted numbers of an effect.
+/// Returns the fitted numbers of an effect.
 std::vector<const IdentifiedNumber*> fittedNumbers(const Identification& with, int effect) {
   std::vector<const IdentifiedNumber*> numbers;
   for (const auto& number : with.numbers)
@@ -52,7 +52,7 @@ PlacedArm withoutEffect(PlacedArm placed, int effect) {
   return placed;
 }
 
-/// The free names that are not the effect's.
+/// Returns the free names that do not belong to the effect.
 std::vector<std::string> namesOfOthers(const deflection::Arm& arm, const std::vector<std::string>& names, int effect) {
   std::vector<std::string> others;
   for (const auto& name : names) {
@@ -62,7 +62,7 @@ std::vector<std::string> namesOfOthers(const deflection::Arm& arm, const std::ve
   return others;
 }
 
-/// The model without one effect, the rest fitted.
+/// Fit of the model without one effect.
 struct Without {
   double chi2 = kNotKnown;
   ErrorSize heldout;
@@ -99,7 +99,7 @@ bool isAtNeutral(const deflection::Effect& effect, const std::vector<const Ident
   });
 }
 
-/// Of a fall by noise alone; halved where a single size can only go one way from neutral.
+/// Returns the probability of a fall by noise alone; halved if a single size is bounded on one side of neutral.
 double chanceOfFall(const Case& c, double fall, int effect, const std::vector<const IdentifiedNumber*>& numbers) {
   if (numbers.empty() || !(fall > 0)) return 1;
   const double p = chiSquareTail(fall, static_cast<double>(numbers.size()));
@@ -119,7 +119,7 @@ EffectWarning named(const Case& c, int effect, EffectWarningKind kind) {
   return warning;
 }
 
-/// What taking an effect out does, as a warning that it is not needed: by the criterion it gains so much.
+/// Returns the warning that an effect is not needed, with the criterion's gain by it.
 EffectWarning unneeded(const Case& c, int effect, double gain) {
   const Without without = fitWithout(c, effect);
   const auto numbers = fittedNumbers(c.with, effect);
@@ -156,17 +156,17 @@ const FoundEffect* find(const Explanation& explanation, const EffectWarning& war
   return nullptr;
 }
 
-/// An effect that does not compete, as a formula of the user's: by what chi-square rises by without it.
+/// Judges an effect that does not compete, such as a user's formula, by the rise of chi-square without it.
 void judgeByFit(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
   EffectWarning not_needed = unneeded(c, effect, 0);
   not_needed.is_within_noise = not_needed.p_value > kByChance;
   if (!(not_needed.fall >= kGap)) warnings.push_back(not_needed);
 }
 
-/// The effect taken out and everything that could stand in its place weighed, itself among them.
+/// Takes the effect out and compares all possible replacements, including the effect itself.
 void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std::vector<EffectWarning>& warnings) {
   DiagnosisOptions bare = options;
-  bare.most_causes = 1;  // that stand in its place, one for one
+  bare.most_causes = 1;  // most replacements of one effect
   bare.most_leaders = kRivals;
   bare.baseline.free.names = namesOfOthers(c.start.arm, options.baseline.free.names, effect);
   EffectWarning warning = named(c, effect, EffectWarningKind::kBetterExplainedBy);
@@ -192,7 +192,7 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   const bool is_beaten = other && other->criterion + kGap < own->criterion;
   if (gain < kGap) {
     const EffectWarning not_needed = unneeded(c, effect, gain);
-    // What takes much of the error, and yet no evidence speaks for it, stands in for another.
+    // An effect that lowers the error much, although the evidence does not support it, replaces another one.
     if (!is_beaten || not_needed.p_value > kLack) {
       warnings.push_back(not_needed);
       return;
@@ -206,7 +206,8 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   warnings.push_back(warning);
 }
 
-/// What chi-square would rise by without the effect, by the fit's covariance: Wald's statistic of its sizes.
+/// Returns the estimated rise of chi-square without the effect from the fit's covariance: Wald's statistic of its
+/// sizes.
 double riseWithout(const Case& c, int effect) {
   std::vector<Eigen::Index> which;
   std::vector<double> sizes;
@@ -220,7 +221,7 @@ double riseWithout(const Case& c, int effect) {
   return x.dot(c.with.covariance(which, which).ldlt().solve(x));
 }
 
-/// Of a model so large that fits in place of every effect would take minutes: by the covariance alone.
+/// Judges an effect by the covariance alone, for models so large that fits in place of every effect would take minutes.
 void judgeByCovariance(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
   const double gain = riseWithout(c, effect);
   if (!(gain >= kGap)) warnings.push_back(unneeded(c, effect, gain - kGap));
@@ -249,7 +250,7 @@ std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& eff
   return warnings;
 }
 
-/// Warnings have no status: there are none of a work that was stopped.
+/// Returns an empty list if the work was stopped, since warnings have no status.
 template <class Work>
 std::vector<EffectWarning> unlessStopped(Work work) {
   try {

@@ -1,8 +1,9 @@
-// Whether the readings need the effects that a model carries: each is taken out, and the rest fitted anew.
+// Warnings for effects of a model that the readings do not need: each effect is taken out, and the rest is fitted
+// again.
 //
-// All that could stand in its place competes with it, itself and nothing among them (competing_models.hpp): one that
-// brings -2 log of the posterior down by less than the gap is one that no diagnosis would name; where another does
-// better by the gap, the other is the one.
+// Every possible replacement competes with it, including the effect itself and nothing (competing_models.hpp). An
+// effect that lowers -2 log of the posterior by less than the gap is not needed: no diagnosis would name it. If another
+// model is better by the gap, that one explains the readings better.
 #pragma once
 
 #include <string>
@@ -17,24 +18,24 @@ enum class EffectWarningKind { kNotNeeded, kBetterExplainedBy, kBeyondPlausible,
 struct EffectWarning {
   EffectWarningKind kind = EffectWarningKind::kNotNeeded;
   std::string effect, at;
-  double fall = kNotKnown;       ///< of chi-square by its numbers
-  double p_value = kNotKnown;    ///< of that fall by noise; of the lack of fit that remains
-  bool is_within_noise = false;  ///< the criterion is no better with it than without
-  bool is_at_neutral = false;    ///< all its sizes are within two sigma of doing nothing
+  double fall = kNotKnown;       ///< fall of chi-square by the effect's numbers
+  double p_value = kNotKnown;    ///< probability of that fall by noise alone; for a remaining lack of fit, its p-value
+  bool is_within_noise = false;  ///< true: the criterion is no better with the effect than without it
+  bool is_at_neutral = false;    ///< true: all its sizes are within two sigma of neutral
   ErrorSize heldout_with, heldout_without;
-  FoundNumber number;  ///< the one beyond what any machine has
+  FoundNumber number;  ///< number beyond the size of any real machine
   double plausible = kNotKnown;
-  FoundEffect better;     ///< what explains better, perhaps itself with another shape
-  double by = kNotKnown;  ///< of -2 log of the posterior
+  FoundEffect better;     ///< better explanation, possibly the same effect with another shape
+  double by = kNotKnown;  ///< difference of -2 log of the posterior
 };
 
-/// Of the effects that an identification fitted. `options` and `start` are those it was made with. Empty unless it was
-/// done, and where the options' hooks say stop.
+/// Returns warnings for the effects that an identification fitted from `start` with `options`. Empty if it was not
+/// done, or on a request to stop.
 [[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
                                                        const IdentificationOptions& options,
                                                        const Identification& fitted);
 
-/// Of all effects that a diagnosed model carries. Empty unless it was run, and where the hooks say stop.
+/// Returns warnings for all effects of a diagnosed model. Empty if the diagnosis was not run, or on a request to stop.
 [[nodiscard]] std::vector<EffectWarning> warnOfEffects(const PlacedArm& start, const std::vector<Measurement>& readings,
                                                        const DiagnosisOptions& options, const Diagnosis& diagnosis);
 

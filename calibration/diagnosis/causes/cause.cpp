@@ -13,12 +13,13 @@ using deflection::EffectKind, deflection::PlaceRule, deflection::Quantity;
 
 namespace {
 
-constexpr int kKneeLevels = 7;       // tried moments of a knee
-constexpr int kTimeLevels = 64;      // tried times of a step
-constexpr double kFreedOdds = 2;     // of all held stiffnesses together: drawings seldom state them well; of all
-                                     // zeros of joints that follow others too, which no reading has
-constexpr double kGeometryOdds = 2;  // of the drawing's geometry as a whole
-constexpr double kAlikeShare = 0.3;  // of a kind's odds: that it acts at all joints rather than at one
+constexpr int kKneeLevels = 7;   // tried moments of a knee
+constexpr int kTimeLevels = 64;  // tried times of a step
+// Odds of all held stiffnesses together, which drawings seldom state well, and of all zeros of joints that follow
+// others, which no reading states.
+constexpr double kFreedOdds = 2;
+constexpr double kGeometryOdds = 2;  // odds of the drawing's geometry as a whole
+constexpr double kAlikeShare = 0.3;  // share of a kind's odds for the effect at every joint
 
 bool hasWeights(const deflection::Arm& arm) {
   const auto weighs = [](const auto& row) {
@@ -27,7 +28,7 @@ bool hasWeights(const deflection::Arm& arm) {
   return std::ranges::any_of(arm.rows, weighs) || !arm.side_chains.empty();
 }
 
-/// What the readings and the arm lack for an effect to be seen; empty where nothing.
+/// Returns what the readings and the arm lack for an effect to be visible; empty if nothing.
 std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings) {
   const deflection::Arm& arm = placed.arm;
   const auto any = [&](auto&& holds) { return std::ranges::any_of(readings, holds); };
@@ -50,7 +51,7 @@ std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::v
   return "";
 }
 
-/// Evenly spread quantiles of the inner part of a sample, doubles once.
+/// Returns evenly spaced quantiles of the inner part of a sample, without repeated values.
 std::vector<double> quantiles(std::vector<double> sample, int count, double from, double to) {
   if (sample.empty()) return {};
   std::ranges::sort(sample);
@@ -62,7 +63,7 @@ std::vector<double> quantiles(std::vector<double> sample, int count, double from
   return {levels.begin(), levels.end()};
 }
 
-/// Moments about an axis at readings evenly spread over all [N m].
+/// Returns the moments about an axis at readings evenly spaced among all [N m].
 std::vector<double> momentsAt(const PlacedArm& placed, const std::vector<Measurement>& readings,
                               const deflection::Place& place) {
   constexpr std::size_t kMost = 200;
@@ -111,7 +112,7 @@ bool mayActAlike(const EffectKind& kind) {
          kind.parameters.size() == 1;
 }
 
-/// Adds a kind's causes, its odds shared out.
+/// Adds a kind's causes, which share its odds.
 void addKind(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings,
              CauseList& list) {
   std::vector<Cause> at_places;
@@ -137,8 +138,8 @@ bool isFree(const std::vector<Unknown>& free, const std::string& name) {
   return std::ranges::any_of(free, [&](const Unknown& unknown) { return unknown.name == name; });
 }
 
-/// Numbers of the arm's file that the fit holds: each stiffness, each zero of a joint that follows others, and the
-/// drawing's geometry as a whole.
+/// Adds causes for numbers of the arm's file that the fit holds: each stiffness, each zero of a joint that follows
+/// others, and the drawing's geometry as a whole.
 void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, CauseList& list) {
   std::vector<Cause> stiffnesses;
   Cause geometry{kFreedNumbers, "geometry", {}, {}};
@@ -194,7 +195,7 @@ std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, c
   std::vector<deflection::Effect> effects;
   for (const EffectKind& kind : deflection::effectKinds()) {
     if (kind.name != effect || !mayActAlike(kind)) continue;
-    // About the axis that each joint turns about, where places are axes.
+    // If places are axes, the moments are taken about the rotation axis of each joint.
     for (const std::string& at : deflection::placeTexts(arm, kind)) {
       const auto made = deflection::makeEffect(arm, kind.name, at);
       const auto& place = made.effect.place;
@@ -233,7 +234,7 @@ Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
   unknown.lower = number.lower - unknown.start;
   unknown.upper = number.upper - unknown.start;
   takeSizePrior(parameter, unknown);
-  if (parameter.is_shape) unknown.prior_mean = 0;  // a shape has no size that is none
+  if (parameter.is_shape) unknown.prior_mean = 0;  // a shape has no neutral size
   return unknown;
 }
 

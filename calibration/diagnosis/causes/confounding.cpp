@@ -13,7 +13,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// A cause's signature with what the fitted numbers can do taken off, as an orthonormal basis.
+/// Cause's signature, projected off the fitted numbers, as an orthonormal basis.
 struct Signature {
   double kept = 0;
   MatrixXd basis;
@@ -28,7 +28,7 @@ Signature signatureOf(const MatrixXd& own, const MatrixXd& others) {
   return signature;
 }
 
-/// How much of the one lies in the other, in the direction where it is least.
+/// Returns the share of `one` that lies in the span of `other`, in the direction with the smallest share.
 double shareOf(const MatrixXd& one, const MatrixXd& other) {
   if (one.cols() == 0 || other.cols() < one.cols()) return 0;
   const VectorXd cosines = (other.transpose() * one).jacobiSvd().singularValues();

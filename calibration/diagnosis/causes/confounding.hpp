@@ -1,5 +1,5 @@
-// Which causes these readings can hardly distinguish: the signature of the one, what the fitted numbers can
-// do projected off, lies in the span of the other's.
+// Causes that these readings can hardly distinguish: the signature of one, projected off the fitted numbers, lies in
+// the span of another's.
 #pragma once
 
 #include <string>
@@ -11,20 +11,22 @@ namespace tubeplan::calibration {
 
 struct ConfoundedCause {
   std::string effect, at;
-  double share = 0;  ///< of the squared length of the signature, in the direction that shares least
+  double share = 0;  ///< shared part of the signature's squared length, in the direction with the smallest share
 };
 
 struct Confounding {
   std::string effect, at;
-  double kept = 0;                          ///< share of the signature's length that the fitted numbers cannot do
-  std::vector<ConfoundedCause> confounded;  ///< the nearest first; none for a cause of which hardly anything is kept
+  double kept = 0;  ///< share of the signature's length that the fitted numbers cannot absorb
+  /// Confounded causes, nearest first; none if hardly any of the signature is kept.
+  std::vector<ConfoundedCause> confounded;
 };
 
-inline constexpr double kConfoundedShare = 0.98;  ///< from which a cause counts as confounded with another
+inline constexpr double kConfoundedShare = 0.98;  ///< least share of a cause that counts as confounded with another
 inline constexpr double kHardlyKept = 1e-3;
 
-/// Of every cause that the readings could show, about the model as it is placed; `fitted` are the numbers fitted with
-/// it. Shapes at the middle of their levels. Empty where the model cannot be evaluated.
+/// Finds the confounded causes of every cause that the readings could show, linearised at the placed model with the
+/// fitted unknowns `fitted`. Shapes are at the middle of their levels. Returns an empty list if the model cannot be
+/// evaluated.
 [[nodiscard]] std::vector<Confounding> findConfounding(const PlacedArm& placed,
                                                        const std::vector<Measurement>& readings,
                                                        const std::vector<Unknown>& fitted);

@@ -13,7 +13,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kLeastOverlap = 0.05;
-constexpr double kLeastKept = 1e-4;  // kept length of a signature below which nothing is left of it
+constexpr double kLeastKept = 1e-4;  // kept length of a signature below which it counts as zero
 
 std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
   std::vector<Unknown> unknowns;
@@ -29,7 +29,8 @@ std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
   return unknowns;
 }
 
-/// What a formula does to the readings: by its sizes as they stand together, each by itself where all of them are zero.
+/// Returns the signature of a formula on the readings: one column at its present sizes, or one column per size if all
+/// are zero.
 MatrixXd signatureOf(const deflection::Effect& effect, const MatrixXd& columns) {
   const auto& parameters = deflection::numbersOf(effect);
   VectorXd sizes = VectorXd::Zero(columns.cols());
@@ -43,7 +44,7 @@ MatrixXd signatureOf(const deflection::Effect& effect, const MatrixXd& columns) 
   return sizes.isZero(0) ? each : MatrixXd((columns * sizes).stableNormalized());
 }
 
-/// The catalogue at the fit, and how to linearise a formula there.
+/// Catalogue's causes at the fit, and the readings' weights.
 struct Setting {
   const PlacedArm& placed;
   const std::vector<Measurement>& readings;

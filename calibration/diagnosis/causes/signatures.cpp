@@ -34,7 +34,7 @@ int Signatures::addColumn(const Unknown& unknown) {
   return static_cast<int>(columns_.size()) - 1;
 }
 
-/// Few causes to a layer: each is derived beside all others of its layer.
+/// Adds layers of few causes each, since every cause is differentiated beside all others of its layer.
 void Signatures::addLayers(const PlacedArm& fitted, const std::vector<Cause>& causes) {
   std::size_t most_levels = 0;
   for (const Cause& cause : causes)
@@ -66,7 +66,7 @@ void Signatures::addStep(const PlacedArm& fitted, const Cause& cause, std::size_
   layers_.push_back(std::move(layer));
 }
 
-/// One effect at all joints alike has the columns that it has at each.
+/// Assigns to an effect at every joint the columns of the effect at each joint.
 void Signatures::shareColumns(const std::vector<Cause>& causes) {
   for (std::size_t c = 0; c < causes.size(); ++c) {
     if (!actsAlike(causes[c])) continue;
@@ -84,7 +84,7 @@ void Signatures::shareColumns(const std::vector<Cause>& causes) {
 MatrixXd Signatures::columnsAt(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                const StopQuestion& stop) const {
   MatrixXd all(weights.rows, static_cast<Index>(columns_.size()));
-  ReadingWeights apart = weights;  // what points absorb of a step depends on its time
+  ReadingWeights apart = weights;  // the part of a step that points absorb depends on its time
   apart.points.clear();
   apart.shared.clear();
   for (const Layer& layer : layers_) {

@@ -1,5 +1,4 @@
-// The signature of every cause: what it would do to the readings, to first order, per largest size that a real machine
-// has.
+// Signatures of causes: changes of the readings, to first order, per largest size in real machines.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,37 +10,38 @@
 
 namespace tubeplan::calibration {
 
-/// One number of a cause at one level of its shape; its unit is Unknown::typical.
+/// Column for one number of a cause at one level of its shape, in units of Unknown::typical.
 struct SignatureColumn {
-  double lower = 0, upper = 0;  ///< of the number, in units from where it does nothing
-  double prior_sigma = 1;       ///< in units: of a number of the drawing that of its prior; of an effect's size 1
+  double lower = 0, upper = 0;  ///< bounds of the number, relative to its neutral value, in units
+  double prior_sigma = 1;       ///< prior standard deviation in units; 1 for the size of an effect
   bool is_of_effect = true;
 };
 
 class Signatures {
  public:
-  /// About the model `fitted`, by whose readings' times steps are placed.
+  /// Lists the columns of the causes at the model `fitted`. Steps are placed by its readings' times.
   Signatures(const PlacedArm& fitted, const std::vector<Cause>& causes);
 
   [[nodiscard]] const std::vector<SignatureColumn>& columns() const { return columns_; }
 
-  /// Columns of a cause at a level, in the order of its numbers.
+  /// Returns the columns of a cause at a level, in the order of its numbers.
   [[nodiscard]] const std::vector<int>& columnsOf(int cause, int level) const {
     return of_cause_[static_cast<std::size_t>(cause)][static_cast<std::size_t>(level)];
   }
 
-  /// Whitened columns at some readings (rows of `weights`); what unknown points absorb is taken off. Empty where the
-  /// model cannot be evaluated. Unwinds where it was stopped.
+  /// Returns the whitened columns at these readings (rows of `weights` x columns()), without the part that unknown
+  /// points absorb. Empty if the model cannot be evaluated. Throws WorkStopped on a request to stop.
   [[nodiscard]] Eigen::MatrixXd columnsAt(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                           const StopQuestion& stop = {}) const;
 
  private:
-  /// Causes that share an arm, each at one level: shapes at one place would add up.
+  /// Causes that are evaluated in one arm, each at one level. Two shapes at one place would add up, so they are in
+  /// different layers.
   struct Layer {
     PlacedArm placed;
     std::vector<Unknown> unknowns;
-    std::vector<int> columns;   ///< of each unknown
-    std::vector<double> times;  ///< of a step: one block of columns for each
+    std::vector<int> columns;   ///< column of each unknown
+    std::vector<double> times;  ///< times of a step [s], with one block of columns each
   };
 
   int addColumn(const Unknown& unknown);
@@ -50,11 +50,11 @@ class Signatures {
   void shareColumns(const std::vector<Cause>& causes);
 
   std::vector<SignatureColumn> columns_;
-  std::vector<std::vector<std::vector<int>>> of_cause_;  ///< cause, level, number
+  std::vector<std::vector<std::vector<int>>> of_cause_;  ///< columns by cause, level and number
   std::vector<Layer> layers_;
 };
 
-/// The causes that are one effect at one place, with their columns at some readings.
+/// Causes that consist of one effect at one place, with their columns at some readings.
 struct SingleCauses {
   std::vector<Cause> causes;
   Signatures signatures;
@@ -65,7 +65,8 @@ struct SingleCauses {
   }
 };
 
-/// Returns those that the readings could show beside the fitted numbers; nothing where the model cannot be evaluated.
+/// Returns the single causes that the readings could show beside the fitted numbers; nothing if the model cannot be
+/// evaluated.
 [[nodiscard]] std::optional<SingleCauses> singleCauses(const PlacedArm& placed,
                                                        const std::vector<Measurement>& readings,
                                                        const std::vector<Unknown>& fitted,

@@ -20,13 +20,13 @@ namespace {
 constexpr int kWaves = 3;
 constexpr int kBumps = 10;
 constexpr int kSlowWaves = 4;
-constexpr int kManyJoints = 5;                  // from which only neighbouring joints are multiplied
-constexpr std::size_t kReadingsForScale = 300;  // that a term's root mean square is taken over
-// Amplitudes against that of the first wave of a joint: rough functions are smaller.
+constexpr int kManyJoints = 5;                  // number of joints above which only neighbouring joints are multiplied
+constexpr std::size_t kReadingsForScale = 300;  // readings for a term's root mean square
+// Amplitudes relative to the first wave of a joint; rough functions are smaller.
 constexpr double kBump = 0.5, kProduct = 0.5, kShift = 0.7, kTurn = 0.5, kMinor = 0.5;
-constexpr std::size_t kWeighingJoints = 3;  // that move most of the arm's weight
+constexpr std::size_t kWeighingJoints = 3;  // number of joints that move most of the arm's weight
 
-/// A named function of readings.
+/// Function of readings with the name of its variable.
 struct Feature {
   std::string follows;
   Function function;
@@ -52,7 +52,7 @@ Function product(const Function& a, const Function& b) {
   return [a, b](const Measurement& m) { return a(m) * b(m); };
 }
 
-/// Features of one joint's reading: waves over a turn, of a slide over its range.
+/// Features of one joint's reading: waves over a turn, or over the range of a slide.
 class JointFeatures {
  public:
   JointFeatures(const deflection::Joint<double>& joint, Index index, const std::vector<Measurement>& readings)
@@ -82,7 +82,7 @@ class JointFeatures {
     return features;
   }
 
-  /// An error near one angle only, as a worn tooth makes.
+  /// Returns errors near one angle only, for example from a worn tooth.
   [[nodiscard]] std::vector<Feature> bumps() const {
     std::vector<Feature> features;
     const double width = (range_.high - range_.low) / kBumps;
@@ -123,7 +123,7 @@ std::vector<Feature> productsOf(const JointFeatures& a, const JointFeatures& b) 
   return features;
 }
 
-/// Everything that the readings differ in beside the joints.
+/// Load and conditions of the readings, apart from the joints.
 struct Conditions {
   std::vector<Feature> load;
   deflection::OfEachCondition<std::vector<Feature>> stated;
@@ -138,7 +138,8 @@ struct Conditions {
   }
 
  private:
-  /// From -1 to 1, or waves over the range; nothing at a reading that does not state the condition.
+  /// Returns a linear function from -1 to 1, or waves over the range; zero at a reading that does not state the
+  /// condition.
   static std::vector<Feature> featuresOf(const deflection::ConditionKind& kind,
                                          const std::vector<Measurement>& readings) {
     const auto value = [of = kind.condition](const Measurement& m) { return m.conditions[of]; };
@@ -159,7 +160,7 @@ struct Conditions {
   }
 };
 
-/// The terms of a process, channel by channel.
+/// Builder of a process's terms, channel by channel.
 class TermMaker {
  public:
   TermMaker(const deflection::Arm& arm, const std::vector<Measurement>& readings) : conditions_(readings) {
@@ -181,7 +182,7 @@ class TermMaker {
   }
 
  private:
-  /// `place`: what errs; features of one place that follow the same, and of the same kind, are one source.
+  /// Adds terms for an error of `place`. Features of one place with the same variable and kind belong to one source.
   void add(const std::string& place, int channel, const std::vector<Feature>& features, double amplitude = 1) {
     for (const Feature& feature : features) {
       const auto source = sources_.try_emplace(place + " " + feature.follows, static_cast<int>(sources_.size())).first;
@@ -229,7 +230,7 @@ class TermMaker {
     addConditions("base", channel, kShift);
   }
 
-  /// What the arm stands on gives way by the arm's weight, which follows the joints.
+  /// Adds the rotation of a compliant support under the arm's weight, which depends on the joints.
   void addBaseTurn(int channel) {
     for (std::size_t j = 0; j < std::min(joints_.size(), kWeighingJoints); ++j) {
       if (!joints_[j].moves()) continue;
@@ -247,7 +248,7 @@ class TermMaker {
   std::vector<DiscrepancyTerm> terms_;
 };
 
-/// What a term of size 1 makes of the reading's rows [m].
+/// Returns the change of the reading's rows [m] by a term of size 1.
 VectorXd columnOf(const std::vector<Motion>& motions, const DiscrepancyTerm& term) {
   VectorXd column = motions.front().displacements.col(term.channel) * term.function(motions.front().at);
   for (std::size_t k = 1; k < motions.size(); ++k)

@@ -9,7 +9,8 @@ using Eigen::Index, Eigen::MatrixXd;
 
 namespace {
 
-/// The tool, or what the reading is of, shifted and turned; the joints' channels are left to be filled.
+/// Returns displacements by shifts of the tool, or of the measured point, and by shifts and rotations of the base. The
+/// joints' columns are not set.
 MatrixXd rigidDisplacements(const MeasuredSlope& slope, const ToolPose& tool, const Eigen::Vector3d& base_W,
                             Index joints) {
   MatrixXd displacements = MatrixXd::Zero(slope.by_place.rows(), joints + 9);
@@ -20,8 +21,8 @@ MatrixXd rigidDisplacements(const MeasuredSlope& slope, const ToolPose& tool, co
   return displacements;
 }
 
-/// Of a displacement: its own posture, and the one that it is taken from with the other sign. What errs there errs by
-/// what the function is there.
+/// Returns the motions of a displacement: its own posture, and its reference posture with the opposite sign. An error
+/// at the reference depends on the function's value there.
 std::vector<Motion> motionsOfDisplacement(ReadingPredictor& predictor, const PlacedArm& placed,
                                           const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                           const Departure& from) {

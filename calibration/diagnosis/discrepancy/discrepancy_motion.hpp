@@ -1,4 +1,4 @@
-// How a reading moves with what a discrepancy may have err: joints, tool, base.
+// Slopes of a reading by the channels of a discrepancy: joints, tool, base.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,15 @@
 
 namespace tubeplan::calibration {
 
-/// How a reading's rows move [m] with each channel at a posture that it is made of: a joint's reading [rad, m], a shift
-/// along the tool's axes, of the base, a turn of the base [rad].
+/// Displacements of a reading's rows [m] per unit of each channel at one posture: the joints' readings [rad, m], shifts
+/// along the tool's axes, shifts of the base, rotations of the base [rad].
 struct Motion {
-  Measurement at;                 ///< states the posture
+  Measurement at;                 ///< reading with this posture
   Eigen::MatrixXd displacements;  ///< rows x (joints + 9)
 };
 
-/// Of every posture that the reading is made of: its own and, of a displacement, the one that it is taken from, with
-/// the other sign. Empty where the shape does not converge.
+/// Returns the motions of every posture of a reading: its own and, for a displacement, the reference posture with the
+/// opposite sign. Empty if the shape does not converge.
 [[nodiscard]] std::vector<Motion> motionsOf(ReadingPredictor& predictor, const PlacedArm& placed,
                                             const Measurement& reading);
 

@@ -18,9 +18,9 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 namespace {
 
 constexpr std::size_t kMostCandidates = 24;
-constexpr double kTilt = 20 * std::numbers::pi / 180;  // rad, of another set-up
-constexpr double kUnknownLoad = 0.25;                  // of the arm's weight, where no load was hung yet
-constexpr double kSigmaStep = 1e-3;                    // of an unknown's sigma, for a difference quotient
+constexpr double kTilt = 20 * std::numbers::pi / 180;  // tilt of another set-up [rad]
+constexpr double kUnknownLoad = 0.25;                  // share of the arm's weight, if no load was measured yet
+constexpr double kSigmaStep = 1e-3;                    // share of an unknown's sigma, for a difference quotient
 
 std::vector<ReadingCandidate> thinnedOut(const std::vector<ReadingCandidate>& candidates) {
   std::vector<ReadingCandidate> some;
@@ -30,7 +30,7 @@ std::vector<ReadingCandidate> thinnedOut(const std::vector<ReadingCandidate>& ca
   return some;
 }
 
-/// What the best readings of such candidates would do.
+/// Returns the least expected criterion after the best choice of such candidates.
 double bestOf(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,
               const DiscriminationOptions& options) {
   return leastExpected(rivals, predictions,
@@ -44,7 +44,7 @@ std::vector<ReadingCandidate> changed(std::vector<ReadingCandidate> candidates, 
   return candidates;
 }
 
-/// The rivals with the base placed once more, leaning: where it then stands is six unknowns more.
+/// Returns the rivals with an additional, tilted base pose, whose place adds six unknowns.
 std::vector<RivalModel> placedAgain(std::vector<RivalModel> rivals) {
   for (RivalModel& rival : rivals) {
     auto& base_poses = rival.model.placed.base_poses;
@@ -69,7 +69,7 @@ std::vector<RivalModel> placedAgain(std::vector<RivalModel> rivals) {
   return rivals;
 }
 
-/// Places of the end of every row's frame in the world, one below the other; empty where the shape does not converge.
+/// Returns the origins of every row's end frame in the world frame, stacked [m]; empty if the shape does not converge.
 VectorXd frameOrigins(const PlacedArm& placed, const Measurement& reading) {
   const auto& X_WB = placed.base_poses.back().X_WB;
   const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, X_WB));
@@ -83,7 +83,7 @@ VectorXd frameOrigins(const PlacedArm& placed, const Measurement& reading) {
 
 struct FrameForecast {
   VectorXd value;
-  MatrixXd sensitivity;  ///< by the unknowns
+  MatrixXd sensitivity;  ///< slopes by the unknowns
 };
 
 FrameForecast forecastFrames(const RivalModel& rival, const Measurement& reading) {
@@ -104,7 +104,7 @@ FrameForecast forecastFrames(const RivalModel& rival, const Measurement& reading
   return forecast;
 }
 
-/// For every row, what the rivals predict of its frame's place at each reading, measured as well as the tip.
+/// Returns for every row the rivals' predictions of its frame's origin at each reading, as precise as for the tip.
 std::vector<std::vector<RivalPrediction>> predictFrames(const std::vector<RivalModel>& rivals,
                                                         const std::vector<ReadingCandidate>& candidates,
                                                         const StopQuestion& stop) {
@@ -129,7 +129,7 @@ std::vector<std::vector<RivalPrediction>> predictFrames(const std::vector<RivalM
   return of_row;
 }
 
-/// How an effect shows when what it acts on is looked at by itself.
+/// Returns a direct inspection that would show the effect.
 std::string directCheck(const FoundEffect& found) {
   if (!found.frees.empty()) return "measure " + found.at + " by itself";
   switch (kindOf(found.fitted).stage) {

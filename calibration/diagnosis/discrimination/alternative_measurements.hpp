@@ -1,5 +1,5 @@
-// What else could be measured where no posture splits rival explanations: another load, temperature or set-up, a link
-// watched beside the tip, by the same figures; last of all what each effect acts on, looked at by itself.
+// Other measurements for rival explanations that no posture can separate: another load, temperature or set-up, or a
+// link measured beside the tip. The last ones are direct inspections of the part that each effect acts on.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace tubeplan::calibration {
 
-/// The means that pass the gap, best first; then the direct checks, which need no figure.
+/// Returns the measurements with which the least expected criterion passes the needed gap, best first, then the direct
+/// inspections, which have no figure.
 [[nodiscard]] std::vector<AlternativeMeasurements> findAlternativeMeasurements(
     const std::vector<RivalModel>& rivals, const std::vector<Explanation>& explanations,
     const std::vector<ReadingCandidate>& candidates, const std::vector<Measurement>& readings,

@@ -13,7 +13,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// The rivals, what they predict at every candidate, and the candidates that were chosen.
+/// Rivals, their predictions at every candidate, and the chosen candidates.
 struct RivalForecast {
   const std::vector<RivalModel>& rivals;
   const std::vector<RivalPrediction>& predictions;
@@ -28,10 +28,10 @@ Explanation nothingMissing(const Diagnosis& diagnosis) {
   return nothing;
 }
 
-/// Standard normal, below x.
+/// Returns the standard normal distribution function.
 double below(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
 
-/// What the choice, made so many times, does to an ordered pair.
+/// Returns the expected outcome for an ordered pair after the choice is measured `times` times.
 DiscriminatedPair pairAfter(const RivalForecast& forecast, int truth, int other, int times, double gap) {
   const ExpectedRise rise = expectedRise(forecast.rivals, forecast.predictions, forecast.steps, truth, other, times);
   DiscriminatedPair pair{truth, other,
@@ -51,7 +51,8 @@ std::vector<DiscriminatedPair> pairsOf(const RivalForecast& forecast, int times,
   return pairs;
 }
 
-/// The chance that the true one is named alone, each counted by how probable the readings so far make it.
+/// Returns the probability that the true explanation alone is named, averaged over the explanations by their present
+/// probabilities.
 double chanceOfNaming(const std::vector<double>& probability, const std::vector<DiscriminatedPair>& pairs) {
   double named = 0;
   for (std::size_t a = 0; a < probability.size(); ++a) {
@@ -67,7 +68,7 @@ bool isSame(const DiscriminatedPair& a, const DiscriminatedPair& b) {
   return std::minmax(a.truth, a.other) == std::minmax(b.truth, b.other);
 }
 
-/// Of these pairs those, each once, of which the true one, each by its probability, is rather not named.
+/// Returns the pairs, in one order each, that are more likely than not left undecided.
 std::vector<DiscriminatedPair> unlikelyPairs(const std::vector<double>& probability,
                                              const std::vector<DiscriminatedPair>& pairs) {
   std::vector<DiscriminatedPair> unlikely;
@@ -83,7 +84,7 @@ std::vector<DiscriminatedPair> unlikelyPairs(const std::vector<double>& probabil
   return unlikely;
 }
 
-/// How often the choice must be made until what can be split is assured to be.
+/// Counts the repeats of the choice until every separable pair is decided with the assured probability.
 void countTimes(const RivalForecast& forecast, const std::vector<double>& probability,
                 const DiscriminationOptions& options, DiscriminatingMeasurements& result) {
   const double gap = separationNeeded(options.sure);
@@ -99,7 +100,7 @@ void countTimes(const RivalForecast& forecast, const std::vector<double>& probab
   }
 }
 
-/// The explanations that no posture splits from another; all where no reading can be made.
+/// Returns the explanations that no posture separates from another; all if no reading can be made.
 std::vector<int> leftTogether(const DiscriminatingMeasurements& result) {
   std::set<int> some;
   for (const auto& pair : result.never) some.insert({pair.truth, pair.other});
@@ -108,7 +109,7 @@ std::vector<int> leftTogether(const DiscriminatingMeasurements& result) {
   return {some.begin(), some.end()};
 }
 
-/// What to write down beside a reading, for effects that the readings gave no chance.
+/// Returns the columns to record for effects that the readings could not show.
 std::vector<std::string> columnsMissing(const Diagnosis& diagnosis) {
   std::vector<std::string> approach_directions, columns;
   deflection::OfEachCondition<std::vector<std::string>> of_condition;

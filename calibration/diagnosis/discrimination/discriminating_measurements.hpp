@@ -1,11 +1,11 @@
-// Which further readings would split the explanations that a diagnosis cannot tell apart.
+// Further readings that discriminate between the explanations that a diagnosis leaves open.
 //
-// Every explanation predicts a reading from what the readings so far say of its own numbers: mean f and covariance
-// S = I + H P H^T, in noise sigmas. If a is true, a further reading raises -2 log of b's posterior over that of a in
-// the mean by twice their Kullback-Leibler divergence,
-//   d^T S_b^-1 d + tr(S_b^-1 S_a) - rows + ln det S_b - ln det S_a,   d = f_a - f_b:
-// what b's free numbers and sizes could absorb is taken off. Readings are taken one by one so that the odds which this
-// leaves to wrong explanations become as small as possible (Box and Hill 1967; Atkinson and Fedorov 1975).
+// Every explanation predicts a reading from its own numbers as determined by the readings so far: mean f and covariance
+// S = I + H P H^T, in noise sigmas. If a is true, a further reading raises -2 log of b's posterior over that of a on
+// average by twice their Kullback-Leibler divergence,
+//   d^T S_b^-1 d + tr(S_b^-1 S_a) - rows + ln det S_b - ln det S_a,   d = f_a - f_b,
+// which excludes what b's free numbers and sizes could absorb. Readings are chosen one by one to minimise the remaining
+// odds of wrong explanations (Box and Hill 1967; Atkinson and Fedorov 1975).
 #pragma once
 
 #include <string>
@@ -17,36 +17,35 @@
 namespace tubeplan::calibration {
 
 struct DiscriminationOptions {
-  int count = 6;              ///< readings, or sets of touches of one unknown point
-  double sure = 0.98;         ///< probability of one of two explanations that names it, beside all others too
-  double assured = 0.9;       ///< chance that they do so which counts as a promise
-  int most_repeats = 4;       ///< of the whole choice, before postures are said not to split at all
-  int most_explanations = 8;  ///< that are split, best first
+  int count = 6;       ///< number of readings, or of sets of touches of one unknown point
+  double sure = 0.98;  ///< probability of one explanation that decides for it, against one other and against all others
+  double assured = 0.9;       ///< probability of such a decision that counts as assured
+  int most_repeats = 4;       ///< most repeats of the whole choice, after which a pair counts as inseparable
+  int most_explanations = 8;  ///< most explanations that are compared, best first
   WorkHooks hooks;
 };
 
-/// Of -2 log of two posteriors: the difference from which one of the two has the probability `sure`.
+/// Returns the difference of -2 log of two posteriors from which one of the two has the probability `sure`.
 [[nodiscard]] double separationNeeded(double sure);
 
-/// One ordered pair: what is to be expected when the first is true.
+/// Expected outcome for an ordered pair of explanations if the first is true.
 struct DiscriminatedPair {
   int truth = -1, other = -1;      ///< indices of the explanations
-  double now = kNotKnown;          ///< criterion of the other less that of the first
-  double expected = kNotKnown;     ///< the same after the readings, in the mean
-  double probability = kNotKnown;  ///< that the first is then named rather than both
+  double now = kNotKnown;          ///< criterion of the other minus that of the first
+  double expected = kNotKnown;     ///< mean of the same difference after the readings
+  double probability = kNotKnown;  ///< probability that the readings decide for the first
 };
 
 struct DiscriminatingMeasurement {
-  int candidate = -1;             ///< index of what was given
-  int a = -1, b = -1;             ///< the explanations that it splits most
-  double separation = kNotKnown;  ///< of their predictions, in noise sigmas, on top of
-                                  ///< the readings before it
+  int candidate = -1;             ///< index among the given candidates
+  int a = -1, b = -1;             ///< explanations that it separates most
+  double separation = kNotKnown;  ///< distance of their predictions after the readings before it [noise sigmas]
 };
 
-/// What else could be measured, and what that many of it would do.
+/// Another kind of measurement, with the expected effect of as many of them.
 struct AlternativeMeasurements {
   std::string what;
-  double least_expected = kNotKnown;  ///< as of DiscriminatingMeasurements; NaN: not computed
+  double least_expected = kNotKnown;  ///< as in DiscriminatingMeasurements; NaN: not computed
 };
 
 enum class DiscriminationStatus { kNotRun, kNothingToDiscriminate, kNoCandidates, kDone, kStopped };
@@ -54,25 +53,28 @@ enum class DiscriminationStatus { kNotRun, kNothingToDiscriminate, kNoCandidates
 struct DiscriminatingMeasurements {
   DiscriminationStatus status = DiscriminationStatus::kNotRun;
   std::string reason;
-  std::vector<Explanation> explanations;  ///< that are to be split; one without effects says that nothing is missing
+  /// Explanations to discriminate; one without effects means that nothing is missing.
+  std::vector<Explanation> explanations;
   std::vector<DiscriminatingMeasurement> readings;
   std::vector<DiscriminatedPair> pairs;
-  double least_expected = kNotKnown;     ///< of the pairs
-  double probability = kNotKnown;        ///< that one is named, whichever is true
-  int times = 0;                         ///< that the choice must be made until what can be split is; 0: nothing can
-  std::vector<DiscriminatedPair> never;  ///< pairs, each once, that the most repeats are unlikely to split
-  std::vector<AlternativeMeasurements> alternative_measurements;  ///< for those pairs, best first
-  std::vector<std::string> columns;                               ///< what to write down beside: effects not tried
+  double least_expected = kNotKnown;  ///< least expected difference among the pairs
+  double probability = kNotKnown;     ///< probability that one is decided for, whichever is true
+  int times = 0;  ///< repeats of the choice until every separable pair is decided; 0: no pair is separable
+  std::vector<DiscriminatedPair> never;  ///< pairs, in one order, that even the most repeats probably do not separate
+  std::vector<AlternativeMeasurements> alternative_measurements;  ///< measurements for those pairs, best first
+  std::vector<std::string> columns;  ///< further columns to record, for effects that could not be tried
 };
 
-/// The explanations that a diagnosis leaves open: its alternatives; where it was inconclusive, that nothing is missing
-/// and the closest; where none is enough, those that do as well as the best. Fewer than two: nothing to split.
+/// Returns the explanations that a diagnosis leaves open: its alternatives; if inconclusive, that nothing is missing
+/// and the closest one; if none suffices, those as good as the best. With fewer than two there is nothing to
+/// discriminate.
 [[nodiscard]] std::vector<Explanation> openExplanations(const Diagnosis& diagnosis, int most);
 
-/// "backlash@tool.z with hysteresis@theta4"; "nothing missing" without effects.
+/// Returns "backlash@tool.z with hysteresis@theta4"; "nothing missing" without effects.
 [[nodiscard]] std::string nameOf(const Explanation& explanation);
 
-/// `readings` are those that were diagnosed. Candidates are made in the last set-up; each is taken at most once.
+/// Proposes readings that discriminate between the open explanations. `readings` are the diagnosed ones. Candidates are
+/// measured in the last set-up; each is chosen at most once.
 [[nodiscard]] DiscriminatingMeasurements proposeDiscriminatingMeasurements(
     const Diagnosis& diagnosis, const std::vector<Measurement>& readings,
     const std::vector<ReadingCandidate>& candidates, const DiscriminationOptions& options = {});

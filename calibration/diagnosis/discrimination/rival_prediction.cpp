@@ -15,15 +15,17 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Covariance of the unknowns by the readings and their priors; by these alone where the model cannot be evaluated.
+/// Returns the covariance of the unknowns from the readings and priors; from the priors alone if the model cannot be
+/// evaluated.
 MatrixXd covarianceOf(const FittedBasis& basis, const ExplanationModel& model) {
   const auto residual =
       whitenedResidual(model.placed, model.unknowns, basis.readings, basis.weights, zerosOf(model.unknowns), true);
   return posteriorCovariance(residual.ok ? residual.jacobian : MatrixXd(), model.unknowns);
 }
 
-/// What a candidate would be read as in the last set-up, nothing where its shape does not converge; touches of a place
-/// that nobody knows are kept apart by its name. Whose arm it is matters little: only differences of predictions count.
+/// Returns the expected readings of a candidate in the last set-up; empty if the shape does not converge. Touches of an
+/// unknown place get a name of their own. The choice of the arm matters little: only differences between predictions
+/// are used.
 std::vector<Measurement> readingsOf(const ReadingCandidate& candidate, std::size_t index, const PlacedArm& placed) {
   std::vector<Measurement> readings;
   for (const auto& proposed : candidate.readings) {
@@ -51,7 +53,7 @@ RivalPrediction predictByAll(const std::vector<RivalModel>& rivals, const std::v
   return all;
 }
 
-/// Rows of one candidate out of those of all.
+/// Returns the rows of one candidate.
 RivalPrediction someRows(const RivalPrediction& all, Index first, Index count) {
   RivalPrediction part;
   for (std::size_t m = 0; m < all.value.size(); ++m) {
@@ -63,7 +65,7 @@ RivalPrediction someRows(const RivalPrediction& all, Index first, Index count) {
 
 double logDeterminant(const Eigen::LDLT<MatrixXd>& factors) { return factors.vectorD().array().log().sum(); }
 
-/// Of rows that a predicts with covariance S_a, and b with S_b about means that are d apart.
+/// Returns the rise for rows predicted with covariance S_a by a and S_b by b, with means that differ by d.
 ExpectedRise riseBetween(const MatrixXd& S_a, const MatrixXd& S_b, const VectorXd& d) {
   const Eigen::LDLT<MatrixXd> a(S_a), b(S_b);
   const MatrixXd excess = b.solve(S_a) - MatrixXd::Identity(d.size(), d.size());
@@ -72,7 +74,7 @@ ExpectedRise riseBetween(const MatrixXd& S_a, const MatrixXd& S_b, const VectorX
           std::sqrt(2 * (excess * excess).trace() + 4 * std::max(0., whitened.dot(S_a * whitened)))};
 }
 
-/// What is known of a rival's numbers, and how far each other's truth has moved them, as readings are chosen.
+/// Covariances of the rivals' numbers, and their mean shifts if another rival is true, as readings are chosen.
 class Race {
  public:
   Race(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions)
@@ -89,7 +91,8 @@ class Race {
       }
   }
 
-  /// The odds of each wrong rival, as their mean logarithm leaves them, each truth by its probability: less is better.
+  /// Returns the odds of the wrong rivals from their mean logarithms, averaged over the true rival by probability;
+  /// smaller is better.
   [[nodiscard]] double scoreWith(std::size_t candidate) const {
     double score = 0;
     forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
@@ -103,7 +106,7 @@ class Race {
     step.candidate = static_cast<int>(candidate);
     double most = -1;
     forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
-      // Of one pair, the sense in which it is split less: the smaller rise is the one that counts.
+      // The smaller rise of a pair's two orders counts.
       const double both = std::min(rise, riseOf(candidate, b, a));
       if (both <= most) return;
       most = both;
@@ -151,8 +154,8 @@ class Race {
   const std::vector<RivalPrediction>& predictions_;
   std::vector<double> probability_;
   std::vector<MatrixXd> covariance_;
-  std::vector<std::vector<VectorXd>> moved_;  ///< [truth][rival]
-  std::vector<std::vector<double>> rise_;     ///< [truth][rival]
+  std::vector<std::vector<VectorXd>> moved_;  ///< mean shift of the numbers [truth][rival]
+  std::vector<std::vector<double>> rise_;     ///< rise of -2 log of the posterior [truth][rival]
 };
 
 }  // namespace
@@ -191,7 +194,7 @@ std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& riva
     if (each[k].empty()) continue;
     Index rows = 0;
     for (const auto& reading : each[k]) rows += rowsOf(reading);
-    // Ways from one reading all share its encoders' noise: each counts alone.
+    // Ways from one reading all share its encoders' noise, so each is predicted separately.
     const bool is_alone = together.value.empty() || referenceOf(each[k].front());
     predictions[k] = is_alone ? predictByAll(rivals, each[k], stop) : someRows(together, first, rows);
     first += rows;

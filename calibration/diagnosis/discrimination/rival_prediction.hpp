@@ -1,4 +1,4 @@
-// What rival explanations predict of readings to come, and how far such readings would tell them apart.
+// Predictions of further readings by rival explanations, and the expected discrimination by such readings.
 #pragma once
 
 #include <vector>
@@ -9,36 +9,37 @@
 
 namespace tubeplan::calibration {
 
-/// An explanation with what the readings so far determine of its numbers.
+/// Explanation with the uncertainty of its numbers after the readings so far.
 struct RivalModel {
   ExplanationModel model;
   double criterion = 0;
-  Eigen::MatrixXd covariance;  ///< of the unknowns
+  Eigen::MatrixXd covariance;  ///< covariance of the unknowns
 };
 
 [[nodiscard]] std::vector<RivalModel> rivalModelsOf(const FittedBasis& basis,
                                                     const std::vector<Explanation>& explanations);
 
-/// That each is true, if one of them is.
+/// Returns the probability of each rival, given that one of them is true.
 [[nodiscard]] std::vector<double> probabilitiesOf(const std::vector<RivalModel>& rivals);
 
-/// Whitened rows that each rival predicts at one candidate, and their sensitivities to its unknowns.
+/// Whitened rows predicted by each rival at one candidate, and their sensitivities to its unknowns.
 struct RivalPrediction {
   std::vector<Eigen::VectorXd> value;
   std::vector<Eigen::MatrixXd> sensitivity;
 };
 
-/// At each candidate; no rivals' entries where a shape does not converge. Unwinds where it was stopped.
+/// Returns the predictions at each candidate; without entries if a shape does not converge. Throws WorkStopped on a
+/// request to stop.
 [[nodiscard]] std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& rivals,
                                                            const std::vector<ReadingCandidate>& candidates,
                                                            const StopQuestion& stop = {});
 
-/// A greedy choice of candidates, each at most once; its pairs are of rivals.
+/// Chooses up to `count` candidates greedily, each at most once. The pairs `a`, `b` are indices of rivals.
 [[nodiscard]] std::vector<DiscriminatingMeasurement> chooseDiscriminating(
     const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions, int count,
     const StopQuestion& stop = {});
 
-/// The rise of -2 log of b's posterior over a's by chosen candidates, made `times` times, when a is true.
+/// Rise of -2 log of b's posterior over a's by the chosen candidates, each measured `times` times, if a is true.
 struct ExpectedRise {
   double mean = 0, sigma = 0;
 };
@@ -46,7 +47,8 @@ struct ExpectedRise {
                                         const std::vector<RivalPrediction>& predictions,
                                         const std::vector<DiscriminatingMeasurement>& steps, int a, int b, int times);
 
-/// The least, over all ordered pairs, of the other's criterion less that of the truth, in the mean, after these steps.
+/// Returns the least mean difference after these steps of the other's criterion minus that of the true rival, over all
+/// ordered pairs.
 [[nodiscard]] double leastExpected(const std::vector<RivalModel>& rivals,
                                    const std::vector<RivalPrediction>& predictions,
                                    const std::vector<DiscriminatingMeasurement>& steps);

@@ -17,11 +17,11 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr Index kMostAxes = 120;     // of the discrepancy: those along which it is large
-constexpr double kLeastAxis = 1e-5;  // of the discrepancy's variance, that is left out
+constexpr Index kMostAxes = 120;     // most axes of the discrepancy, those with the largest size
+constexpr double kLeastAxis = 1e-5;  // share of the discrepancy's variance that is left out
 constexpr double kLeastLeft = 1e-8;  // squared share of a column's length below which only rounding is left of it
 constexpr Index kPanel = 64;         // columns that are multiplied at once
-constexpr Index kRowsAtOnce = 4096;  // that are copied to be multiplied
+constexpr Index kRowsAtOnce = 4096;  // rows that are copied for one multiplication
 constexpr double kSmallest = 1e-300;
 
 double logOfSum(const std::vector<double>& logs) {
@@ -32,13 +32,14 @@ double logOfSum(const std::vector<double>& logs) {
   return most + std::log(sum);
 }
 
-/// Log of the standard normal's lower tail.
+/// Returns the log of the standard normal distribution function.
 double logBelow(double x) {
   if (x < -30) return -x * x / 2 - std::log(-x * std::sqrt(2 * std::numbers::pi));
   return std::log(std::max(kSmallest, std::erfc(-x / std::numbers::sqrt2) / 2));
 }
 
-/// L with L L^T nearly the positive semidefinite matrix: Cholesky with pivots, until what is left is small.
+/// Returns L with L L^T close to the positive semidefinite matrix: a pivoted Cholesky factor, until the remainder is
+/// small.
 MatrixXd pivotedCholesky(const MatrixXd& matrix) {
   VectorXd left = matrix.diagonal().cwiseMax(0);
   const double whole = left.sum();
@@ -89,7 +90,7 @@ LinearEvidence::LinearEvidence(const EvidenceGram& gram, const std::vector<Unkno
   listLevels();
 }
 
-/// With H = J^T J + P^-1 and y less J times the prior's mean: a^T (I + J P J^T)^-1 b = a^T b - a^T J H^-1 J^T b.
+/// Uses H = J^T J + P^-1 and y minus J times the prior's mean: a^T (I + J P J^T)^-1 b = a^T b - a^T J H^-1 J^T b.
 void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector<Unknown>& fitted) {
   MatrixXd K = gram.products.selfadjointView<Eigen::Lower>();
   const Index n = gram.fitted, rest = K.rows() - n;
@@ -118,7 +119,7 @@ void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector
   length_ = gram.products.diagonal().segment(n, s).cwiseSqrt();
   S_y_.resize(s + 1, s + 1);
   S_y_ << K.block(n, n, s, s), K.block(n, n + s + z, s, 1), K.block(n + s + z, n, 1, s), K.bottomRightCorner<1, 1>();
-  // What the fitted numbers absorb but for rounding is nothing.
+  // A column that the fitted numbers absorb up to rounding is set to zero.
   std::vector<Index> absorbed;
   for (Index c = 0; c < s; ++c)
     if (!(S_y_(c, c) > kLeastLeft * length_[c] * length_[c])) absorbed.push_back(c);
@@ -132,8 +133,8 @@ void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector
   findAxes(K.block(n + s, n + s, z, z), Z_S_y);
 }
 
-/// The discrepancy is kept within the span of a pivoted Cholesky factor L of Z^T Z: with B an orthonormal basis of it,
-/// B^T Z^T Z B = U Lambda U^T, the unit axes in the readings' space are Z B U / sqrt(Lambda), and Z B (Z B)^T is the
+/// Keeps the discrepancy within the span of a pivoted Cholesky factor L of Z^T Z. With B an orthonormal basis of it,
+/// B^T Z^T Z B = U Lambda U^T, the unit axes in the readings' space are Z B U / sqrt(Lambda). Z B (Z B)^T is then the
 /// sum of Lambda times their squares.
 void LinearEvidence::findAxes(const MatrixXd& Z_Z, const MatrixXd& Z_S_y) {
   along_.resize(0, Z_S_y.cols());
@@ -163,7 +164,7 @@ void LinearEvidence::listLevels() {
   }
 }
 
-/// Without a prior.
+/// Returns the level of a size without its prior.
 LinearEvidence::Level LinearEvidence::levelOf(double size) const {
   Level level;
   level.size = size;

@@ -1,4 +1,4 @@
-// What a model gains by causes that it lacked: the effects found, their numbers, and how well it then does.
+// Explanation of a lack of fit: the effects found, their numbers, and the errors that remain with them.
 #pragma once
 
 #include <string>
@@ -13,38 +13,39 @@ struct FoundNumber {
   std::string name;
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double value = 0;
-  double sigma = kNotKnown;      ///< NaN for a shape that was scanned
-  bool is_beyond_usual = false;  ///< larger than real machines have, by more than its doubt
-  /// The range of a size that the readings leave open, over all sizes that explain them; else not numbers.
+  double sigma = kNotKnown;      ///< NaN for a scanned shape
+  bool is_beyond_usual = false;  ///< true: larger than in real machines, by more than its uncertainty
+  /// Range of a size over all sizes that explain the readings, if several do; otherwise NaN.
   double lower = kNotKnown, upper = kNotKnown;
 };
 
 struct FoundEffect {
   std::string effect, at;
-  deflection::Effect fitted;       ///< kind -1 of freed numbers
+  deflection::Effect fitted;       ///< kind -1 for freed numbers
   std::vector<std::string> frees;  ///< numbers of the arm's file that are freed instead of an effect
   std::vector<FoundNumber> numbers;
-  std::vector<std::pair<std::string, std::string>>
-      also;  ///< effect and place of others that no reading could distinguish from it
-  /// Values of its numbers with which the readings are explained as well, the found ones first; empty where only these
-  /// do.
+  /// Effect and place of others that no reading could distinguish from this one.
+  std::vector<std::pair<std::string, std::string>> also;
+  /// Values of its numbers that explain the readings equally well, the found ones first; empty if only these do.
   std::vector<std::vector<double>> modes;
-  std::vector<MeasurementKind> decided_by;  ///< of which one reading would tell those apart
+  std::vector<MeasurementKind> decided_by;  ///< kinds of measurement, one of which would decide between these modes
 };
 
-/// A model with causes added, fitted with everything that is free.
+/// Model with added causes, fitted with everything that is free.
 struct Explanation {
   std::vector<FoundEffect> effects;
   PlacedArm fitted;
-  double probability = 0;            ///< of these causes and no others, with a remainder or without
-  double chi2 = kNotKnown;           ///< by the stated noise
-  double p_value = kNotKnown;        ///< of it
-  double criterion = kNotKnown;      ///< -2 log of prior times evidence: differences count
-  double remainder_probability = 0;  ///< that something unnamed is missing beside
-  double model_error = 0;  ///< m, in each coordinate beyond the stated noise, that no function of the readings follows
+  double probability = 0;            ///< of these causes and no others, with or without a remainder
+  double chi2 = kNotKnown;           ///< for the stated noise
+  double p_value = kNotKnown;        ///< of `chi2`
+  double criterion = kNotKnown;      ///< -2 log of prior times evidence; only differences are meaningful
+  double remainder_probability = 0;  ///< probability that something unnamed is missing as well
+  /// Error of each coordinate beyond the stated noise that no function of the readings follows [m].
+  double model_error = 0;
   ErrorSize after, heldout;
-  ErrorSize farthest;        ///< of the quarter of the poses that reach farthest, by a fit to the others
-  double apart = kNotKnown;  ///< m, rms over the arm's range, from the first alternative
+  ErrorSize farthest;  ///< error at the quarter of the poses with the farthest reach, by a fit to the others
+  /// Rms distance of the predicted tips from those of the first alternative over the arm's range [m].
+  double apart = kNotKnown;
 };
 
 }  // namespace tubeplan::calibration

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kRefitIterations = 6;
 
-/// The numbers of an effect that an explanation adds, as its arm carries it, 0 where they stand.
+/// Adds unknowns for the numbers of an added effect in its fitted arm; they are zero at the present values.
 void addEffectNumbers(const FoundEffect& found, int effect, ExplanationModel& model) {
   for (std::size_t v = 0; v < found.numbers.size(); ++v) {
     if (std::isnan(found.numbers[v].sigma)) continue;

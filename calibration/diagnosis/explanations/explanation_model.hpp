@@ -1,4 +1,4 @@
-// A model with causes added: its numbers for further fits, and how it does on readings kept out.
+// Model with added causes: its unknowns for further fits, and its errors on readings kept out.
 #pragma once
 
 #include "calibration/diagnosis/explanations/explanation.hpp"
@@ -6,7 +6,7 @@
 
 namespace tubeplan::calibration {
 
-/// A state and the unknowns of a model with causes, 0 there.
+/// State and unknowns of a model with causes; the unknowns are zero at the state.
 struct ExplanationModel {
   PlacedArm placed;
   std::vector<Unknown> unknowns;
@@ -17,7 +17,7 @@ struct ExplanationModel {
 
 [[nodiscard]] ExplanationModel modelOf(const FittedBasis& basis, const Explanation& explanation);
 
-/// Errors on readings kept out, fold by fold.
+/// Returns the errors on readings kept out, fold by fold.
 [[nodiscard]] ErrorSize judgeOnFolds(const FittedBasis& basis, const ExplanationModel& model,
                                      const std::vector<int>& folds, double model_error);
 

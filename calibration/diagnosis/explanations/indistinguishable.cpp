@@ -17,7 +17,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kPostures = 48;
-constexpr double kHardly = 9;  // of chi-square, by all these readings together
+constexpr double kHardly = 9;  // fall of chi-square, by all these readings together
 
 double medianSigma(const std::vector<Measurement>& readings) {
   std::vector<double> sigmas;
@@ -25,7 +25,7 @@ double medianSigma(const std::vector<Measurement>& readings) {
   return median(std::move(sigmas));
 }
 
-/// Readings of the tip all over the arm's range, under the loads and conditions that the readings had.
+/// Returns readings of the tip all over the arm's range, under the loads and conditions of the given readings.
 std::vector<Measurement> readingsOverRange(const FittedBasis& basis, std::uint64_t seed) {
   RandomStream random(seed);
   const auto& arm = basis.fitted.arm;

@@ -1,4 +1,4 @@
-// Causes that no reading could distinguish: over the whole range of the arm they predict the same, so that they are one
+// Causes that no reading could distinguish: their predictions agree over the whole range of the arm, so they are one
 // cause with several names.
 #pragma once
 
@@ -8,21 +8,22 @@
 
 namespace tubeplan::calibration {
 
-/// What an explanation predicts over the range.
+/// Predictions of an explanation over the arm's range.
 struct RangeView {
   bool ok = false;
-  Eigen::VectorXd value;        ///< whitened
-  Eigen::MatrixXd sensitivity;  ///< by its unknowns in typical sizes
-  Eigen::MatrixXd information;  ///< on them by the readings so far and by priors
+  Eigen::VectorXd value;        ///< whitened values
+  Eigen::MatrixXd sensitivity;  ///< slopes by its unknowns, in typical sizes
+  Eigen::MatrixXd information;  ///< information on the unknowns from the readings so far and from priors
 };
 
-/// Views explanations of one diagnosis over the arm's range.
+/// Predicts by explanations of one diagnosis over the arm's range.
 class RangeViews {
  public:
   RangeViews(const FittedBasis& basis, std::uint64_t seed);
   [[nodiscard]] RangeView of(const Explanation& explanation) const;
 
-  /// Where the explanation, as fitted, has the tip [m], reading after reading; empty where it has it nowhere.
+  /// Returns the positions of the tip [m] by the fitted explanation, reading after reading; empty if they cannot be
+  /// computed.
   [[nodiscard]] Eigen::VectorXd tipsBy(const Explanation& explanation) const;
 
  private:
@@ -31,7 +32,7 @@ class RangeViews {
   ReadingWeights weights_;
 };
 
-/// Whether even readings all over the range could hardly distinguish the two, each with its numbers fitted anew to
+/// Returns true if even readings all over the range could hardly distinguish the two, each with its numbers fitted to
 /// them.
 [[nodiscard]] bool areTheSame(const RangeView& a, const RangeView& b);
 

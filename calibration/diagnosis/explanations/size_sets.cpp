@@ -13,9 +13,9 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double kWider = 1.2;  // times four standard deviations, from which a range is told
+constexpr double kWider = 1.2;  // least width of a range that is stated, in units of four standard deviations
 
-/// The model of an explanation with all numbers of one of its effects free, those last.
+/// Returns the model of an explanation with all numbers of one of its effects free, at the end of the unknowns.
 ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& explanation, int effect) {
   ExplanationModel model = modelOf(basis, explanation);
   std::erase_if(model.unknowns, [&](const Unknown& unknown) { return unknown.path.effect == effect; });
@@ -25,12 +25,12 @@ ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& expl
   return model;
 }
 
-/// Takes one size from the modes: of the first its value; over all of them its range, where there are several or where
-/// it is wider than its standard deviation says.
+/// Takes one size from the modes: its value from the first one, and its range over all of them if there are several or
+/// if it is wider than its standard deviation suggests.
 void takeSize(const std::vector<SizeMode>& modes, Index k, FoundNumber& number) {
   double lower = std::numeric_limits<double>::infinity(), upper = -lower;
   for (const SizeMode& mode : modes) {
-    if (mode.sigma[k] > 0 && std::abs(mode.values[k]) <= 2 * mode.sigma[k]) continue;  // beside another size, and none
+    if (mode.sigma[k] > 0 && std::abs(mode.values[k]) <= 2 * mode.sigma[k]) continue;  // zero, beside another size
     lower = std::min(lower, mode.lower[k]);
     upper = std::max(upper, mode.upper[k]);
   }

@@ -1,4 +1,4 @@
-// The sizes of the effects of an explanation where readings say only that they are among several.
+// Sets of effect sizes of an explanation that the readings cannot decide between.
 #pragma once
 
 #include "calibration/diagnosis/explanations/explanation.hpp"
@@ -6,9 +6,9 @@
 
 namespace tubeplan::calibration {
 
-/// Looks for other sizes of each effect of an explanation. Where there are some, the effect has them as `modes`, the
-/// most probable in front and in the explanation, and its numbers have ranges over all of them. Unwinds where it was
-/// stopped.
+/// Searches for other sizes of each effect of an explanation that explain the readings equally well. If there are some,
+/// they become the effect's `modes`, most probable first, the first is put into the explanation, and the numbers get
+/// ranges over all modes. Throws WorkStopped on a request to stop.
 void findSizeSets(const FittedBasis& basis, Explanation& explanation);
 
 }  // namespace tubeplan::calibration

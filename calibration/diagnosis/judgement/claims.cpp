@@ -8,7 +8,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// What the linearisation about the baseline promises too much: by the models with causes that were fitted.
+/// Returns the median loss of evidence from the linearisation to the fit, over the fitted models with causes; 0 if they
+/// gain.
 double lossByFit(const DiagnosisWork& work) {
   std::vector<double> losses;
   for (const CompetingModel& model : work.models)

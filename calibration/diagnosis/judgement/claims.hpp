@@ -1,23 +1,24 @@
-// What competing models claim is missing, with probabilities that are one together.
+// Claims of competing models about what is missing, with probabilities that sum to one.
 #pragma once
 
 #include "calibration/diagnosis/model_selection/competing_models.hpp"
 
 namespace tubeplan::calibration {
 
-/// What one model says, or what it says if one of its terms is but a likeness of something unknown.
+/// Claim of one model, or its claim if one of its terms is only similar to an unknown effect.
 struct Claim {
   std::vector<int> causes;
   double probability = 0;
   double remainder_probability = 0;
-  double scatter_probability = 0;         ///< that the noise is larger than stated, and nothing else remains
-  const CompetingModel* model = nullptr;  ///< none of a likeness; of several the most probable
+  double scatter_probability = 0;         ///< probability that the noise is larger than stated and nothing else remains
+  const CompetingModel* model = nullptr;  ///< null for a similarity; the most probable of several models
 };
 
-/// Counts one claim to another.
+/// Adds the probability of claim `one` to claim `to`.
 void mixIn(const Claim& one, Claim& to);
 
-/// All that the models claim, its probabilities one together. Those that were not fitted would have lost as others did.
+/// Returns all claims of the models, with probabilities that sum to one. Models without a fit are penalised by the
+/// median loss of the fitted ones.
 [[nodiscard]] std::vector<Claim> claimsOf(const DiagnosisWork& work);
 
 }  // namespace tubeplan::calibration

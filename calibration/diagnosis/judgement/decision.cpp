@@ -7,10 +7,11 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kMostAlternatives = 8;
-constexpr double kCredible = 0.95;  // of what is missing, that the alternatives hold together
+constexpr double kCredible = 0.95;  // probability that the alternatives hold together, given that something is missing
 constexpr double kRemains = 0.5;
 
-/// Causes beyond those of a more probable class are not sure: they count to it.
+/// Returns the classes without those that only add causes to a more probable class; their probability is added to that
+/// class.
 std::vector<ModelClass> withoutUnsureAdditions(const Posterior& posterior) {
   std::vector<ModelClass> kept, all = posterior.classes;
   all.insert(all.end(), posterior.others.begin(), posterior.others.end());
@@ -22,7 +23,7 @@ std::vector<ModelClass> withoutUnsureAdditions(const Posterior& posterior) {
       if (one.model) kept.push_back(one);
       continue;
     }
-    // What the further cause would explain is a remainder to the class without it.
+    // The additional cause's effect is a remainder for the class without it.
     Claim further = one;
     further.remainder_probability = 1;
     further.scatter_probability = 0;
@@ -64,7 +65,7 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     together += one.probability / missing;
   }
   const bool is_ambiguous = result.alternatives.size() > 1 || named < options.sure;
-  // Where only something unknown competes, the next best stands beside the most likely.
+  // If only something unknown competes, the second best class is named beside the best.
   if (is_ambiguous && result.alternatives.size() == 1 && classes.size() > 1)
     result.alternatives.push_back(classes[1].explanation);
   if (is_ambiguous)

@@ -1,4 +1,4 @@
-// From what is probable to the verdict.
+// Verdict from posterior probabilities.
 #pragma once
 
 #include "calibration/diagnosis/judgement/diagnosis_result.hpp"
@@ -6,7 +6,7 @@
 
 namespace tubeplan::calibration {
 
-/// Fills verdict, alternatives and what they agree on.
+/// Sets the verdict, the alternatives and the causes that they agree on.
 void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnosis& result);
 
 }  // namespace tubeplan::calibration

@@ -1,4 +1,4 @@
-// What a diagnosis answers: the verdict with its explanations, every cause by itself, and what is left.
+// Result of a diagnosis: the verdict with its explanations, the ranking of single causes, and the remainder.
 #pragma once
 
 #include <optional>
@@ -13,60 +13,63 @@
 
 namespace tubeplan::calibration {
 
-/// One cause as the readings see it.
+/// Evidence of the readings for one cause.
 struct RankedEffect {
   std::string effect, at;
-  std::vector<deflection::Effect> effects;  ///< as most probable, alone; none of numbers that are freed instead
-  double probability = 0;                   ///< of all models that it is part of
+  std::vector<deflection::Effect> effects;  ///< at the most probable sizes, alone; empty for freed numbers
+  double probability = 0;                   ///< of all models that contain the cause
   double p_value = 1;                       ///< of its fall of chi-square by noise, alone
   double fall = 0;                          ///< of chi-square, to first order or as fitted
   FoundNumber size;                         ///< its first or largest number
-  double kept_fraction = 0;                 ///< of its signature that the free numbers do not absorb
+  double kept_fraction = 0;                 ///< share of its signature that the free numbers do not absorb
   ErrorSize heldout_before, heldout_after;
 };
 
-/// The least size of an effect that these readings would show (in four of five cases).
+/// Least size of an effect that these readings would show (in four of five cases).
 struct DetectableEffect {
   std::string effect, at, number;
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double size = 0;
-  bool is_beyond_plausible = false;  ///< no machine has one that large: the readings cannot show it
+  bool is_beyond_plausible = false;  ///< true: no machine has one that large, so the readings cannot show it
 };
 
-/// What is left once the sure causes are in.
+/// Errors that remain with the sure causes in the model.
 struct Remainder {
-  double probability = 0;                               ///< that there is one
-  double size = kNotKnown;                              ///< m, root mean square over the readings
-  double floor = kNotKnown;                             ///< m, the same of noise and what follows nothing
-  std::vector<std::pair<std::string, double>> follows;  ///< what it follows, and its share of it; largest first
+  double probability = 0;    ///< that there is a remainder
+  double size = kNotKnown;   ///< root mean square over the readings [m]
+  double floor = kNotKnown;  ///< root mean square of noise and of errors that follow nothing [m]
+  std::vector<std::pair<std::string, double>> follows;  ///< variables that it follows, with their shares; largest first
 };
 
 struct Diagnosis {
   Verdict verdict = Verdict::kNotRun;
-  std::string reason;                     ///< why not run, or why no verdict is possible; what would be needed
-  Identification baseline;                ///< the model as it is, with what is free fitted
-  std::vector<Explanation> alternatives;  ///< as the verdict says, most probable first
-  std::optional<Explanation> agreed;      ///< ambiguous: the causes that are sure, where the alternatives add to them
-  std::vector<Explanation> closest;       ///< the most probable models that were fitted, whatever the verdict
+  std::string reason;                     ///< reason for no run or no verdict, and what would be needed
+  Identification baseline;                ///< fit of the present model with what is free
+  std::vector<Explanation> alternatives;  ///< explanations that the verdict names, most probable first
+  std::optional<Explanation> agreed;      ///< if ambiguous: the sure causes, if the alternatives add to them
+  std::vector<Explanation> closest;       ///< most probable fitted models, whatever the verdict
   std::vector<RankedEffect> ranking;
   std::vector<DetectableEffect> detectable;
   std::vector<std::string> not_tried;
   std::vector<int> set_aside;  ///< readings left out as outliers
   Remainder remainder;
-  Repeats repeats;  ///< where their scatter, larger than stated, is all that is left: it counts as noise
+  /// Repeated readings, if their scatter above the stated noise is all that remains; it counts as noise.
+  Repeats repeats;
   ErrorSize before, after, heldout_before, heldout_after, farthest_before;
-  double noise_floor = kNotKnown;  ///< rms that the stated noise leaves [m]
-  double model_error = 0;  ///< m, in each coordinate beyond the stated noise, that no function of the readings follows
-  double chi2 = 0;         ///< of the baseline, by the stated noise
+  double noise_floor = kNotKnown;  ///< rms of the stated noise [m]
+  /// Error of each coordinate beyond the stated noise that no function of the readings follows [m].
+  double model_error = 0;
+  double chi2 = 0;  ///< of the baseline, for the stated noise
   double p_value = kNotKnown;
   int degrees_of_freedom = 0;
-  double nothing_probability = kNotKnown;  ///< that nothing is missing
+  double nothing_probability = kNotKnown;  ///< probability that nothing is missing
   double nothing_criterion = kNotKnown;    ///< Explanation::criterion of nothing missing
-  double unknown_probability = kNotKnown;  ///< that something is, and no cause is part of it
+  double unknown_probability = kNotKnown;  ///< probability that something is missing without any named cause
   double scatter_probability = kNotKnown;  ///< the same, and it follows nothing that the readings state
   DiagnosisViews views;
 
-  /// Whether what is missing follows nothing that the readings state: a larger noise than stated would be the same.
+  /// Returns true if the missing part follows nothing that the readings state, and so cannot be distinguished from a
+  /// larger noise.
   [[nodiscard]] bool isScatterAlone() const {
     return verdict == Verdict::kUnexplained && scatter_probability > 0.5 && remainder.follows.empty();
   }

@@ -23,7 +23,7 @@ WhitenedResidual residualOf(const FittedBasis& basis, const PlacedArm& placed) {
   return whitenedResidual(placed, {}, basis.readings, basis.weights, VectorXd(0), false);
 }
 
-/// Measured less predicted as a vector.
+/// Returns the error of a reading, measured minus predicted, as a vector [m].
 Vector3d missAt(const FittedBasis& basis, std::size_t k, const std::optional<ToolPose>& tool,
                 const WhitenedResidual& residual) {
   if (!residual.ok || !tool) return Vector3d::Constant(kNotKnown);
@@ -62,7 +62,7 @@ std::vector<ReadingView> readingViews(const FittedBasis& basis, const std::vecto
   return views;
 }
 
-/// What an effect at its found size would do to the whitened readings of the model without any.
+/// Returns the change of the whitened readings by an effect at its found size, for the model without any effect.
 VectorXd signatureOf(const FittedBasis& basis, const FoundEffect& found, const PlacedArm& fitted) {
   PlacedArm with = basis.fitted;
   if (found.frees.empty()) with.arm.effects.push_back(found.fitted);
@@ -73,7 +73,8 @@ VectorXd signatureOf(const FittedBasis& basis, const FoundEffect& found, const P
   return residual.ok ? VectorXd(residual.r - basis.residual.r) : VectorXd();
 }
 
-/// Whether a reading is kept when only a share of them is: evenly spread, in step with no pattern of the readings.
+/// Returns true if a reading is kept when only a share of them is: evenly spaced, out of step with patterns of the
+/// readings.
 bool isKept(std::size_t k, double share) {
   constexpr double kGolden = 0.6180339887498949;
   const double turn = kGolden * static_cast<double>(k);
@@ -82,7 +83,7 @@ bool isKept(std::size_t k, double share) {
 
 std::vector<AddedVariablePoint> addedPointsOf(const FittedBasis& basis, const std::vector<int>& given,
                                               const VectorXd& signature, const VectorXd& left, int most_points) {
-  // A little fewer than allowed: the even spread is exact to a few readings only.
+  // The even spacing is exact only to a few readings, so slightly fewer than the limit are kept.
   const bool is_thinned = signature.size() > most_points;
   const double share = is_thinned ? 0.99 * most_points / static_cast<double>(signature.size()) : 1;
   std::vector<AddedVariablePoint> points;

@@ -1,4 +1,4 @@
-// From competing models to what is probable: classes of models with the same causes, under whatever names, and the
+// Posterior probabilities of competing models: classes of models with the same causes, under whatever names, and the
 // causes that are sure.
 #pragma once
 
@@ -6,26 +6,27 @@
 
 namespace tubeplan::calibration {
 
-/// What models with the same causes claim together, whatever noise and discrepancy they have beside; causes that no
-/// reading could tell apart count as the same.
+/// Claim of all models with the same causes, whatever their noise and discrepancy. Causes that no reading could
+/// distinguish count as the same.
 struct ModelClass : Claim {
   Explanation explanation;  ///< of its most probable model
 };
 
-inline constexpr double kLeastLikely =
-    0.02;  ///< of the best class's probability, below which a class counts for little
+/// Share of the best class's probability below which a class counts for little.
+inline constexpr double kLeastLikely = 0.02;
 
 struct Posterior {
   double nothing = 0;               ///< that nothing is missing
-  double unknown = 0;               ///< that something is that follows the readings, and no cause is part of it
-  double scatter = 0;               ///< that something is, and follows nothing that the readings state
-  std::vector<ModelClass> classes;  ///< with causes, most probable first; those that were fitted
-  std::vector<ModelClass> others;   ///< the less probable ones that were not
-  ModelClass sure;                  ///< the causes that are sure, whatever there is beside; empty where none is
-  CompetingModel sure_model;        ///< of `sure`
+  double unknown = 0;               ///< that something is missing which follows the readings, without any named cause
+  double scatter = 0;               ///< that something is missing which follows nothing that the readings state
+  std::vector<ModelClass> classes;  ///< fitted classes with causes, most probable first
+  std::vector<ModelClass> others;   ///< less probable classes that were not fitted
+  ModelClass sure;                  ///< sure causes, whatever else is missing; empty: none
+  CompetingModel sure_model;        ///< model of `sure`
 };
 
-/// `work.models` must be found. Fits the model of the causes that are sure. Unwinds where it was stopped.
+/// Computes the posterior from the complete list `work.models` and fits the model of the sure causes. Throws
+/// WorkStopped on a request to stop.
 [[nodiscard]] Posterior posteriorOf(const DiagnosisWork& work);
 
 }  // namespace tubeplan::calibration

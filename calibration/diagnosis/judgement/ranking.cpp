@@ -14,16 +14,16 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kNeverSeen = 1e-6;  // noise sigmas that a cause of the largest usual size shows
+constexpr double kNeverSeen = 1e-6;  // least visibility of a cause at the largest usual size [noise sigmas]
 
-/// What the evidence of a cause must gain to be sure (19 to 1), its prior and its freedom paid for.
+/// Returns the gain of log evidence that makes a cause sure (19 to 1), including its prior and its freedom.
 double logLeastGain(const Cause& cause, double visibility) {
   const double occam = std::log(std::max(1., 0.5 * visibility));
   const double odds = std::log(0.5 / 0.35) - std::log(std::max(1e-12, cause.prior)) + std::log(19.);
   return std::max(0., odds + occam + std::log(static_cast<double>(cause.levels.size())));
 }
 
-/// The effects of a term at these sizes.
+/// Returns the effects of a term at these sizes.
 std::vector<deflection::Effect> effectsAt(const PlacedArm& placed, const ModelTerm& term,
                                           const std::vector<Unknown>& numbers, const VectorXd& sizes,
                                           std::size_t before) {
@@ -86,7 +86,7 @@ void listDetectable(const DiagnosisWork& work, Diagnosis& result) {
     const double sigmas = std::sqrt(2 * logLeastGain(cause, visibility)) + 0.84;
     PlacedArm placed = work.basis.fitted;
     const Unknown number = placeCause(placed, cause, cause.levels[static_cast<std::size_t>(middle)]).front();
-    // What moves no reading but for rounding shows at no size.
+    // A cause that moves no reading beyond rounding is visible at no size.
     const double units = visibility > kNeverSeen ? sigmas / visibility : std::numeric_limits<double>::infinity();
     result.detectable.push_back({cause.effect, cause.at, number.name.substr(number.name.rfind('.') + 1),
                                  number.quantity, units * number.typical, units > 1});

@@ -1,4 +1,4 @@
-// Every cause by itself: how probable it is, and from what size on these readings would have shown it.
+// Ranking of single causes: the probability of each, and the least size that these readings would have shown.
 #pragma once
 
 #include "calibration/diagnosis/judgement/diagnosis_result.hpp"
@@ -6,10 +6,10 @@
 
 namespace tubeplan::calibration {
 
-/// Fills `ranking`.
+/// Sets `result.ranking`.
 void rankCauses(const DiagnosisWork& work, Diagnosis& result);
 
-/// Fills `detectable`.
+/// Sets `result.detectable`.
 void listDetectable(const DiagnosisWork& work, Diagnosis& result);
 
 }  // namespace tubeplan::calibration

@@ -1,4 +1,4 @@
-// How explanations do on readings that they were not fitted to.
+// Errors of explanations on readings that they were not fitted to.
 #pragma once
 
 #include "calibration/diagnosis/judgement/diagnosis_result.hpp"
@@ -6,8 +6,8 @@
 
 namespace tubeplan::calibration {
 
-/// Fills the errors before and after, by the readings kept out or, where there are none, fold by fold and by the
-/// farthest quarter of the poses; what does not lower them is no explanation.
+/// Sets the errors before and after, from the readings kept out; without any, fold by fold and from the farthest
+/// quarter of the poses. Drops explanations that do not lower the error.
 void judgeByReadingsKeptOut(const DiagnosisWork& work, const std::vector<Measurement>& kept_out, Diagnosis& result);
 
 }  // namespace tubeplan::calibration

@@ -17,7 +17,7 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-/// What a model leaves, with the columns of all that is fitted.
+/// Errors of a model, with the columns of all fitted numbers.
 struct Left {
   PlacedArm placed;
   WhitenedResidual residual;
@@ -37,7 +37,7 @@ std::optional<Left> leftBy(const DiagnosisWork& work, const CompetingModel& mode
   return left;
 }
 
-/// What a comparison of the model with the readings finds that its errors follow, and the share of chi-square.
+/// Returns the variables that the model's errors follow by a pattern search, with their shares of chi-square.
 std::vector<std::pair<std::string, double>> patternsLeftBy(const DiagnosisWork& work, const CompetingModel& model) {
   const auto left = leftBy(work, model);
   if (!left) return {};
@@ -51,7 +51,8 @@ std::vector<std::pair<std::string, double>> patternsLeftBy(const DiagnosisWork& 
   return followed;
 }
 
-/// A process whose terms all take a little says of no variable that the error follows it: there a pattern goes before.
+/// Replaces the followed variables by patterns if the first two take less than half: many small terms do not show a
+/// variable.
 void preferPatterns(const DiagnosisWork& work, const CompetingModel& model, Remainder& remainder) {
   double first_two = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(2, remainder.follows.size()); ++k)
@@ -81,7 +82,7 @@ Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
   remainder.probability = model.discrepancy_probability + model.scatter_probability;
   const double noise_floor = noiseFloor(work.basis.readings, work.basis.weights);
   const double scatter = lengthOfRows(work.basis.readings) * model.model_error;
-  if (model.remainder.size() == 0) {  // what follows nothing is all there is
+  if (model.remainder.size() == 0) {  // all errors follow nothing
     remainder.floor = noise_floor;
     if (scatter > 0) remainder.size = scatter;
     if (const SamePosture same = samePostureBy(work, model); same.isSure())

@@ -1,4 +1,4 @@
-// What is left beside the causes of a model.
+// Errors that remain beside the causes of a model.
 #pragma once
 
 #include "calibration/diagnosis/judgement/diagnosis_result.hpp"
@@ -8,13 +8,13 @@
 
 namespace tubeplan::calibration {
 
-/// What is left beside a model's causes, and what it follows.
+/// Returns the errors that remain beside a model's causes, and the variables that they follow.
 [[nodiscard]] Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model);
 
-/// What a model leaves by the readings that were made alike: whether their scatter is all of it.
+/// Compares the errors of a model with the scatter of repeated readings.
 [[nodiscard]] Repeats repeatsBy(const DiagnosisWork& work, const CompetingModel& model);
 
-/// Of the errors that a model leaves; those of the baseline where it has no causes, or no fit.
+/// Judges the errors of a model at equal postures; of the baseline if it has no causes or no fit.
 [[nodiscard]] SamePosture samePostureBy(const DiagnosisWork& work, const CompetingModel& model);
 
 }  // namespace tubeplan::calibration

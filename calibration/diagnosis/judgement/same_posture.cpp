@@ -13,7 +13,7 @@ using Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// As if it were made under no load and from no direction: what is left to distinguish it from others is the posture.
+/// Returns the reading without load and approach directions, so that only its posture distinguishes it from others.
 Measurement byPostureAlone(Measurement reading) {
   reading.load = 0;
   reading.wrench = {};
@@ -22,7 +22,7 @@ Measurement byPostureAlone(Measurement reading) {
   return reading;
 }
 
-/// Errors [m] at each posture that was kept for two readings or more.
+/// Returns the errors [m] at each posture with two or more readings.
 std::vector<std::vector<Vector3d>> errorsByPosture(const std::vector<Measurement>& readings,
                                                    const ReadingWeights& weights, const VectorXd& whitened) {
   std::vector<Measurement> positions;

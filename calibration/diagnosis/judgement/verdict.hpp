@@ -1,4 +1,4 @@
-// What a diagnosis comes to, with its name in files and its words for readers.
+// Verdict of a diagnosis, with its name in files and its description for readers.
 #pragma once
 
 namespace tubeplan::calibration {
@@ -8,16 +8,16 @@ enum class Verdict {
   kAdequate,         ///< nothing is missing
   kExplained,        ///< one cause, or one set of them
   kPartlyExplained,  ///< sure causes, and a remainder that no cause explains
-  kAmbiguous,        ///< one of several, or one or something unknown: these readings cannot tell them apart
+  kAmbiguous,        ///< one of several, or one or something unknown: these readings cannot distinguish them
   kUnexplained,      ///< something is missing, and no cause is sure
   kInconclusive,     ///< too few readings, or too weak a hint
   kStopped,
 };
 
-/// "adequate", "explained", ...
+/// Returns the name in files: "adequate", "explained", ...
 [[nodiscard]] const char* nameOf(Verdict verdict);
 
-/// "Adequate: nothing is missing", ...
+/// Returns the description for readers: "Adequate: nothing is missing", ...
 [[nodiscard]] const char* wordsOf(Verdict verdict);
 
 }  // namespace tubeplan::calibration

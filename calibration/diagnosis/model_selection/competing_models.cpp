@@ -8,7 +8,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-// Probability beforehand of so many causes.
+// Prior probability of so many causes.
 constexpr std::array<double, 5> kCount{0.5, 0.35, 0.11, 0.03, 0.01};
 
 }  // namespace

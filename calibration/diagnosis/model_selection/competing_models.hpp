@@ -1,6 +1,6 @@
 // Models that compete to explain the readings: nothing missing, each cause, several together; each with or without an
-// unknown discrepancy, with the stated noise or more. Their evidence about one linearisation finds the leaders, whose
-// evidence is then taken about a fit of their own.
+// unknown discrepancy, with the stated noise or more. Their evidence about one linearisation selects the leaders. The
+// evidence of a leader is then computed about a separate fit.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace tubeplan::calibration {
 
-/// A cause as a model has it: at a level of its shape, with some of its numbers.
+/// Cause in a model: at a level of its shape, with some of its numbers.
 struct ModelTerm {
   int cause = -1;
   int level = 0;
@@ -25,77 +25,79 @@ struct ModelTerm {
   bool operator==(const ModelTerm&) const = default;
 };
 
-/// That one of a model's terms is no cause: what else is unknown resembles it in part.
+/// Hypothesis that a model's term is no cause but partly similar to an unknown effect.
 struct Likeness {
   std::size_t term = 0;
-  double log_weight = 0;  ///< prior times evidence
+  double log_weight = 0;  ///< log of prior times evidence
 };
 
 struct CompetingModel {
   std::vector<ModelTerm> terms;  ///< none: nothing named is missing
-  double log_share = 0;          ///< of the terms among all ways to say their causes; part of the prior
+  double log_share = 0;          ///< log share of the terms among all variants of their causes; part of the prior
   double log_prior = 0;
   double log_evidence = 0;             ///< over noise and discrepancy
-  double discrepancy_probability = 0;  ///< that something unnamed is missing as well
-  double discrepancy = 0;              ///< m, its most probable size
-  std::size_t level = 0;               ///< of that size, among those tried
-  double model_error = 0;              ///< m, of each coordinate beyond the stated noise, most probable
-  double more_noise_probability = 0;   ///< that the noise is larger than stated
-  double scatter_probability = 0;      ///< the same, and no discrepancy
-  Eigen::VectorXd sizes, sigma;        ///< of the terms' numbers, one after another, in units
-  SourceEvidence source;               ///< of the discrepancy where it is most probably of a single source
-  Eigen::VectorXd remainder;           ///< of a fit: whitened errors of the discrepancy, most probable; empty: none
-  Eigen::VectorXd remainder_left;      ///< the same beside all that is fitted: what of it is seen as an error
-  Eigen::VectorXd remainder_terms;     ///< its weights of the process's terms
-  std::vector<Likeness> likenesses;    ///< of a fit beside which something remains, term by term
-  Explanation fit;                     ///< of a leader: fitted with everything that is free
+  double discrepancy_probability = 0;  ///< probability that something unnamed is missing as well
+  double discrepancy = 0;              ///< most probable size of the discrepancy [m]
+  std::size_t level = 0;               ///< index of that size among those tried
+  double model_error = 0;              ///< most probable error of each coordinate beyond the stated noise [m]
+  double more_noise_probability = 0;   ///< probability that the noise is larger than stated
+  double scatter_probability = 0;      ///< the same, without a discrepancy
+  /// Sizes of the terms' numbers, one after another, and their standard deviations [units].
+  Eigen::VectorXd sizes, sigma;
+  SourceEvidence source;             ///< source of the discrepancy if a single one is most probable
+  Eigen::VectorXd remainder;         ///< most probable whitened errors of the discrepancy, of a fit; empty: none
+  Eigen::VectorXd remainder_left;    ///< the part of `remainder` that the fitted numbers do not absorb
+  Eigen::VectorXd remainder_terms;   ///< weights of the process's terms in `remainder`
+  std::vector<Likeness> likenesses;  ///< similarity of each term to an unknown effect, of a fit with a remainder
+  Explanation fit;                   ///< of a leader: the fit with everything that is free
   bool is_fitted = false;
-  double gain_by_fit = 0;  ///< of log evidence against that of the linearisation about the baseline
+  double gain_by_fit = 0;  ///< log evidence of the fit minus that of the linearisation about the baseline
 
   [[nodiscard]] double logWeight() const { return log_prior + log_evidence; }
-  /// Returns true if a fit was found: a model that could not be fitted explains nothing.
+  /// Returns true if a fit was found; a model without one explains nothing.
   [[nodiscard]] bool hasFit() const { return is_fitted && std::isfinite(log_evidence); }
 };
 
-/// Log of the probability beforehand that so many causes are missing.
+/// Returns the log prior probability that so many causes are missing.
 [[nodiscard]] double logPriorOfCount(std::size_t causes);
 
-/// Their causes, ascending.
+/// Returns the indices of the terms' causes, ascending.
 [[nodiscard]] std::vector<int> causesOf(const std::vector<ModelTerm>& terms);
 
-/// One view of the noise, and all evidence under it.
+/// Noise assumption, with all evidence under it.
 struct NoiseHypothesis {
-  double model_error = 0;  ///< m
+  double model_error = 0;  ///< of each coordinate beyond the stated noise [m]
   double log_prior = 0;
   ReadingWeights weights;
-  Eigen::MatrixXd principal_terms;         ///< of the discrepancy: its terms x principal ones
-  Eigen::MatrixXd discrepancy;             ///< whitened columns of the principal terms, rows of `weights`
-  std::unique_ptr<SingleSources> sources;  ///< none of very many readings: all terms together are as sharp there
+  Eigen::MatrixXd principal_terms;  ///< principal terms of the discrepancy (terms x principal terms)
+  Eigen::MatrixXd discrepancy;      ///< whitened columns of the principal terms, rows of `weights`
+  /// Null for very many readings, for which all terms together distinguish as well.
+  std::unique_ptr<SingleSources> sources;
   EvidenceOptions options;
   std::unique_ptr<LinearEvidence> evidence;
 };
 
-/// All that one diagnosis linearises about its baseline.
+/// All linearisations of one diagnosis about its baseline.
 struct DiagnosisWork {
   const DiagnosisOptions& options;
   FittedBasis basis;
   CauseList causes;
   std::unique_ptr<Signatures> signatures;
   std::unique_ptr<Discrepancy> discrepancy;
-  Eigen::MatrixXf kept_signatures;     ///< all readings' columns by the stated noise; empty of too many
-  std::vector<NoiseHypothesis> noise;  ///< the stated first; another where readings ask for it
+  Eigen::MatrixXf kept_signatures;     ///< columns of all readings for the stated noise; empty if too many
+  std::vector<NoiseHypothesis> noise;  ///< the stated noise first; another one if the readings suggest it
   std::vector<CompetingModel> models;  ///< most probable first
 
   [[nodiscard]] const Cause& cause(int index) const { return causes.causes[static_cast<std::size_t>(index)]; }
 };
 
-/// That nothing is missing; `work.models` must be compared.
+/// Returns the model that nothing is missing; `work.models` must be compared.
 [[nodiscard]] const CompetingModel& modelOfNothing(const DiagnosisWork& work);
 
-/// The index in `work.noise` of the view that the model most probably has.
+/// Returns the index in `work.noise` of the model's most probable noise assumption.
 [[nodiscard]] std::size_t likelyNoise(const DiagnosisWork& work, const CompetingModel& model);
 
-/// Most probable first; equal ones in the order they had.
+/// Sorts by weight, most probable first; equal ones keep their order.
 void sortByWeight(std::vector<CompetingModel>& models);
 
 }  // namespace tubeplan::calibration

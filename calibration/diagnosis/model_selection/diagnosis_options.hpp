@@ -1,4 +1,4 @@
-// What a diagnosis is asked for.
+// Options of a diagnosis.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@
 namespace tubeplan::calibration {
 
 struct DiagnosisOptions {
-  IdentificationOptions baseline;  ///< what is free beside the causes
-  double sure = 0.9;               ///< probability from which a cause, or a set of alternatives, is named
-  double likely = 0.7;             ///< ... from which alternatives are, beside that something unknown is missing
-  double nothing = 0.5;            ///< probability of nothing missing from which the model is adequate
-  int most_causes = 3;             ///< in one explanation
-  int most_leaders = 14;           ///< models that are fitted
+  IdentificationOptions baseline;  ///< baseline fit; its free numbers stay free beside the causes
+  double sure = 0.9;               ///< least probability for which a cause, or a set of alternatives, is named
+  double likely = 0.7;             ///< least probability for which alternatives are named beside an unknown remainder
+  double nothing = 0.5;            ///< least probability of nothing missing for which the model is adequate
+  int most_causes = 3;             ///< most causes in one explanation
+  int most_leaders = 14;           ///< most models that are fitted
   int folds = 5;
-  std::uint64_t seed = 1;  ///< of the folds, and of the postures at which causes are held to be the same
-  WorkHooks hooks;         ///< of the baseline too
+  std::uint64_t seed = 1;  ///< for the folds, and for the postures that are used to compare causes
+  WorkHooks hooks;         ///< also for the baseline
 };
 
 }  // namespace tubeplan::calibration

@@ -16,12 +16,13 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr std::size_t kFitsAtOnce = 6;  // side by side
-constexpr int kManyRows = 20000;        // from which fewer leaders are fitted
-constexpr double kLeaderWindow = 8;     // of log weight behind the best: models that are fitted ...
-constexpr double kLeaderShare = 0.075;  // ... or a share of what the best gains, since linear evidence errs with it
+constexpr std::size_t kFitsAtOnce = 6;  // models that are fitted in parallel
+constexpr int kManyRows = 20000;        // rows above which fewer leaders are fitted
+constexpr double kLeaderWindow = 8;     // log weight behind the best model within which models are fitted
+// The same as a share of the best model's gain, with which the error of linear evidence grows.
+constexpr double kLeaderShare = 0.075;
 
-/// The terms that a fit found a size of.
+/// Returns the terms with a significant size in the fit.
 std::vector<ModelTerm> significantTerms(const CompetingModel& model) {
   std::vector<ModelTerm> significant;
   Index first = 0;
@@ -34,7 +35,7 @@ std::vector<ModelTerm> significantTerms(const CompetingModel& model) {
   return significant;
 }
 
-/// Of each of these causes the term that is best beside the others'.
+/// Returns the best term of each cause beside the terms of the others.
 std::vector<ModelTerm> bestTerms(const DiagnosisWork& work, const std::vector<int>& causes) {
   CompetingModel seed = work.models.front();
   std::vector<ModelTerm> terms;
@@ -48,7 +49,7 @@ std::vector<ModelTerm> bestTerms(const DiagnosisWork& work, const std::vector<in
   return terms;
 }
 
-/// Sizes of the terms' numbers in these effects, in units; none where all of them are neutral.
+/// Returns the sizes of the terms' numbers in these effects, in units; empty if all are neutral.
 VectorXd sizesIn(const DiagnosisWork& work, const std::vector<ModelTerm>& terms,
                  const std::vector<deflection::Effect>& effects) {
   std::vector<double> sizes;
@@ -68,9 +69,9 @@ VectorXd sizesIn(const DiagnosisWork& work, const std::vector<ModelTerm>& terms,
   return all.isZero(0) ? VectorXd() : all;
 }
 
-/// A model that says the best fitted one otherwise and is not fitted yet. Linear evidence asks for a further cause
-/// where only another's time or shape was coarse: without the causes that the fit found no size of. And it leaves out a
-/// number that a strong error elsewhere hid: with all numbers of the causes.
+/// Returns an unfitted variant of the best fitted model, or null. One variant lacks the causes without a significant
+/// size: linear evidence adds a cause if the time or shape of another one was coarse. The other has all numbers of the
+/// causes: linear evidence omits a number that a strong error elsewhere conceals.
 CompetingModel* unfittedVariant(DiagnosisWork& work) {
   const CompetingModel& best = work.models.front();
   if (best.terms.empty() || !best.hasFit()) return nullptr;
@@ -86,14 +87,14 @@ CompetingModel* unfittedVariant(DiagnosisWork& work) {
   return nullptr;
 }
 
-/// That of nothing missing, and leaders until no other comes near the best of them.
+/// Fits the model of nothing missing, and leaders until no other is close to the best of them.
 void fitNearest(DiagnosisWork& work) {
   auto& models = work.models;
   CompetingModel& of_nothing =
       *std::ranges::find_if(models, [](const CompetingModel& model) { return model.terms.empty(); });
   const double nothing = of_nothing.logWeight();
   fitModel(work, of_nothing);
-  // So many readings part the models by far more than linear evidence errs, and each fit takes seconds.
+  // So many readings separate the models by far more than the error of linear evidence, and each fit takes seconds.
   const bool are_many = work.noise.front().weights.rows > kManyRows;
   const auto limit = static_cast<std::size_t>(are_many ? work.options.most_leaders / 3 : work.options.most_leaders);
   const std::size_t most = are_many ? limit : 2 * limit;

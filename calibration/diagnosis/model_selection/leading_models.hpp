@@ -1,18 +1,20 @@
-// The leaders among the competing models, whose evidence is taken about a fit of their own.
+// Leaders among the competing models, with evidence about separate fits.
 #pragma once
 
 #include "calibration/diagnosis/model_selection/competing_models.hpp"
 
 namespace tubeplan::calibration {
 
-/// Fits the leading ones and that of nothing missing. Unwinds where it was stopped.
+/// Fits the leading models and that of nothing missing. Throws WorkStopped on a request to stop.
 void fitLeaders(DiagnosisWork& work);
 
-/// The model of these effects, all their numbers, fitted from where linear evidence has them and, where their values
-/// are not neutral, from these: the more probable end. Without a fit where one of them is no cause.
+/// Returns the model of these effects with all their numbers. It is fitted from the sizes of the linear evidence and,
+/// if the effects are not neutral, also from their values; the more probable result is kept. It has no fit if one of
+/// the effects is no cause.
 [[nodiscard]] CompetingModel fittedModelOf(const DiagnosisWork& work, const std::vector<deflection::Effect>& effects);
 
-/// Of log weight behind the best model, within which linear evidence may err: those are fitted.
+/// Returns the distance in log weight from the best model within which linear evidence may be wrong; models within it
+/// are fitted.
 [[nodiscard]] double leaderWindow(double best, double nothing);
 
 }  // namespace tubeplan::calibration

@@ -1,4 +1,4 @@
-// The evidence of a competing model: over views of the noise, usual and unusual sizes, and a discrepancy of all terms
+// Evidence of a competing model: over noise assumptions, usual and unusual sizes, and a discrepancy of all terms
 // together or of a single source.
 #pragma once
 
@@ -10,22 +10,25 @@ namespace tubeplan::calibration {
 
 /// Evidence with a discrepancy of all terms together, or of a single source.
 struct WeighedDiscrepancy : Evidence {
-  SourceEvidence source;  ///< `source` -1 where it is less probable than all terms together
+  SourceEvidence source;  ///< `source` is -1 if it is less probable than all terms together
 };
 
-/// Evidence that counts a discrepancy of a single source too; `single` is of the model without any discrepancy.
+/// Returns the evidence including a discrepancy of a single source; `single` is that of the model without a
+/// discrepancy.
 [[nodiscard]] WeighedDiscrepancy withSources(const Evidence& evidence, const SourceEvidence& single,
                                              const EvidenceOptions& options);
 
-/// The evidence of a model whose terms have these sizes' priors, over noise and usual and unusual sizes: `of` gives it
-/// for one noise and one scale of the sizes (EvidenceOf). Fills all but terms, prior and fit.
+/// Evidence of a model for one noise and one scale of its sizes.
 using EvidenceOf = std::function<WeighedDiscrepancy(const NoiseHypothesis& noise, std::size_t index, double scale)>;
+
+/// Sums the evidence of a model over noise assumptions and over usual and unusual sizes. Sets all of `model` but terms,
+/// prior and fit.
 void blendEvidence(const DiagnosisWork& work, bool has_effects, const EvidenceOf& of, CompetingModel& model);
 
-/// The evidence of some terms about the baseline, over noise and sizes.
+/// Returns the model of some terms with its evidence about the baseline, over noise and sizes.
 [[nodiscard]] CompetingModel weigh(const DiagnosisWork& work, std::vector<ModelTerm> terms, double log_share);
 
-/// A quick look at some terms, their log weight: by the noise and the discrepancy that suited `like` best.
+/// Returns an estimate of the log weight of some terms, for the most probable noise and discrepancy of `like` only.
 [[nodiscard]] double lookAt(const DiagnosisWork& work, const std::vector<ModelTerm>& terms, double log_share,
                             const CompetingModel& like);
 

@@ -22,17 +22,18 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kIterations = 20;
-constexpr double kSmallFall = 0.03;  // of chi-square, by a step that asks for no further one
-constexpr double kFarSize = 4;       // of the largest usual: the prior of a size while it is fitted
-constexpr double kMostSize = 10;     // of the largest usual: no machine has more, and an arm may not shrink to a point
-// What an unknown effect has in common with the known one most like it, against what it has of its own, in noise
+constexpr double kSmallFall = 0.03;  // fall of chi-square by a step after which the fit ends
+constexpr double kFarSize = 4;       // prior sigma of a size during the fit, in units of the largest usual one
+// Bound of a size, in units of the largest usual one: no machine has more, and an arm may not shrink to a point.
+constexpr double kMostSize = 10;
+// Length that an unknown effect shares with the most similar known one, relative to its remaining length, in noise
 // sigmas.
 constexpr double kLikeness = 0.7;
-constexpr double kOrders = 4.6;          // log of a hundred: over so much the size of a cause of its own may be spread
-constexpr double kUnknownScatter = 0.5;  // probability that scatter is an unknown effect, not a noise stated too small
-constexpr double kHardlyLeft = 1e-3;     // probability of a remainder
+constexpr double kOrders = 4.6;          // log of a hundred: the range of orders for the size of an independent cause
+constexpr double kUnknownScatter = 0.5;  // probability that scatter is an unknown effect and not an understated noise
+constexpr double kHardlyLeft = 1e-3;     // least probability of a remainder
 
-/// The numbers that a fit of the model changes: those of the basis, sizes, shapes.
+/// Returns the unknowns of a model's fit: those of the basis, sizes, shapes.
 std::vector<Unknown> unknownsOf(const DiagnosisWork& work, const PlacedModel& placed) {
   std::vector<Unknown> unknowns = work.basis.unknowns;
   for (Unknown size : placed.sizes) {
@@ -47,7 +48,7 @@ std::vector<Unknown> unknownsOf(const DiagnosisWork& work, const PlacedModel& pl
   return unknowns;
 }
 
-/// Where a fit begins: sizes where the linear evidence has them.
+/// Returns the start of a fit, with the sizes of the linear evidence.
 VectorXd startOfFit(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed,
                     const std::vector<Unknown>& unknowns) {
   const auto fitted = static_cast<Index>(work.basis.unknowns.size());
@@ -60,7 +61,7 @@ VectorXd startOfFit(const DiagnosisWork& work, const CompetingModel& model, cons
   return x;
 }
 
-/// The most probable state by one noise.
+/// Returns the most probable state for one noise.
 LeastSquaresResult minimize(const DiagnosisWork& work, std::size_t by, const PlacedModel& placed,
                             const std::vector<Unknown>& unknowns, const VectorXd& x) {
   const NoiseHypothesis& noise = work.noise[by];
@@ -70,7 +71,7 @@ LeastSquaresResult minimize(const DiagnosisWork& work, std::size_t by, const Pla
                           solver);
 }
 
-/// Whether a size ended where no machine's is.
+/// Returns true if a size ended beyond that of any machine.
 bool isImpossible(const PlacedModel& placed, const VectorXd& x, std::size_t fitted) {
   for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
     const Unknown& size = placed.sizes[k];
@@ -80,15 +81,16 @@ bool isImpossible(const PlacedModel& placed, const VectorXd& x, std::size_t fitt
   return false;
 }
 
-/// The model about its optimum, as seen by one noise.
+/// Model linearised about its optimum, for one noise.
 struct AtOptimum {
   WhitenedResidual residual;
   std::unique_ptr<LinearEvidence> evidence;
   SourceView sources;
-  VectorXd scale, information;  ///< of the fitted numbers and shapes, then the sizes
+  VectorXd scale, information;  ///< of the fitted numbers and shapes, then of the sizes
 };
 
-/// What single sources see: columns of all numbers in units of their typical size, those of sizes by their prior.
+/// Sets the view of single sources: columns of all numbers in units of their typical size, those of sizes in units of
+/// their prior.
 void viewSources(const MatrixXd& J, const MatrixXd& S, const VectorXd& y, const std::vector<Unknown>& others,
                  const NoiseHypothesis& noise, AtOptimum& at) {
   if (!noise.sources) return;
@@ -103,7 +105,8 @@ void viewSources(const MatrixXd& J, const MatrixXd& S, const VectorXd& y, const 
   at.sources = noise.sources->viewOf(W_y);
 }
 
-/// Sizes count from nothing: y is what the model with none of them would miss.
+/// Linearises the model at `x` with sizes relative to zero, so that y is the error of the model without them. Returns
+/// false if it cannot be evaluated.
 bool linearizeAt(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<Unknown>& unknowns,
                  const VectorXd& x, const NoiseHypothesis& noise, AtOptimum& at) {
   at.residual = whitenedResidual(placed.arm, unknowns, work.basis.readings, noise.weights, x, true, work.basis.stop);
@@ -151,7 +154,7 @@ WeighedDiscrepancy evidenceAt(const AtOptimum& at, const NoiseHypothesis& noise,
   return withSources(evidence, single, noise.options);
 }
 
-/// The errors that the discrepancy most probably makes.
+/// Sets the most probable errors of the discrepancy.
 void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std::vector<PriorSize>& sizes,
                    CompetingModel& model) {
   if (model.source.source >= 0) {
@@ -166,8 +169,8 @@ void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std:
   if (model.remainder.size() > 0) model.remainder_left = leftBeside(at.residual.jacobian, model.remainder);
 }
 
-/// What the model leaves as an error of its own, in sigmas of its noise: the discrepancy's errors, or, where there are
-/// none, all that is beyond the stated noise; 0 where nothing.
+/// Returns the length of the errors that the model leaves, in noise sigmas: those of the discrepancy, or, without one,
+/// all errors beyond the stated noise; 0 if none.
 double lengthLeft(const DiagnosisWork& work, const AtOptimum& stated, std::size_t numbers,
                   const CompetingModel& model) {
   if (model.remainder.size() > 0) return model.remainder.norm();
@@ -177,7 +180,8 @@ double lengthLeft(const DiagnosisWork& work, const AtOptimum& stated, std::size_
   return std::sqrt(std::max(0., stated.evidence->chi2() - stated.evidence->fall(columns) - expected));
 }
 
-/// How much of chi-square a term takes beside the others, as a length in noise sigmas, what noise alone would give off.
+/// Returns the length of a term beside the others, in noise sigmas: the root of its fall of chi-square minus the
+/// expected fall by noise.
 double lengthOf(const LinearEvidence& evidence, std::size_t first, std::size_t count, std::size_t all) {
   std::vector<int> columns(all);
   std::iota(columns.begin(), columns.end(), 0);
@@ -188,17 +192,18 @@ double lengthOf(const LinearEvidence& evidence, std::size_t first, std::size_t c
   return std::sqrt(std::max(0., fall));
 }
 
-/// Odds of a length as that of a likeness, normal about none with the order of what is left, against that of a cause
-/// of its own, of any order over two.
+/// Returns the log odds of a length for a term that is only similar to an unknown effect, against an independent cause.
+/// For the first, the prior is normal about zero, on the scale of the remaining length; for the second, it spans two
+/// orders of magnitude.
 double logOddsOfLikeness(double length, double left) {
   const double ratio = length / (kLikeness * left);
   if (!(ratio > 0)) return -std::numeric_limits<double>::infinity();
   return 0.5 * std::log(2 / std::numbers::pi) + std::log(ratio * kOrders) - 0.5 * ratio * ratio;
 }
 
-/// An unknown effect resembles known ones in part, and the one that it resembles most would be found beside what is
-/// left of it. So where something remains, each term competes with being such a likeness: what it takes of the error is
-/// then of the order of what remains, and not of the order that its own cause has.
+/// Weighs for each term of a model with a remainder that it is only similar to an unknown effect. Such an effect partly
+/// resembles known ones, and the most similar one would be found, with a remainder. The size of that term is then of
+/// the order of the remainder, not of the order of an independent cause.
 void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<AtOptimum>& at,
                      CompetingModel& model) {
   const double remains = model.discrepancy_probability + kUnknownScatter * model.scatter_probability;
@@ -217,8 +222,8 @@ void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const
   }
 }
 
-/// Whether of a cause at all joints alike the fit, which ended at `x`, found one size only: that joint's own cause says
-/// the same.
+/// Returns true if the fit that ended at `x` found only one size of an effect at every joint; the effect at that joint
+/// alone is then an equivalent cause.
 bool saysOneOnly(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed, const VectorXd& x) {
   const std::size_t fitted = work.basis.unknowns.size();
   std::size_t k = 0;
@@ -232,7 +237,7 @@ bool saysOneOnly(const DiagnosisWork& work, const CompetingModel& model, const P
   return false;
 }
 
-/// What the fit, which ended at `x`, says of the model; its evidence must be there.
+/// Sets the explanation from the fit that ended at `x`; the model's evidence must be known.
 void describeFit(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<Unknown>& unknowns,
                  const VectorXd& x, const std::vector<AtOptimum>& at, CompetingModel& model) {
   const std::size_t likely = likelyNoise(work, model);
@@ -242,7 +247,7 @@ void describeFit(const DiagnosisWork& work, const PlacedModel& placed, const std
   fit.after = errorSize(work.basis.readings, work.basis.weights, at.front().residual.error);
   const auto numbers = static_cast<double>(placed.sizes.size() + placed.shapes.size());
   fit.p_value = chiSquareTail(fit.chi2, work.noise.front().options.noise_rows - numbers);
-  // Sizes stand where the fit left them, so their deviations are those of the prior that it had.
+  // Sizes remain at the fitted values, so their deviations are those for the prior of the fit.
   const VectorXd sigma = evidenceAt(at[likely], work.noise[likely], priorsOf(placed, kFarSize)).sigma;
   std::size_t first = 0;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
@@ -254,7 +259,8 @@ void describeFit(const DiagnosisWork& work, const PlacedModel& placed, const std
   fit.criterion = -2 * model.logWeight();
 }
 
-/// Fits the model from `x` by one noise and weighs it there by all; false where that cannot be.
+/// Fits the model from `x` for one noise and computes its evidence there for all. Returns false if that is not
+/// possible.
 bool fitByNoise(const DiagnosisWork& work, std::size_t by, const PlacedModel& placed,
                 const std::vector<Unknown>& unknowns, VectorXd& x, std::vector<AtOptimum>& at, CompetingModel& model) {
   const auto solution = minimize(work, by, placed, unknowns, x);
@@ -283,7 +289,8 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
   VectorXd x = startOfFit(work, model, placed, unknowns);
   std::vector<AtOptimum> at(work.noise.size());
   const auto giveUp = [&] { model.log_evidence = -std::numeric_limits<double>::infinity(); };
-  // What seemed noise before the model was fitted may be none after it: sizes are fitted by the noise that is left.
+  // An error that counted as noise before the fit may be explained after it, so sizes are fitted again for the
+  // remaining noise.
   constexpr int kPasses = 2;
   for (int pass = 0; pass < kPasses; ++pass) {
     const std::size_t by = likelyNoise(work, model);

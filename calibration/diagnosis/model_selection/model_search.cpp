@@ -17,11 +17,12 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kHopeless = 5;          // of log weight below nothing missing: from no such cause pairs are made
+// Log weight below that of nothing missing, from which a cause is not extended to pairs.
+constexpr double kHopeless = 5;
 constexpr std::size_t kMostSeeds = 20;   // models that are extended by another cause
-constexpr std::size_t kMostLooked = 40;  // extensions that a quick look leaves
+constexpr std::size_t kMostLooked = 40;  // extensions that remain after the quick estimate
 
-/// A quick look at every cause's best term beside what each of the seeds has; seed by seed, all causes of each.
+/// Returns quick estimates of every cause's best term beside each seed; seed by seed, all causes of each.
 std::vector<Looked> lookBeside(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
   const std::size_t causes = work.causes.causes.size();
   std::vector<Looked> looked(seeds.size() * causes);
@@ -40,8 +41,8 @@ std::vector<Looked> lookBeside(const DiagnosisWork& work, const std::vector<Comp
   return looked;
 }
 
-/// Of what was looked at the most probable, each set of causes once, `most` of single ones and of those that say many
-/// at once: neither crowds out others. Indices, most probable first.
+/// Returns indices of the most probable estimates, in descending order, with each set of causes once. Up to `most` of
+/// single causes and up to `most` of collective ones are kept, so that neither kind excludes the other.
 std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vector<Looked>& looked, std::size_t most) {
   std::vector<std::size_t> order(looked.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -57,7 +58,7 @@ std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vect
   return chosen;
 }
 
-/// The models with one cause more, most probable first: of every cause its best term beside what each of the seeds has.
+/// Returns the models with one more cause, most probable first: the best term of every cause beside each seed.
 std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
   const std::size_t causes = work.causes.causes.size();
   auto looked = lookBeside(work, seeds);
@@ -76,9 +77,9 @@ std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vecto
   return found;
 }
 
-/// Those that are gone on from: however far behind the best a cause is alone, it may be one of the best few together.
-/// One that says many causes at once gains what a few of them together would, and none of them alone: single ones are
-/// held against single ones.
+/// Returns the models to extend. A cause far behind the best alone may be one of the best few together. A collective
+/// cause gains as much as a few single ones together, but none of them alone. So single causes are compared with single
+/// causes.
 std::vector<CompetingModel> leadersOf(const DiagnosisWork& work, const std::vector<CompetingModel>& models,
                                       std::size_t most) {
   std::vector<CompetingModel> leaders;
@@ -109,7 +110,7 @@ void compareModels(DiagnosisWork& work) {
   const CompetingModel nothing = weigh(work, {}, 0);
   work.models = {nothing};
   std::vector<CompetingModel> level{nothing};
-  // One that says many causes at once leaves little to gain beside it; a few single ones may still say it better.
+  // A collective cause leaves little to gain beside it, but a few single ones may still be better.
   std::array<double, 2> best{nothing.logWeight(), nothing.logWeight()};
   for (int depth = 1; depth <= work.options.most_causes; ++depth) {
     reportProgress(work.options.hooks, "causes", static_cast<std::size_t>(depth),

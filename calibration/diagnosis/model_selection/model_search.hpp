@@ -1,4 +1,4 @@
-// The search for the models that compete: from nothing missing, one cause more at a time, about the linearisation.
+// Search for competing models: from nothing missing, with one more cause at a time, about the linearisation.
 #pragma once
 
 #include <limits>
@@ -7,16 +7,17 @@
 
 namespace tubeplan::calibration {
 
-/// Finds the models that compete about the linearisation, fills `work.models`. Unwinds where it was stopped.
+/// Finds the models that compete about the linearisation and sets `work.models`. Throws WorkStopped on a request to
+/// stop.
 void compareModels(DiagnosisWork& work);
 
-/// One model more, as a quick look saw it.
+/// Model with one more cause, with its estimated weight.
 struct Looked {
   std::vector<ModelTerm> terms;
   double log_share = 0, log_weight = -std::numeric_limits<double>::infinity();
 };
 
-/// Of a cause its best term beside what the seed has, of all or only some of its terms.
+/// Returns the best term of a cause beside those of the seed, out of all its terms or only some of them.
 [[nodiscard]] Looked bestBeside(const DiagnosisWork& work, const CompetingModel& seed, int cause, bool of_all);
 
 }  // namespace tubeplan::calibration

@@ -8,10 +8,10 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kLeastVisible = 1;  // noise sigmas that a cause of the largest usual size must show
-constexpr int kMostNumbers = 8;      // of a cause of which choices of some are tried
+constexpr double kLeastVisible = 1;  // least visibility of a cause at the largest usual size [noise sigmas]
+constexpr int kMostNumbers = 8;      // most numbers of a cause for which subsets are tried
 
-/// The choices of a cause's numbers that are tried: all that there are of a few, else each alone and all.
+/// Returns the tried subsets of a cause's numbers: all subsets of a few numbers, otherwise each alone and all together.
 std::vector<std::vector<int>> choicesOf(const Cause& cause, int numbers) {
   std::vector<int> all(static_cast<std::size_t>(numbers));
   std::iota(all.begin(), all.end(), 0);

@@ -17,14 +17,15 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Probabilities beforehand: of an unknown discrepancy, of more noise than stated.
-constexpr double kDiscrepancy = 0.05;   // of all terms together ...
-constexpr double kSingleSource = 0.05;  // ... or of a single source
+// Prior probabilities of an unknown discrepancy of all terms together, of one of a single source, and of more noise
+// than stated.
+constexpr double kDiscrepancy = 0.05;
+constexpr double kSingleSource = 0.05;
 constexpr double kMoreNoise = 0.1;
 constexpr std::size_t kReadingsInMemory = 1024;  // readings whose columns are in memory at once
-constexpr Eigen::Index kPrincipalTerms = 80;     // of the discrepancy, in the evidence of a fit
-constexpr double kMostKept = 5e7;                // numbers of the causes' columns that stay in memory
-constexpr double kMostForSources = 2e6;          // rows times terms, up to which single sources are weighed
+constexpr Eigen::Index kPrincipalTerms = 80;     // principal terms of the discrepancy, in the evidence of a fit
+constexpr double kMostKept = 5e7;                // most numbers of the causes' columns that stay in memory
+constexpr double kMostForSources = 2e6;          // most rows times terms for which single sources are weighed
 
 std::vector<double> discrepancySizes(double noise) {
   std::vector<double> sizes;
@@ -32,7 +33,7 @@ std::vector<double> discrepancySizes(double noise) {
   return sizes;
 }
 
-/// Blocks of readings; those of one unknown place stay together.
+/// Returns blocks of readings; those of one unknown place stay together.
 std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& readings) {
   std::vector<std::vector<int>> blocks;
   for (const auto& group : groupsByPlace(readings)) {
@@ -42,7 +43,7 @@ std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& readings)
   return blocks;
 }
 
-/// Rows whitened by some weights, by others.
+/// Converts rows whitened with the weights `from` to the weights `to`.
 void whitenAnew(const std::vector<Measurement>& readings, const ReadingWeights& from, const ReadingWeights& to,
                 MatrixXd& columns) {
   for (std::size_t k = 0; k < readings.size(); ++k) {
@@ -51,7 +52,7 @@ void whitenAnew(const std::vector<Measurement>& readings, const ReadingWeights& 
   }
 }
 
-/// The columns of one block, whitened by the stated noise, touched points still in.
+/// Columns of one block, whitened with the stated noise, including the parts that touched points absorb.
 struct Block {
   std::vector<Measurement> readings;
   ReadingWeights weights;  ///< with points
@@ -59,7 +60,8 @@ struct Block {
   VectorXd y;
 };
 
-/// The causes' columns of one block under the stated noise: computed once, then kept where they fit into memory.
+/// Returns the causes' columns of one block under the stated noise; they are computed once and kept if they fit into
+/// memory.
 MatrixXd signaturesOf(DiagnosisWork& work, const std::vector<int>& which, const Block& block,
                       const ReadingWeights& apart) {
   const std::vector<int>& first_row = work.basis.weights.first_row;
@@ -100,7 +102,7 @@ bool fillBlock(DiagnosisWork& work, const std::vector<int>& which, Block& block)
   return block.S.rows() == block.y.size() && block.Z.rows() == block.y.size();
 }
 
-/// The same columns under other weights, points taken off.
+/// Adds the columns under the noise with this model error, without the parts that points absorb.
 void addTo(EvidenceGram& gram, const Block& block, double model_error) {
   const ReadingWeights weights = reweighted(block.weights, block.readings, model_error);
   gram.log_density += logDensityOf(weights);
@@ -117,7 +119,8 @@ double degreesLeft(const DiagnosisWork& work) {
          numbersDetermined(posteriorCovariance(work.basis.residual.jacobian, work.basis.unknowns), work.basis.unknowns);
 }
 
-/// The discrepancy at all readings: what fits of their own are weighed with. All terms together by the principal ones.
+/// Stores the discrepancy at all readings for the evidence of separate fits: the principal terms, and the single
+/// sources.
 void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
   const auto& terms = work.discrepancy->terms();
   noise.principal_terms = noise.evidence->principalTerms(kPrincipalTerms);
@@ -144,19 +147,19 @@ void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
   noise.sources = std::make_unique<SingleSources>(std::move(all), work.discrepancy->sources(), shares);
 }
 
-/// The stated noise of a coordinate [m].
+/// Returns the stated noise of a coordinate [m].
 double noiseOfCoordinate(const DiagnosisWork& work) {
   return noiseFloor(work.basis.readings, work.basis.weights) / lengthOfRows(work.basis.readings);
 }
 
-/// The error of a coordinate that this chi-square leaves beyond the stated noise; 0 where the noise is enough.
+/// Returns the error of a coordinate beyond the stated noise for this chi-square [m]; 0 if the noise suffices.
 double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) {
   if (freedom < 3 || !(chiSquareTail(chi2, freedom) < kLackOfFit)) return 0;
   return noiseOfCoordinate(work) * std::sqrt(std::max(0.1, chi2 / freedom - 1));
 }
 
-/// Sizes of more noise, as factors to that of this error: down to less, and up to what the model alone leaves. Of few
-/// readings an unknown function takes much of any noise, and what it leaves is less than there is.
+/// Returns factors of the noise with this model error, from smaller ones up to the error of the model alone. With few
+/// readings an unknown function absorbs much of any noise, so its remaining error is too small.
 std::vector<double> noiseScales(const DiagnosisWork& work, double model_error) {
   constexpr double kLeast = 0.7, kMost = 1.5, kFarthest = 6, kStep = 1.08;
   const double per_coordinate = noiseOfCoordinate(work);
@@ -167,7 +170,7 @@ std::vector<double> noiseScales(const DiagnosisWork& work, double model_error) {
   return scales;
 }
 
-/// Evidence under a noise; false where the model cannot be evaluated.
+/// Adds evidence under a noise. Returns false if the model cannot be evaluated.
 bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
   NoiseHypothesis noise;
   noise.model_error = model_error;
@@ -192,7 +195,7 @@ bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
   return true;
 }
 
-/// That even an unknown function of the readings leaves.
+/// Returns the error of a coordinate [m] that remains even with an unknown function of the readings.
 double errorBeyondRichest(const DiagnosisWork& work) {
   const RichestFit richest = work.noise.front().evidence->richest();
   return errorBeyondNoise(work, richest.chi2, work.noise.front().options.noise_rows - richest.numbers);
@@ -217,7 +220,7 @@ bool linearize(DiagnosisWork& work) {
 }
 
 double errorBeyondBest(const DiagnosisWork& work) {
-  // That of nothing missing is always among them.
+  // The model of nothing missing is always among them.
   const auto best = std::ranges::find_if(work.models, &CompetingModel::hasFit);
   if (best == work.models.end()) return 0;
   double numbers = 0;

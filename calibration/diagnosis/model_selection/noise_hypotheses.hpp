@@ -1,4 +1,4 @@
-// Views of the noise under which models compete: the stated one, and one with the error that even the richest or the
+// Noise assumptions under which models compete: the stated noise, and one with the error that even the richest or the
 // best model leaves. Each has the columns of all causes and of the discrepancy at the readings, linearised about the
 // baseline.
 #pragma once
@@ -7,19 +7,20 @@
 
 namespace tubeplan::calibration {
 
-/// Of the noise at the readings: -1/2 log det(2 pi Lambda).
+/// Returns the log density of the whitening at the readings, -1/2 log det(2 pi Lambda).
 [[nodiscard]] double logDensityOf(const ReadingWeights& weights);
 
-/// Linearises every cause about the baseline. False where the model cannot be evaluated. Unwinds where it was stopped.
+/// Linearises every cause about the baseline. Returns false if the model cannot be evaluated. Throws WorkStopped on a
+/// request to stop.
 bool linearize(DiagnosisWork& work);
 
-/// The error of a coordinate [m] that the best fitted model leaves beyond the stated noise; 0 where the noise is
-/// enough. Of few readings an unknown discrepancy takes whatever noise there is: whether it is one, the evidence of
-/// both has to say.
+/// Returns the error of a coordinate [m] that the best fitted model leaves beyond the stated noise; 0 if the noise
+/// suffices. With few readings an unknown discrepancy absorbs any noise; the evidence of both has to decide between
+/// them.
 [[nodiscard]] double errorBeyondBest(const DiagnosisWork& work);
 
-/// Takes in that the noise may be larger than stated, by this error of each coordinate [m]. False where the model
-/// cannot be evaluated.
+/// Adds the assumption that the noise is larger than stated, by this error of each coordinate [m]. Returns false if the
+/// model cannot be evaluated.
 bool doubtNoise(DiagnosisWork& work, double model_error);
 
 }  // namespace tubeplan::calibration

@@ -10,9 +10,9 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kBeyondUsual = 2;      // sigmas past the largest usual size
-constexpr double kShapePrior = 3;       // of a knee's typical step
-constexpr std::size_t kMostTimes = 12;  // of a step, tried at once
+constexpr double kBeyondUsual = 2;      // sigmas above the largest usual size
+constexpr double kShapePrior = 3;       // prior sigma of a knee, in units of its typical step
+constexpr std::size_t kMostTimes = 12;  // tried times of a step at once
 
 FoundNumber foundNumber(const Unknown& unknown, const std::string& name, double value, double sigma) {
   FoundNumber number{name, unknown.quantity, value, sigma};
@@ -21,7 +21,7 @@ FoundNumber foundNumber(const Unknown& unknown, const std::string& name, double 
   return number;
 }
 
-/// Of these times of a step the one that lowers chi-square most.
+/// Returns the index of the time of a step that lowers chi-square most.
 std::size_t bestTime(const DiagnosisWork& work, Cause cause, const ModelTerm& term, const std::vector<double>& times) {
   cause.levels = times;
   const Signatures signatures(work.basis.fitted, {cause});
@@ -39,8 +39,9 @@ std::size_t bestTime(const DiagnosisWork& work, Cause cause, const ModelTerm& te
   return best;
 }
 
-/// Returns when a step happened, as finely as the readings' times can say: between two readings it is the same wherever
-/// it is. The gaps near the level are tried, of very many first some, then all between the neighbours of the best.
+/// Returns the time of a step as precisely as the readings' times allow, since its place between two readings has no
+/// effect. The gaps near the level are tried; if there are very many, some first, then all between the neighbours of
+/// the best.
 double refinedTime(const DiagnosisWork& work, const CompetingModel& model, std::size_t index) {
   const ModelTerm& term = model.terms[index];
   const Cause& cause = work.cause(term.cause);

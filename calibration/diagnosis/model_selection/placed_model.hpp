@@ -1,23 +1,23 @@
-// A competing model on the arm: what it frees beside the baseline's numbers, and what its terms became.
+// Arm with a competing model: the unknowns beside the baseline's numbers, and the fitted terms.
 #pragma once
 
 #include "calibration/diagnosis/model_selection/competing_models.hpp"
 
 namespace tubeplan::calibration {
 
-/// A model under way: what is free beside the baseline's numbers.
+/// Arm with a model's effects, and the unknowns beside the baseline's numbers.
 struct PlacedModel {
   PlacedArm arm;
   std::vector<Unknown> sizes, shapes;
   std::vector<int> first_effect;    ///< index of each term's first effect in the arm
-  std::vector<std::size_t> counts;  ///< sizes of each term
+  std::vector<std::size_t> counts;  ///< number of sizes of each term
 };
 
-/// The baseline's arm with the model's effects. A step is where the readings' times say best.
+/// Returns the baseline's arm with the model's effects. A step is at the best time that the readings' times allow.
 [[nodiscard]] PlacedModel placeModel(const DiagnosisWork& work, const CompetingModel& model);
 
-/// What a term of the fitted model became, effect by effect, into `fit.effects`; `sigma` of all sizes, in their typical
-/// ones.
+/// Appends the effects of a fitted term to `fit.effects`; `sigma` holds the standard deviations of all sizes, in units
+/// of their typical ones.
 void describeTerm(const DiagnosisWork& work, const ModelTerm& term, const PlacedModel& placed, std::size_t index,
                   const Eigen::VectorXd& sigma, std::size_t first_size, Explanation& fit);
 
