@@ -65,10 +65,10 @@ void takeSizePrior(const deflection::EffectParameter& parameter, Unknown& unknow
   return typicals;
 }
 
-/// What is known of the numbers beforehand, as standard deviations about the values of the arm's file: a drawing is
-/// knowledge. Lengths and angles of frames, joint offsets, the tip and the tool's turn have a prior of their own; sizes
-/// of effects are none, give or take the largest that real machines have; all others have a weak prior, a multiple of
-/// what a number may well be off by (Unknown::typical), which data soon outweigh.
+/// Prior standard deviations of the numbers about the values of the arm's file. Lengths and angles of frames, joint
+/// offsets, the tip and the tool's rotation each have one. The prior of an effect's size is zero with the largest size
+/// of real machines as standard deviation. All others have a weak prior, a multiple of the usual error
+/// (Unknown::typical), which data soon outweigh.
 struct Priors {
   double length = 0.005;  ///< [m]
   double angle = 0.02;    ///< [rad]
@@ -93,7 +93,7 @@ struct PlacedArm {
 /// Returns the pose X_WB of the base that a reading was made from.
 [[nodiscard]] const Eigen::Isometry3d& basePoseAt(const PlacedArm& placed, const Measurement& reading);
 
-/// Why the names cannot be freed; empty where they can.
+/// Reason why names cannot be freed; empty if they can.
 struct FreeProblem {
   std::string name, found, expected;
 };

@@ -31,9 +31,9 @@ struct ReadingWeights;
 /// Returns the standard deviation of each joint's reading [rad, m].
 [[nodiscard]] Eigen::VectorXd encoderSigmas(const deflection::Arm& arm);
 
-/// What is shared, by `by_joints` of each reading (ReadingPredictor), the smallest first; Q and shrink are empty yet.
-/// What a reading has for itself is left in `by_joints`, the rest of it zero. Touches of an unknown point share noise
-/// with touches of that point only.
+/// Returns the shared noise, from the matrix `by_joints` of each reading (ReadingPredictor), smallest groups first; Q
+/// and shrink are still empty. In `by_joints` only the noise of a reading alone is left, the rest is set to zero.
+/// Touches of an unknown point share noise only with touches of that point.
 [[nodiscard]] std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm,
                                                            const std::vector<Measurement>& readings,
                                                            std::vector<Eigen::MatrixXd>& by_joints);

@@ -132,7 +132,7 @@ void linkReferences(std::vector<Measurement>& readings);
 /// Returns the places among these readings of each alone and then of those that share one unknown place, together.
 [[nodiscard]] std::vector<std::vector<int>> groupsByPlace(const std::vector<Measurement>& readings);
 
-/// How many readings of an unknown place say something: one more than place it.
+/// Returns the least number of readings of an unknown place that contain information: one more than determine it.
 [[nodiscard]] inline int leastOfPlace(const Measurement& reading) {
   return placeNumbers(reading) / rowsOf(reading) + 1;
 }
