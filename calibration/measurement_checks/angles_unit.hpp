@@ -1,4 +1,4 @@
-// Joint readings in radians under columns in degrees, or the reverse. Slides stay.
+// Mistake of joint readings in radians under columns in degrees, or the reverse. Readings of slides are not affected.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"

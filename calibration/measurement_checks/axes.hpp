@@ -1,5 +1,5 @@
-// Coordinates whose axes are exchanged or turned round: all signed orders of x, y and z but that of the file and those
-// with a single sign changed (see mirror.hpp). "-yxz": the file's three numbers are -y, x and z of the world.
+// Mistake of coordinates with exchanged or reversed axes: all signed orders of x, y and z except that of the file and
+// those with a single changed sign (see mirror.hpp). For "-yxz" the file's three numbers are -y, x and z of the world.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 
 namespace tubeplan::calibration::mistakes::axes {
 
-/// What takes the file's three numbers to the world's; nothing where the text is no signed order.
+/// Returns the rotation or reflection from the file's three numbers to world coordinates; nothing if the text is no
+/// signed order.
 inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
   Eigen::Matrix3d to_world = Eigen::Matrix3d::Zero();
   int column = 0;
@@ -27,14 +28,14 @@ inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
   return to_world;
 }
 
-/// Whether somebody has written coordinates; those of the sheet's holes have a mistake of their own
+/// Returns true if some reading has written coordinates. Coordinates of the sheet's holes have a mistake of their own
 /// (sheet_mirrored.hpp).
 inline bool areWritten(const CheckedReadings& checked) {
   return std::ranges::any_of(
       checked.readings, [&](const Measurement& reading) { return reading.p_W && !isPlacedBySheet(checked, reading); });
 }
 
-/// Of what is written and what the sheet gives alike: both are the places that were measured.
+/// Applies `to_world` to all measured places, whether written or from the sheet, with their sigmas and correlations.
 inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& readings) {
   for (auto& reading : readings) {
     if (reading.p_W) *reading.p_W = to_world * *reading.p_W;
@@ -45,7 +46,7 @@ inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& read
   }
 }
 
-/// All signed orders of x, y and z.
+/// Returns all signed orders of x, y and z.
 inline std::vector<std::string> signedOrders() {
   std::vector<std::string> texts;
   std::string order = "xyz";
@@ -64,7 +65,8 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   if (!areWritten(checked)) return {};
   std::vector<std::string> texts = signedOrders();
   std::erase_if(texts, [](const std::string& text) {
-    return text == "xyz" || text == "-xyz" || text == "x-yz" || text == "xy-z";  // the file's own, and mirrored ones
+    // The file's own order, and mirrored ones.
+    return text == "xyz" || text == "-xyz" || text == "x-yz" || text == "xy-z";
   });
   return texts;
 }

@@ -15,17 +15,17 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kFewestTimes = 8;  // by which it is known how readings follow one another
-constexpr double kMostBack = 0.05;       // of the readings: where more go back, rows are in no order of time
-constexpr double kSlow = 3;              // usual gaps, that a reading may take longer
-constexpr double kHour = 3600;           // s
-constexpr double kMostHours = 14;        // that a clock is set by: zones and summer time
-constexpr double kNearHour = 120;        // s, at most, that the usual gap leaves open
+constexpr std::size_t kFewestTimes = 8;  // least number of times that show how readings follow one another
+constexpr double kMostBack = 0.05;       // share of readings above which rows are not ordered by time
+constexpr double kSlow = 3;              // longest time of a reading, in usual gaps
+constexpr double kHour = 3600;           // [s]
+constexpr double kMostHours = 14;        // most hours by which a clock is reset: time zones and summer time
+constexpr double kNearHour = 120;        // greatest deviation from whole hours, within the usual gap [s]
 constexpr double kMonth = 30 * 24 * kHour;
 
 double timeOf(const Measurement& reading) { return reading.conditions[deflection::Condition::kTime]; }
 
-/// The readings that state a time.
+/// Returns the readings that state a time.
 std::vector<const Measurement*> timedAmong(const std::vector<Measurement>& readings) {
   std::vector<const Measurement*> timed;
   for (const Measurement& reading : readings)
@@ -33,7 +33,7 @@ std::vector<const Measurement*> timedAmong(const std::vector<Measurement>& readi
   return timed;
 }
 
-/// "45 s", "3 min", "2 h", "40 days"
+/// Returns a duration as text: "45 s", "3 min", "2 h", "40 days".
 std::string durationText(double seconds) {
   constexpr std::pair<double, const char*> kUnits[] = {{48 * kHour, "days"}, {kHour, "h"}, {60, "min"}};
   const double size = std::abs(seconds);
@@ -42,7 +42,7 @@ std::string durationText(double seconds) {
   return fmt::format("{:.3g} s", size);
 }
 
-/// Where the times do not follow one another.
+/// Search for times that do not follow one another.
 class Clock {
  public:
   explicit Clock(const std::vector<Measurement>& readings) : timed_(timedAmong(readings)) {
@@ -78,7 +78,7 @@ class Clock {
   [[nodiscard]] double time(std::size_t k) const { return timeOf(*timed_[k]); }
   [[nodiscard]] double gap(std::size_t k) const { return time(k) - time(k - 1); }
 
-  /// Returns by how much more than usual the time goes on [s], rounded to hours where it is near whole ones.
+  /// Returns the excess of a gap over the usual one [s], rounded to hours if near whole ones.
   [[nodiscard]] double jumpAt(std::size_t k) const {
     const double jump = gap(k) - usual_, whole = std::round(jump / kHour) * kHour;
     const bool is_whole =
@@ -86,14 +86,15 @@ class Clock {
     return is_whole ? whole : jump;
   }
 
-  /// The one gap that is longer than any reading takes, by whole hours or by months: of several some are pauses.
+  /// Returns the only gap longer than any reading takes, if it is by whole hours or by months. Among several such gaps
+  /// some are pauses.
   [[nodiscard]] std::optional<std::size_t> forward() const {
     std::vector<std::size_t> longest;
     for (std::size_t k = 1; k < timed_.size(); ++k)
       if (gap(k) > std::max(kSlow * usual_, kHour)) longest.push_back(k);
     if (longest.size() != 1) return std::nullopt;
     const std::size_t k = longest.front();
-    const bool is_of_next = k + 1 < timed_.size() && gap(k + 1) < 0;  // one whose time alone is off
+    const bool is_of_next = k + 1 < timed_.size() && gap(k + 1) < 0;  // a single reading with a wrong time
     const bool is_set = jumpAt(k) != gap(k) - usual_ || gap(k) > kMonth;
     return is_set && !is_of_next ? std::optional(k) : std::nullopt;
   }
@@ -117,8 +118,8 @@ class Clock {
   }
 
   std::vector<const Measurement*> timed_;
-  std::vector<std::size_t> back_;  ///< whose time is before that of the one before
-  double usual_ = 0;               ///< s, between readings
+  std::vector<std::size_t> back_;  ///< indices whose time is before that of the preceding reading
+  double usual_ = 0;               ///< usual gap between readings [s]
 };
 
 }  // namespace

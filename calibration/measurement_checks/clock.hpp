@@ -1,18 +1,19 @@
-// A clock that was set, or read wrong, while readings were taken: times go back, or on by whole hours or months. What
-// follows time (drift, slip) would be looked for along times that never were.
+// Mistake of a clock that was reset or misread during the readings: times go back, or forward by whole hours or months.
+// Effects that follow time (drift, slip) would be fitted to wrong times.
 #pragma once
 
 #include "calibration/measurement_checks/measurement_checks.hpp"
 
 namespace tubeplan::calibration {
 
-/// Returns remarks on the readings at which the time does not follow that of the reading before, and by how much; on
-/// one whose time alone is off. Nothing where rows are in no order of time, or where a gap may well be a pause.
+/// Returns remarks on readings whose time does not follow that of the reading before, with the difference, and on
+/// single readings with a wrong time. Empty if rows are not ordered by time, or if a gap may be a pause.
 [[nodiscard]] std::vector<MeasurementCheck> clockJumps(const CheckedReadings& checked);
 
 namespace mistakes::clock {
 
-/// Times that are so many seconds late or early from a reading on; clockJumps() sees where.
+/// Returns the mistake of times that are late or early by some seconds from a reading on; clockJumps() finds the
+/// reading.
 [[nodiscard]] MistakeKind kind();
 
 }  // namespace mistakes::clock

@@ -1,4 +1,4 @@
-// One coordinate in another unit than its column says. Places that the sheet gives stay.
+// Mistake of one coordinate in another unit than stated by its column. Places from the sheet are not affected.
 #pragma once
 
 #include <string_view>

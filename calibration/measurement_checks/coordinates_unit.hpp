@@ -1,4 +1,5 @@
-// Coordinates and measured distances in another unit than their columns say. Places that the sheet gives stay.
+// Mistake of coordinates and measured distances in another unit than stated by their columns. Places from the sheet are
+// not affected.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"

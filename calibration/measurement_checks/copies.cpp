@@ -12,7 +12,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// All numbers that two rows of one reading have alike.
+/// Returns all numbers that are equal in two rows of one reading.
 auto contentOf(const Measurement& m) {
   const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
   const Eigen::Vector3d tool = m.p_TQ.value_or(Eigen::Vector3d::Zero());
@@ -39,7 +39,7 @@ auto contentOf(const Measurement& m) {
                     conditions};
 }
 
-/// A reading all of whose numbers an earlier one has.
+/// Reading with the same numbers as an earlier one.
 struct Copy {
   std::size_t reading = 0, of = 0;
 };
@@ -52,8 +52,8 @@ std::vector<Copy> copiesIn(const std::vector<Measurement>& readings) {
   return copies;
 }
 
-/// The step in which the measured coordinates are written, in m: the largest power of ten of their unit in which all
-/// are whole.
+/// Returns the step of the written coordinates [m]: the largest power of ten of their unit of which all are whole
+/// multiples.
 double stepOfCoordinates(const CheckedReadings& checked) {
   constexpr double kCoarsest = 1, kFinest = 1e-7;
   for (double step = kCoarsest; step > kFinest; step /= 10) {
@@ -90,7 +90,7 @@ std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
 }
 
 std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked) {
-  constexpr double kFine = 0.1;  // of sigma: two readings with the same three coordinates are then one in 10^4
+  constexpr double kFine = 0.1;  // in sigmas; two readings agree in all three coordinates in one of 10^4 cases
   const double step = stepOfCoordinates(checked);
   auto copies = copiesIn(checked.readings);
   std::erase_if(copies, [&](const Copy& copy) {

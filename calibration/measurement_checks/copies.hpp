@@ -1,4 +1,4 @@
-// Rows of readings that stand there twice.
+// Duplicate rows of readings.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,12 @@
 
 namespace tubeplan::calibration {
 
-/// Readings all of whose numbers an earlier one has; nothing where there are none.
+/// Returns a remark on readings with the same numbers as an earlier one; nothing if there are none.
 [[nodiscard]] std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked);
 
-/// Takes out the readings that are copies of an earlier one beyond doubt: all numbers are the same, and the coordinates
-/// are written so finely against their noise that two readings would differ. Counted twice they would look like noise
-/// that is too small. Nothing where there is none.
+/// Removes readings that are certainly copies of an earlier one: all numbers are equal, and the coordinates have so
+/// many digits that two readings would differ by noise. Counted twice they would suggest a noise that is too small.
+/// Returns nothing if there are none.
 std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked);
 
 }  // namespace tubeplan::calibration

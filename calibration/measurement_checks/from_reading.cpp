@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kTo = "..";
 
-/// The place of a reading; that behind the last where there is none of that id.
+/// Returns the index of a reading; the number of readings if there is none with this id.
 std::size_t placeOf(const std::vector<Measurement>& readings, const std::string& id) {
   return static_cast<std::size_t>(std::ranges::find(readings, id, &Measurement::id) - readings.begin());
 }

@@ -1,9 +1,9 @@
-// The least of a function of one number between two others, by golden section.
+// Minimum of a function of one variable on an interval, by golden-section search.
 #pragma once
 
 namespace tubeplan::calibration {
 
-/// Returns where `valueAt` is least between `a` and `b`, as near as so many steps bring it.
+/// Returns the place of the least `valueAt` between `a` and `b`, after so many steps.
 template <class ValueAt>
 double leastOf(const ValueAt& valueAt, double a, double b, int steps) {
   constexpr double kGolden = 0.6180339887498949;

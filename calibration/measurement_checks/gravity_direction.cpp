@@ -14,17 +14,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFallByGravity = 5;    // of the error, at least, that another direction explains
-constexpr double kAboveNoise = 5;       // times, at least, that the error is above the noise
-constexpr double kSameDirection = 0.9;  // cosine, from which a direction is the one that is written
-constexpr double kPromisingFall = 1.3;  // fall of the error by the nearest of the directions tried first
-constexpr double kClear = 2;            // times, at least, that the error is larger a fifth of a right angle away
-constexpr double kNearAxis = 1.5;       // times the least error, at most, that an axis of the world leaves
-constexpr double kFirstLean = 0.35, kLastLean = 0.004, kAway = 0.3;  // rad
+constexpr double kFallByGravity = 5;    // least fall of the error that another direction must explain
+constexpr double kAboveNoise = 5;       // least ratio of the error to the noise
+constexpr double kSameDirection = 0.9;  // cosine above which a direction counts as the stated one
+// Fall of the error at the best of the first directions, above which the search continues.
+constexpr double kPromisingFall = 1.3;
+constexpr double kClear = 2;       // least ratio of the errors a fifth of a right angle away to the least error
+constexpr double kNearAxis = 1.5;  // greatest ratio of the error along a world axis to the least error
+constexpr double kFirstLean = 0.35, kLastLean = 0.004, kAway = 0.3;  // [rad]
 
 struct TriedDirection {
   Vector3d gravity_W = Vector3d::Zero();
-  double error = std::numeric_limits<double>::infinity();  // m
+  double error = std::numeric_limits<double>::infinity();  // [m]
   Trial trial = {};
 };
 
@@ -41,7 +42,7 @@ bool isWritten(const MistakeTrials& trials, const Vector3d& gravity_W) {
   return gravity_W.dot(trials.checked().start.arm.gravity_W) > kSameDirection;
 }
 
-/// The best of the directions along the axes of the world and between two or three of them.
+/// Returns the best direction along the axes of the world and between two or three of them.
 TriedDirection bestOfFew(const MistakeTrials& trials) {
   TriedDirection best;
   for (int x = -1; x <= 1; ++x)
@@ -54,7 +55,7 @@ TriedDirection bestOfFew(const MistakeTrials& trials) {
   return best;
 }
 
-/// The directions that lie so far to four sides [rad].
+/// Returns the directions at this angle to four sides [rad].
 std::vector<TriedDirection> around(const MistakeTrials& trials, const Vector3d& gravity_W, double angle) {
   const Vector3d across = gravity_W.unitOrthogonal(), other = gravity_W.cross(across);
   std::vector<TriedDirection> tried;
@@ -67,8 +68,8 @@ TriedDirection leastAround(const MistakeTrials& trials, const TriedDirection& fr
   return std::ranges::min(around(trials, from.gravity_W, angle), {}, &TriedDirection::error);
 }
 
-/// Goes on to a better side as long as there is one, by steps that are halved where there is none; then to the nearest
-/// axis of the world where that is as good.
+/// Moves to a better side as long as there is one, with steps that are halved otherwise; then to the nearest axis of
+/// the world if it is as good.
 TriedDirection settled(const MistakeTrials& trials, TriedDirection best) {
   for (double step = kFirstLean; step > kLastLean;)
     if (const auto next = leastAround(trials, best, step); next.error < best.error)

@@ -1,5 +1,5 @@
-// Gravity left in another direction than it has in the readings' world: an arm on the ceiling, on a wall, or on a
-// pedestal that leans.
+// Mistake of gravity with another direction than in the readings' world: an arm on the ceiling, on a wall, or on a
+// tilted pedestal.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace tubeplan::calibration {
 
-/// Returns a mistake where readings fit with gravity in a direction that is fitted, to a few tenths of a degree, and do
-/// not as it is; nothing where they do not, as of an arm that does not give, or where other directions fit as well. A
-/// tilt below 26 deg is left to the diagnosis (`gravity-tilt`). It is the cell's file that is to be mended.
+/// Returns a mistake if the readings fit with a fitted direction of gravity, to a few tenths of a degree, and not with
+/// the stated one. Returns nothing if they do not fit, as for an arm without compliance, or if other directions fit as
+/// well. A tilt below 26 deg is left to the diagnosis (`gravity-tilt`). The correction belongs into the cell's file.
 [[nodiscard]] std::optional<FoundMistake> gravityElsewhere(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

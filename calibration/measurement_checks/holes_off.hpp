@@ -1,4 +1,5 @@
-// Holes counted from another first row or column: every touch of a named hole was one row or column further.
+// Mistake of holes counted from another first row or column: every named hole is a row or column away from the touched
+// one.
 #pragma once
 
 #include <algorithm>
@@ -16,17 +17,18 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return {"R+1", "R-1", "C+1", "C-1"};
 }
 
-/// The hole that a reading is of if it is not the one it names; null where the sheet has none there.
+/// Function from a named hole to the hole that was touched; null if the sheet has none there.
 using OtherHole = std::function<const tubesheets::Tube*(const tubesheets::RowAndColumn& named)>;
 
-/// A tip cannot have touched a hole that is not there: one such reading, and the names are not wrong in that way.
+/// Returns true if every touched hole exists. A single missing hole refutes the mistake, since a tip cannot have
+/// touched it.
 inline bool areAllThere(const CheckedReadings& checked, const OtherHole& other) {
   return std::ranges::all_of(checked.readings, [&](const Measurement& reading) {
     return !isPlacedBySheet(checked, reading) || other(*tubesheets::parseTubeName(reading.point)) != nullptr;
   });
 }
 
-/// Every touch of a named hole as one of the other.
+/// Replaces the hole of every touch of a named hole by the other one.
 inline void rename(const CheckedReadings& checked, const OtherHole& other, std::vector<Measurement>& readings) {
   for (Measurement& reading : readings) {
     if (!isPlacedBySheet(checked, reading)) continue;

@@ -22,17 +22,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kLooked = 20;        // readings
-constexpr std::size_t kMostTogether = 16;  // hypotheses
-constexpr int kMostSigns = 8;              // joints of which all sets of signs are tried
-constexpr int kMostOrdered = 7;            // joints of which all orders are tried
-constexpr double kNearer = 0.25;    // fall of the mean logarithm of the errors that each mend is asked for, at least
-constexpr double kByWeights = 0.5;  // of the same, that weights may bring
-constexpr std::size_t kMostSettled = 100;              // hypotheses, whose zeros are looked for between those tried
-constexpr double kZerosApart = std::numbers::pi / 12;  // rad, to either side of a zero tried
-constexpr int kZeroSteps = 10;                         // of the golden section
+constexpr std::size_t kLooked = 20;        // readings in the quick comparison
+constexpr std::size_t kMostTogether = 16;  // hypotheses that are returned
+constexpr int kMostSigns = 8;              // joints for which all sets of signs are tried
+constexpr int kMostOrdered = 7;            // joints for which all orders are tried
+constexpr double kNearer = 0.25;           // least fall of the mean logarithm of the errors by each correction
+constexpr double kByWeights = 0.5;         // part of the same that weights may contribute
+constexpr std::size_t kMostSettled = 100;  // hypotheses whose zeros are refined between the tried ones
+constexpr double kZerosApart = std::numbers::pi / 12;  // [rad] range on either side of a tried zero
+constexpr int kZeroSteps = 10;                         // golden-section steps
 
-/// One mistake, or joints with another sign together, with what the readings looked at would be.
+/// One mistake, or several joints with a reversed sign, with the corrected readings.
 struct TriedQuickly {
   JoinedMends mends;
   std::vector<Measurement> readings;
@@ -41,11 +41,11 @@ struct TriedQuickly {
   bool turns_joints = false;
 };
 
-/// One of those looked at, or two.
+/// One of the tried mistakes, or two.
 struct Likely {
   const TriedQuickly *first = nullptr, *then = nullptr;
   double score = 0;
-  JoinedMends settled = {};  ///< the same with its zeros where the readings are nearest
+  JoinedMends settled = {};  ///< the same corrections with zeros that bring the readings nearest
 
   [[nodiscard]] JoinedMends mends() const {
     if (!settled.empty()) return settled;
@@ -65,7 +65,7 @@ bool freeBase(const JoinedMends& mends) {
   return std::ranges::any_of(mends, [](const Mend& mend) { return mend.frees_base; });
 }
 
-/// "joint-zero:3" of a zero, whose value is found later; of others what they assume.
+/// Returns "joint-zero:3" for a zero, whose value is refined later, and the assumption for others.
 std::string keyOf(const JoinedMends& mends) {
   std::string key;
   for (const Mend& mend : mends)
@@ -81,7 +81,7 @@ class JoinedSearch {
     for (const auto& reading : pool.readings)
       if (statesPlace(reading) && pool.counted_quickly.contains(reading.id) && ids_.size() < kLooked)
         ids_.insert(reading.id);
-    // Neighbours stay until the first mend has been made: it may move what was measured between rows.
+    // Neighbours are kept until the first correction is applied, since it may move measured values between rows.
     for (std::size_t k = 0; k < pool.readings.size(); ++k) {
       const auto is_looked = [&](std::size_t near) {
         return near < pool.readings.size() && ids_.contains(pool.readings[near].id);
@@ -109,7 +109,7 @@ class JoinedSearch {
   }
 
  private:
-  /// The readings by these mends, which are made on those of all neighbours.
+  /// Applies the corrections to the readings and all their neighbours, and scores the result.
   TriedQuickly looked(JoinedMends mends) {
     TriedQuickly one{std::move(mends), near_, {}, 0, false};
     for (const Mend& mend : one.mends) mend.change(one.readings);
@@ -133,7 +133,7 @@ class JoinedSearch {
     lookAtSigns();
   }
 
-  /// All sets of two joints and more.
+  /// Tries all sets of two or more joints with a reversed sign.
   void lookAtSigns() {
     const CheckedReadings& checked = trials_.checked();
     const auto joints = mistakes::joint_sign::values(checked);
@@ -147,7 +147,7 @@ class JoinedSearch {
     for (const TriedQuickly& signs : sets_of_signs_) found_.push_back({&signs, nullptr, signs.score});
   }
 
-  /// The scales of several joints that read farther than any turns.
+  /// Tries the scales of several joints that read farther than any joint turns.
   void lookAtScales() {
     const CheckedReadings& checked = trials_.checked();
     const auto joints = mistakes::joint_scale::jointsBeyondTurns(checked);
@@ -160,7 +160,7 @@ class JoinedSearch {
     for (const TriedQuickly& scales : scales_) found_.push_back({&scales, nullptr, scales.score});
   }
 
-  /// All orders of the joints' columns but two exchanged alone, which is a mistake of one.
+  /// Tries all orders of the joints' columns except two exchanged alone, which is a single mistake.
   void lookAtOrders() {
     const CheckedReadings& checked = trials_.checked();
     const auto& arm = checked.start.arm;
@@ -223,7 +223,8 @@ class JoinedSearch {
     found_.resize(kKept);
   }
 
-  /// Zeros are tried some way apart: of those most promising, each goes to where the readings are nearest.
+  /// Refines the zeros of the most promising hypotheses to where the readings are nearest, since tried zeros are far
+  /// between.
   void settleZeros() {
     std::ranges::stable_sort(found_, {}, &Likely::score);
     std::set<std::string> keys;
@@ -255,7 +256,7 @@ class JoinedSearch {
     return alignment_.score(tried.readings, alignment_.tips(tried.readings), {.frees_base = freeBase(tried.mends)});
   }
 
-  /// Golden section.
+  /// Returns the best additional offset of a joint's zero by golden-section search [rad].
   double bestShift(const TriedQuickly& tried, int joint) {
     const auto scoreAt = [&](double shift) {
       TriedQuickly shifted = tried;

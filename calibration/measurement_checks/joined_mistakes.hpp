@@ -1,4 +1,5 @@
-// Several ordinary mistakes at once: which of all pairs, and of all sets of joints with another sign, are worth a fit.
+// Several mistakes at once: a quick choice among all pairs, and all sets of joints with a reversed sign, of those worth
+// a fit.
 #pragma once
 
 #include <vector>
@@ -7,11 +8,11 @@
 
 namespace tubeplan::calibration {
 
-/// The mends of one hypothesis, in the order in which they are made.
+/// Corrections of one hypothesis, in the order in which they are applied.
 using JoinedMends = std::vector<Mend>;
 
-/// The pairs and sets of signs by which the readings are nearest to the rigid drawing (quick_alignment.hpp), the
-/// nearest first. Each of their mends brings them nearer than the others do alone. None where too few readings state a
+/// Returns the pairs and sets of signs with the readings nearest to the rigid drawing (quick_alignment.hpp), nearest
+/// first. Each of their corrections brings the readings nearer than the others alone. Empty if too few readings state a
 /// place.
 [[nodiscard]] std::vector<JoinedMends> likelyTogether(const MistakeTrials& trials);
 

@@ -1,5 +1,5 @@
-// A joint whose reading contains another's: a controller that shows the elbow against the horizontal, or that of a
-// parallel linkage. What the arm's file calls theta3 is then theta3 - theta2 of the readings.
+// Mistake of a joint whose reading contains another joint's, as on controllers that show the elbow relative to the
+// horizontal, or with a parallel linkage. The arm file's theta3 is then theta3 - theta2 of the readings.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 namespace tubeplan::calibration::mistakes::joint_coupling {
 
-/// Whole shares of any other turning joint; of neighbours first.
+/// Returns the sum and the difference with every other revolute joint, neighbours first.
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   const auto& arm = checked.start.arm;
   std::vector<std::string> texts;

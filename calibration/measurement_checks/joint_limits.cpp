@@ -17,22 +17,22 @@ namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
 
-/// The unit of a joint's column, as far as somebody has said it.
+/// Returns the unit of a joint's column, as far as it is known.
 NamedUnit columnUnitOf(const CheckedReadings& checked, int joint) {
   const auto& units = checked.units;
   if (static_cast<std::size_t>(joint) < units.joints.size()) return units.joints[static_cast<std::size_t>(joint)];
   return checked.start.arm.joint(joint).type == deflection::JointType::kRevolute ? units.angles : units.coordinates;
 }
 
-/// How far a reading lies past a limit [rad or m]; below zero: within both.
+/// Returns the distance of a reading beyond a limit [rad or m]; negative within both.
 double pastLimit(const deflection::Joint<double>& joint, double q) {
   return std::max(joint.lower - q, q - joint.upper);
 }
 
-/// What a joint's noise accounts for [rad or m].
+/// Returns the distance that a joint's noise explains [rad or m].
 double usualNoiseOf(const deflection::Joint<double>& joint) { return 1e-9 + 5 * joint.encoder_sigma; }
 
-/// The readings past a joint's limits by their places; none unless all of them lie within a turn back.
+/// Returns the indices of readings beyond a joint's limits; empty unless a turn brings all of them within.
 std::vector<std::size_t> readingsToUnwind(const CheckedReadings& checked, int j) {
   const auto& joint = checked.start.arm.joint(j);
   std::vector<std::size_t> past;
@@ -48,7 +48,7 @@ std::vector<std::size_t> readingsToUnwind(const CheckedReadings& checked, int j)
 }  // namespace
 
 bool isPastLimit(const deflection::Joint<double>& joint, double q) {
-  constexpr double kHair = 1e-3;  // of the range
+  constexpr double kHair = 1e-3;  // share of the range
   const double range = joint.upper - joint.lower;
   return !(pastLimit(joint, q) <= std::max(usualNoiseOf(joint), std::isfinite(range) ? kHair * range : 0));
 }

@@ -1,4 +1,4 @@
-// Joint readings past their limits: by whole turns, which change no pose, or by a hair.
+// Joint readings beyond their limits: by whole turns, which change no pose, or by a very small amount.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,19 @@
 
 namespace tubeplan::calibration {
 
-/// Returns whether a joint's reading [rad or m] lies past a limit by more than its noise and a thousandth of the range:
-/// limits are rounded, and a joint at its stop reads a hair past it.
+/// Returns true if a joint's reading [rad or m] is beyond a limit by more than its noise and a thousandth of the range.
+/// Limits are rounded, and a joint at its stop may read slightly more.
 [[nodiscard]] bool isPastLimit(const deflection::Joint<double>& joint, double q);
 
-/// Returns a reading past a limit taken a whole turn back within both; nothing where that is not within, or the joint
-/// slides.
+/// Returns the reading moved by a whole turn into both limits [rad]; nothing if it is still outside or the joint is a
+/// slide.
 [[nodiscard]] std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q);
 
-/// Readings past a limit by a hair, which count: by more than their noise, but isPastLimit() lets them be.
+/// Returns a remark on readings that are beyond a limit by more than their noise but accepted by isPastLimit().
 [[nodiscard]] std::optional<MeasurementCheck> hairPastLimits(const CheckedReadings& checked);
 
-/// Takes readings past their limits a turn back, of each joint of which all of these then lie within: encoders read 0
-/// to 360 deg where the limits are -180 and 180. Nothing where there is no such joint.
+/// Moves readings beyond their limits by a turn, for joints where this brings all of them within: encoders read 0 to
+/// 360 deg, while the limits are -180 and 180. Returns nothing if there is no such joint.
 std::optional<MeasurementCheck> unwindJoints(CheckedReadings& checked);
 
 }  // namespace tubeplan::calibration

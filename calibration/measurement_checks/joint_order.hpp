@@ -1,5 +1,5 @@
-// The columns of two joints exchanged, or of several in a ring: the column of each contains the next one's readings,
-// that of the last the first one's.
+// Mistake of two exchanged joint columns, or of several in a ring: the column of each contains the readings of the next
+// one, that of the last those of the first.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace tubeplan::calibration::mistakes::joint_order {
 
-/// Two at a time: rings of more are for joined_mistakes.cpp to try.
+/// Returns all pairs of joints; larger rings are tried in joined_mistakes.cpp.
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   const auto& arm = checked.start.arm;
@@ -20,7 +20,7 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-/// The joints between colons; empty where one is none of the arm's or there twice, or where they are fewer than two.
+/// Returns the joints between colons; empty if one is unknown or repeated, or if there are fewer than two.
 inline std::vector<int> ringOf(const deflection::Arm& arm, const std::string& value) {
   std::vector<int> ring;
   for (const std::string& name : partedAt(':', value)) {
@@ -31,7 +31,7 @@ inline std::vector<int> ringOf(const deflection::Arm& arm, const std::string& va
   return ring.size() < 2 ? std::vector<int>{} : ring;
 }
 
-/// "the columns of theta2, theta3 and theta4 contain theta3, theta4 and theta2"
+/// Returns a sentence such as "the columns of theta2, theta3 and theta4 contain theta3, theta4 and theta2".
 inline std::string sentenceOf(const deflection::Arm& arm, const std::vector<int>& ring) {
   const auto named = [&](std::size_t first) {
     std::string text;
@@ -57,7 +57,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-/// The rings of an order of all joints, the column of each of which contains the readings of joint `order[column]`.
+/// Returns the rings of an order of all joints, in which each column contains the readings of joint `order[column]`.
 inline std::vector<Mend> ringsOf(const CheckedReadings& checked, const std::vector<int>& order) {
   std::vector<Mend> rings;
   std::vector<bool> is_seen(order.size(), false);

@@ -14,14 +14,14 @@ namespace tubeplan::calibration::mistakes::joint_scale {
 
 namespace {
 
-constexpr double kTurns = 2.5;               // of a joint at most that is no mistake, where its limits allow less
-constexpr double kLeastMotion = 0.2;         // rad that a joint moves among readings, or they are no use
-constexpr int kScales = 400;                 // tried of each sign, in equal ratios
-constexpr int kFiner = 40;                   // steps of the golden section
-constexpr std::size_t kMostScaled = 60;      // readings
-constexpr double kCoarse = 1, kFine = 0.01;  // of what counts as no error
+constexpr double kTurns = 2.5;               // most turns of a joint without a mistake, if its limits do not allow more
+constexpr double kLeastMotion = 0.2;         // least motion of a usable joint among readings [rad]
+constexpr int kScales = 400;                 // scales tried of each sign, in equal ratios
+constexpr int kFiner = 40;                   // golden-section steps
+constexpr std::size_t kMostScaled = 60;      // readings in the comparison
+constexpr double kCoarse = 1, kFine = 0.01;  // shares of the error that counts as zero
 
-/// The best of a range of factors, both of one sign, and then the best near it.
+/// Returns the best of a range of factors of one sign, refined near it.
 double bestFactor(ScaledReadings& scaled, double from, double to) {
   const double ratio = std::pow(to / from, 1. / kScales);
   double best = from, least_score = std::numeric_limits<double>::infinity();
@@ -34,7 +34,7 @@ double bestFactor(ScaledReadings& scaled, double from, double to) {
 std::vector<std::string> valuesOf(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   const auto joints = jointsBeyondTurns(checked);
-  if (joints.size() != 1) return texts;  // likelyScales() finds those of several together
+  if (joints.size() != 1) return texts;  // likelyScales() finds those of several joints together
   const int joint = joints.front();
   const JointRange range = rangeOf(checked, joint);
   const auto& limits = checked.start.arm.joint(joint);

@@ -1,4 +1,4 @@
-// A joint read in encoder pulses, or in any other measure that is no unit: its readings by a number that nobody stated.
+// Mistake of a joint in encoder pulses, or in another measure without a unit: its readings have an unknown factor.
 #pragma once
 
 #include <algorithm>
@@ -10,22 +10,22 @@
 
 namespace tubeplan::calibration::mistakes::joint_scale {
 
-/// Joints whose readings go farther than any joint turns, by their indices.
+/// Returns the indices of joints whose readings exceed the range of any joint.
 [[nodiscard]] std::vector<int> jointsBeyondTurns(const CheckedReadings& checked);
 
-/// What a joint reads at least and at most.
+/// Least and largest reading of a joint.
 struct JointRange {
   double lowest = 0, highest = 0;
   [[nodiscard]] double largest() const { return std::max(std::abs(lowest), std::abs(highest)); }
 };
 [[nodiscard]] JointRange rangeOf(const CheckedReadings& checked, int joint);
 
-/// How well readings, at most so many of them, fit the drawing with those of some joints multiplied.
+/// Deviation of up to so many readings from the drawing, with the readings of some joints multiplied by factors.
 class ScaledReadings {
  public:
   ScaledReadings(const CheckedReadings& checked, std::vector<int> joints, std::size_t most);
 
-  /// Smaller is better; `share` as in QuickAlignmentOptions.
+  /// Returns the score of these factors, smaller for a better fit; `share` as in QuickAlignmentOptions.
   [[nodiscard]] double score(const std::vector<double>& factors, double share);
 
  private:

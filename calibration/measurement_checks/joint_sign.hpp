@@ -1,4 +1,4 @@
-// A joint that is read with the other sign.
+// Mistake of a joint with the reversed sign.
 #pragma once
 
 #include "calibration/measurement_checks/mistake.hpp"

@@ -1,11 +1,11 @@
-// One joint read in another unit than its column says: one column in radians among those in degrees.
+// Mistake of one joint in another unit than stated by its column: one column in radians among those in degrees.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"
 
 namespace tubeplan::calibration::mistakes::joint_unit {
 
-/// The units that a joint's column might be in, and the one that it says.
+/// Returns the possible units of a joint's column.
 inline const std::vector<NamedUnit>& unitsOf(const CheckedReadings& checked, int joint) {
   const bool turns = checked.start.arm.joint(joint).type == deflection::JointType::kRevolute;
   return turns ? checked.units.angle_units : checked.units.lengths;

@@ -1,5 +1,5 @@
-// A joint whose zero is elsewhere than the drawing has it, by more than any machine is out of adjustment: homed to
-// another mark, or a quarter turn off.
+// Mistake of a joint whose zero differs from the drawing by more than any misadjustment: homed to another mark, or a
+// quarter turn off.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,15 +14,15 @@
 
 namespace tubeplan::calibration::mistakes::joint_zero {
 
-/// Least error of a zero that is a mistake and not a joint out of adjustment [rad]: five times what the prior of a
-/// joint's offset allows.
+/// Least error of a zero that is a mistake and not a misadjustment [rad]: five times the prior sigma of a joint's
+/// offset.
 inline constexpr double kLeast = 0.1;
 
 inline std::string textOf(const CheckedReadings& checked, int joint, double offset) {
   return fmt::format("{}:{:.6g}", checked.start.arm.joint(joint).name, offset / checked.units.angles.factor);
 }
 
-/// What a value adds to its joint's readings [rad].
+/// Returns the offset that a value adds to its joint's readings [rad].
 inline double zeroOf(const CheckedReadings& checked, const std::string& value) {
   return tubesheets::parseNumber(partedAtColon(value).second).value_or(0) * checked.units.angles.factor;
 }
@@ -36,7 +36,7 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Every sixth of a half turn, and a twelfth: from one of them the zero is found, whatever it is.
+/// Returns offsets in steps of 30 deg, with 15 deg as well; the actual zero is found from the nearest of them.
 inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   for (const int j : turningJoints(checked.start.arm))
@@ -45,7 +45,7 @@ inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
   return texts;
 }
 
-/// A reading past its joint's limits so many whole turns back that it is within both, where it can be.
+/// Returns a reading beyond its joint's limits moved by whole turns into both [rad]; unchanged if that is not possible.
 inline double wound(const deflection::Joint<double>& joint, double q) {
   if (!isPastLimit(joint, q)) return q;
   constexpr double kTurn = 2 * std::numbers::pi;

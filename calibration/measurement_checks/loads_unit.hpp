@@ -1,4 +1,4 @@
-// Hung loads in another unit than their column says: newtons, kilograms and pounds for one another.
+// Mistake of hung loads in another unit than stated by their column: newtons, kilograms or pounds.
 #pragma once
 
 #include <algorithm>

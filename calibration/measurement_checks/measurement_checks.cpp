@@ -23,7 +23,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Of the units that sigma might be in, the one by which chi-square is nearest to what noise leaves.
+/// Possible unit of sigma with chi-square nearest to that of noise alone.
 struct SigmaUnit {
   Mend mend;
   double chi2_per_freedom = kNoFigure;
@@ -47,9 +47,11 @@ std::optional<SigmaUnit> likeliestSigma(const MistakeTrials& trials, bool is_sma
 void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& checks) {
   const CheckedReadings& checked = trials.checked();
   const Trial& as_is = trials.asIs();
-  constexpr double kFarBelow = 1. / 30;  // of chi-square per degree of freedom: readings agree five times better
-  constexpr double kAgrees = 5;          // times too large or small, the same: as good as sigmas are known
-  constexpr double kFinest = 2e-7;       // of the arm's reach: interferometers measure a machine to 0.5 um in a metre
+  // Chi-square per degree of freedom below which the readings agree more than five times better.
+  constexpr double kFarBelow = 1. / 30;
+  // Factor of agreement for chi-square per degree of freedom, as precise as sigmas are known.
+  constexpr double kAgrees = 5;
+  constexpr double kFinest = 2e-7;  // share of the arm's reach: interferometers measure a machine to 0.5 um in a metre
   constexpr std::size_t kFew = 6;
   std::vector<double> sigmas;
   for (const auto& reading : checked.readings) sigmas.push_back(reading.sigma);
@@ -74,17 +76,18 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
   checks.push_back(std::move(check));
 }
 
-/// Whether the base found is nowhere near that of a cell with a sheet, however it was mounted there. A cell without one
-/// has a nominal place for no more than a start.
+/// Returns true if the fitted base is far from any mounting in a cell with a sheet. Without a sheet the nominal place
+/// is only a start.
 bool isElsewhere(const MistakeTrials& trials) {
-  constexpr double kTurned = 0.8;  // rad: a base that is turned so far, and moved besides, faces another way
+  constexpr double kTurned = 0.8;  // [rad] a base with this rotation, and a shift, faces another way
   const Trial& as_is = trials.asIs();
   return trials.checked().sheet && trials.hasPlaces() &&
          (as_is.base_shift > trials.reach() ||
           (as_is.base_turn > kTurned && as_is.base_shift > kFarShift * trials.reach()));
 }
 
-/// How far the base is from its nominal place, where that is far, or where a row or column miscounted would do it.
+/// Adds a remark on the distance of the base from its nominal place, if it is far or if a miscounted row or column
+/// explains it.
 void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& checks) {
   const CheckedReadings& checked = trials.checked();
   const Trial& as_is = trials.asIs();
@@ -115,15 +118,15 @@ void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& check
   checks.push_back(std::move(check));
 }
 
-/// Whether a mistake leaves no more than a few times the noise, the base where it is said to be.
+/// Returns true if the mistake leaves no more than a few times the noise, with the base near its stated place.
 bool leavesNothing(const MistakeTrials& trials, const FoundMistake& mistake) {
   constexpr double kAboveNoise = 5;
   return mistake.drawn.error < kAboveNoise * trials.noise({}) && !trials.isBaseFar(mistake.drawn);
 }
 
-/// Of a mistake and gravity elsewhere, the one by which the readings fit. Both may be: exchanged axes turn a base that
-/// is not known, and gravity with it as the base sees it. Then the one that leaves the base at its nominal place is
-/// named, with the other.
+/// Returns the mistake or the gravity direction, whichever fits the readings better. Both may fit: exchanged axes
+/// rotate an unknown base, and gravity with it in the base frame. Then the one with the base near its nominal place is
+/// named, with the other in its sentence.
 MeasurementCheck likelier(const MistakeTrials& trials, FoundMistake mistake, FoundMistake gravity) {
   constexpr double kClearly = 2;
   if (mistake.drawn.error > kClearly * gravity.drawn.error) return std::move(gravity.check);
@@ -138,7 +141,7 @@ MeasurementCheck likelier(const MistakeTrials& trials, FoundMistake mistake, Fou
   return std::move(named.check);
 }
 
-/// What is wrong with all readings alike, if anything is.
+/// Returns the mistake that concerns all readings, or another direction of gravity; nothing if there is neither.
 std::optional<MeasurementCheck> mistakeOrGravity(const MistakeTrials& trials) {
   auto found = findMistake(trials);
   const bool is_mistake = found && found->check.severity == CheckSeverity::kMistake;

@@ -1,4 +1,4 @@
-// Coordinates with the sign of one axis turned round.
+// Mistake of coordinates with the sign of one axis reversed.
 #pragma once
 
 #include "calibration/measurement_checks/axes.hpp"

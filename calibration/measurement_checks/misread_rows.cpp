@@ -12,9 +12,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kFarOff = 0.02;       // of the reach: an error that no drawing's tolerances make
-constexpr double kFallByRows = 5;      // of the error, at least, that other rows explain
-constexpr double kLeastTwist = 0.017;  // rad: of a smaller one the sign is no matter of taking over
+constexpr double kFarOff = 0.02;       // share of the reach: an error beyond any tolerance of a drawing
+constexpr double kFallByRows = 5;      // least fall of the error that other rows must explain
+constexpr double kLeastTwist = 0.017;  // [rad] twist below which the sign cannot be judged
 
 using Rows = std::vector<deflection::Row<double>>;
 
@@ -26,7 +26,7 @@ double errorAsIs(const MistakeTrials& trials) {
   return trials.asIs().ok ? trials.asIs().error : std::numeric_limits<double>::infinity();
 }
 
-/// The readings that count, fitted by other rows: base and tip free. Infinite where they cannot be.
+/// Returns the error of the counted readings with other rows, base and tip free [m]; infinite if they cannot be fitted.
 double errorBy(const MistakeTrials& trials, Rows rows) {
   PlacedArm start = trials.checked().start;
   start.arm.rows = std::move(rows);

@@ -1,5 +1,5 @@
-// Whether the arm's file has Denavit-Hartenberg numbers that were taken over wrongly: a standard table under the keys of
-// the modified one, or a twist with the other sign.
+// Mistakes in the transfer of Denavit-Hartenberg numbers into the arm's file: a standard table under the keys of the
+// modified one, or a twist with the reversed sign.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,12 @@
 
 namespace tubeplan::calibration {
 
-/// Returns a mistake where readings that are far off by the arm's rows as they are fit them as standard rows; nothing
-/// where they do not, or where the rows are standard already. It is the arm's file that is to be mended.
+/// Returns a mistake if the readings are far off with the arm's rows but fit if these are read as standard rows.
+/// Returns nothing otherwise, or if the rows are standard already. The correction belongs into the arm's file.
 [[nodiscard]] std::optional<MeasurementCheck> standardRows(const MistakeTrials& trials);
 
-/// Returns the same of the twist of one row, or of all rows, with the other sign: of those the one that fits best.
+/// Returns a mistake if the readings fit with the twist of one row, or of all rows, reversed in sign: the best one of
+/// these.
 [[nodiscard]] std::optional<MeasurementCheck> negatedTwists(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

@@ -16,8 +16,8 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kFinalists = 8;
-constexpr double kLimitSlack = 0.05;    // rad or m past a joint's limit
-constexpr double kShareOutside = 0.02;  // of readings past limits, that no hypothesis may have
+constexpr double kLimitSlack = 0.05;    // beyond a joint's limit [rad or m]
+constexpr double kShareOutside = 0.02;  // most readings beyond limits in a hypothesis, as a share
 
 class MistakeSearch {
  public:
@@ -40,7 +40,7 @@ class MistakeSearch {
   }
 
  private:
-  /// The suspects by all that is open, but for those that cannot be fitted so.
+  /// Returns the suspects with their fits of all that is open, without those that cannot be fitted.
   std::vector<Suspect> examined(std::vector<Suspect> suspects) const {
     for (auto& suspect : suspects) {
       const double held_error = suspect.drawn.error;
@@ -52,14 +52,13 @@ class MistakeSearch {
     return suspects;
   }
 
-  /// Adds those of several mistakes that explain the error, and need each of them for it.
+  /// Adds combinations of mistakes that explain the error, if each mistake is needed.
   void addExplaining(std::vector<Suspect> several, std::vector<Suspect>& suspects) const {
     for (Suspect& suspect : several)
       if (judgement_.explainsError(suspect) && judgement_.isAllNeeded(suspect)) suspects.push_back(std::move(suspect));
   }
 
-  /// The steps that the readings as they are ask for and, of mistakes with steps beside them, those as each suspect has
-  /// them.
+  /// Returns steps in the readings as stated and, if `beside`, steps in the readings corrected for each suspect.
   std::vector<Suspect> withSteps(const std::vector<Suspect>& suspects, bool beside) const {
     std::vector<Suspect> begun;
     const auto add = [&](const JoinedMends& parts, const Mend& before, const Trial& open) {
@@ -78,7 +77,7 @@ class MistakeSearch {
     return begun;
   }
 
-  /// The best of them, with those that explain the readings as well.
+  /// Returns the best suspect, with those that explain the readings as well.
   FoundMistake checkOf(std::vector<Suspect> suspects) const {
     Suspect& best = suspects.front();
     MeasurementCheck check;
@@ -97,8 +96,8 @@ class MistakeSearch {
     return {std::move(check), std::move(best.drawn)};
   }
 
-  /// Noise whose column says the same wrong unit is mended with the rest, unless the readings agree better with it as
-  /// it stands: somebody may have written it apart.
+  /// Decides whether noise with the same wrong unit in its column is corrected as well. It is not if the readings agree
+  /// better with the stated noise, which may have been written separately.
   void settleSigma(Suspect& best, MeasurementCheck& check) const {
     if (!best.mend.change_sigma) return;
     Mend apart = best.mend;
@@ -112,7 +111,7 @@ class MistakeSearch {
     best.open = trial;
   }
 
-  /// How many readings have a joint past its limits.
+  /// Returns the number of readings with a joint beyond its limits.
   [[nodiscard]] std::size_t countOutside(const std::vector<Measurement>& readings) const {
     const auto& arm = trials_.checked().start.arm;
     return static_cast<std::size_t>(std::ranges::count_if(readings, [&](const Measurement& reading) {
@@ -123,8 +122,8 @@ class MistakeSearch {
     }));
   }
 
-  /// Whether the readings have their joints within limits, or no mend but a zero leaves more of them outside than there
-  /// were.
+  /// Returns true if the corrected readings have their joints within limits, or if the correction has no zeros and does
+  /// not move more readings beyond them.
   [[nodiscard]] bool isWithinLimits(const Mend& mend) const {
     auto readings = trials_.pool().readings;
     mend.apply(readings);
@@ -155,7 +154,7 @@ class MistakeSearch {
     return foremost(std::move(suspects));
   }
 
-  /// Adds a hypothesis with its trial by the drawing, unless it is none or has been tried.
+  /// Adds a hypothesis with its fit by the drawing, unless it is invalid or already tried.
   void screen(JoinedMends tried, std::vector<Suspect>& suspects) const {
     auto parts = withZerosFound(trials_, std::move(tried));
     if (!parts) return;
@@ -169,7 +168,7 @@ class MistakeSearch {
     if (trial.ok) suspects.push_back({std::move(*parts), std::move(mend), std::move(trial), {}});
   }
 
-  /// Those by which the drawing fits best.
+  /// Returns the suspects with the best fit by the drawing.
   std::vector<Suspect> foremost(std::vector<Suspect> suspects) const {
     const std::size_t kept = std::min(kFinalists, suspects.size());
     std::partial_sort(suspects.begin(), suspects.begin() + static_cast<std::ptrdiff_t>(kept), suspects.end(),
@@ -185,9 +184,9 @@ class MistakeSearch {
     return -3 * static_cast<double>(trials_.pool().counted_quickly.size()) * std::log(trials_.shrinkage(trial));
   }
 
-  /// The errors that fall most: by the drawing, with the tip as drawn, or with all that is open; of a part of the
-  /// readings those of all, as the part may be what others leave out. A fit with as many numbers as the readings hold
-  /// says nothing of an error, and no fit says that it is below the noise.
+  /// Sets the two errors with the greatest fall: by the drawing, with the tip as drawn, or with all that is open. If a
+  /// part of the readings is corrected, those of all readings count as well, since the others may omit this part. A fit
+  /// with as many numbers as the readings have gives no error, and no error is stated below the noise.
   void stateErrors(const Suspect& best, MeasurementCheck& check) const {
     struct Fall {
       TrialDepth depth;

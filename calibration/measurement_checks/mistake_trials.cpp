@@ -12,12 +12,12 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kUsualTurn = 0.05;   // rad, and ...
-constexpr double kUsualShift = 0.05;  // ... of the reach: what bases are usually off by
+constexpr double kUsualTurn = 0.05;   // usual rotation of a base from its nominal place [rad]
+constexpr double kUsualShift = 0.05;  // usual shift of a base, as a share of the reach
 constexpr std::size_t kQuickReadings = 40;
 
-/// Indices of the readings to look at: all, or whole groups drawn by the seed; those of one unknown place are a
-/// group.
+/// Returns the indices of the readings to use: all, or whole groups drawn by the seed. Readings of one unknown place
+/// form a group.
 std::vector<std::size_t> drawReadings(const std::vector<Measurement>& readings, std::size_t most, std::uint64_t seed) {
   auto groups = groupsByPlace(readings);
   std::vector<std::size_t> drawn;
@@ -55,10 +55,11 @@ std::vector<Measurement> only(std::vector<Measurement> readings, const std::set<
   return readings;
 }
 
-/// Everything that the drawing leaves open: what the cell frees, all geometry, and every stiffness by one number.
+/// Returns everything that the drawing leaves open: the cell's free numbers, all geometry, and every stiffness by one
+/// number.
 FreeChoice allThatIsOpen(const CheckedReadings& checked) {
   FreeChoice open = checked.free;
-  open.base = true;  // of base poses that are not known
+  open.base = true;  // base poses that are not known
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
@@ -88,8 +89,8 @@ double turnOf(const PlacedArm& found, const PlacedArm& nominal, std::size_t p) {
   return Eigen::AngleAxisd(turn).angle();
 }
 
-/// How far tips that touched unknown points are spread: a mistake that draws them together lowers their error for no
-/// merit of its own. 0 where there are none.
+/// Returns the spread of tips that touched unknown points [m], 0 if there are none. A mistake that contracts them
+/// lowers their error without being right.
 double extentOfTips(const PlacedArm& placed, const std::vector<Measurement>& readings) {
   std::vector<Eigen::Vector3d> tips;
   for (const auto& reading : readings)
@@ -121,8 +122,8 @@ MistakeTrials::MistakeTrials(const CheckedReadings& checked, const CheckOptions&
   as_is_.error = drawn.error;
   const Trial held = tried({}, TrialDepth::kHeld);
   as_is_.held_error = held.error;
-  // What is open besides would share the base's way, and of few readings so would the tip: by the drawing it has all of
-  // it. A tip that is not as drawn sends the base off, and the two together are nearer to the truth.
+  // With all that is open, other numbers share the base's displacement, and with few readings the tip does too. By the
+  // drawing alone the base has all of it. A wrong tip displaces the base, so the nearer of the two fits is used.
   const Trial& nearer = held.ok && (!drawn.ok || held.base_shift < drawn.base_shift) ? held : drawn;
   as_is_.base_shift = nearer.base_shift;
   as_is_.base_turn = nearer.base_turn;
@@ -132,7 +133,7 @@ const FreeChoice& MistakeTrials::freeAt(TrialDepth depth) const {
   return depth == TrialDepth::kOpen ? open_ : depth == TrialDepth::kDrawn ? drawn_ : held_;
 }
 
-/// The drawing with the base free where it is not known, with the tip besides, or with all that is open.
+/// Fits the drawing with an unknown base free, with the tip as well, or with all that is open.
 RobustFit MistakeTrials::fit(PlacedArm start, const std::vector<Measurement>& readings, TrialDepth depth,
                              const std::vector<std::string>& zeros) const {
   RobustFitOptions options;
@@ -186,7 +187,7 @@ Trial MistakeTrials::judged(const RobustFit& fit, const PlacedArm& nominal,
   return trial;
 }
 
-/// Each set-up by a fit of its own, a tip among its numbers.
+/// Fits each set-up separately, with its own tip.
 Trial MistakeTrials::triedApart(TrialDepth depth) const {
   Trial whole;
   whole.ok = true;

@@ -1,4 +1,4 @@
-// Readings as they are, or as one mistake would have them, fitted three ways: by the drawing with the tip as drawn,
+// Fits of the readings, as stated or corrected for one mistake, at three depths: by the drawing with the tip as drawn,
 // with the tip free, and with all that the drawing leaves open.
 #pragma once
 
@@ -12,67 +12,70 @@
 
 namespace tubeplan::calibration {
 
-inline constexpr double kFarTurn = 0.35;   ///< rad, of the base from its nominal place
-inline constexpr double kFarShift = 0.25;  ///< of the arm's reach, the same
+/// Least rotation of the base from its nominal place that counts as far [rad].
+inline constexpr double kFarTurn = 0.35;
+/// Least shift of the base that counts as far, as a share of the arm's reach.
+inline constexpr double kFarShift = 0.25;
 
-/// Of the readings as they are or as one mistake would have them.
-/// `error` is by the drawing, base and tip free; the lack of fit counts the base's prior.
+/// Fit of the readings, as stated or corrected for one mistake. `error` is by the drawing with base and tip free; the
+/// lack of fit includes the base's prior.
 struct Trial : RobustFit {
-  double held_error = std::numeric_limits<double>::infinity();  // m, the same with the tip as drawn
-  double open_error = std::numeric_limits<double>::infinity();  // m, with all that the drawing leaves open
-  double base_shift = 0, base_turn = 0;                         // of the base from its nominal place; the largest
-  double extent = 0;                                            // m, of predicted tips that touched unknown points
+  double held_error = std::numeric_limits<double>::infinity();  // the error with the tip as drawn [m]
+  double open_error = std::numeric_limits<double>::infinity();  // the error with all that the drawing leaves open [m]
+  double base_shift = 0, base_turn = 0;  // of the base from its nominal place, the largest [m, rad]
+  double extent = 0;                     // spread of the predicted tips that touched unknown points [m]
 };
 
 enum class TrialDepth {
-  kHeld,   ///< the base where it is not known
-  kDrawn,  ///< and the tip
-  kOpen,   ///< and all that the drawing leaves open
+  kHeld,   ///< with the base free if it is unknown
+  kDrawn,  ///< with the tip free as well
+  kOpen,   ///< with all that the drawing leaves open free as well
 };
 
-/// The drawn readings with their neighbours, for mistakes of the order; ids say which are counted.
+/// Drawn readings with their neighbours, for mistakes of the order; the ids name those that are counted.
 struct ReadingPool {
   std::vector<Measurement> readings;
   std::set<std::string> counted, counted_quickly;
 };
 
-/// Both `checked` and `options` must outlive the trials.
+/// Fits of corrected readings. Both `checked` and `options` must outlive the object.
 class MistakeTrials {
  public:
   MistakeTrials(const CheckedReadings& checked, const CheckOptions& options);
 
-  /// The readings as they are; its errors are those of all three depths.
+  /// Returns the fit of the readings as stated, with the errors at all three depths.
   [[nodiscard]] const Trial& asIs() const { return as_is_; }
   [[nodiscard]] Trial tried(const Mend& mend, TrialDepth depth) const;
-  /// By the drawing, some joints' zeros free besides.
+  /// Returns the fit by the drawing with some joints' zeros free as well.
   [[nodiscard]] RobustFit fitZeros(const Mend& mend, PlacedArm start, const std::vector<std::string>& zeros) const;
-  /// The cell's, its base as far known as the mistake leaves it.
+  /// Returns the cell's arm, with its base as known as the mistake leaves it.
   [[nodiscard]] PlacedArm startOf(const Mend& mend) const;
-  /// The readings that count, as a mistake would have them; fewer of them but for the deepest trial.
+  /// Returns the counted readings, corrected for a mistake; fewer of them except at the greatest depth.
   [[nodiscard]] std::vector<Measurement> mended(const Mend& mend, TrialDepth depth) const;
-  /// The readings that count as they are, by an arm of another drawing, base and tip free.
+  /// Returns the fit of the readings as stated by an arm of another drawing, with base and tip free.
   [[nodiscard]] Trial triedBy(PlacedArm drawing) const;
-  /// All that the drawing leaves open.
+  /// Returns the names of all that the drawing leaves open.
   [[nodiscard]] const FreeChoice& open() const { return open_; }
 
-  /// How many numbers the readings hold beyond those that a fit of that depth finds; none where it may fit anything.
+  /// Returns the excess of numbers in the readings over those that a fit of this depth determines; not positive if it
+  /// may fit anything.
   [[nodiscard]] int freedom(const Mend& mend, TrialDepth depth) const;
-  /// Length of the errors that noise alone leaves, as the readings state it [m].
+  /// Returns the length of the errors by the stated noise alone [m].
   [[nodiscard]] double noise(const Mend& mend) const;
 
-  /// How much smaller a mistake makes what is touched: above 1 where it draws the tips together.
+  /// Returns the ratio by which a mistake contracts the touched tips; above 1 if they are closer together.
   [[nodiscard]] double shrinkage(const Trial& trial) const;
-  /// By how much less a mistake leaves than the readings as they are; where those cannot be fitted, by a lot.
+  /// Returns the fall of the lack of fit by a mistake; a large number if the readings as stated cannot be fitted.
   [[nodiscard]] double gain(const Trial& trial) const;
-  /// Returns true if a trial has the base far from its nominal place. Touches of unknown points alone say nothing of
-  /// it.
+  /// Returns true if a trial has the base far from its nominal place. Touches of unknown points alone give no
+  /// information on it.
   [[nodiscard]] bool isBaseFar(const Trial& trial) const;
 
   [[nodiscard]] const CheckedReadings& checked() const { return checked_; }
   [[nodiscard]] const CheckOptions& options() const { return options_; }
   [[nodiscard]] const ReadingPool& pool() const { return pool_; }
   [[nodiscard]] double reach() const { return reach_; }
-  /// Whether any reading states where its point is.
+  /// Returns true if any reading states the position of its point.
   [[nodiscard]] bool hasPlaces() const { return has_places_; }
 
  private:

@@ -1,4 +1,5 @@
-// One touch that names another hole than was touched. Looked for reading by reading (measurement_checks.cpp).
+// Mistake of one touch that names another hole than the touched one. It is searched for reading by reading
+// (measurement_checks.cpp).
 #pragma once
 
 #include "calibration/measurement_checks/mistake.hpp"

@@ -13,9 +13,9 @@ namespace tubeplan::calibration::mistakes::part_in_unit {
 namespace {
 
 constexpr std::size_t kMostLooked = 2000;
-constexpr std::size_t kShortest = 2;  // a single reading that is off may be so for any reason
+constexpr std::size_t kShortest = 2;  // a single wrong reading may have any cause
 
-/// The run whose sum is largest (Kadane), of those every so many that were looked at; then row by row at its ends.
+/// Returns the run with the largest sum (Kadane) among rows at a fixed stride, extended row by row at its ends.
 std::optional<Run> bestRun(RowComparison& comparison, std::size_t count) {
   const std::size_t stride = (count + kMostLooked - 1) / kMostLooked;
   double best = 0, sum = 0;

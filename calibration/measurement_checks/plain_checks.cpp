@@ -20,8 +20,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Joint readings that are all as small as angles in radians are, and would be within the joints' limits if they were.
-/// Touches of points that nobody measured fit either way, so no error shows it.
+/// Returns a remark on joint readings that are all as small as angles in radians, and within the joints' limits if they
+/// were radians. Touches of unmeasured points fit either way, so no error shows it.
 std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
   constexpr double kTurn = 2 * std::numbers::pi;
   constexpr std::size_t kFew = 4;
@@ -44,7 +44,8 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
       "angles=rad");
 }
 
-/// Joints that read farther than any turns: their scales are to be stated, or found where it is one.
+/// Returns a remark on joints that read farther than any joint turns. Their scales must be stated, or are fitted if
+/// there is only one.
 std::optional<MeasurementCheck> pulses(const CheckedReadings& checked) {
   const auto joints = mistakes::joint_scale::jointsBeyondTurns(checked);
   if (joints.empty()) return std::nullopt;
@@ -73,8 +74,8 @@ std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
                   heaviest / unit.factor, unit.name, weight / unit.factor, unit.name));
 }
 
-/// Beams that bend further under these readings than so few segments follow, by more than half the readings' noise. The
-/// heaviest loads are looked at, and others among them.
+/// Returns a remark on beams with too few segments for their bending under these readings: the error exceeds half the
+/// readings' noise. The heaviest loads and some others are evaluated.
 std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
   constexpr std::size_t kMostSolved = 8;
   constexpr double kOfNoise = 0.5;
@@ -105,7 +106,7 @@ std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
   return remarkOf("segments", std::move(sentence));
 }
 
-/// So few that no error would show what is wrong with them.
+/// Returns a remark on too few readings for their errors to show a mistake.
 std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
   constexpr int kLeastFreedom = 6;
   PlacedArm placed = checked.start;
@@ -120,7 +121,7 @@ std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
                                       " free parameters: a model error would hardly show; measure more, or free fewer");
 }
 
-/// "base-slip or base-drift", the effects that vary with a condition.
+/// Returns the effects that vary with a condition: "base-slip or base-drift".
 std::string effectsOf(Condition condition) {
   std::string names;
   for (const auto& kind : deflection::effectKinds())
@@ -160,7 +161,7 @@ std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,
 }
 
 std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked, const PlacedArm& found) {
-  constexpr double kSlack = 1.02;  // of the reach: an arm may sag a little further than it is long
+  constexpr double kSlack = 1.02;  // share of the reach: an arm may sag slightly beyond its length
   for (int j = 0; j < checked.start.arm.jointCount(); ++j) {
     const auto& joint = checked.start.arm.joint(j);
     const bool is_endless =
@@ -209,7 +210,7 @@ std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, cons
          "hole=" + reading.id + ":" + name,
          {}});
   }
-  // Where most are off, it is no slip of a single name.
+  // If most touches are off, the cause is not a single wrong name.
   return mistaken.size() * 3 > tried ? std::vector<MeasurementCheck>{} : mistaken;
 }
 

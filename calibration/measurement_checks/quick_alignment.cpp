@@ -12,13 +12,14 @@ using Eigen::Matrix3d, Eigen::Matrix4d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kBlindShare = 0.01;                                 // of the reach: what a rigid drawing may be off by
-constexpr double kRows = 3;                                          // of a reading
-constexpr double kUsualTurnOfBase = 0.05, kUsualShiftOfBase = 0.05;  // rad, of the reach: what bases are off by
+constexpr double kBlindShare = 0.01;  // share of the reach: usual error of a rigid drawing
+constexpr double kRows = 3;           // rows of a reading
+// Usual displacement of a base [rad, share of the reach].
+constexpr double kUsualTurnOfBase = 0.05, kUsualShiftOfBase = 0.05;
 constexpr int kReweighings = 3;
 constexpr std::size_t kLeastPlaces = 6;
 
-/// Tips and the places measured of them, of one set-up.
+/// Tips and their measured places [m], of one set-up.
 struct Cloud {
   std::vector<Vector3d> tips, places;
 };
@@ -34,8 +35,8 @@ void squaresOf(const Cloud& cloud, const Placing& X, std::vector<double>& square
     squares[k] = (X.R * cloud.tips[k] + X.p - cloud.places[k]).squaredNorm();
 }
 
-/// Largest eigenvalue of the symmetric matrix K without trace, from an upper bound of it, by Newton's method on the
-/// characteristic polynomial.
+/// Returns the largest eigenvalue of the symmetric matrix K of zero trace, from an upper bound, by Newton's method on
+/// the characteristic polynomial.
 double largestEigenvalue(const Matrix4d& K, const Matrix3d& H, double bound) {
   constexpr int kMostSteps = 30;
   const double c2 = -2 * H.squaredNorm(), c1 = -8 * H.determinant(), c0 = K.determinant();
@@ -51,8 +52,8 @@ double largestEigenvalue(const Matrix4d& K, const Matrix3d& H, double bound) {
   return value;
 }
 
-/// The turn that takes a to b where H is the sum of a b^T: Horn 1987 by unit quaternions, the eigenvector as Theobald
-/// 2005 and Liu, Agrafiotis and Theobald 2010 find it. `bound`: half the sum of the squares of all a and b.
+/// Returns the rotation from a to b for H, the sum of a b^T: Horn 1987 by unit quaternions, the eigenvector as in
+/// Theobald 2005 and in Liu, Agrafiotis and Theobald 2010. `bound`: half the sum of the squares of all a and b.
 Matrix3d turnBetween(const Matrix3d& H, double bound) {
   Matrix4d K;
   K << H(0, 0) + H(1, 1) + H(2, 2), H(1, 2) - H(2, 1), H(2, 0) - H(0, 2), H(0, 1) - H(1, 0),  //
@@ -62,7 +63,7 @@ Matrix3d turnBetween(const Matrix3d& H, double bound) {
   const Matrix4d shifted = K - largestEigenvalue(K, H, bound) * Matrix4d::Identity();
   Eigen::Vector4d best = Eigen::Vector4d::Unit(0);
   double longest = 0;
-  for (int row = 0; row < 4; ++row) {  // a row of cofactors is the eigenvector, unless it vanishes
+  for (int row = 0; row < 4; ++row) {  // a row of cofactors is the eigenvector, unless it is zero
     Eigen::Vector4d cofactors;
     for (int column = 0; column < 4; ++column) {
       Matrix3d minor;
@@ -79,7 +80,7 @@ Matrix3d turnBetween(const Matrix3d& H, double bound) {
   return Eigen::Quaterniond(best[0], best[1], best[2], best[3]).toRotationMatrix();
 }
 
-/// The placing that leaves least by these weights.
+/// Returns the pose with the least squares for these weights.
 Placing aligned(const Cloud& cloud, const std::vector<double>& weights) {
   double sum = 0, squares = 0;
   Vector3d tip = Vector3d::Zero(), place = Vector3d::Zero();
@@ -98,23 +99,23 @@ Placing aligned(const Cloud& cloud, const std::vector<double>& weights) {
   return {R, place - R * tip};
 }
 
-/// What a base so far from its nominal place has against it, as the log of a probability (mistake_trials.cpp has the
-/// same).
+/// Returns the log of the prior odds against a base at this distance from its nominal place (the same as in
+/// mistake_trials.cpp).
 double oddsAgainst(const Placing& X, const Eigen::Isometry3d& nominal, double reach) {
   const double shift = (X.p - nominal.translation()).norm() / (kUsualShiftOfBase * reach);
   const double turn = Eigen::AngleAxisd(X.R * nominal.linear().transpose()).angle() / kUsualTurnOfBase;
   return 3.5 * std::log1p(shift * shift + turn * turn);
 }
 
-/// Sum of half the logarithms of one and the squares over that of `blind`.
+/// Returns the sum of half the logarithms of one plus each square over the square of `blind`.
 double sumOf(const std::vector<double>& squares, double blind) {
   double sum = 0;
   for (const double square : squares) sum += std::log1p(square / (blind * blind)) / 2;
   return sum;
 }
 
-/// The same after the best placing, with weights of Cauchy about the typical square where the sum is promising, and
-/// with what the placing has against it.
+/// Returns the same sum after the best alignment, with the prior odds against the base. If the sum is promising, the
+/// alignment has Cauchy weights about the typical square.
 double alignedSum(const Cloud& cloud, const Eigen::Isometry3d& nominal, double blind, double promising) {
   std::vector<double> weights(cloud.tips.size(), 1), squares;
   Placing X = aligned(cloud, weights);

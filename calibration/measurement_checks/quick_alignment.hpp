@@ -1,5 +1,5 @@
-// How far readings are from where the drawing, taken as rigid, would have them, with the base where it suits them best:
-// in microseconds, to choose among thousands of ways to take them those worth a fit.
+// Distance of readings from the rigid drawing with the base at its best place. It takes microseconds, so that thousands
+// of corrections can be compared and only a few are fitted.
 #pragma once
 
 #include <limits>
@@ -12,22 +12,23 @@ namespace tubeplan::calibration {
 
 struct QuickAlignmentOptions {
   bool frees_base = false;
-  double share = 1;  ///< of a hundredth of the reach: errors below it count as none
-  double promising = std::numeric_limits<double>::infinity();  ///< score that is not asked for more exactly than so
+  double share = 1;  ///< share of a hundredth of the reach, below which errors count as zero
+  /// Score above which no greater accuracy is needed.
+  double promising = std::numeric_limits<double>::infinity();
 };
 
-/// Each thread needs its own.
+/// Alignment of rigid tips with measured places. Each thread needs its own object.
 class QuickAlignment {
  public:
-  /// `reach` of the arm [m].
+  /// Prepares the alignment for an arm with this `reach` [m].
   QuickAlignment(const PlacedArm& start, double reach);
 
-  /// Tips in the base frame [m], one for each reading; of those that state no place nothing is to be read.
+  /// Returns the tips in the base frame [m], one for each reading; undefined for readings that state no place.
   [[nodiscard]] std::vector<Eigen::Vector3d> tips(const std::vector<Measurement>& readings);
 
-  /// Mean of half the logarithm of one and the squares of the errors over what counts as none; infinite where too few
-  /// readings state a place. A base that is not known is placed by a closed form, with weights that fall with the
-  /// errors where the score is promising, and what its distance from the nominal place has against it counts.
+  /// Returns the mean of half the logarithm of one plus the squared error over the square of what counts as zero;
+  /// infinite if too few readings state a place. An unknown base is placed in closed form, with weights that decrease
+  /// with the error if the score is promising; a penalty for its distance from the nominal place is included.
   [[nodiscard]] double score(const std::vector<Measurement>& readings, const std::vector<Eigen::Vector3d>& tips,
                              const QuickAlignmentOptions& options = {}) const;
 

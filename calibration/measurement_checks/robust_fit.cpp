@@ -17,13 +17,13 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kBest = 0.9;  // share of the readings that an error is stated of
+constexpr double kBest = 0.9;  // share of the readings that an error is stated for
 constexpr int kScaleSteps = 40;
-constexpr double kTellingFreedom = 12;  // from which chi-square says anything of the noise
-constexpr double kConverged = 0.05;     // fall of the lack of fit by a step that asks for no further one
-constexpr int kMostTrials = 6;          // of a step, each shorter than the one before
+constexpr double kTellingFreedom = 12;  // least degrees of freedom for which chi-square informs on the noise
+constexpr double kConverged = 0.05;     // fall of the lack of fit by a step after which the fit ends
+constexpr int kMostTrials = 6;          // tries of a step, each shorter than the one before
 
-/// The sum of the least values, such a share of all, and how many they are.
+/// Returns the sum of the least values, up to this share of all, and their number.
 std::pair<double, std::size_t> sumOfLeast(std::vector<double> values, double share) {
   std::ranges::sort(values);
   const auto kept = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
@@ -38,7 +38,7 @@ class StudentLoss {
   StudentLoss(const std::vector<Measurement>& readings, const ReadingWeights& weights)
       : readings_(readings), weights_(weights), square_(readings.size()), weight_(readings.size()) {}
 
-  /// -log likelihood at the best scale, which it settles with the weights.
+  /// Sets the best scale and the weights, and returns the -log likelihood.
   double settle(const VectorXd& r) {
     for (std::size_t k = 0; k < square_.size(); ++k)
       square_[k] = r.segment(weights_.first_row[k], rowsOf(readings_[k])).squaredNorm();
@@ -65,7 +65,7 @@ class StudentLoss {
     return value;
   }
 
-  /// Roots of the weights of each row, over the scale.
+  /// Returns the root of each row's weight, divided by the scale.
   [[nodiscard]] VectorXd rowWeights() const {
     VectorXd rows(weights_.rows);
     for (std::size_t k = 0; k < weight_.size(); ++k)
@@ -73,9 +73,9 @@ class StudentLoss {
     return rows;
   }
 
-  /// Chi-square of the readings that fit best over what so many degrees of freedom of all expect of them.
+  /// Returns chi-square of the best readings relative to its expectation for so many degrees of freedom of all.
   [[nodiscard]] double chi2PerFreedom(double degrees_of_freedom) const {
-    constexpr double kShareOfBest = 0.74;  // the tenth that fits worst holds a quarter of chi-square of three
+    constexpr double kShareOfBest = 0.74;  // the worst tenth has a quarter of the chi-square of three rows
     return sumOfLeast(square_, kBest).first / (degrees_of_freedom * kShareOfBest);
   }
 
@@ -96,7 +96,7 @@ double priorLackOfFit(const std::vector<Unknown>& unknowns, const VectorXd& x) {
   return priorResiduals(unknowns, x).squaredNorm() / 2;
 }
 
-/// The fit under way.
+/// Iteration of the fit.
 class Descent {
  public:
   Descent(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
@@ -125,8 +125,8 @@ class Descent {
   [[nodiscard]] const VectorXd& residual() const { return r_; }
 
  private:
-  /// To the least of g s + s A s / 2 with no number past its bounds: one that would pass is held there, and the others
-  /// make up for it.
+  /// Returns the minimum of g s + s A s / 2 with every number within its bounds. A number that would exceed one is held
+  /// there, and the others are solved again.
   [[nodiscard]] VectorXd boundedStep(const MatrixXd& A, const VectorXd& g) const {
     VectorXd step = VectorXd::Zero(g.size());
     std::vector<Index> free(static_cast<std::size_t>(g.size())), inside;

@@ -14,18 +14,18 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kDisplayDegrees[] = {1, 0.5, 0.1, 0.05, 0.01};                // deg, that displays round to
-constexpr double kDisplayRadians[] = {0.1, 0.05, 0.01, 0.005, 0.001, 0.0005};  // the same in rad
-constexpr double kNearStep = 0.02;  // of a step: a number written with few digits
+constexpr double kDisplayDegrees[] = {1, 0.5, 0.1, 0.05, 0.01};                // steps of displays [deg]
+constexpr double kDisplayRadians[] = {0.1, 0.05, 0.01, 0.005, 0.001, 0.0005};  // steps of displays [rad]
+constexpr double kNearStep = 0.02;  // share of a step: a number written with few digits
 constexpr std::size_t kLeastReadings = 8, kLeastStops = 4;
-constexpr double kShareOfError = 1. / 3;  // of the error that the rounding makes, at least, and the other way round
+constexpr double kShareOfError = 1. / 3;  // least ratio of the errors to those of the rounding, and the reverse
 
 struct DisplayStep {
-  double size = 0;  ///< rad
+  double size = 0;  ///< [rad]
   std::string text;
 };
 
-/// The largest first.
+/// Returns the steps, largest first.
 std::vector<DisplayStep> displaySteps() {
   std::vector<DisplayStep> steps;
   for (const double degrees : kDisplayDegrees) steps.push_back({degrees * kDegree, fmt::format("{} deg", degrees)});
@@ -34,7 +34,8 @@ std::vector<DisplayStep> displaySteps() {
   return steps;
 }
 
-/// Whether a joint's readings are whole multiples of a step in several places: a joint that rests is at any.
+/// Returns true if a joint's readings are whole multiples of a step, with several different values; a joint at rest may
+/// have any.
 bool areMultiples(const std::vector<Measurement>& readings, int joint, double step) {
   std::set<double> places;
   for (const auto& reading : readings) {
@@ -45,7 +46,7 @@ bool areMultiples(const std::vector<Measurement>& readings, int joint, double st
   return places.size() >= kLeastStops;
 }
 
-/// The steps of the joints that are rounded to one coarser than their encoder; without a size those of the others.
+/// Returns the step of each joint that is rounded to one coarser than its encoder; without a size for the other joints.
 std::vector<DisplayStep> stepsOf(const CheckedReadings& checked) {
   const auto& arm = checked.start.arm;
   const auto steps = displaySteps();
@@ -59,7 +60,7 @@ std::vector<DisplayStep> stepsOf(const CheckedReadings& checked) {
   return of_joints;
 }
 
-/// Root mean square of what the rounding moves the tips by [m].
+/// Returns the root-mean-square motion of the tips by the rounding [m].
 double motionOfRounding(const std::vector<DisplayStep>& steps, const MistakeTrials& trials) {
   const PlacedArm& placed = trials.asIs().placed;
   double squares = 0;
@@ -76,8 +77,8 @@ double motionOfRounding(const std::vector<DisplayStep>& steps, const MistakeTria
   return std::sqrt(squares / std::max(1, count));
 }
 
-/// Returns the share of the squares of any scatter that a fit of all that is open leaves: of few readings it takes
-/// most.
+/// Returns the share of the squares of any scatter that remains after a fit of all that is open; with few readings it
+/// is small.
 double shareLeft(const MistakeTrials& trials) {
   double rows = 0;
   for (const auto& reading : trials.pool().readings)
@@ -85,8 +86,8 @@ double shareLeft(const MistakeTrials& trials) {
   return std::clamp(trials.freedom({}, TrialDepth::kOpen) / std::max(1., rows), 0., 1.);
 }
 
-/// "all joint readings are multiples of 0.1 deg", or "the readings of q1 and q2 are multiples of 0.1 deg, of q3 of
-/// 0.001 rad".
+/// Returns "all joint readings are multiples of 0.1 deg", or "the readings of q1 and q2 are multiples of 0.1 deg, of q3
+/// of 0.001 rad".
 std::string stepsText(const CheckedReadings& checked, const std::vector<DisplayStep>& steps) {
   const auto is_alike = [&](const DisplayStep& step) { return step.text == steps.front().text; };
   if (std::ranges::all_of(steps, is_alike)) return "all joint readings are multiples of " + steps.front().text;
@@ -107,7 +108,7 @@ std::string stepsText(const CheckedReadings& checked, const std::vector<DisplayS
 std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials) {
   const CheckedReadings& checked = trials.checked();
   const Trial& as_is = trials.asIs();
-  constexpr double kMisfit = 2;  // of chi-square for each degree of freedom
+  constexpr double kMisfit = 2;  // of chi-square per degree of freedom
   if (checked.readings.size() < kLeastReadings || !(as_is.chi2_per_freedom > kMisfit)) return std::nullopt;
   const auto steps = stepsOf(checked);
   if (std::ranges::none_of(steps, [](const DisplayStep& step) { return step.size > 0; })) return std::nullopt;

@@ -1,5 +1,4 @@
-// Which of two readings of the same rows an arm fits better, row by row: how a mistake that begins within a table is
-// found where it begins.
+// Row-by-row comparison of two versions of the readings with an arm, which finds the row where a mistake begins.
 #pragma once
 
 #include <optional>
@@ -10,18 +9,17 @@
 
 namespace tubeplan::calibration {
 
-/// Where the bases may be: at their nominal places, and where they are not known as the first or the last readings have
-/// them, which are free of a mistake that begins or ends between.
+/// Returns possible bases: the nominal ones and, for unknown ones, those fitted to the first and to the last readings,
+/// which precede or follow a mistake in the middle.
 [[nodiscard]] std::vector<PlacedArm> likelyPlacings(const CheckedReadings& checked);
 
-/// How far readings are from where an arm would be, each found when it is first asked for. Arm and readings must
-/// outlive it.
+/// Distances of readings from an arm, each computed on first use. Arm and readings must outlive the object.
 class RowErrors {
  public:
   RowErrors(const PlacedArm& placed, const std::vector<Measurement>& readings)
       : placed_(placed), readings_(readings), predictor_(placed.arm), known_(readings.size()) {}
 
-  /// Returns the error of row `k` [m]; not a number of readings that state no place.
+  /// Returns the error of row `k` [m]; NaN for readings that state no place.
   double at(std::size_t k);
 
  private:
@@ -33,15 +31,16 @@ class RowErrors {
   std::vector<std::optional<double>> known_;
 };
 
-/// The two readings of the rows, as they are and as a mistake would have them.
+/// Comparison of the rows as stated with the corrected ones.
 class RowComparison {
  public:
-  static constexpr double kLeastMean = 1;  ///< of a run that a mistake explains: it changes numbers by more
+  /// Least mean over a run that a mistake explains; a mistake changes numbers by more.
+  static constexpr double kLeastMean = 1;
 
   RowComparison(RowErrors& as_is, RowErrors& mended, double reach);
 
-  /// Returns the logarithm of the ratio of the errors of row `k`, within 3: above zero where the mended one fits
-  /// better, 0 where neither says anything.
+  /// Returns the logarithm of the ratio of the errors of row `k`, limited to 3 in size. It is positive if the corrected
+  /// row fits better, and 0 if the row gives no information.
   double at(std::size_t k);
 
  private:

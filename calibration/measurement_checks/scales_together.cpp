@@ -14,12 +14,13 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kSharesOfLimit[] = {0.95, 0.7, 0.5, 0.36};  // of a joint's limit, that its largest reading may be
-constexpr double kHalfTurn = 3.2;                            // rad, in place of limits that are farther
-constexpr double kPastByScale = 0.05;                        // rad
-constexpr std::size_t kMostTried = 5000;                     // combinations
-constexpr std::size_t kMostLookedAt = 20;                    // readings
-constexpr std::size_t kBettered = 16, kProposed = 2;         // combinations
+// Shares of a joint's limit that its largest reading may have.
+constexpr double kSharesOfLimit[] = {0.95, 0.7, 0.5, 0.36};
+constexpr double kHalfTurn = 3.2;                     // [rad] in place of limits that are farther
+constexpr double kPastByScale = 0.05;                 // most excess over a limit [rad]
+constexpr std::size_t kMostTried = 5000;              // most combinations that are tried
+constexpr std::size_t kMostLookedAt = 20;             // readings in the comparison
+constexpr std::size_t kBettered = 16, kProposed = 2;  // numbers of combinations
 constexpr int kScaleTurns = 3, kSectionSteps = 8, kFitRepeats = 3;
 
 struct Scales {
@@ -43,7 +44,7 @@ class ScalesTogether {
   }
 
  private:
-  /// Scales of either sign by which a joint's readings are within its limits and take up much of them.
+  /// Returns scales of either sign with which a joint's readings are within its limits and cover much of them.
   [[nodiscard]] std::vector<double> worthTrying(int j) const {
     const auto& joint = checked_.start.arm.joint(j);
     const auto [lowest, highest] = mistakes::joint_scale::rangeOf(checked_, j);
@@ -61,7 +62,7 @@ class ScalesTogether {
     return factors;
   }
 
-  /// Returns the best of all combinations of the factors worth trying.
+  /// Returns the best of all combinations of the tried factors.
   std::vector<Scales> tried() {
     std::vector<Scales> all{{{}, 0}};
     for (const int j : joints_) {
@@ -84,10 +85,10 @@ class ScalesTogether {
     if (all.size() > most) all.resize(most);
   }
 
-  /// Joint by joint, each time within half as far.
+  /// Improves the scales joint by joint, with the range halved each time.
   void better(Scales& scales, double share) {
     scales.score = scaled_.score(scales.factors, share);
-    double apart = 0.3;  // of the scale
+    double apart = 0.3;  // share of the scale
     for (int turn = 0; turn < kScaleTurns; ++turn, apart /= 2)
       for (double& factor : scales.factors) {
         const double before = factor;
@@ -103,7 +104,7 @@ class ScalesTogether {
       }
   }
 
-  /// Fits the factors by the drawing, and the base where it is not known.
+  /// Fits the factors by the drawing, with the base if it is unknown.
   void fit(Scales& scales) const {
     for (int repeat = 0; repeat < kFitRepeats; ++repeat) {
       auto readings = checked_.readings;

@@ -1,8 +1,8 @@
-// Several joints read in pulses of their encoders: the scales of all of them together, by where the arm would be.
+// Scales of several joints that are read in encoder pulses, found together from the arm's positions.
 //
-// Scales of one joint after another do not help: with one wrong the others look wrong too. A campaign moves its joints
-// over a good part of their range, so that a few scales of each, of either sign, are worth trying in all combinations;
-// the best of these are bettered joint by joint and at last by a fit of the scales with the arm's own stiffnesses.
+// Scales of one joint at a time do not help: with one wrong scale the others look wrong too. A campaign moves its
+// joints over much of their range, so a few scales of either sign for each joint are tried in all combinations. The
+// best ones are improved joint by joint, and finally by a fit of the scales with the arm's own stiffnesses.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the likeliest scales, as values of `joint-scale` one for each of the joints [rad per what was read]; the
-/// best first, none where too few readings state a place, or the joints are too many.
+/// Returns the likeliest scales, as one value of `joint-scale` for each of the joints [rad per unit read], best first.
+/// Empty if too few readings state a place, or if there are too many joints.
 [[nodiscard]] std::vector<std::vector<std::string>> likelyScales(const CheckedReadings& checked,
                                                                  const std::vector<int>& joints);
 

@@ -1,4 +1,4 @@
-// A tip that was mounted anew between set-ups: each set-up has a tip of its own, so that they cannot be fitted
+// Mistake of a tip that was mounted again between set-ups: each set-up has its own tip, so they cannot be fitted
 // together.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Holes counted from the other side: rows or columns of every named hole the wrong way round, as on a sheet seen from
-// its other face.
+// Mistake of holes counted from the other side: rows or columns of every named hole are reversed, as on a sheet seen
+// from its other face.
 #pragma once
 
 #include <cmath>

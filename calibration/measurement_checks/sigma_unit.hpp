@@ -1,5 +1,6 @@
-// The stated noise in another unit than its column says. No error shows it, only how small the error is beside it: it
-// is looked for apart (measurement_checks.cpp), so that no form of it is tried here.
+// Mistake of the stated noise in another unit than stated by its column. No error shows it, only the small size of the
+// error relative to the noise. It is searched for separately (measurement_checks.cpp), so none of its forms is tried
+// here.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"

@@ -19,15 +19,17 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kGross = 10;      // times what most readings are off by, and their noise: no law leaves one reading so
-constexpr std::size_t kLeast = 6;  // readings, by which it is known what most are off by
-constexpr double kMostOfThem = 0.2;  // of the readings: of more, their joints are not what is wrong ...
-constexpr double kMostOfRun = 0.4;   // ... unless they follow one another
+// Factor over the usual error and the noise; no physical law leaves a single reading so far off.
+constexpr double kGross = 10;
+constexpr std::size_t kLeast = 6;  // least number of readings that show the usual error
+// Share of readings above which the joints are not the cause, unless they are consecutive.
+constexpr double kMostOfThem = 0.2;
+constexpr double kMostOfRun = 0.4;  // the same for consecutive readings
 
-/// What two readings have alike, and their set-up.
+/// Numbers that two readings have in common, and their set-up.
 using Station = std::pair<std::vector<double>, std::string>;
 
-/// Joints and load, as of two readings of one posture.
+/// Returns the joints and load, which are equal in two readings of one posture.
 std::optional<Station> jointsOf(const Measurement& reading) {
   std::vector<double> numbers(reading.q.begin(), reading.q.end());
   numbers.insert(numbers.end(), reading.side_q.begin(), reading.side_q.end());
@@ -35,14 +37,14 @@ std::optional<Station> jointsOf(const Measurement& reading) {
   return Station{std::move(numbers), reading.setup};
 }
 
-/// The place that an instrument measured, number for number; a touched place may well be the same.
+/// Returns the place that an instrument measured; nothing for touched places, which may be the same.
 std::optional<Station> placeMeasured(const Measurement& reading) {
   const auto& kind = kindOf(reading);
   if (!reading.p_W || !kind.is_place || kind.is_touch || kind.has_anchor) return std::nullopt;
   return Station{{reading.p_W->begin(), reading.p_W->end()}, reading.setup};
 }
 
-/// A side of a reading that may be that of another.
+/// Part of a reading that may belong to another one.
 struct Side {
   const char *name, *one, *several, *cause;
   std::optional<Station> (*of)(const Measurement&);
@@ -56,15 +58,15 @@ constexpr Side kSides[] = {
      "readings state the place of another reading, to the last digit, and the arm is not there",
      "the tracker stood still while the arm moved on, or the place was copied", placeMeasured}};
 
-/// Length of a reading's error by the model [m], as its kind counts it; not a number of touches of unknown places, and
-/// where the model cannot be evaluated.
+/// Returns the length of a reading's error by the model [m], as defined by its kind. NaN for touches of unknown places,
+/// and if the model cannot be evaluated.
 double errorOf(const PlacedArm& placed, const Measurement& reading) {
   if (hasUnknownPlace(reading)) return kNotKnown;
   const Prediction predicted = predictReading(placed, reading);
   return predicted.ok ? (predicted.value - kindOf(reading).measured(reading)).norm() : kNotKnown;
 }
 
-/// A reading, and the one whose joints it states.
+/// Reading, and the one whose joints it states.
 struct Stale {
   std::size_t reading = 0, of = 0;
 };
@@ -99,7 +101,7 @@ std::string distanceText(const CheckedReadings& checked, const Stale& stale) {
   return fmt::format(", {:.3g} {} from there", (*reading.p_W - *of.p_W).norm() / unit.factor, unit.name);
 }
 
-/// Root mean square of the errors that are known [m], all or those of readings that are not stale.
+/// Returns the root mean square of the known errors [m], without those of the given stale readings.
 double rmsOf(const std::vector<double>& errors, const std::vector<Stale>& without) {
   double sum = 0;
   int count = 0;

@@ -1,5 +1,5 @@
-// Readings that state the joints of another, logged before the controller had its new ones or copied from the row
-// above, or the place of another, of a tracker that stood still: single ones, and runs.
+// Mistake of readings with the joints of another reading, logged too early or copied from the row above, or with the
+// place of another one, from a tracker that stood still: single readings, and runs.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace tubeplan::calibration {
 
-/// Names the readings whose joint columns, or whose measured place, are those of another reading, number for number,
-/// and whose measured values are far from where an arm at these joints would have them, while the other's are near.
-/// `found` is the model as a robust fit has it.
+/// Returns checks of readings whose joint columns, or whose measured place, equal those of another reading exactly.
+/// Their measured values are far from an arm at these joints, while those of the other reading are near. `found` is the
+/// model of a robust fit.
 [[nodiscard]] std::vector<MeasurementCheck> staleReadings(const CheckedReadings& checked, const PlacedArm& found);
 
 }  // namespace tubeplan::calibration

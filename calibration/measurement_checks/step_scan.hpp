@@ -1,4 +1,4 @@
-// How much a step at each reading, or a creep, would explain of what a fit leaves.
+// Share of a fit's errors that a step at each reading, or a creep, would explain.
 #pragma once
 
 #include <Eigen/Dense>
@@ -10,31 +10,31 @@
 
 namespace tubeplan::calibration {
 
-inline constexpr std::size_t kFewestOfStep = 4;  ///< readings before and behind
+inline constexpr std::size_t kFewestOfStep = 4;  ///< least number of readings before and after a step
 
-/// A step of one form where it explains most.
+/// Best step of one form.
 struct FoundStep {
-  std::size_t form = 0, reading = 0;  ///< the first behind it
-  double merit = 0;                   ///< log of the odds that it gains, less its price
+  std::size_t form = 0, reading = 0;  ///< `reading` is the first one after the step
+  double merit = 0;                   ///< log odds gained, minus the step's penalty
   Eigen::VectorXd size;
 };
 
-/// The price of a step of so many numbers at one of the readings, as the log of odds.
+/// Returns the penalty of a step of so many numbers at one of the readings, in log odds.
 [[nodiscard]] double priceOfStep(int numbers, const std::vector<Measurement>& readings);
 
 class StepScan {
  public:
-  /// At the state that a fit has found; `readings` and `forms` must outlive it. Not ok where the model cannot be
+  /// Scans at the state of a fit; `readings` and `forms` must outlive the object. Not ok if the model cannot be
   /// evaluated.
   StepScan(PlacedArm fitted, const FreeChoice& open, const std::vector<Measurement>& readings,
            const std::vector<StepForm>& forms);
 
   [[nodiscard]] bool ok() const { return ok_; }
-  /// The best step of each form, the best first.
+  /// Returns the best step of each form, best first.
   [[nodiscard]] std::vector<FoundStep> steps() const;
-  /// The size of a step that suits best at that reading.
+  /// Returns the best size of a step at this reading.
   [[nodiscard]] Eigen::VectorXd sizeAt(std::size_t form, std::size_t reading) const;
-  /// What the best creep gains less its price, as a step's merit.
+  /// Returns the gain of the best creep minus its penalty, comparable with a step's merit.
   [[nodiscard]] double bestCreep() const;
 
  private:
@@ -54,7 +54,7 @@ class StepScan {
   [[nodiscard]] std::vector<std::vector<Eigen::VectorXd>> courses(const StepForm& form) const;
   [[nodiscard]] bool isOf(const StepForm& form, std::size_t reading) const;
   [[nodiscard]] std::optional<FoundStep> bestStep(std::size_t form) const;
-  /// Log of the odds that a fall of half of chi-square gains about an unknown scale, at least that of the noise.
+  /// Returns the log odds gained by a fall of half of chi-square, about an unknown scale of at least the noise.
   [[nodiscard]] double gainOf(double fall) const;
 
   const std::vector<Measurement>& readings_;
@@ -62,7 +62,8 @@ class StepScan {
   bool ok_ = false;
   std::vector<int> first_row_;
   Eigen::VectorXd residual_, residual_by_fit_;
-  Eigen::MatrixXd by_fit_;                ///< fitted numbers x rows, so that their squares are what the fit takes
+  /// Fitted numbers x rows, scaled so that the squares of products are the fall of chi-square by the fit.
+  Eigen::MatrixXd by_fit_;
   std::vector<Eigen::MatrixXd> by_step_;  ///< of each form, rows x numbers
 };
 

@@ -16,10 +16,10 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr std::size_t kMostSteps = 3;  // forms that are fitted, of readings as they are
-constexpr int kTurns = 4;              // of fitting the size and finding the reading
-constexpr double kBeyondCreep = 5;     // log of the odds of a step against what creeps
-constexpr double kDrasticFall = 8;     // of the error, that no creep makes
+constexpr std::size_t kMostSteps = 3;  // forms that are fitted, for the readings as stated
+constexpr int kTurns = 4;              // alternations between fitting the size and searching the reading
+constexpr double kBeyondCreep = 5;     // least log odds of a step relative to a creep
+constexpr double kDrasticFall = 8;     // least fall of the error that no creep causes
 
 class StepSearch {
  public:
@@ -68,7 +68,7 @@ class StepSearch {
     return mend;
   }
 
-  /// Fits the size, and finds the reading, by turns.
+  /// Alternates between fitting the size and searching the reading.
   [[nodiscard]] std::optional<Mend> refined(const FoundStep& step, std::string from) const {
     VectorXd size = step.size;
     auto mend = mendOf(step.form, size, from);
@@ -88,7 +88,7 @@ class StepSearch {
     return mend;
   }
 
-  /// By how much the size is to be changed, all that is open along with it.
+  /// Returns the change of the size by a linear fit with all that is open.
   [[nodiscard]] VectorXd change(std::size_t form, const VectorXd& size, const PlacedArm& placed,
                                 const std::vector<Measurement>& readings, const std::string& from) const {
     const auto ids = idsFrom(all_, from);
@@ -99,7 +99,7 @@ class StepSearch {
     return scan.sizeAt(0, static_cast<std::size_t>(first - readings.begin()));
   }
 
-  /// The reading from which on the errors are least with the step, and before it without.
+  /// Returns the reading that minimises the errors with the step from it on, and without the step before it.
   [[nodiscard]] std::string beginning(std::size_t form, const VectorXd& size, const std::string& from,
                                       const Trial& fit) const {
     std::vector<std::size_t> members;
@@ -111,7 +111,7 @@ class StepSearch {
     PlacedArm placed = fit.placed;
     if (whole) {
       whole->change(stepped);
-      // The set-up that begins with the step has the same base by whatever name.
+      // The set-up that begins with the step has the same base under another name.
       if (whole->new_setup && !placed.base_poses.empty()) placed.base_poses.back().setup = whole->new_setup->name;
     }
     RowErrors without(placed, all_), with(placed, stepped);

@@ -9,18 +9,18 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kLeastFall = 3;      // of the error by the drawing, at least, that a mistake explains
+constexpr double kLeastFall = 3;      // least fall of the error by the drawing that a mistake must explain
 constexpr double kOdds = 14;          // log of a million
-constexpr double kDrastic = 8;        // fall of the error by the drawing that no fit of the drawing is a reason for
-constexpr double kAsGood = 3;         // log of the odds within which another mistake explains the readings as well
-constexpr double kAsGoodError = 1.5;  // times the error, for the same
+constexpr double kDrastic = 8;        // fall of the error by the drawing that no fitted drawing explains
+constexpr double kAsGood = 3;         // log odds within which another mistake explains the readings as well
+constexpr double kAsGoodError = 1.5;  // ratio of errors for the same
 constexpr double kNoisePerRow = 0.6;  // lack of fit of a row by noise alone
-constexpr double kFits = 0.05;        // of the reach: readings with a larger error yet are not mended
-constexpr double kLeftOver = 0.001;   // of the reach: an error that one mistake leaves asks for several
-constexpr double kBent = 0.005;       // of the reach: an error by the drawing that is no matter of how far it sags
-constexpr double kMostAtNoise = 2;    // chi-square for each degree of freedom that noise alone may leave
+constexpr double kFits = 0.05;        // share of the reach: largest error of readings that count as corrected
+constexpr double kLeftOver = 0.001;   // share of the reach: error after one mistake above which several are tried
+constexpr double kBent = 0.005;       // share of the reach: error by the drawing beyond its sag
+constexpr double kMostAtNoise = 2;    // most chi-square per degree of freedom by noise alone
 
-/// Whether a mend has numbers that are fitted: what others take off the error is no fit.
+/// Returns true if a correction has fitted numbers; without them, no fall of the error is due to a fit.
 bool hasNumbers(const Mend& mend) { return mend.frees_base || mend.parts_setups || mend.numbers_fitted > 0; }
 
 }  // namespace
@@ -59,15 +59,15 @@ bool SuspectJudgement::isAllNeeded(const Suspect& suspect) const {
 bool SuspectJudgement::asksForMistakes() const {
   if (!trials_.asIs().ok) return true;
   const double noise = trials_.noise({});
-  if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // of a part of the readings
+  if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // mistake of a part of the readings
   const bool is_bent =
-      trials_.asIs().held_error > kDrastic * trials_.asIs().open_error;  // only a drawing bent to them fits
+      trials_.asIs().held_error > kDrastic * trials_.asIs().open_error;  // Fits only with a bent drawing.
   return trials_.isBaseFar(trials_.asIs()) ||
          (trials_.asIs().held_error > kLeastFall * noise && (isLackOfFit() || is_bent));
 }
 
 bool SuspectJudgement::asksForSteps() const {
-  constexpr double kMoreThanNoise = 1.5;  // chi-square for each degree of freedom
+  constexpr double kMoreThanNoise = 1.5;  // chi-square per degree of freedom
   return isLackOfFit() || trials_.asIs().chi2_per_freedom > kMoreThanNoise;
 }
 
@@ -94,14 +94,14 @@ bool SuspectJudgement::explainsError(const Suspect& suspect) const {
   if (!trials_.asIs().ok) return suspect.drawn.error < kFits * trials_.reach();
   const double shrinks = trials_.shrinkage(suspect.drawn);
   const auto falls = [&](double as_is, double mended) { return as_is >= kLeastFall * mended * shrinks; };
-  // A step that leaves the noise alone, and that no creep explains (step_search.hpp), may be smaller.
+  // A step that leaves only noise, and that no creep explains (step_search.hpp), may be smaller.
   if (suspect.mend.against > 0 && isAtNoise(suspect) && gainOf(suspect) >= kOdds) return true;
-  // A base is one for all readings: one that has slipped is none for those before.
+  // A base is common to all readings; after a slip it does not apply to the readings before.
   if (suspect.mend.frees_base && !falls(trials_.asIs().whole_error, suspect.open.whole_error)) return false;
   if (!hasNumbers(suspect.mend) && trials_.gain(suspect.open) > 0 &&
       trials_.asIs().held_error >= kDrastic * suspect.drawn.held_error * shrinks)
     return true;
-  // A part that is mended fits as the others do, or it was another mistake.
+  // A corrected part must fit as well as the other readings, otherwise the mistake is another one.
   if (suspect.mend.is_of_part && trials_.gain(suspect.open) >= kOdds &&
       trials_.asIs().whole_error >= kDrastic * suspect.open.whole_error * shrinks &&
       suspect.open.whole_error < kLeastFall * suspect.open.error)
@@ -112,7 +112,7 @@ bool SuspectJudgement::explainsError(const Suspect& suspect) const {
 }
 
 bool SuspectJudgement::bringsBack(const Trial& before, const Trial& after) const {
-  constexpr double kBack = 4;  // times nearer
+  constexpr double kBack = 4;  // ratio of distances
   const double far_shift = kFarShift * trials_.reach();
   const bool turns_back = before.base_turn > kFarTurn && before.base_turn >= kBack * after.base_turn;
   const bool shifts_back = before.base_shift > far_shift && before.base_shift >= kBack * after.base_shift;

@@ -1,4 +1,5 @@
-// A tool or target that was changed within a set-up: what is measured is elsewhere on the tool from a reading on.
+// Mistake of a tool or target that was changed within a set-up: the measured point is elsewhere on the tool from a
+// reading on.
 #pragma once
 
 #include <fmt/format.h>

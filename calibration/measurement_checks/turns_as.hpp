@@ -1,4 +1,5 @@
-// Turns under roll, pitch, yaw that were written in another form: Euler angles of a controller, or a rotation vector.
+// Mistake of rotations under roll, pitch, yaw that have another form: Euler angles of a controller, or a rotation
+// vector.
 #pragma once
 
 #include <algorithm>

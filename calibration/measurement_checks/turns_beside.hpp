@@ -1,4 +1,5 @@
-// Mistakes of what the turns of a measured frame say, beside others that places show: which are worth a fit.
+// Choice of mistakes in the rotations of a measured frame, together with others that positions show, that are worth a
+// fit.
 #pragma once
 
 #include <vector>
@@ -7,8 +8,8 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the mistake that the places of pose readings show by themselves with each form of a mistake of their turns
-/// beside it, and two mistakes of the turns with none; none where too few readings state both.
+/// Returns the mistake that the positions of pose readings show alone, combined with each form of a mistake in their
+/// rotations. Without such a mistake, returns pairs of mistakes in the rotations. Empty if too few readings state both.
 [[nodiscard]] std::vector<JoinedMends> likelyBesideTurns(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

@@ -1,4 +1,4 @@
-// What the mistakes of units share: the names of other units, and the factor from the unit that was written.
+// Common functions of the unit mistakes: names of other units, and the factor from the stated unit.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ inline std::vector<std::string> otherNames(const std::vector<NamedUnit>& units, 
   return names;
 }
 
-/// By how much numbers taken as `own` are too small if they are in the named unit; nothing where there is no such unit.
+/// Returns the factor from numbers read as `own` to numbers in the named unit; nothing if there is no such unit.
 inline std::optional<double> factorOf(const std::vector<NamedUnit>& units, const NamedUnit& own,
                                       const std::string& name) {
   for (const auto& unit : units)
@@ -24,8 +24,8 @@ inline std::optional<double> factorOf(const std::vector<NamedUnit>& units, const
   return std::nullopt;
 }
 
-/// The mend of noise whose columns say the unit that the coordinates' columns say, by the same factor: of all, or of
-/// one axis, of which a common sigma says nothing. Empty where no such column does.
+/// Returns the correction of noise whose columns state the same unit as the coordinates' columns, by the same factor.
+/// It applies to all axes, or to one axis, for which a common sigma is not changed. Empty if no such column exists.
 inline std::function<void(std::vector<Measurement>&)> sigmaAlong(const CheckedReadings& checked, double factor,
                                                                  std::optional<Eigen::Index> axis = {}) {
   const auto& units = checked.units;

@@ -1,5 +1,5 @@
-// Readings that do not belong there: twice the same, out of the arm's reach, or a run that was logged from something
-// that stood still.
+// Mistake of readings to be left out: duplicates, readings beyond the arm's reach, or a run logged from something that
+// stood still.
 #pragma once
 
 #include "calibration/measurement_checks/from_reading.hpp"

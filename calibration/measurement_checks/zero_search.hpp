@@ -1,4 +1,4 @@
-// The zeros of joints that a mistake has elsewhere, as the readings have them best.
+// Fit of the joint zeros that a mistake displaces.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,9 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the mends with their zeros found from the values tried; nothing where one is no mistake. The first joint's
-/// zero and a base that is not known are one for the readings: it is looked for with the base where it nominally is.
+/// Returns the corrections with zeros fitted from the tried values; nothing if one is no mistake. The first joint's
+/// zero and an unknown base have the same effect on the readings, so this zero is fitted with the base at its nominal
+/// place.
 [[nodiscard]] std::optional<JoinedMends> withZerosFound(const MistakeTrials& trials, JoinedMends parts);
 
 }  // namespace tubeplan::calibration
