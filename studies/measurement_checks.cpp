@@ -1,5 +1,5 @@
-// How well the checks of readings name the ordinary mistakes, and how often they suspect one where there is none:
-// seeded mistakes in clean sets, and sets with none among which physical effects hide and real robots stand.
+// Study of the checks of readings: how often they name seeded mistakes in clean sets, and how often they suspect one in
+// sets without any, including sets with physical effects and of real robots.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Cost {
-  double total = 0, most = 0;  // s
+  double total = 0, most = 0;  // [s]
   int count = 0;
   void add(double seconds) { total += seconds, most = std::max(most, seconds), ++count; }
 };
@@ -150,7 +150,7 @@ std::vector<SeededSet> setsBeside() {
   return sets;
 }
 
-/// "effect@at" by a number, as large as the largest that real machines have, or twice as large.
+/// Returns "effect@at" by a number, with the largest size of real machines or twice that.
 std::string drawnEffect(const deflection::Arm& arm, SeededRandom& random) {
   for (;;) {
     const auto& kinds = deflection::effectKinds();

@@ -1,4 +1,5 @@
-// How many random motions called free are refuted by fine steps, scene by scene. None should be.
+// Study of motion proofs: the number of random motions judged free that fine steps refute, scene by scene. It should be
+// zero.
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -13,7 +14,7 @@ namespace {
 using namespace tubeplan;
 using planner::testing::MotionTally;
 
-constexpr int kMotionsEach = 100;  // of a share of the work; every share draws from its own seed
+constexpr int kMotionsEach = 100;  // motions of a share of the work; every share has its own seed
 
 using Tally = std::function<MotionTally(std::uint64_t seed, int motions)>;
 

@@ -1,5 +1,6 @@
-// How near orders and their bounds are to the optimum, which dynamic programming over sets of tubes finds of few tubes
-// exactly (Held and Karp 1962, with a state for each posture): of straight moves, for each shipped arm.
+// Study of orders and their bounds relative to the optimum for straight moves, for each shipped arm. Dynamic
+// programming over sets of tubes gives the exact optimum for few tubes (Held and Karp 1962, with a state for each
+// posture).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,7 +16,7 @@ using namespace tubeplan;
 using namespace tubeplan::planner;
 using namespace tubeplan::planner::testing;
 
-/// s, of the quickest order and postures.
+/// Returns the time of the fastest order and postures [s].
 double optimumOf(const Route& route) {
   const PostureTable table(route);
   const int visits = table.visits(), postures = table.postures();

@@ -1,5 +1,5 @@
-// What an identification costs as readings grow: six stiffnesses and the base from positions, in processor and wall
-// seconds, with the slope between the logarithms of time and number.
+// Study of the cost of an identification by the number of readings: six stiffnesses and the base from positions, in
+// processor and wall seconds, with the slope between the logarithms of time and number.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -18,7 +18,7 @@ const std::vector<std::string> kFree{
     "mezzanine-beam.beam.Iz", "mezzanine-beam.joint_stiffness.z", "mezzanine-platform.joint_stiffness.x"};
 
 struct Cost {
-  double processor = 0, wall = 0;  // s
+  double processor = 0, wall = 0;  // [s]
   int iterations = 0, evaluations = 0;
   bool converged = false;
 };

@@ -1,6 +1,6 @@
-// Step probabilities held against true arms that follow other physics than the model: effects of the catalogue that the
-// model lacks, stiffnesses that are off, an error over the sheet that no effect makes, each arm another mixture and
-// size.
+// Predicted step probabilities compared with true arms of other physics than the model. Each arm has a different
+// mixture and size of effects that the model lacks, stiffness errors, and an error over the sheet that no effect
+// causes.
 #pragma once
 
 #include <algorithm>
@@ -29,12 +29,12 @@ struct StepChanceTrial {
   std::array<double, kBins> predicted{}, happened{};  ///< sums over the holes
 };
 
-/// What the true arms have that the model lacks; every one of them has stiffnesses that are off.
+/// Physics of the true arms that the model lacks; every arm has stiffness errors.
 enum class HiddenPhysics { kMixed, kEffects, kField, kStiffnesses };
 
 inline constexpr double kStiffnessSigma = 0.05;
 
-/// What is known of the true arms' numbers: only their stiffnesses are drawn.
+/// Returns the uncertainty of the true arms' numbers; only their stiffnesses are drawn.
 inline calibration::ArmUncertainty uncertaintyOfTrials() {
   auto uncertainty = calibration::ArmUncertainty::none();
   uncertainty.stiffness = kStiffnessSigma;
@@ -103,7 +103,7 @@ class StepChanceTrials {
  private:
   using Draw = calibration::RandomStreamFrom<app::SplitMix>;
 
-  /// A smooth error over the sheet and one of every hole's own.
+  /// Smooth error over the sheet, with an additional error of every hole.
   struct Field {
     Field(bool is_there, Draw& draw) {
       size = is_there ? 2.5e-5 * std::pow(40., uniform(draw)) : 0;  // 0.001 to 0.04 in
@@ -132,7 +132,7 @@ class StepChanceTrials {
 
   static double uniform(Draw& draw) { return static_cast<double>(draw.seed() >> 11) * 0x1p-53; }
 
-  /// All orders of size between a fiftieth and a third of what a machine may have.
+  /// Adds effects of all orders of size between a fiftieth and a third of the largest in a machine.
   void hide(deflection::Arm& arm, Draw& draw) const {
     const int kind = kinds_[draw.seed() % kinds_.size()];
     const auto& row = deflection::effectKinds()[static_cast<std::size_t>(kind)];
@@ -185,7 +185,7 @@ class StepChanceTrials {
   int touches_, holes_;
 };
 
-/// Shares of all holes, with the standard error that truths of their own give the difference.
+/// Shares of all holes, with the standard error of the difference from the spread over the true arms.
 struct StepChanceSummary {
   int calibrated = 0, holes = 0;
   std::array<double, kBins> predicted{}, happened{}, standard_error{};

@@ -1,8 +1,8 @@
-// The two campaigns by which the Cobra's stiffnesses were found (Calkins 1994, section 5.3), made again many times over
-// on a known arm: first the arm bolted to a rigid platform, 31 points touched bare and under 20, 30 and 40 lbf, eight
-// stiffnesses free; then the arm on its mezzanine, 14 points, three stiffnesses free and the arm's as found. Every fit
-// starts with each stiffness off by a factor of three. Prints how often the optimum is the one found from the truth,
-// how often 95 % intervals hold it, and the touch error beside the thesis's.
+// Study of the two campaigns that identified the Cobra's stiffnesses (Calkins 1994, section 5.3), repeated many times
+// on a known arm. First the arm is bolted to a rigid platform: 31 points touched bare and under 20, 30 and 40 lbf,
+// eight free stiffnesses. Then it is on its mezzanine: 14 points, three free stiffnesses, the arm's as found. Every fit
+// starts with each stiffness off by a factor of three. The output states how often the optimum is the one found from
+// the truth, how often 95 % intervals contain the truth, and the touch error beside the thesis's.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -21,15 +21,15 @@ const std::vector<double> kLoads{0, 20 * kPound, 30 * kPound, 40 * kPound};
 
 struct StudyOptions {
   int seeds = 200;
-  double sigma = 0.010;  // in, of each coordinate of a touch
+  double sigma = 0.010;  // of each coordinate of a touch [in]
 };
 
-/// Touch points, free stiffnesses and the mean touch error that the thesis reports.
+/// Touch points, free stiffnesses and the mean touch error in the thesis.
 struct Campaign {
   const char* name;
   int points;
   std::vector<std::string> free;
-  double printed_error;  // in
+  double printed_error;  // [in]
 };
 
 const Campaign kArmCampaign{
@@ -44,7 +44,8 @@ const Campaign kMezzanineCampaign{
     {"mezzanine-beam.joint_stiffness.z", "mezzanine-beam.beam.Iz", "mezzanine-platform.joint_stiffness.x"},
     0.0300};
 
-/// The arm with all that the thesis freed, at the values of its second table 5.4; those of 1e9 and more are rigid.
+/// Returns the arm with all stiffnesses that the thesis freed, at the values of its second table 5.4; those of 1e9 and
+/// more are rigid.
 PlacedArm truth() {
   deflection::Arm arm = deflection::cobraArm();
   const double E = arm.rows[3].beam->E;
@@ -67,7 +68,7 @@ double& numberOf(deflection::Arm& arm, const std::string& name) {
   return deflection::locate(arm, deflection::findParameter(arm, name)->path);
 }
 
-/// Mean over the loaded touches of the distance between the tip as predicted there and at the bare touch [in].
+/// Returns the mean distance between the predicted tip at a loaded touch and at the bare touch [in].
 double meanTouchError(const PlacedArm& placed, const std::vector<Measurement>& readings) {
   double sum = 0;
   int pairs = 0;
@@ -110,7 +111,8 @@ void count(const Identification& result, deflection::Arm& true_arm, Tally& tally
   }
 }
 
-/// One campaign: readings of `truth`, fitted from a start off by three each way; `start` has the other numbers.
+/// Runs one campaign: readings of `truth`, fitted from stiffnesses off by a factor of three either way; `start` has the
+/// other numbers. Returns the fitted arm.
 PlacedArm runCampaign(const Campaign& campaign, PlacedArm truth, PlacedArm start, const StudyOptions& options,
                       std::uint64_t seed, Tally& tally) {
   ReadingMaker maker(truth, seed, ReadingMaker::Noise::kStated, options.sigma * kInch);
@@ -158,13 +160,13 @@ void print(const Campaign& campaign, const Tally& tally, const StudyOptions& opt
   if (identifiable) fmt::print("  all intervals: {:.1f} % of {}\n", 100. * covered / identifiable, identifiable);
 }
 
-/// The mezzanine's rows are rigid in the set-up `bench`; both set-ups stand where they are known to.
+/// Returns the arm with rigid mezzanine rows in the set-up `bench`; both base poses are known.
 PlacedArm onBenchAndMezzanine(deflection::Arm arm) {
   arm.mountings = {{"bench", {0, 1}}};
   return {arm, {{"bench", Eigen::Isometry3d::Identity(), true}, {"mezzanine", Eigen::Isometry3d::Identity(), true}}};
 }
 
-/// The readings of both campaigns in one file, all numbers in one fit.
+/// Fits the readings of both campaigns together, with all numbers in one fit.
 void runTogether(const Campaign& both, const StudyOptions& options, std::uint64_t seed, Tally& tally) {
   PlacedArm bolted = onBenchAndMezzanine(truth().arm);
   for (const std::size_t row : {0U, 1U}) {

@@ -1,6 +1,6 @@
-// The evidence of what is truly hidden in a set of readings, fitted from the true sizes, beside that of the models that
-// the diagnosis found by itself: whether a miss is the search's, or the readings' own. JSON, for
-// studies/blind_trial/oracle.py.
+// Study of the evidence of the truly hidden effects in a set of readings, fitted from the true sizes, beside that of
+// the models found by the diagnosis. It decides whether a miss is due to the search or to the readings. The output is
+// JSON for studies/blind_trial/oracle.py.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
-// The same task in other units, turned about the sheet's normal, drawn from another base frame: the same tubes and
-// travel are to be planned. Under a leaning base or gravity other tubes may be: those that random starts reach.
+// Study of one task in other units, rotated about the sheet's normal, or drawn from another base frame: the plan must
+// have the same tubes and travel. With a tilted base or gravity the tubes may differ; they must be those that random
+// starts reach.
 #include "tests/planner/turned_cells.hpp"
 
 #include <fmt/format.h>
@@ -44,7 +45,7 @@ struct Answer {
   double travel = 0;
 };
 
-/// False where the task is the same and the answer is not, where the plan is refuted, or where a tube is refused that
+/// Returns false if the task is the same and the answer differs, if the plan is refuted, or if a tube is refused that
 /// random starts reach.
 bool answer(const Task& task, const std::vector<int>& tubes, int starts, Answer& first) {
   const std::clock_t before = std::clock();

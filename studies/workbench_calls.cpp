@@ -1,4 +1,5 @@
-// Ten thousand random calls of a workbench: what it answered, and that it neither ended nor touched anything outside.
+// Study of ten thousand random calls of a workbench: the answers, and whether it ended or changed anything outside its
+// folder.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -26,7 +27,7 @@ std::size_t countFiles(const fs::path& folder) {
   return count;
 }
 
-/// The shipped cells in a folder of their own, under a small sheet, so that jobs end while calls come in.
+/// Copies the shipped cells into a folder with a small sheet, so that jobs end while calls arrive.
 fs::path copyCells(const fs::path& folder) {
   const std::string large = "rows: 49, columns: 114", small = "rows: 8, columns: 12";
   fs::remove_all(folder);

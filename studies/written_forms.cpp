@@ -1,6 +1,6 @@
-// Geometry identified from arms written in every form: random mechanisms of three to eight joints, each axis of the
-// true arm off its drawing, positions measured with noise. Says for each form how far the fitted arm is off at other
-// postures, in parts of what its covariance foretells, and how often the 95 % intervals of its predictions hold.
+// Study of identified geometry for arms written in every form: random mechanisms of three to eight joints, with each
+// axis of the true arm off its drawing and noisy positions. The output states for each form the error of the fitted arm
+// at other postures, relative to its covariance, and the coverage of 95 % intervals of its predictions.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
-constexpr double kNoise = 1e-4;  // m
+constexpr double kNoise = 1e-4;  // [m]
 constexpr int kReadings = 80, kJudged = 30;
 
 struct Form {
@@ -35,7 +35,7 @@ PlacedArm byStandardRows(PlacedArm drawn) {
 const Form kForms[] = {
     {"modified DH", [](PlacedArm drawn) { return drawn; }}, {"origin", byOrigins}, {"standard DH", byStandardRows}};
 
-/// The arm as built: every axis off its drawing by a millimetre and some milliradians.
+/// Returns the arm as built, with every axis off its drawing by a millimetre and some milliradians.
 PlacedArm builtFrom(const PlacedArm& drawn, RandomStream& random) {
   PlacedArm built = byOrigins(drawn);
   for (auto& row : built.arm.rows) {
@@ -72,13 +72,13 @@ std::vector<Measurement> readingsOf(const PlacedArm& built, RandomStream& random
   return readings;
 }
 
-/// What all fits of one form came to.
+/// Results of all fits of one form.
 struct Tally {
   int fits = 0, failed = 0, within = 0, asked = 0;
   double squares = 0, foretold = 0, chi2 = 0, freedom = 0, worst = 0;
 };
 
-/// How the tip moves by each fitted variable [m per unit].
+/// Returns the slopes of the tip by each fitted variable [m per unit].
 MatrixXd slopesAt(const PlacedArm& fitted, const std::vector<Unknown>& unknowns, const VectorXd& q) {
   constexpr double kStep = 1e-5;
   MatrixXd slopes(3, static_cast<Index>(unknowns.size()));
