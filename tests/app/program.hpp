@@ -1,4 +1,4 @@
-// The program from outside, run in a folder of its own.
+// Program run from outside, in a folder of its own.
 #pragma once
 
 #include <sys/wait.h>
@@ -28,8 +28,7 @@ class ProgramTest : public FolderTest {
     return outcome;
   }
 
-  /// Writes the mock-up with `map` as its holes in the place of its layout, as NAME with its arm and holes.csv beside
-  /// it.
+  /// Writes the mock-up cell as NAME with the hole map `map` in place of its layout, with its arm and holes.csv.
   void writeMappedMockup(const std::string& name, const std::string& map) const {
     (void)write("holes.csv", map);
     (void)write("cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));

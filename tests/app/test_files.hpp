@@ -13,7 +13,7 @@
 
 namespace tubeplan::app {
 
-/// The message of the InputError that the action throws; a failure where it throws none.
+/// Returns the message of the InputError that the action throws; fails if it throws none.
 template <class Action>
 std::string messageOf(Action&& action) {
   try {
@@ -44,14 +44,14 @@ inline std::string contentOf(const std::filesystem::path& path) {
 
 inline std::filesystem::path shippedCells() { return std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells"; }
 
-/// With one piece of text changed, which must be there.
+/// Returns the text with one piece replaced, which it must contain.
 inline std::string changed(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << "no '" << from << "' to change";
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-/// A folder of its own for each test, gone afterwards.
+/// Test fixture with a folder of its own, removed afterwards.
 class FolderTest : public ::testing::Test {
  protected:
   FolderTest() {

@@ -1,4 +1,5 @@
-// Readings of the shipped bench by an arm that hides one effect: every joint moves freely, three loads, known senses.
+// Readings of the shipped bench by an arm with one hidden effect: every joint moves freely, under three loads, with
+// known approach directions.
 #pragma once
 
 #include <boost/random/mersenne_twister.hpp>
@@ -22,7 +23,8 @@ inline app::Cell shippedBench() {
   return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells/bench.yaml").string());
 }
 
-/// Joint noise is that of the arm's encoders, the tip's 0.003 in. No effect where its name is empty.
+/// Returns readings with the noise of the arm's encoders and 0.003 in at the tip; without an effect if its name is
+/// empty.
 inline std::vector<Measurement> benchReadings(const app::Cell& cell, const std::string& effect, const std::string& at,
                                               const std::vector<double>& values, int count, std::uint64_t seed) {
   auto arm = cell.arm;

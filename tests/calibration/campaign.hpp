@@ -1,4 +1,4 @@
-// Readings of the Cobra with noise, and effects to plant in the arm that made them.
+// Readings of the Cobra with noise, and effects to hide in the measured arm.
 #pragma once
 
 #include <boost/random/mersenne_twister.hpp>
@@ -13,7 +13,7 @@
 
 namespace tubeplan::calibration {
 
-inline constexpr double kReadingSigma = 5e-5;  // m
+inline constexpr double kReadingSigma = 5e-5;  // [m]
 
 inline deflection::Arm withEffect(deflection::Arm arm, const std::string& name, const std::string& at, double value) {
   auto made = deflection::makeEffect(arm, name, at);
@@ -25,12 +25,12 @@ inline deflection::Arm withEffect(deflection::Arm arm, const std::string& name, 
 struct CampaignPlan {
   int postures = 36;
   int repeats = 1;
-  double noise = kReadingSigma;  ///< of each coordinate, whatever is stated
+  double noise = kReadingSigma;  ///< of each coordinate, whatever is stated [m]
   double stated = kReadingSigma;
 };
 
-/// Positions under 0, 60 and 120 N in turn, senses and temperatures at random, a reading a minute; joints are read with
-/// their encoders' noise.
+/// Returns positions under 0, 60 and 120 N in turn, with random approach directions and temperatures, one reading per
+/// minute. Joints have their encoders' noise.
 inline std::vector<Measurement> makeCampaign(const deflection::Arm& truth, std::uint64_t seed,
                                              const CampaignPlan& plan = {}) {
   boost::random::mt19937_64 random(seed);

@@ -1,4 +1,4 @@
-// Ways to spoil readings of a campaign, as people do: what is said of them must hold together, whoever says it.
+// Common ways to spoil the readings of a campaign; all statements about the spoilt readings must be consistent.
 #pragma once
 
 #include <algorithm>
@@ -23,11 +23,11 @@ inline void moveAtRandom(Measurement& reading, double by, std::mt19937_64& rando
 /// One way to spoil readings.
 struct Spoil {
   const char* name;
-  int repeats;  ///< of each posture
+  int repeats;  ///< readings of each posture
   std::function<void(std::vector<Measurement>&, std::mt19937_64&)> apply;
 };
 
-/// The first two do nothing.
+/// Returns the ways to spoil readings; the first two change nothing.
 inline const std::vector<Spoil>& spoils() {
   static const std::vector<Spoil> kSpoils{
       {"nothing", 1, [](std::vector<Measurement>&, std::mt19937_64&) {}},
@@ -82,7 +82,7 @@ inline const std::vector<Spoil>& spoils() {
   return kSpoils;
 }
 
-/// A campaign of forty readings of an arm, spoilt so.
+/// Returns a spoilt campaign of forty readings of an arm.
 inline std::vector<Measurement> spoiltCampaign(const deflection::Arm& arm, std::uint64_t seed, const Spoil& spoil) {
   std::mt19937_64 random(seed);
   CampaignPlan plan;

@@ -1,4 +1,4 @@
-// Readings as an arm that is wholly known would give them, with noise or without.
+// Readings of a completely known arm, with or without noise.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -25,19 +25,19 @@ inline Eigen::Isometry3d poseOf(const Eigen::Vector3d& position, const Eigen::Ve
   return X;
 }
 
-/// The Cobra on its mezzanine, its one base known.
+/// Returns the Cobra on its mezzanine with one known base.
 inline PlacedArm cobra() {
   return {deflection::cobraArm(), {{"", poseOf({0.1, -0.2, 0.05}, {0.02, -0.03, 0.4}), true}}};
 }
 
-/// The same at two base poses that are not known, "A" and "B".
+/// Returns the Cobra at two unknown base poses, "A" and "B".
 inline PlacedArm cobraTwice() {
   return {deflection::cobraArm(),
           {{"A", poseOf({0.1, -0.2, 0.05}, {0.02, -0.03, 0.4}), false},
            {"B", poseOf({-0.4, 0.3, 0.1}, {-0.01, 0.04, -0.7}), false}}};
 }
 
-/// Makes readings of an arm; the same seed makes the same. Stated noise is there with or without noise added.
+/// Makes readings of an arm, the same for the same seed. The stated noise does not depend on whether noise is added.
 class ReadingMaker {
  public:
   enum class Noise { kNone, kStated };
@@ -46,9 +46,9 @@ class ReadingMaker {
       : truth_(std::move(truth)), random_(seed), has_noise_(noise == Noise::kStated), touch_sigma_(touch_sigma) {}
 
   std::vector<Measurement> readings;
-  std::optional<Eigen::Vector3d> sigma_W, correlation_W;  ///< stated and drawn, of kinds that measure x, y and z
+  std::optional<Eigen::Vector3d> sigma_W, correlation_W;  ///< stated and drawn, for kinds that measure x, y and z
 
-  /// Readings of any kind but touch at postures of their own; of a row's frame where one is named.
+  /// Adds readings of any kind except touches at new postures; of a row's frame if one is given.
   void add(MeasurementKind kind, int count, const std::string& setup = "", std::optional<int> of_row = {}) {
     for (int k = 0; k < count; ++k) {
       Measurement m = blank(kind, setup);
@@ -92,7 +92,7 @@ class ReadingMaker {
     }
   }
 
-  /// Points touched once under each load [N], the tool held at the same tilt.
+  /// Adds points touched once under each load [N], with the tool at the same tilt.
   void addTouches(int points, const std::vector<double>& loads, bool are_known, const std::string& setup = "") {
     for (int made = 0; made < points;) made += touchPoint(loads, are_known, setup) ? 1 : 0;
   }
@@ -108,7 +108,8 @@ class ReadingMaker {
     return {x, y, z};
   }
 
-  /// Well inside the Cobra's limits, the elbow up; other arms draw from half of each joint's range.
+  /// Returns a random posture: well within the Cobra's limits with the elbow up, or within half of each joint's range
+  /// for other arms.
   [[nodiscard]] Eigen::VectorXd drawPosture() {
     static constexpr double kFrom[] = {-120, 30, -110, -80}, kTo[] = {120, 110, -20, 20};
     Eigen::VectorXd q(truth_.arm.jointCount());
@@ -120,16 +121,17 @@ class ReadingMaker {
   }
 
  private:
-  /// A surface, and how many readings have touched it or one before it.
+  /// Surface, with the number of readings that have touched it or an earlier one.
   struct Touched {
     Surface surface;
     int readings = 0;
   };
 
-  /// Brings the tip onto a surface that ten readings share and adds the reading; false where it does not come there.
+  /// Moves the tip onto a surface that ten readings share and adds the reading; returns false if the tip cannot reach
+  /// it.
   bool touchSurface(const MeasurementKindRow& row, Measurement& m) {
     constexpr int kOfSurface = 10;
-    constexpr double kFarthest = 1.5;  // rad, to bring the tip there
+    constexpr double kFarthest = 1.5;  // [rad] farthest motion to the surface
     Touched& on = touched_[m.setup + row.name];
     const Eigen::Vector3d tip_W = toolOf(m).p_W;
     if (on.readings % kOfSurface == 0)
@@ -156,7 +158,7 @@ class ReadingMaker {
     return m;
   }
 
-  /// The tool in the world; of a deflection the tip's displacement.
+  /// Returns the tool's pose in the world; for a deflection with the tip's displacement.
   [[nodiscard]] ToolPose toolOf(const Measurement& m) const {
     const auto& X_WB = truth_.base_poses[static_cast<std::size_t>(basePoseOf(truth_, m))].X_WB;
     ToolPose tool = *frameAt(truth_.arm, X_WB, m);
@@ -178,14 +180,14 @@ class ReadingMaker {
     return noisy;
   }
 
-  /// Of a hole from a tip that looks for it, or looks at it.
+  /// Returns the offset of a hole from a tip that searches for it or looks at it [m].
   [[nodiscard]] Eigen::Vector3d besideTheTip(const MeasurementKindRow& row) {
     const double far = row.is_centring ? 0.03 * kInch : 0.02, across = row.is_centring ? 0 : 0.05;
     return {far * noiseOf(), far * noiseOf(), across};
   }
   [[nodiscard]] double noiseOf() { return boost::random::normal_distribution<double>(0, 1)(random_); }
 
-  /// By a tool of three steps; false where none went in.
+  /// Sets a reading by a tool of three steps; returns false if none entered.
   static bool settleSteps(Measurement& m) {
     static constexpr double kTolerances[] = {0.09 * kInch, 0.06 * kInch, 0.03 * kInch};
     const double off = m.own[1];
@@ -236,13 +238,13 @@ class ReadingMaker {
 
   PlacedArm truth_;
   boost::random::mt19937_64 random_;
-  std::map<std::string, Touched> touched_;  ///< the last of each kind and set-up
+  std::map<std::string, Touched> touched_;  ///< last one of each kind and set-up
   bool has_noise_;
   double touch_sigma_;
 };
 
-/// A few readings of every kind but touches (few of a surface say nothing: surfaces_test.cpp), every other one of
-/// another point of the tool than its tip.
+/// Adds a few readings of every kind except touches, every other one of a point of the tool beside its tip. A few
+/// readings of a surface give no information (surfaces_test.cpp).
 inline void addUntouched(ReadingMaker& maker, int count, const std::string& setup = "") {
   const std::size_t first = maker.readings.size();
   for (const MeasurementKindRow& row : measurementKinds())
@@ -251,7 +253,7 @@ inline void addUntouched(ReadingMaker& maker, int count, const std::string& setu
     if (!isDisplacement(maker.readings[k])) maker.readings[k].p_TQ = Eigen::Vector3d(0.03, -0.02, 0.05);
 }
 
-/// A few readings of positions, displacements, lengths and touches, known and unknown points, at a set-up.
+/// Adds a few readings of positions, displacements, lengths and touches, with known and unknown points, at a set-up.
 inline void addEveryKind(ReadingMaker& maker, int count, const std::string& setup = "") {
   maker.add(MeasurementKind::kPosition, count, setup);
   maker.add(MeasurementKind::kDeflection, count, setup);

@@ -1,10 +1,10 @@
-// A CalculiX model of an arm: rigid bodies joined by strips of solid elements that give about one axis alone.
+// CalculiX model of an arm: rigid bodies joined by strips of solid elements that are compliant about one axis only.
 //
 // A strip is one 20-node brick between two bodies, thin across its bending axis and far wider along that axis than
 // long. Its modulus E follows from E h^3 w / 12 = EI, so it bends as a beam of that EI. Its end faces cannot warp, so
-// about the other two axes it is stiffer by (width / length)^2 and (width / thickness)^2: as good as rigid. A joint
-// stiffness K is a short strip of EI = K l centred on the row's origin; a beam is a row of strips. Nothing of the
-// deflection library's laws or load sweep enters, only the unloaded frames. Weights are forces that keep their
+// about the other two axes it is stiffer by (width / length)^2 and (width / thickness)^2: practically rigid. A joint
+// stiffness K is a short strip of EI = K l centred on the row's origin; a beam is a row of strips. The model uses only
+// the unloaded frames of the deflection library, none of its laws or its load sweep. Weights are forces of constant
 // direction. Units: metre, newton.
 #pragma once
 
@@ -23,16 +23,17 @@
 
 namespace tubeplan::deflection {
 
-/// Converged to 0.03 % of the tip's deflection. Width decides most: 240 with thickness 0.25 leaves 0.003 %, at several
-/// times the run.
+/// Dimensions of the strips, converged to 0.03 % of the tip's deflection. The width matters most: 240 with thickness
+/// 0.25 leaves 0.003 %, at several times the run time.
 struct CalculixMesh {
-  double hinge_length = 0.010;  ///< m
+  double hinge_length = 0.010;  ///< [m]
   int strips_per_beam = 16;
-  double width = 60;       ///< of a strip, over its length
-  double thickness = 0.5;  ///< of a strip, over its length
+  double width = 60;       ///< of a strip, relative to its length
+  double thickness = 0.5;  ///< of a strip, relative to its length
 };
 
-/// For arms of revolute and fixed rows whose beams bend about one axis square to the member, without lumps.
+/// Model for arms of revolute and fixed rows whose beams bend about one axis perpendicular to the member, without
+/// lumps.
 class CalculixModel {
  public:
   CalculixModel(const Arm& arm, const Posture& posture, const CalculixMesh& mesh = {})
@@ -46,7 +47,7 @@ class CalculixModel {
     tip_ = addWeight(unloaded.X_BT.p, posture.load);
   }
 
-  /// Writes the input file; CalculiX prints the tip's displacement at the end of each increment, the last one at
+  /// Writes the input file. CalculiX prints the tip's displacement at the end of each increment, the last one at
   /// time 1.
   void write(const std::filesystem::path& path) const {
     std::ofstream file(path);
@@ -54,12 +55,12 @@ class CalculixModel {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       file << "*NSET, NSET=BODY" << b << "\n";
       for (const int node : bodies_[b].nodes) file << node << ",\n";
-      if (b == 0) continue;  // the ground
+      if (b == 0) continue;  // ground
       const int pilot = bodies_[b].pilot;
       file << "*RIGID BODY, NSET=BODY" << b << ", REF NODE=" << pilot << ", ROT NODE=" << pilot + 1 << "\n";
     }
-    // The stiff axes make the first residuals of an increment grow, so iterations are let run; the residual is pressed
-    // far below the usual half a per cent.
+    // The stiff axes make the first residuals of an increment grow, so many iterations are allowed. The tolerance of
+    // the residual is far below the default of half a per cent.
     file << "*NSET, NSET=TIP\n"
          << tip_ << "\n*BOUNDARY\nBODY0, 1, 3\n*STEP, NLGEOM, INC=200\n"
          << "*CONTROLS, PARAMETERS=TIME INCREMENTATION\n50, 60, 9, 100, 50\n*CONTROLS, PARAMETERS=FIELD\n1.e-5, 1.e-5\n"
@@ -70,7 +71,7 @@ class CalculixModel {
  private:
   struct Body {
     std::vector<int> nodes;
-    int pilot = 0;  ///< node that carries its translation; the next one carries its rotation
+    int pilot = 0;  ///< node with the translation; the next one has the rotation
   };
 
   void addRow(const Row<double>& row, const PoseOf<double>& X_BL, const Eigen::Vector3d& p_end) {
@@ -86,7 +87,7 @@ class CalculixModel {
     addWeight(p_end, row.weight.end);
   }
 
-  /// The strip may lie along any direction square to the axis.
+  /// Adds a strip for a joint stiffness, along any direction perpendicular to the axis.
   void addHinge(double stiffness, const PoseOf<double>& X_BL, int axis) {
     const Eigen::Vector3d half = X_BL.R.col((axis + 1) % 3) * mesh_.hinge_length / 2;
     addStrip(X_BL.p - half, X_BL.p + half, X_BL.R.col(axis), stiffness * mesh_.hinge_length);
@@ -106,7 +107,7 @@ class CalculixModel {
     }
   }
 
-  /// From the body built last to a new one.
+  /// Adds a strip from the last body to a new one.
   void addStrip(const Eigen::Vector3d& p_near, const Eigen::Vector3d& p_far, const Eigen::Vector3d& axis, double EI) {
     const double length = (p_far - p_near).norm(), h = mesh_.thickness * length, w = mesh_.width * length;
     const Eigen::Vector3d thick = axis.cross(p_far - p_near).normalized() * h / 2, wide = axis * w / 2;
@@ -126,7 +127,8 @@ class CalculixModel {
     addElement(near, far, middle, 12 * EI / (w * h * h * h));
   }
 
-  /// Faces: four corners, then four edge middles, in one sense about the direction from near to far.
+  /// Adds an element by its faces: four corners, then four edge middles, in one sense about the direction from near to
+  /// far.
   void addElement(const std::vector<int>& near, const std::vector<int>& far, const std::vector<int>& middle, double E) {
     const auto number = bodies_.size() - 1;
     elements_ << "*ELEMENT, TYPE=C3D20R, ELSET=STRIP" << number << "\n" << number;
@@ -146,7 +148,7 @@ class CalculixModel {
     addNode(p);
   }
 
-  /// On the body built last. Returns the node.
+  /// Adds a weight [N] to the last body and returns the node.
   int addWeight(const Eigen::Vector3d& p, double weight) {
     const int node = addNode(p);
     bodies_.back().nodes.push_back(node);

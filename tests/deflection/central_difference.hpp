@@ -1,4 +1,4 @@
-// Central differences of the deflected tip, or of a row's deflected frame, against which exact derivatives are held.
+// Central differences of the deflected tip, or of a row's deflected frame, for comparison with exact derivatives.
 #pragma once
 
 #include "deflection/tip_derivatives.hpp"
@@ -8,7 +8,7 @@ namespace tubeplan::deflection {
 
 inline const FlexibleKinematicsOptions kTight{1e-15, 200};
 
-/// The arm and posture with one variable moved by h.
+/// Moves one variable of the arm and posture by h.
 inline void step(Arm& arm, Posture& posture, const Variable& variable, double h) {
   switch (variable.type) {
     case Variable::Type::kJoint:
@@ -40,7 +40,7 @@ struct Difference {
   Eigen::Vector3d position, rotation;
 };
 
-/// Fourth-order central difference.
+/// Returns the fourth-order central difference.
 inline Difference centralDifference(const Arm& arm, const Posture& posture, const Variable& variable, double h,
                                     int row = kTool) {
   const auto slope = [&](double step_size) {

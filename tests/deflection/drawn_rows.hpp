@@ -1,4 +1,4 @@
-// Arms of drawn rows whose axes are often parallel, or nearly so: what conventions of rows differ in.
+// Arms of random rows with many parallel or nearly parallel axes, for which conventions of rows differ.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class DrawnRows {
     return q;
   }
 
-  /// Rigid, by origins, of `rows` rows, the first of which has a joint.
+  /// Returns a rigid arm of `rows` origin rows, the first of which has a joint.
   Arm arm(int rows, bool only_revolute = false) {
     Arm arm;
     for (int k = 0; k < rows; ++k) arm.rows.push_back(row(k, only_revolute));
@@ -63,8 +63,8 @@ class DrawnRows {
   std::mt19937_64 random_;
 };
 
-/// How far apart the tips of two writings of an arm and their last rows' axes are [m, or rad] at some readings, and
-/// places that their lumps hang at; rows put first in the second are passed over.
+/// Returns the largest distance between two forms of an arm at some readings: of the tips, the last rows' axes, and the
+/// places of lumps [m or rad]. Additional first rows of the second form are skipped.
 inline double writingsApart(const Arm& one, const Arm& other, const Eigen::VectorXd& q) {
   const auto a = rigidFramesOf<double>(one, q), b = rigidFramesOf<double>(other, q);
   double most = std::max((a.tip - b.tip).norm(), (a.rows.back().R - b.rows.back().R).norm());

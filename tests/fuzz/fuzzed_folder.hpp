@@ -1,5 +1,4 @@
-// Where texts become files: a folder in memory that has the shipped files in it, so that what a text refers to is
-// there.
+// Folder in memory with the shipped files, so that references of a fuzzed text exist.
 #pragma once
 
 #include <unistd.h>
@@ -23,7 +22,7 @@ inline const std::string& fuzzedFolder() {
   return kFolder;
 }
 
-/// A file of that name with the text in it; for readers of files alone.
+/// Writes the text into a file of this name, for readers of files, and returns its path.
 inline std::string fileOf(const std::string& text, const std::string& name) {
   const std::string path = fuzzedFolder() + "/" + name;
   std::ofstream(path, std::ios::binary) << text;

@@ -1,4 +1,4 @@
-// What libFuzzer gives text to: TUBEPLAN_READER names one of the readers that the program was built with. See run.sh.
+// Readers for libFuzzer: TUBEPLAN_READER names one of those in the program. See run.sh.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace tubeplan::app {
 struct FuzzedReader {
   const char* name;
   void (*read)(const std::string& text);
-  bool is_text = true;  ///< checked as readTextFile() does before it is read
+  bool is_text = true;  ///< true: checked as in readTextFile() before it is read
 };
 
-/// Of this program.
+/// Returns the readers of this program.
 const std::vector<FuzzedReader>& fuzzedReaders();
 
 }  // namespace tubeplan::app

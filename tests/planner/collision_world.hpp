@@ -1,5 +1,5 @@
-// The nearest pair of one posture, pair by pair and without kernels: what NearestPairs is held to, and scenes of toy
-// arms are asked.
+// Nearest pair of one posture, pair by pair and without kernels: the reference for NearestPairs, also for scenes of toy
+// arms.
 #pragma once
 
 #include <algorithm>
@@ -17,19 +17,19 @@ namespace tubeplan::planner {
 
 struct PairClearance {
   Clearance clearance;
-  bool allowed = false;  ///< may touch: does not count in the scene's clearance; its margin is infinite
+  bool allowed = false;  ///< may touch: not counted in the scene's clearance; its margin is infinite
 };
 
 class CollisionWorld {
  public:
-  /// The scene must be free of problems (findSceneProblems).
+  /// Prepares a scene without problems (findSceneProblems).
   explicit CollisionWorld(Scene scene);
 
-  /// The pair with the least margin, the links' frames being at X_WL (one per link of the scene, deflected or not).
-  /// Pairs that may touch are left out.
+  /// Returns the pair with the least margin for link frames X_WL (one per link of the scene, deflected or not). Pairs
+  /// that may touch are left out.
   [[nodiscard]] Clearance closest(std::span<const Eigen::Isometry3d> X_WL) const;
 
-  /// Every pair, allowed ones included (bodies that share a joint excluded), nearest first.
+  /// Returns every pair, nearest first, including allowed ones, without bodies that share a joint.
   [[nodiscard]] std::vector<PairClearance> allPairs(std::span<const Eigen::Isometry3d> X_WL) const;
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -37,11 +37,11 @@ class CollisionWorld {
  private:
   struct Pair {
     int body;
-    int other;  ///< an obstacle's index, or a body's
+    int other;  ///< index of an obstacle or of a body
     bool with_body;
-    const Solid* solid;  ///< of the other; null where that is a region or a mesh
+    const Solid* solid;  ///< solid of the other; null for a region or a mesh
   };
-  struct Placed;  ///< the bodies in one posture
+  struct Placed;  ///< bodies in one posture
 
   void addPair(const Pair& pair, bool allowed);
   [[nodiscard]] Placed place(std::span<const Eigen::Isometry3d> X_WL) const;
@@ -52,7 +52,7 @@ class CollisionWorld {
 
   Scene scene_;
   std::vector<const Solid*> solids_;  ///< one per body
-  std::vector<Pair> pairs_;           ///< that must keep clear
+  std::vector<Pair> pairs_;           ///< pairs that must keep clear
   std::vector<Pair> allowed_pairs_;
 };
 
@@ -87,7 +87,7 @@ inline CollisionWorld::Placed CollisionWorld::place(std::span<const Eigen::Isome
   return placed;
 }
 
-/// By the capsules around the two; what is no solid is asked itself.
+/// Compares by the capsules around both bodies, or by the body itself if it is no solid.
 inline bool CollisionWorld::isFarther(const Pair& pair, const Placed& placed, double distance) const {
   const Capsule& a = placed.around_W[pair.body];
   if (!pair.solid) return scene_.obstacles[pair.other].shape->isFartherThan(distance, a);

@@ -1,4 +1,4 @@
-// A plan as text, for comparison to the last bit.
+// Plan as text, for exact comparison.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 
 namespace tubeplan::planner::testing {
 
-/// Every number of a plan, exactly.
+/// Returns every number of a plan, exactly.
 inline std::string bytesOf(const VisitPlan& plan) {
   std::string text =
       fmt::format("{} {} {:a} {:a} {:a} {:a} {:a} {:a} {} {}\n", static_cast<int>(plan.status), plan.reason,

@@ -1,5 +1,5 @@
-// The same task said in other words: a cell's files in other units, all of it turned about the sheet's normal, the arm
-// drawn from another base frame. What is planned must not change. And tasks that do change: gravity or the base leans.
+// Equivalent forms of one task: a cell's files in other units, rotated about the sheet's normal, or the arm drawn from
+// another base frame. The plan must not change. Also tasks that do change, by a tilt of gravity or of the base.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 namespace tubeplan::planner::testing {
 
-/// Numbers of a YAML text by the place where they begin, to be written anew.
+/// New numbers of a YAML text by the offset and length of the old ones.
 using NewNumbers = std::map<std::size_t, std::pair<std::size_t, double>>;
 
 inline void setNumber(const app::YamlNode& node, double value, NewNumbers& numbers) {
@@ -42,7 +42,7 @@ inline void scaleLengths(const app::YamlNode& node, double factor, bool is_lengt
   }
 }
 
-/// The cell by files in which lengths are `unit`, and torques and pressures with them.
+/// Returns the cell from files with lengths in `unit`, and torques and pressures accordingly.
 inline Workcell inUnitOf(const std::string& file, const std::string& unit) {
   const std::string path = TUBEPLAN_SOURCE_DIR "/app/cells/" + file;
   const app::Cell cell = app::readCell(path);
@@ -70,7 +70,7 @@ inline void turnShapes(const app::YamlNode& node, double angle, NewNumbers& numb
   }
 }
 
-/// `text` with an rpy at every box that has none.
+/// Returns `text` with an rpy for every box that has none.
 inline std::string withBoxesTurnable(std::string text) {
   const std::string size = "size: [";
   for (std::size_t at = 0; (at = text.find(size, at)) != std::string::npos; at += size.size()) {
@@ -80,7 +80,7 @@ inline std::string withBoxesTurnable(std::string text) {
   return text;
 }
 
-/// Sheet, base, obstacles and gravity turned about the sheet's normal [rad].
+/// Returns the cell with sheet, base, obstacles and gravity rotated about the sheet's normal [rad].
 inline Workcell turnedAboutTheNormal(const std::string& file, double angle) {
   const std::string path = TUBEPLAN_SOURCE_DIR "/app/cells/" + file;
   const std::string text = withBoxesTurnable(app::readCell(path).source.text);
@@ -99,7 +99,7 @@ inline Workcell turnedAboutTheNormal(const std::string& file, double angle) {
   return cell;
 }
 
-/// The same arm at the same place, but its file begins with a fixed row, and its base frame is elsewhere.
+/// Returns the cell with the same arm at the same place, but with a fixed first row and another base frame.
 inline Workcell fromAnotherBaseFrame(Workcell cell, std::mt19937_64& generator) {
   const auto angle = [&] { return uniform(generator, -3, 3); };
   auto mount = decltype(cell.arm.rows)::value_type{};
@@ -128,7 +128,7 @@ inline Workcell withBaseLeaning(Workcell cell, double degrees, double heading) {
   return cell;
 }
 
-/// Sheet, base and obstacles lean as one: in their own frame it is gravity that leans.
+/// Returns the cell with gravity tilted, equivalent to a common tilt of sheet, base and obstacles.
 inline Workcell withGravityLeaning(Workcell cell, double degrees, double heading) {
   cell.arm.gravity_W = leanOf(degrees, heading) * cell.arm.gravity_W;
   return cell;

@@ -1,4 +1,4 @@
-// Random calls of the workbench: valid ones, damaged ones and bytes that are no call at all.
+// Random calls of the workbench: valid ones, damaged ones, and bytes that are not a call.
 #pragma once
 
 #include <unistd.h>
@@ -13,7 +13,7 @@
 
 namespace tubeplan::app {
 
-/// What came of the calls, by HTTP status; 0: the connection was closed without an answer.
+/// Numbers of calls by HTTP status of the answer; 0: the connection was closed without one.
 using CallCounts = std::map<int, int>;
 
 /// Draws and makes calls of a server on loopback.
@@ -228,7 +228,7 @@ class RandomCalls {
   std::mt19937_64 random_;
 };
 
-/// Memory of this process [bytes].
+/// Returns the resident memory of this process [bytes].
 inline std::size_t residentMemory() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)

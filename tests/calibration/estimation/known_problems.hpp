@@ -1,4 +1,4 @@
-// Least-squares problems with known answers, and a watch on what they are asked.
+// Least-squares problems with known solutions, and a record of their evaluations.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ inline double chi2Of(const LeastSquaresProblem& problem, const Eigen::VectorXd& 
   return r.squaredNorm();
 }
 
-/// A curved valley with its bottom, zero, at (1, 1).
+/// Returns a problem with a curved valley and its minimum, zero, at (1, 1).
 inline LeastSquaresProblem rosenbrock() {
   auto problem = problemAt(Eigen::Vector2d(-1.2, 1));
   problem.evaluate = [](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
@@ -39,7 +39,8 @@ inline LeastSquaresProblem rosenbrock() {
   return problem;
 }
 
-/// log x0 = 0 and x1 = x0, which have no meaning where x0 <= 0: where a full Newton step from the start leads.
+/// Returns the problem log x0 = 0 and x1 = x0, which is undefined for x0 <= 0, where a full Newton step from the start
+/// ends.
 inline LeastSquaresProblem halfPlane(bool say_so) {
   auto problem = problemAt(Eigen::Vector2d(8, 0));
   problem.evaluate = [say_so](const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
@@ -51,8 +52,8 @@ inline LeastSquaresProblem halfPlane(bool say_so) {
   return problem;
 }
 
-/// A x = b of random numbers, more rows than columns, within bounds that cut off some of the free answer. Columns are
-/// all but one and the same where `own`, their own part, is small.
+/// Returns A x = b of random numbers, with more rows than columns, within bounds that exclude some of the free
+/// solution. Columns are nearly equal if `own`, the size of their separate part, is small.
 inline LeastSquaresProblem randomLinear(std::uint64_t seed, double own = 1) {
   constexpr int kRows = 12, kColumns = 5;
   boost::random::mt19937_64 random(seed);
@@ -73,7 +74,7 @@ inline LeastSquaresProblem randomLinear(std::uint64_t seed, double own = 1) {
   return problem;
 }
 
-/// What a problem was asked, seen from outside.
+/// Record of the evaluations of a problem.
 struct Asked {
   int values = 0, jacobians = 0, out_of_bounds = 0;
 };

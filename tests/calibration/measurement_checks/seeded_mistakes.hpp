@@ -1,4 +1,4 @@
-// The ordinary mistakes of readings, made in clean ones on purpose, and whether the checks name them.
+// Common mistakes made on purpose in clean readings, and the judgement whether the checks name them.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,9 +16,9 @@
 
 namespace tubeplan::calibration {
 
-/// One way to go wrong. `make` does it and gives what mends it; nothing where the set has no room for it.
+/// One mistake. `make` applies it and returns its correction; nothing if the set does not allow it.
 struct SeededMistake {
-  const char* name;  ///< of the check that names it
+  const char* name;  ///< name of the check that finds it
   const char* label;
   std::optional<std::string> (*make)(SeededSet&, SeededRandom&);
 };
@@ -34,7 +34,7 @@ inline void scalePlaces(SeededSet& set, double factor) {
   }
 }
 
-/// Coordinates that are really in `unit`, whatever the column says.
+/// Converts the coordinates to `unit`, without changing the column's unit.
 inline Made writtenIn(SeededSet& set, const std::string& unit) {
   const auto& units = set.table.units;
   if (unit == units.coordinates.name || !set.table.readings.front().p_W) return std::nullopt;
@@ -93,7 +93,7 @@ inline Made coordinateInMillimetres(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) (*m.p_W)[axis] *= s.table.units.coordinates.factor / 1e-3;
   return std::string("coordinate-unit=") + "xyz"[axis] + ":mm";
 }
-/// Noise in the unit that the coordinates really are in, of the readings from that one on.
+/// Converts the noise of the readings from `first` on to the actual unit of the coordinates.
 inline Made withSigma(SeededSet& set, const std::string& unit, std::size_t first, Made mend) {
   const double factor = set.table.units.coordinates.factor / app::findUnit(app::UnitKind::kLength, unit)->factor;
   for (std::size_t k = first; mend && k < set.table.readings.size(); ++k) set.table.readings[k].sigma *= factor;
@@ -112,7 +112,7 @@ inline Made coordinateInMillimetresWithSigma(SeededSet& s, SeededRandom& random)
   }
   return mend;
 }
-/// From one of the readings on, as a file appended to another.
+/// Draws a reading from which on a mistake holds, as in a file appended to another.
 inline std::pair<std::size_t, std::string> drawnEnd(const SeededSet& set, SeededRandom& random) {
   const auto& readings = set.table.readings;
   const int count = static_cast<int>(readings.size());
@@ -156,7 +156,7 @@ inline Made jointSign(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) m.q[joint] *= -1;
   return "joint-sign=" + jointName(s, joint);
 }
-/// A column that contains another joint's reading beside its own: theta3 + theta2 where theta3 belongs.
+/// Adds another joint's reading to a column: theta3 + theta2 in place of theta3.
 inline Made jointCoupling(SeededSet& s, SeededRandom& random) {
   const int joints = static_cast<int>(s.table.joints.size());
   const int joint = drawnJoint(s, random), of = (joint + (joint + 1 < joints ? 1 : -1));
@@ -164,8 +164,8 @@ inline Made jointCoupling(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) m.q[joint] -= share * m.q[of];
   return fmt::format("joint-coupling={}:{}:{}", jointName(s, joint), jointName(s, of), share);
 }
-/// The motors of a differential in the columns of two joints that follow each other, by either joint's sum and either
-/// order of the difference, which turn by the sum of the joints or by half of it.
+/// Puts a differential's motors into the columns of two adjacent joints, with the sum in either column and either order
+/// of the difference. The motors turn by the sum of the joints or by half of it.
 inline Made jointPair(SeededSet& s, SeededRandom& random) {
   const int a = drawnBelow(static_cast<int>(s.table.joints.size()) - 1, random), b = a + 1;
   const double size = random() % 2 ? 0.5 : 1;
@@ -180,7 +180,7 @@ inline Made jointPair(SeededSet& s, SeededRandom& random) {
   return fmt::format("joint-pair={}:{}:{:g}:{:g}:{:g}:{:g}", jointName(s, a), jointName(s, b), shares(0, 0),
                      shares(0, 1), shares(1, 0), shares(1, 1));
 }
-/// An encoder's pulses, some thousand to a degree.
+/// Converts a joint to encoder pulses, some thousands per degree.
 inline Made jointInPulses(SeededSet& s, SeededRandom& random) {
   if (!arePlaces(s)) return std::nullopt;
   const int joint = drawnJoint(s, random);
@@ -189,7 +189,7 @@ inline Made jointInPulses(SeededSet& s, SeededRandom& random) {
     m.q[joint] = std::round(m.q[joint] * 180 / std::numbers::pi * factor) * std::numbers::pi / 180;
   return "joint-scale=" + jointName(s, joint);
 }
-/// Two or three joints.
+/// Reverses the signs of two or three joints.
 inline Made severalSigns(SeededSet& s, SeededRandom& random) {
   const int joints = static_cast<int>(s.table.joints.size());
   std::string mend;
@@ -219,7 +219,7 @@ inline Made jointOrder(SeededSet& s, SeededRandom& random) {
   for (auto& m : s.table.readings) std::swap(m.q[a], m.q[b]);
   return "joint-order=" + jointName(s, std::min(a, b)) + ":" + jointName(s, std::max(a, b));
 }
-/// Three joints in a ring, as where the third axis is logged last.
+/// Exchanges three joints in a ring, as when the third axis is logged last.
 inline Made jointRing(SeededSet& s, SeededRandom& random) {
   const int joints = static_cast<int>(s.table.joints.size());
   if (joints < 3) return std::nullopt;
@@ -247,7 +247,7 @@ inline Made shiftedRows(SeededSet& s, SeededRandom& random) {
   }
   return "shift=" + std::to_string(by);
 }
-/// A measured point that was lost, or is there twice, shifts all that follow.
+/// Loses or doubles a measured point, which shifts all following ones.
 inline Made shiftedFromAPoint(SeededSet& s, SeededRandom& random) {
   auto& readings = s.table.readings;
   const int count = static_cast<int>(readings.size());
@@ -265,7 +265,7 @@ inline Made shiftedFromAPoint(SeededSet& s, SeededRandom& random) {
   if (by < 0) readings.pop_back();
   return "shift=" + std::to_string(by) + "@" + readings[static_cast<std::size_t>(first)].id;
 }
-/// Of a base that is known: else the base takes it.
+/// Counts holes from another row or column, for a known base; an unknown one would absorb the shift.
 inline Made holesOff(SeededSet& s, SeededRandom& random) {
   if (!areHoles(s) || !s.cell.base_known) return std::nullopt;
   const bool of_rows = random() % 2;
@@ -301,8 +301,8 @@ inline Made oneHole(SeededSet& s, SeededRandom& random) {
   m.p_W = Eigen::Vector3d(tube->x, tube->y, 0);
   return mend;
 }
-/// A base said to be known that stands some centimetres and degrees elsewhere, as upright as it was: the arm sags
-/// alike.
+/// Displaces a known base by up to 0.15 of the reach and rotates it by 0.05 to 0.4 rad about gravity, so that the arm's
+/// sag is the same.
 inline Made baseElsewhere(SeededSet& s, SeededRandom& random) {
   if (!s.cell.base_known || !arePlaces(s)) return std::nullopt;
   const double reach = deflection::reachOf(s.cell.arm);
@@ -313,7 +313,7 @@ inline Made baseElsewhere(SeededSet& s, SeededRandom& random) {
     if (m.kind == MeasurementKind::kPosition || m.kind == MeasurementKind::kTouch) *m.p_W = turn * *m.p_W + shift;
   return "base=unknown";
 }
-/// The second of two set-ups with the reflector in another place of the last link; a rigid shift of the tip is enough.
+/// Moves the reflector on the last link for the second of two set-ups, as a rigid shift of the tip.
 inline Made tipAnew(SeededSet& s, SeededRandom& random) {
   std::vector<std::string> setups;
   for (const auto& m : s.table.readings)
@@ -327,7 +327,8 @@ inline Made tipAnew(SeededSet& s, SeededRandom& random) {
   const PlacedArm placed = app::startOf(s.cell, s.table.readings);
   for (auto& m : s.table.readings) {
     if (m.setup != setups.back() || !m.p_W) continue;
-    // The base is where the cell has it but for what a set-up is off by: the tool's turn in the world is near enough.
+    // The base is at the cell's place except for small errors of the set-up, so the tool's rotation in the world is
+    // nearly exact.
     const auto shape =
         deflection::solveFlexibleKinematics(placed.arm, postureOf(m, placed.arm, placed.base_poses.front().X_WB));
     *m.p_W += placed.base_poses.front().X_WB.linear() * shape.X_BD.R * by;
@@ -350,7 +351,7 @@ inline Made duplicate(SeededSet& s, SeededRandom& random) {
   return "without=" + m.id;
 }
 
-/// Logged before the controller had its new joints.
+/// Takes the joints of the preceding reading, as if logged before the controller had the new ones.
 inline Made staleJoints(SeededSet& s, SeededRandom& random) {
   auto& readings = s.table.readings;
   if (!arePlaces(s) || areHoles(s) || readings.size() < 12) return std::nullopt;
@@ -365,11 +366,11 @@ inline Made staleJoints(SeededSet& s, SeededRandom& random) {
   return "without=" + readings[k].id;
 }
 
-/// One of the readings within a table, and how far what is measured moves from there on: ten times the noise to a
-/// tenth of the reach.
+/// Reading within a table, with the motion of the measured points from there on: from ten times the noise to a tenth of
+/// the reach.
 struct SeededStep {
   std::size_t first = 0;
-  double motion = 0;  // m
+  double motion = 0;  // [m]
   std::string from;
 };
 inline std::optional<SeededStep> drawnStep(const SeededSet& s, SeededRandom& random, double times_noise) {
@@ -378,9 +379,9 @@ inline std::optional<SeededStep> drawnStep(const SeededSet& s, SeededRandom& ran
   const bool are_positions =
       std::ranges::all_of(readings, [](const auto& m) { return m.kind == MeasurementKind::kPosition; });
   if (!are_positions || count < 24) return std::nullopt;
-  // With fewer readings, the thirty numbers that the drawing leaves open take most of so small a step.
+  // With fewer readings, the thirty numbers that the drawing leaves open absorb most of such a small step.
   if (times_noise == 10 && count < 40) return std::nullopt;
-  constexpr int kAround = 6;  // readings of the same set-up, before and behind
+  constexpr int kAround = 6;  // readings of the same set-up before and after
   const auto first = static_cast<std::size_t>(kAround + drawnBelow(count - 2 * kAround, random));
   for (std::size_t k = first - kAround; k < first + kAround; ++k)
     if (readings[k].setup != readings[first].setup) return std::nullopt;
@@ -388,8 +389,8 @@ inline std::optional<SeededStep> drawnStep(const SeededSet& s, SeededRandom& ran
 }
 inline double drawnTimes(SeededRandom& random) { return 10 * std::pow(10., drawnBetween(0, 2, random)); }
 
-/// Lost counts of an encoder: so much is missing of a joint's readings from there on that the tip moves so far, as a
-/// mean. Of the last joint it would be a tool mounted elsewhere.
+/// Loses encoder counts of a joint from a reading on, so that the tip moves by the drawn mean. For the last joint this
+/// would equal a tool mounted elsewhere.
 inline Made zeroFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const auto step = drawnStep(s, random, times_noise);
   if (!step) return std::nullopt;
@@ -405,7 +406,7 @@ inline Made zeroFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   for (std::size_t k = step->first; k < s.table.readings.size(); ++k) s.table.readings[k].q[joint] -= lost;
   return fmt::format("joint-zero={}:{:.6g}@{}", jointName(s, joint), lost / s.table.units.angles.factor, step->from);
 }
-/// A reflector in another place of the last link.
+/// Moves the reflector on the last link from a reading on.
 inline Made tipFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const auto step = drawnStep(s, random, times_noise);
   if (!step) return std::nullopt;
@@ -422,7 +423,8 @@ inline Made tipFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   by /= s.table.units.coordinates.factor;
   return fmt::format("tip={:.5g}:{:.5g}:{:.5g}@{}", by[0], by[1], by[2], step->from);
 }
-/// A tracker that was bumped, whose readings have no time: else it is an effect of the catalogue.
+/// Displaces the tracker from a reading on, without times of the readings; with times it would be an effect of the
+/// catalogue.
 inline Made baseFrom(SeededSet& s, SeededRandom& random, double times_noise) {
   const auto step = drawnStep(s, random, times_noise);
   if (!step) return std::nullopt;
@@ -445,7 +447,7 @@ inline Made tipFromByFar(SeededSet& s, SeededRandom& random) { return tipFrom(s,
 inline Made baseFromBarely(SeededSet& s, SeededRandom& random) { return baseFrom(s, random, 10); }
 inline Made baseFromByFar(SeededSet& s, SeededRandom& random) { return baseFrom(s, random, drawnTimes(random)); }
 
-/// A run of up to a fifth of the readings that were logged from something that stood still.
+/// Draws a run of up to a fifth of the readings, logged from something that stood still.
 inline std::optional<std::pair<std::size_t, std::size_t>> drawnRun(const SeededSet& s, SeededRandom& random) {
   const auto& readings = s.table.readings;
   const int count = static_cast<int>(readings.size());
@@ -530,8 +532,8 @@ inline const std::vector<SeededMistake>& seededMistakes() {
   return kMistakes;
 }
 
-/// Returns whether two texts name a step of the same kind and joint, within a third of its size, and within two rows:
-/// of a row that hardly moves nobody can say on which side it is.
+/// Returns true if two texts name a step of the same kind and joint, within a third of its size and within two rows.
+/// For a row that hardly moves the side cannot be decided.
 inline bool isSameStep(const std::string& a, const std::string& b) {
   constexpr double kRows = 2, kShare = 0.3;
   const auto at = [](const std::string& text) { return std::min(text.find('@'), text.size()); };
@@ -564,8 +566,8 @@ inline bool isSameStep(const std::string& a, const std::string& b) {
 
 enum class Naming { kRight, kEqually, kWrong, kMissed };
 
-/// Whether the checks name the mistake: first; among those that explain the readings as well; another; none. A zero's
-/// value is estimated, a sigma's unit a matter of what real instruments have: their kind and place count.
+/// Returns how the checks name the mistake: first, among those that explain the readings as well, another one, or none.
+/// For a zero, whose value is estimated, and for a sigma's unit, only the kind and place count.
 inline Naming judgeNaming(const SeededMistake& mistake, const std::string& mend, const MeasurementChecks& checks) {
   const auto fits = [&](const std::string& assume) {
     if (mend.find('@') != std::string::npos && !mend.starts_with("shift=")) return isSameStep(assume, mend);

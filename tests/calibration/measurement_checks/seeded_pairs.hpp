@@ -1,4 +1,4 @@
-// Two ordinary mistakes at once, made in clean readings on purpose, and whether the checks name both.
+// Two common mistakes made together on purpose in clean readings, and the judgement whether the checks name both.
 #pragma once
 
 #include <algorithm>
@@ -16,11 +16,11 @@ namespace tubeplan::calibration {
 struct SeededPair {
   SeededSet set;
   std::vector<Measurement> clean;
-  std::vector<std::string> mends;  ///< in the order in which they were made
+  std::vector<std::string> mends;  ///< in the order in which the mistakes were made
   std::string label;
 };
 
-/// Mistakes of a whole table that an error shows, of which any two may meet.
+/// Returns the mistakes of a whole table that errors show, any two of which may be combined.
 inline const std::vector<std::string>& pairedMistakes() {
   static const std::vector<std::string> kLabels{
       "coordinates in mm",    "coordinates in m",     "radians under deg",   "one joint in radians under deg",
@@ -33,8 +33,8 @@ inline const SeededMistake& seededMistake(const std::string& label) {
   return *std::ranges::find_if(seededMistakes(), [&](const auto& mistake) { return mistake.label == label; });
 }
 
-/// A pair by its number; nothing where the set has no room for it, or both are one and the same. Zeros of the last
-/// joint are left out, which to tips alone are a tool mounted elsewhere.
+/// Returns a pair by its number; nothing if the set does not allow it, or if both are the same. Zeros of the last joint
+/// are excluded, since for tips alone they equal a tool mounted elsewhere.
 inline std::optional<SeededPair> seededPair(std::uint64_t number) {
   SeededRandom random(number * 977 + 11);
   const auto& labels = pairedMistakes();
@@ -57,8 +57,8 @@ inline std::optional<SeededPair> seededPair(std::uint64_t number) {
 enum class PairNaming { kBoth, kAsGood, kOne, kOther, kNone };
 inline constexpr const char* kPairNamings[] = {"both", "as good", "one", "another", "none"};
 
-/// How far readings that are taken as a check proposes are from the clean ones: joints [rad, modulo a turn] and places
-/// [m], the largest.
+/// Returns the largest distance of the readings, corrected as a check proposes, from the clean ones: joints [rad,
+/// modulo a turn] and places [m].
 inline double distanceMended(const SeededPair& pair, const std::string& assume) {
   app::MeasurementTable table = pair.set.table;
   app::Cell cell = pair.set.cell;
@@ -77,15 +77,15 @@ inline double distanceMended(const SeededPair& pair, const std::string& assume) 
   return largest;
 }
 
-/// The readings as a check proposes to take them, as others are that have no mistake.
+/// Returns the set corrected as a check proposes, like a set without mistakes.
 inline SeededSet mendedSet(const SeededPair& pair, const std::string& assume) {
   SeededSet set = pair.set;
   (void)app::takeAssumptions({assume}, set.table, set.cell);
   return set;
 }
 
-/// Whether no reading could tell the readings so taken from the clean ones: the drawing fits them as well, with the
-/// base where it is not known, and their noise is the stated one with all that is open.
+/// Returns true if the corrected readings cannot be distinguished from the clean ones: the drawing fits them as well,
+/// with an unknown base free, and their noise is the stated one with all that is open.
 inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
   SeededSet clean = pair.set;
   clean.table.readings = pair.clean;
@@ -101,9 +101,9 @@ inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
          with.asIs().open_error < 1.5 * without.asIs().open_error;
 }
 
-/// Whether a check names both: the readings taken as it proposes, or as it says would do as well, are the clean ones,
-/// but for a few hundredths in the size of a zero. As good: others that nobody could tell from them are named first.
-/// One: one of the two stands among what it proposes.
+/// Judges whether a check names both mistakes: the readings corrected by its proposal, or by an equal one, are the
+/// clean ones up to a few hundredths of a zero. As good: indistinguishable mistakes are named first. One: the proposal
+/// contains one of the two.
 inline PairNaming judgePair(const SeededPair& pair, const MeasurementChecks& checks) {
   constexpr double kSame = 0.05;
   bool is_one = false, is_any = false;

@@ -1,4 +1,4 @@
-// Clean readings of arms that are a little off their drawing: by a design of a shipped cell, or by their number.
+// Clean readings of arms slightly off their drawing: by a design of a shipped cell, or by number.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@
 
 namespace tubeplan::calibration {
 
-/// A cell with readings as their file has them.
+/// Cell with readings in the form of their file.
 struct SeededSet {
   std::string name;
   app::Cell cell;
@@ -41,8 +41,8 @@ inline app::Cell shippedCell(const std::string& name) {
   return app::readCell((std::filesystem::path(TUBEPLAN_SOURCE_DIR) / "app/cells" / name).string());
 }
 
-/// Readings by a design of a shipped cell: stiffnesses a tenth off, the base where it is not known as well, and what is
-/// hidden. Nothing where the arm does not reach them.
+/// Returns readings by a design of a shipped cell, with stiffnesses a tenth off, an unknown base displaced, and the
+/// hidden effects. Nothing if the arm does not reach them.
 inline std::optional<SeededSet> simulatedSet(const std::string& cell_name, const std::string& design, int readings,
                                              const std::vector<std::string>& hidden, std::uint64_t seed,
                                              const std::function<void(app::SimulationTask&)>& change = {}) {
@@ -72,7 +72,7 @@ inline MeasurementChecks checksOf(const SeededSet& set) {
   return checkMeasurements(checked);
 }
 
-/// A clean set by its number: designs, sizes and seeds in turn.
+/// Returns a clean set by its number, with designs, sizes and seeds in turn.
 inline std::optional<SeededSet> cleanSet(std::uint64_t number) {
   static constexpr int kSizes[] = {30, 60, 120, 45};
   const int size = kSizes[number / 5 % 4];

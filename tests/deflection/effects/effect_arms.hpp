@@ -1,4 +1,4 @@
-// Arms with effects for the tests: the Cobra, a six-axis arm of origin rows, one with a slide; typical sizes.
+// Arms with effects for the tests: the Cobra, a six-axis arm of origin rows, an arm with a slide; typical sizes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +21,8 @@ inline Row<double> originRow(const std::string& name, const Eigen::Vector3d& pos
   return row;
 }
 
-/// Six turning joints placed by origin rows, with springs about every axis somewhere, a beam that twists, and lumps.
+/// Returns an arm of six revolute joints by origin rows, with springs about every axis somewhere, a twisting beam, and
+/// lumps.
 inline Arm sixAxisArm() {
   constexpr double kQuarter = std::numbers::pi / 2;
   Arm arm;
@@ -46,7 +47,7 @@ inline Arm sixAxisArm() {
   return arm;
 }
 
-/// A turntable, a mast that slides, and a hand.
+/// Returns an arm of a turntable, a sliding mast, and a hand.
 inline Arm mastArm() {
   Arm arm;
   arm.name = "mast";
@@ -66,7 +67,7 @@ inline Arm mastArm() {
 
 inline std::vector<Arm> effectArms() { return {cobraArm(), sixAxisArm(), mastArm()}; }
 
-/// One effect of an arm, at the values given or at neutral ones.
+/// Returns one effect of an arm, at the given values or at neutral ones.
 inline Effect effectAt(const Arm& arm, const std::string& name, const std::string& at,
                        std::vector<double> values = {}) {
   MadeEffect made = makeEffect(arm, name, at);
@@ -83,7 +84,7 @@ inline Arm withEffect(Arm arm, const std::string& name, const std::string& at, s
   return arm;
 }
 
-/// Every effect that an arm can carry, at neutral values.
+/// Returns every effect that an arm can have, at neutral values.
 inline std::vector<Effect> allEffects(const Arm& arm) {
   std::vector<Effect> effects;
   for (const EffectKind& kind : effectKinds())
@@ -91,7 +92,8 @@ inline std::vector<Effect> allEffects(const Arm& arm) {
   return effects;
 }
 
-/// Moved away from neutral by a share of what real machines have; the numbers alternate in sign where they may.
+/// Returns the effect moved from neutral by a share of the size in real machines; the numbers alternate in sign if both
+/// are allowed.
 inline Effect sized(const Arm& arm, Effect effect, double share) {
   const auto& parameters = effectKinds()[effect.kind].parameters;
   double sign = 1;
@@ -104,7 +106,7 @@ inline Effect sized(const Arm& arm, Effect effect, double share) {
   return effect;
 }
 
-/// Any posture of an arm, with everything that an effect may look at.
+/// Returns a random posture of an arm, with all quantities that an effect may depend on.
 inline Posture randomPosture(const Arm& arm, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   Posture posture{randomJoints(arm, random), 180 * unit(random), randomDirection(random)};

@@ -1,4 +1,4 @@
-// Rigid chains of drawn geometry, for what finds all their postures.
+// Rigid chains of random geometry, for the search for all their postures.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ class Draw {
   std::mt19937_64 random_;
 };
 
-/// Joints of any geometry, in a file's numbers only for their limits.
+/// Joints of any geometry; the numbers of a file are used only for their limits.
 struct DrawnChain {
   Arm arm;
   AxesAtZero axes;

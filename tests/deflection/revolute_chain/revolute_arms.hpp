@@ -1,4 +1,4 @@
-// Arms that the kernels solve, the same kept from them, and random postures side by side.
+// Arms that the kernels solve, the same arms without kernels, and random postures in lanes.
 #pragma once
 
 #include <random>
@@ -8,8 +8,8 @@
 
 namespace tubeplan::deflection {
 
-/// An arm for the kernels with all that they know: beams in several pieces, one that twists, lumps, a leaning tool, a
-/// spring across a joint's axis, a beam that starts off its turn.
+/// Returns an arm with all features of the kernels: beams in several pieces, one that twists, lumps, a tilted tool, a
+/// spring across a joint's axis, and a beam whose start is not on its joint's axis.
 inline Arm oddRevoluteArm() {
   Arm arm = cobraArm(3);
   arm.name = "odd";
@@ -23,7 +23,7 @@ inline Arm oddRevoluteArm() {
   return arm;
 }
 
-/// Beams askew in pieces: the axes of two that follow one another are parallel but for rounding.
+/// Returns an arm of skew beams in pieces, so that adjacent axes are parallel up to rounding.
 inline Arm askewBeamArm() {
   Arm arm;
   arm.name = "askew beams";
@@ -43,7 +43,7 @@ inline std::vector<Arm> kernelArms() {
   return {cobraArm(), cobraArm(4), rigidCopy(cobraArm()), oddRevoluteArm(), askewBeamArm()};
 }
 
-/// The arm solved by the general sweeps: a force at the tip, too small to move it, keeps the kernels off.
+/// Returns the arm for the general sweeps: a force at the tip, too small to move it, excludes the kernels.
 inline Arm withoutKernel(const Arm& arm) { return withEffect(arm, "contact-force", "tip", {1e-200}); }
 
 inline Posture randomCase(const Arm& arm, std::mt19937_64& random) {

@@ -1,4 +1,4 @@
-// Random motions of toy arms among things that are easily stepped over: motions called free, against fine steps.
+// Random motions of toy arms among obstacles that coarse steps miss: motions judged free, compared with fine steps.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@ namespace tubeplan::planner::testing {
 
 struct MotionTally {
   int free = 0, blocked = 0;
-  int refuted = 0;  ///< called free, though a step is nearer than what was proved
+  int refuted = 0;  ///< judged free, although a step is nearer than the proved distance
 
-  /// Counts a motion; fine steps are asked only of one that is called free.
+  /// Counts a motion; fine steps are computed only for one that is judged free.
   void add(const MotionCheckResult& result, const std::function<double()>& least_sampled) {
     if (result.status != MotionCheckStatus::kFree) {
       ++blocked;
@@ -41,7 +41,7 @@ inline ToyArm adversarialArm(int scene) {
   return {{0.6, 0.5, 0.4}, kRadius.at(static_cast<std::size_t>(scene)), kClearance.at(static_cast<std::size_t>(scene))};
 }
 
-/// A mesh in a pose of its own: place and yaw.
+/// Returns a mesh at a place with a yaw.
 inline ShapePointer placedMesh(const TriangleMesh& mesh, double x, double y, double yaw) {
   return makeShape(*findSceneShape("mesh"), std::vector<double>{x, y, 0, 0, 0, yaw}, &mesh).shape;
 }

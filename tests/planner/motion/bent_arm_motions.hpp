@@ -1,5 +1,5 @@
-// Random motions of the mock-up's bent arm among plates of a hundredth of a millimetre, each in its own place: motions
-// called free, against fine steps.
+// Random motions of the mock-up's bent arm among plates of a hundredth of a millimetre: motions judged free, compared
+// with fine steps.
 #pragma once
 
 #include "planner/collision/arm_clearance.hpp"
@@ -8,7 +8,7 @@
 
 namespace tubeplan::planner::testing {
 
-/// The mock-up without its walls, and three thin plates somewhere within the arm's reach.
+/// Returns the mock-up without its walls, with three thin plates within the arm's reach.
 inline Workcell amongThinPlates(Workcell cell, std::mt19937_64& generator) {
   cell = alone(std::move(cell));
   for (const char* name : {"plate", "other plate", "third plate"}) {
@@ -21,7 +21,7 @@ inline Workcell amongThinPlates(Workcell cell, std::mt19937_64& generator) {
   return cell;
 }
 
-/// Motions in `motions_each` to a scene, until `motions` are through.
+/// Checks `motions` motions, with `motions_each` in each scene.
 inline MotionTally tallyBentArmMotions(std::uint64_t seed, int motions, int samples, int motions_each = 20) {
   std::mt19937_64 generator(seed);
   const Workcell bare = mockup();

@@ -19,12 +19,13 @@ inline Eigen::VectorXd postureWithinOne(std::mt19937_64& random, int joints) {
   return testing::randomPosture(random, joints, -1, 1);
 }
 
-/// Joints alike: 6 deg/s and 12 deg/s^2.
+/// Returns equal speeds for all joints: 6 deg/s and 12 deg/s^2.
 inline JointSpeeds evenSpeeds(int joints) {
   return {Eigen::VectorXd::Constant(joints, 6 * kDegree), Eigen::VectorXd::Constant(joints, 12 * kDegree)};
 }
 
-/// One to `most_branches` postures for each visit, joints unlike; ends as asked.
+/// Returns one to `most_branches` postures for each visit, with different joints, and with a start and an end if
+/// requested.
 inline Route randomRoute(std::mt19937_64& random, int visits, int most_branches, bool start, bool end) {
   Route route;
   route.speeds = {Eigen::Vector3d(1, 0.5, 2), Eigen::Vector3d(2, 4, 1)};
@@ -39,8 +40,8 @@ inline Route randomRoute(std::mt19937_64& random, int visits, int most_branches,
   return route;
 }
 
-/// Elbow left and elbow right of links of 1.6 m, with a wrist that holds the tool's direction. `x`, `y` in m, within
-/// reach.
+/// Returns the postures with the elbow left and right, for links of 1.6 m and a wrist that keeps the tool's direction.
+/// `x`, `y` in m, within reach.
 inline Visit twoElbows(double x, double y) {
   constexpr double kLink = 1.6;
   const double elbow = std::acos((x * x + y * y) / (2 * kLink * kLink) - 1);
@@ -52,7 +53,7 @@ inline Visit twoElbows(double x, double y) {
   return visit;
 }
 
-/// side x side holes with the pitch [m], starting at (0.9, -0.6) m; `branches` is 1 or 2.
+/// Returns a route of side x side holes with the pitch [m], starting at (0.9, -0.6) m; `branches` is 1 or 2.
 inline Route latticeRoute(int side, double pitch, int branches) {
   Route route;
   route.speeds = evenSpeeds(3);
@@ -66,7 +67,7 @@ inline Route latticeRoute(int side, double pitch, int branches) {
   return route;
 }
 
-/// The time [s] of an order with branches, from the postures themselves.
+/// Returns the time [s] of an order with branches, computed from the postures.
 inline double timeOf(const Route& route, const std::vector<int>& order, const std::vector<int>& branches) {
   struct Stop {
     int visit, branch;
@@ -87,7 +88,7 @@ inline double timeOf(const Route& route, const std::vector<int>& order, const st
   return time;
 }
 
-/// The least time over all choices of branches for an order, by trying each.
+/// Returns the least time [s] over all choices of branches for an order, by exhaustive search.
 inline double exhaustiveBranches(const Route& route, const std::vector<int>& order) {
   std::vector<int> branches(order.size(), 0);
   double best = std::numeric_limits<double>::infinity();

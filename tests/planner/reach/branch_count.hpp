@@ -1,9 +1,8 @@
-// Branches that the inverse kinematics finds, against what many random starts find: for any arm under holes of its
-// cell.
+// Branches of the inverse kinematics compared with those from many random starts, for any arm under holes of its cell.
 //
-// Where an arm has more joints than its goals ask for, postures are a continuum. There a posture counts as found where
-// the search has it at the readings of the joints that are over, at its roll where a wrist turns the tool, and at its
-// turn where two axes of the wrist are in line: the same place in the continuum.
+// For an arm with more joints than its goals require, postures are a continuum. A posture then counts as found if the
+// search has it at the readings of the redundant joints, at its roll if a wrist rotates the tool, and at its rotation
+// if two axes of the wrist are aligned: the same place in the continuum.
 #pragma once
 
 #include <chrono>
@@ -18,12 +17,12 @@ namespace tubeplan::planner::testing {
 
 struct BranchCount {
   int goals = 0;
-  long brute = 0;      ///< different postures that the random starts lead to, within limits
-  long missed = 0;     ///< ... that the search does not have
-  long branches = 0;   ///< of the flexible arm, usable
-  long wrong = 0;      ///< ... whose tip is not at its place, or past limits
-  int without = 0;     ///< goals that random starts reach within the tilt and the search says it does not
-  double seconds = 0;  ///< CPU for all branches of all goals, flexible
+  long brute = 0;      ///< different postures from the random starts, within limits
+  long missed = 0;     ///< of `brute`, those that the search lacks
+  long branches = 0;   ///< usable branches of the flexible arm
+  long wrong = 0;      ///< of `branches`, those with the tip not at its place, or beyond limits
+  int without = 0;     ///< goals that random starts reach within the tilt and the search does not
+  double seconds = 0;  ///< processor time for all branches of all goals, flexible [s]
 
   BranchCount& operator+=(const BranchCount& other) {
     goals += other.goals, brute += other.brute, missed += other.missed, branches += other.branches;
@@ -41,14 +40,14 @@ inline double apartOf(const deflection::Arm& arm, const Eigen::VectorXd& a, cons
   return most;
 }
 
-/// Different postures of the rigid arm that `starts` random starts lead to.
+/// Returns the different postures of the rigid arm from `starts` random starts.
 inline std::vector<Eigen::VectorXd> bruteForce(const deflection::Arm& rigid, const deflection::ToolGoal& goal,
                                                const Eigen::Vector3d& gravity_B, double max_tilt, int starts,
                                                std::mt19937_64& generator) {
   deflection::InverseKinematicsOptions options;
   options.max_tilt = max_tilt;
   options.position_tolerance = options.pitch_tolerance = 1e-9;
-  options.singular_floor = 1e-6;  // what leans is led on as long as anything can be done about it
+  options.singular_floor = 1e-6;  // singular postures are refined as long as possible
   deflection::InverseSolver solver(rigid, 0, gravity_B, options);
   std::vector<Eigen::VectorXd> from, found;
   for (int k = 0; k < starts; ++k) from.push_back(randomPosture(rigid, generator));
@@ -60,8 +59,8 @@ inline std::vector<Eigen::VectorXd> bruteForce(const deflection::Arm& rigid, con
   return found;
 }
 
-/// Whether the search has a posture at the readings of the joints that it holds: they stay while its roots are led to
-/// the goal.
+/// Returns true if the search has a posture at the readings of the joints that it holds, which stay constant while its
+/// roots are moved to the goal.
 inline bool isFound(const deflection::RigidSearch& search, const deflection::Arm& arm, const deflection::ToolGoal& goal,
                     const Eigen::VectorXd& q) {
   using namespace deflection;
@@ -111,7 +110,7 @@ inline BranchCount countBranches(const Workcell& cell, std::span<const Eigen::Ve
   std::vector<ToolGoal> goals;
   for (const auto& place_W : places_W)
     goals.push_back({cell.X_WB.inverse() * place_W, cell.X_WB.linear().transpose() * kHoleAxis_W});
-  (void)solver.solve(goals.front());  // what is made when it is first asked for
+  (void)solver.solve(goals.front());  // computes what is stored on first use
 
   BranchCount count;
   count.goals = static_cast<int>(goals.size());
@@ -139,7 +138,7 @@ inline BranchCount countBranches(const Workcell& cell, std::span<const Eigen::Ve
   return count;
 }
 
-/// An arm of `joints` joints, the one of `slide` a slide, of any geometry and limits, on any base.
+/// Returns an arm of `joints` joints, with joint `slide` a slide, of any geometry and limits, on any base.
 inline Workcell drawnArm(int joints, int slide, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto angle = [&](double most) { return uniform(generator, -most, most); };
@@ -164,7 +163,7 @@ inline Workcell drawnArm(int joints, int slide, std::uint64_t seed) {
   return cell;
 }
 
-/// Places at which a posture within the limits has the tool upright: postures drawn, and led there.
+/// Returns places where a posture within the limits has the tool upright, refined from random postures.
 inline std::vector<Eigen::Vector3d> placesOf(const Workcell& cell, int count, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(cell.arm, cell.X_WB);
@@ -189,7 +188,7 @@ struct CountedArm {
   std::vector<Eigen::Vector3d> places_W;
 };
 
-/// The eight: six shipped, two drawn; each under `count` holes.
+/// Returns eight arms, six shipped and two random, each under `count` holes.
 inline std::vector<CountedArm> countedArms(int count) {
   std::vector<CountedArm> arms;
   for (const char* file :

@@ -1,4 +1,4 @@
-// Ways to alter a plan, or the cell it was made for, so that it is wrong.
+// Alterations of a plan, or of its cell, that make the plan wrong.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace tubeplan::planner::testing {
 using Eigen::Vector3d, Eigen::VectorXd;
 using Generator = std::mt19937_64;
 
-/// A cell and a plan for it, to be altered.
+/// Cell with a plan, to be altered.
 struct Work {
   Workcell cell;
   StatedPlan plan;
@@ -23,7 +23,7 @@ struct Work {
 inline int pick(Generator& generator, std::size_t count) { return static_cast<int>(generator() % count); }
 inline double sign(Generator& generator) { return generator() % 2 ? 1 : -1; }
 
-/// Places in the path of all rows for which `wanted` holds.
+/// Returns the rows of the whole path for which `wanted` is true.
 inline std::vector<std::size_t> rowsWhere(const StatedPlan& plan, const std::function<bool(std::size_t)>& wanted) {
   std::vector<std::size_t> rows;
   for (std::size_t k = 0; k < plan.path.size(); ++k)
@@ -36,7 +36,7 @@ inline std::size_t anyRow(const StatedPlan& plan, SegmentKind kind, Generator& g
   return rows[static_cast<std::size_t>(pick(generator, rows.size()))];
 }
 
-/// Removes rows first..last - 1; time and segment numbers close up, as if they had never been.
+/// Removes rows first..last - 1 and renumbers times and segments accordingly.
 inline void cutOut(StatedPlan& plan, std::size_t first, std::size_t last, int segments) {
   const double time = plan.path[last - 1].time - (first > 0 ? plan.path[first - 1].time : 0);
   for (std::size_t k = last; k < plan.path.size(); ++k) {
@@ -53,7 +53,7 @@ inline std::size_t firstRowOf(const StatedPlan& plan, int segment) {
 
 inline Vector3d direction(Generator& generator) { return uniformPose(generator, 1).linear().col(0); }
 
-/// An alteration that breaks a rule. False: this time it would not have, so it does not count.
+/// Alteration that breaks a rule; false if it would not have this time, so that it does not count.
 struct Alteration {
   const char* name;
   bool (*apply)(Work& work, Generator& generator);
@@ -74,7 +74,8 @@ inline bool turnGoalRow(Work& work, Generator& generator) {
   return true;
 }
 
-/// Harmless where the tip moves so little, or so upright, that it may still be within the tolerance of the axis.
+/// Turns a row up or down. Harmless if the tip moves so little, or so upright, that it stays within the tolerance of
+/// the axis.
 inline bool turnUpOrDownRow(Work& work, Generator& generator) {
   const auto kind = generator() % 2 ? SegmentKind::kApproach : SegmentKind::kRetreat;
   VectorXd& q = work.plan.path[anyRow(work.plan, kind, generator)].q;
@@ -83,9 +84,8 @@ inline bool turnUpOrDownRow(Work& work, Generator& generator) {
   return sideways(deflectedTip(work.cell, q), before) > 0.0022 * kInch;
 }
 
-/// The joint that sets the pace on a stretch at full speed: one of its neighbours is now too far in the time. Of the
-/// other joints and stretches a hundredth of a degree asks nothing beyond the limits: the clearance there is proved for
-/// the altered path.
+/// Turns the joint that limits the speed, so that one neighbouring row is too far away in the time. For other joints
+/// and stretches a hundredth of a degree stays within the limits, and the clearance is proved for the altered path.
 inline bool turnTheFastestJoint(Work& work, Generator& generator) {
   const JointSpeeds limits = jointSpeedsOf(work.cell.arm);
   auto& path = work.plan.path;
@@ -182,7 +182,7 @@ inline bool loseJointValue(Work& work, Generator& generator) {
   return true;
 }
 
-/// A ball as thick as a thumb where the tool or the forearm is at some time of the path.
+/// Puts a ball of a thumb's size at the tool or the forearm at some time of the path.
 inline bool standInTheWay(Work& work, Generator& generator) {
   const auto& row = work.plan.path[static_cast<std::size_t>(pick(generator, work.plan.path.size()))];
   const auto frames = bodyFrames(work.cell, row.q, nullptr);
@@ -191,7 +191,7 @@ inline bool standInTheWay(Work& work, Generator& generator) {
   return true;
 }
 
-/// A needle where the thin tool-tip passes midway between two rows, far enough apart for neither to touch it.
+/// Puts a needle where the thin tool tip passes midway between two rows, far enough apart that neither touches it.
 inline bool standBetweenRows(Work& work, Generator& generator) {
   const auto k = anyRow(work.plan, SegmentKind::kTravel, generator);
   const auto needleAt = [&](const VectorXd& q) -> Vector3d {
@@ -249,7 +249,8 @@ inline bool stopTheClock(Work& work, Generator& generator) {
   return true;
 }
 
-/// All rows between standoff and hole: what is left is one straight joint move. Harmless where that keeps to the axis.
+/// Removes all rows between standoff and hole, which leaves one straight joint move. Harmless if that keeps to the
+/// axis.
 inline bool leaveOutViaPoints(Work& work, Generator& generator) {
   const int tube = pick(generator, work.plan.tubes.size());
   const int segment = 3 * tube + (generator() % 2);
@@ -293,7 +294,7 @@ inline bool callNoTubeUnreachable(Work& work, Generator& generator) {
   return true;
 }
 
-/// The path stays whole and slow enough, but the tip is dragged through the sheet between two holes.
+/// Moves the tip through the sheet between two holes, with a complete and slow enough path.
 inline bool driveThroughTheSheet(Work& work, Generator& generator) {
   const int segment = work.plan.path[anyRow(work.plan, SegmentKind::kTravel, generator)].segment;
   for (auto& row : work.plan.path) {
@@ -318,7 +319,7 @@ inline bool stateMoreTime(Work& work, Generator&) {
   return true;
 }
 
-/// By a tenth of an inch: what is met at the rows may be a twentieth less than it is.
+/// Raises a stated clearance by a tenth of an inch; the stated value at a row may be a twentieth too small.
 inline bool stateMoreClearance(Work& work, Generator&) {
   *work.plan.least_clearance += 0.1 * kInch;
   return true;

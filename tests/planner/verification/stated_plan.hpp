@@ -1,4 +1,4 @@
-// A plan as its files would state it.
+// Plan in the form of its files.
 #pragma once
 
 #include "planner/verification/plan_checks.hpp"

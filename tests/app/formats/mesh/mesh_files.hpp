@@ -1,4 +1,4 @@
-// Meshes as the formats write them.
+// Meshes as texts of the mesh formats.
 #pragma once
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ inline std::string stlBytes(const planner::TriangleMesh& mesh) {
   return bytes;
 }
 
-/// `extra` goes first.
+/// Returns the mesh as text in OBJ format, after the lines `extra`.
 inline std::string objText(const planner::TriangleMesh& mesh, const std::string& extra = "") {
   std::string text = extra;
   for (const auto& v : mesh.vertices) text += fmt::format("v {} {} {}\n", v.x(), v.y(), v.z());
