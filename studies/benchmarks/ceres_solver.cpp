@@ -10,7 +10,7 @@ using calibration::LeastSquaresProblem, calibration::LeastSquaresResult, calibra
 using Eigen::MatrixXd, Eigen::VectorXd;
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// All residuals as one cost of one block of variables, in units of their scale.
+/// All residuals as one cost function of one block of variables, in units of their scale.
 class WholeResidual : public ceres::CostFunction {
  public:
   WholeResidual(const LeastSquaresProblem& problem, int residuals) : problem_(problem) {
@@ -49,7 +49,7 @@ ceres::Solver::Options solverOptions() {
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = 200;
-  // As fine as the interior point of `calibration` rests.
+  // As small as the final gradient of the interior-point method of `calibration`.
   options.gradient_tolerance = 1e-10;
   options.function_tolerance = 1e-13;
   options.parameter_tolerance = 1e-13;
@@ -87,7 +87,7 @@ LeastSquaresResult minimizeByCeres(const LeastSquaresProblem& problem) {
           x.cwiseProduct(problem.scale),
           2 * summary.final_cost,
           static_cast<int>(summary.iterations.size()) - 1,
-          cost.evaluations + 1,  // the one that counted the residuals
+          cost.evaluations + 1,  // including the one that counted the residuals
           cost.jacobian_evaluations};
 }
 

@@ -1,11 +1,13 @@
-// Ceres' Levenberg-Marquardt on the program's own least-squares problems: a yardstick for the methods of `calibration`.
+// Levenberg-Marquardt method of Ceres on the program's own least-squares problems, as a reference for the methods of
+// `calibration`.
 #pragma once
 
 #include "calibration/estimation/least_squares.hpp"
 
 namespace tubeplan::benchmarks {
 
-/// The same problem, scale, bounds and evaluations as minimizeLeastSquares() sees; one thread, dense QR.
+/// Minimises the same problem with the scale, bounds and evaluations of minimizeLeastSquares(), by one thread with
+/// dense QR.
 [[nodiscard]] calibration::LeastSquaresResult minimizeByCeres(const calibration::LeastSquaresProblem& problem);
 
 }  // namespace tubeplan::benchmarks

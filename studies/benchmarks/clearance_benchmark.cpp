@@ -1,6 +1,6 @@
-// What a posture and a move of the mock-up cell cost to prove clear, by own distances and by the distance library's
-// (FCL), in the same run. The shape of the bent arm is timed by itself: every posture needs it, however distances are
-// found.
+// Benchmark of the clearance of a posture and of a move in the mock-up cell, by own distances and by the distance
+// library (FCL) in the same run. The shape of the bent arm is timed separately, since every posture needs it with
+// either.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct Move {
   VectorXd from, to;
 };
 
-/// The cell, and moves between the standoffs of neighbouring tubes, same branch, all over the sheet.
+/// Cell, with moves between the standoffs of neighbouring tubes of the same branch, all over the sheet.
 struct Bench {
   const Workcell cell = app::workcellOf(app::readCell(TUBEPLAN_SOURCE_DIR "/app/cells/mockup.yaml"), "time clearance");
   const ArmClearance clearance{cell};
@@ -48,7 +48,7 @@ struct Bench {
     }
   }
 
-  /// A multiple of all lanes.
+  /// Returns the standoffs, their number a multiple of the lanes.
   [[nodiscard]] PostureColumns standoffs() const {
     PostureColumns q(moves.front().from.size(), 64);
     for (Eigen::Index k = 0; k < q.cols(); ++k) q.col(k) = moves[static_cast<std::size_t>(k) % moves.size()].from;
@@ -61,7 +61,7 @@ const Bench& bench() {
   return made;
 }
 
-/// The least margin, every solid pair asked of the library.
+/// Returns the least margin, with every solid pair computed by the library.
 double marginByLibrary(const Scene& scene, const std::vector<Isometry3d>& X_WL) {
   double least = std::numeric_limits<double>::infinity();
   const auto solidOf = [](const ShapePointer& shape) { return dynamic_cast<const Solid*>(shape.get()); };
@@ -99,7 +99,7 @@ void distancesByLibrary(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(marginByLibrary(bench().cell.scene, frames[k++ % frames.size()]));
 }
 
-/// The same postures, one at a time or as many as there are lanes, each for itself.
+/// Measures distances at the same postures, one at a time or in all lanes.
 void distances(benchmark::State& state, bool side_by_side) {
   static const NearestPairs pairs(bench().cell.scene);
   const PostureColumns q = bench().standoffs();
@@ -116,7 +116,7 @@ void distances(benchmark::State& state, bool side_by_side) {
   }
 }
 
-/// Shape and distances.
+/// Measures shape and distances together.
 template <class ClearanceAt>
 void postures(benchmark::State& state, const ClearanceAt& clearance_at) {
   std::size_t k = 0;
@@ -129,7 +129,7 @@ void posturesSideBySide(benchmark::State& state) {
     benchmark::DoNotOptimize(bench().clearance.together(q, ContactRule::kApproach));
 }
 
-/// The median over the moves stands beside the mean.
+/// Measures proofs of moves, with the median over the moves beside the mean.
 void proveMoves(benchmark::State& state, const PostureClearance& clearance_of) {
   const auto& moves = bench().moves;
   std::vector<double> seconds, checks;

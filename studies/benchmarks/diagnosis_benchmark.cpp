@@ -1,5 +1,5 @@
-// What a diagnosis of the whole catalogue costs on one core: the ranking (every effect at every place linearised and
-// scored about a fit) and the verdict (the fit, the ranking, what noise reaches, the leaders fitted and judged).
+// Benchmark of a diagnosis with the whole catalogue on one core: the ranking (every effect at every place linearised
+// and scored about a fit) and the verdict (the fit, the ranking, detectable sizes, the leaders fitted and judged).
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 

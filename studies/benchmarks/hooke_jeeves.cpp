@@ -1,6 +1,6 @@
-// Pattern search (Hooke and Jeeves 1961; section 5.3.3 of the thesis): values alone, no derivatives. Exploratory moves
-// try each variable a step up and down; while they lower chi2, pattern moves repeat the last gain as a whole and
-// explore around it, so that the stride grows; where nothing is lower, the step shrinks.
+// Pattern search (Hooke and Jeeves 1961; section 5.3.3 of the thesis), which uses values only, no derivatives.
+// Exploratory moves try each variable a step up and down. While they lower chi2, pattern moves repeat the last gain as
+// a whole and explore around it, so that the stride grows. If nothing is lower, the step shrinks.
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +38,7 @@ TriedPlace explore(ScaledProblem& problem, TriedPlace place, double step) {
   return place;
 }
 
-/// Pattern moves from `base` over `found` onwards until one gains nothing; the last gain.
+/// Makes pattern moves from `base` over `found` until one gains nothing, and returns the last gain.
 TriedPlace followPattern(ScaledProblem& problem, TriedPlace base, TriedPlace found, double step, int& iterations) {
   while (found.chi2 < base.chi2 && iterations < kMostIterations) {
     ++iterations;

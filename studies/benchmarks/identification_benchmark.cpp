@@ -1,5 +1,5 @@
-// How long each least-squares method takes for the thesis's identification, and how far it comes: the thesis's own two
-// (Hooke and Jeeves, steepest descent), the program's, and Ceres as a yardstick; same residuals, same run.
+// Benchmark of the least-squares methods on the thesis's identification, by time and final error: the thesis's own two
+// (Hooke and Jeeves, steepest descent), the program's, and Ceres as a reference; same residuals, same run.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -18,8 +18,9 @@ using calibration::LeastSquaresProblem, calibration::LeastSquaresResult, calibra
 using MakeCampaign = Campaign (*)();
 using Minimize = std::function<LeastSquaresResult(const LeastSquaresProblem&)>;
 
-/// One row of the table: calls for values alone and for the Jacobian, chi2 at the end, and the largest error of a
-/// parameter. What is left of that at the bottom is the readings' noise. The label says why the method stopped.
+/// Measures one row of the table: calls for values alone and for the Jacobian, chi2 at the end, and the largest error
+/// of a parameter. The error that remains with the best methods is the readings' noise. The label states why the method
+/// stopped.
 void minimize(benchmark::State& state, MakeCampaign make, const Minimize& minimize) {
   const Campaign campaign = make();
   LeastSquaresResult found;
@@ -41,7 +42,7 @@ void evaluate(benchmark::State& state, MakeCampaign make, bool jacobian) {
   }
 }
 
-/// All of the program's identification: what the readings determine, weights, the fit, intervals.
+/// Measures the program's complete identification: determined numbers, weights, the fit, intervals.
 void identify(benchmark::State& state) {
   const auto session = touchSession();
   calibration::IdentificationOptions options;

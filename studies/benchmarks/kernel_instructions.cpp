@@ -1,5 +1,5 @@
-// Solves so many postures of the Cobra arm and nothing else, for an instruction counter: the difference between two
-// numbers of rounds, over the postures between them, is what one posture costs. `bench.py` does that.
+// Program that only solves a number of postures of the Cobra arm, for an instruction counter. The difference between
+// two numbers of rounds, divided by the postures between them, is the cost of one posture; `bench.py` computes it.
 #include <CLI/CLI.hpp>
 #include <random>
 
@@ -34,5 +34,5 @@ int main(int argc, char** argv) {
         prepared.solve(posture);
         sum += prepared.X_BD().p.x();
       }
-  return sum == 12345;  // so that nothing is left out
+  return sum == 12345;  // prevents the compiler from omitting the work
 }

@@ -1,6 +1,6 @@
-// What the flexible arm costs beside a rigid one: the converged deflected shape of the Cobra arm, its Jacobian by the
-// joints and by every number of the arm, one posture or many at a time, against Orocos KDL's rigid kinematics of the
-// same chain in the same run; and what its inverse costs for a tube (all branches) and for a via point.
+// Benchmark of the flexible arm beside a rigid one: the converged deflected shape of the Cobra arm, its Jacobian by the
+// joints and by every number of the arm, one posture or many at a time. The reference is Orocos KDL's rigid kinematics
+// of the same chain in the same run. The inverse is measured for a tube (all branches) and for a via point.
 #include <benchmark/benchmark.h>
 
 #include <kdl/chain.hpp>
@@ -25,8 +25,7 @@ KDL::Chain rigidChain(const Arm& arm) {
   for (const auto& row : arm.rows) {
     const auto& dh = std::get<DenavitHartenberg<double>>(row.placement);
     const bool moves = row.joint.type != JointType::kPassive;
-    // Craig's numbers stand before their joint: the frame up to the joint is a fixed segment of its own only at the
-    // base.
+    // Craig's numbers precede their joint, so only at the base is the frame up to the joint a separate fixed segment.
     const auto before = KDL::Frame::DH_Craig1989(dh.a, dh.alpha, dh.d, dh.theta + row.joint.offset);
     if (!moves) {
       chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), before));
@@ -40,7 +39,7 @@ KDL::Chain rigidChain(const Arm& arm) {
   return chain;
 }
 
-/// The same postures for everybody.
+/// Postures that all benchmarks share.
 struct Postures {
   Arm arm = cobraArm();
   std::vector<Posture> list;
@@ -95,7 +94,7 @@ void flexiblePose(benchmark::State& state) {
   }
 }
 
-/// The same without anything kept between postures, and with all that is known of the shape.
+/// Measures single postures without stored data between them, with all outputs of the shape.
 void singleShape(benchmark::State& state) {
   Postures postures;
   for (auto _ : state) benchmark::DoNotOptimize(solveFlexibleKinematics(postures.arm, postures.next()));
@@ -131,7 +130,7 @@ void stiffnessJacobian(benchmark::State& state) {
 
 constexpr int kSideBySide = 64;
 
-/// The same postures as a batch; an iteration is one of them.
+/// Measures the same postures as a batch; an iteration is one posture.
 void batch(benchmark::State& state, bool derive) {
   Postures postures;
   Kinematics kinematics(postures.arm);
@@ -158,7 +157,7 @@ void batch(benchmark::State& state, bool derive) {
 void batchedPose(benchmark::State& state) { batch(state, false); }
 void batchedJacobian(benchmark::State& state) { batch(state, true); }
 
-/// Goals that postures meet under the full load, and starts an inch or so away.
+/// Goals that postures meet under the full load, with starts about an inch away.
 struct InverseProblems {
   Arm arm = cobraArm();
   std::vector<ToolGoal> goals;
@@ -212,7 +211,7 @@ BENCHMARK(flexibleJacobian)->Name("flexible/pose and Jacobian by joints");
 BENCHMARK(stiffnessJacobian)->Name("flexible/pose and Jacobian by stiffnesses, base and joints");
 BENCHMARK(numbersJacobian)->Name("flexible/pose and Jacobian by all numbers");
 
-/// The usual table, then the medians as multiples of the rigid arm's.
+/// Prints the usual table, then the medians as multiples of the rigid arm's.
 class RatioReporter : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {

@@ -24,9 +24,9 @@ namespace og = ompl::geometric;
 using namespace planner;
 using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 
-constexpr double kSolveSeconds = 5;  // for one travel; RRTConnect mostly needs a thousandth of it
+constexpr double kSolveSeconds = 5;  // [s] for one travel; RRTConnect usually needs a thousandth of it
 
-/// A solid as FCL has it, grown by `padding`; a capsule grows wholly, others with their flat faces.
+/// Solid in FCL, grown by `padding`; a capsule grows in all directions, others by their flat faces.
 struct LibraryBody {
   std::shared_ptr<fcl::CollisionGeometryd> geometry;
   Isometry3d X_FC;
@@ -44,7 +44,7 @@ LibraryBody libraryBody(const Solid& solid, double padding) {
   return {std::make_shared<fcl::Cylinderd>(cylinder.radius + padding, cylinder.lz + 2 * padding), core.X_FC};
 }
 
-/// Whether a posture is free, by FCL.
+/// Checks of postures by FCL.
 class LibraryChecker {
  public:
   LibraryChecker(const Workcell& cell, double padding) : cell_(cell), padding_(padding) {
@@ -59,7 +59,7 @@ class LibraryChecker {
     }
   }
 
-  /// `may_enter`: the tool may touch what the scene lets it, as on an approach.
+  /// Returns true if the posture is free. With `may_enter` the tool may touch what the scene allows, as on an approach.
   [[nodiscard]] bool isFree(const VectorXd& q, bool may_enter) const {
     ++checks;
     const auto X_WL = bodyFrames(cell_, q, nullptr);
@@ -96,7 +96,7 @@ class LibraryChecker {
     try {
       return fcl::collide(a.geometry.get(), X_WA * a.X_FC, b.geometry.get(), X_WB * b.X_FC, request, result) > 0;
     } catch (const std::logic_error&) {
-      return true;  // thrown on touching bodies
+      return true;  // thrown for touching bodies
     }
   }
 
@@ -105,7 +105,7 @@ class LibraryChecker {
   std::vector<LibraryBody> padded_, plain_, obstacles_;
 };
 
-/// Standoffs of the first free posture of each tube.
+/// Returns the standoffs of the first free posture of each tube.
 Waypoints libraryStandoffs(const Workcell& cell, const std::vector<int>& tubes, const LibraryChecker& checker) {
   Waypoints standoffs;
   for (const int tube : tubes)
@@ -141,7 +141,7 @@ VectorXd postureOf(const ob::State* state, Eigen::Index joints) {
   return Eigen::Map<const VectorXd>(state->as<ob::RealVectorStateSpace::StateType>()->values, joints);
 }
 
-/// Empty where no exact solution was found.
+/// Returns the path of a travel; empty if no exact solution was found.
 Waypoints libraryTravel(const Workcell& cell, const LibraryChecker& checker, const VectorXd& from, const VectorXd& to) {
   og::SimpleSetup setup(jointSpace(cell.arm));
   setup.setStateValidityChecker(

@@ -1,9 +1,9 @@
-// Tubes visited as one would plan it with OMPL and FCL alone.
+// Plan of tube visits with OMPL and FCL alone.
 //
-// The first posture of the flexible inverse kinematics that is free, nearest neighbour by the time of the straight
-// joint move, each travel by OMPL's RRTConnect with default settings and OMPL's own simplification, postures checked by
-// FCL at OMPL's default resolution. It is given what would cost it dear: the bent bodies, padded by the clearance asked
-// for and their greatest bow; and the bowl and the planes, which FCL has no quick shapes for, in closed form.
+// It uses the first free posture of the flexible inverse kinematics, and nearest neighbours by the time of the straight
+// joint move. Each travel is by OMPL's RRTConnect with default settings and OMPL's own simplification, with postures
+// checked by FCL at OMPL's default resolution. The costly parts are provided: the bent bodies, padded by the required
+// clearance and their greatest bow, and the bowl and the planes in closed form, for which FCL has no fast shapes.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@ namespace tubeplan::benchmarks {
 
 using Waypoints = std::vector<Eigen::VectorXd>;
 
-/// Wall and processor time since it was made.
+/// Wall and processor time since construction [s].
 class Watch {
  public:
   [[nodiscard]] double wall() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -30,18 +30,18 @@ class Watch {
   std::clock_t ticks_ = std::clock();
 };
 
-/// What either way of planning comes to.
+/// Result of either way of planning.
 struct Outcome {
   std::string name;
   int visits = 0, asked = 0, detours = 0, failed = 0;
-  double wall = 0, processor = 0;  ///< s
-  long checks = 0;                 ///< of postures by the library
+  double wall = 0, processor = 0;  ///< [s]
+  long checks = 0;                 ///< checks of postures by the library
   std::vector<Waypoints> travels;
 };
 
 struct LibraryOptions {
   std::uint64_t seed;
-  double most_seconds;  ///< of processor time, after which no further travel is planned
+  double most_seconds;  ///< processor time after which no further travel is planned [s]
 };
 
 [[nodiscard]] Outcome planByLibraries(const planner::Workcell& cell, const std::vector<int>& tubes,

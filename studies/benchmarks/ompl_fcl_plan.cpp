@@ -1,5 +1,5 @@
-// The same tubes visited as one would plan it with OMPL and FCL alone (library_plan.hpp), beside this planner, in one
-// run. Both paths are then looked at in small steps by the same distances.
+// Benchmark of the same tubes planned with OMPL and FCL alone (library_plan.hpp) and by this planner, in one run. Both
+// paths are then examined in small steps by the same distances.
 #include <fmt/format.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -41,13 +41,13 @@ Outcome planByOwn(const Workcell& cell, const std::vector<int>& tubes, std::uint
   return outcome;
 }
 
-/// The travels of an outcome, looked at closely.
+/// Figures of the travels of an outcome, examined in small steps.
 struct Look {
-  double time = 0;           ///< s, at rest at every waypoint
-  double straight_time = 0;  ///< s, were every travel a straight move: the order and the postures alone
-  double flowing_time = 0;   ///< s, at best, without a rest on the way
-  double least_clearance = std::numeric_limits<double>::infinity();  ///< m
-  int below_clearance = 0, colliding = 0;                            ///< travels
+  double time = 0;           ///< with a stop at every waypoint [s]
+  double straight_time = 0;  ///< with straight moves only, which depends on the order and the postures alone [s]
+  double flowing_time = 0;   ///< least time, without intermediate stops [s]
+  double least_clearance = std::numeric_limits<double>::infinity();  ///< [m]
+  int below_clearance = 0, colliding = 0;                            ///< numbers of travels
 };
 
 double flowingTime(const Waypoints& travel, const JointSpeeds& speeds) {

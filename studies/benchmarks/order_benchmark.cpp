@@ -1,5 +1,5 @@
-// How long the order of visits takes on all cores, its bound included, and how far from the best it is at most: lists
-// of the mock-up's tubes and the whole sheet, straight moves.
+// Benchmark of the order of visits on all cores, with its bound: the time, and the greatest distance from the optimum,
+// for lists of the mock-up's tubes and the whole sheet, straight moves.
 #include <benchmark/benchmark.h>
 
 #include "app/formats/cell/workcell.hpp"

@@ -1,11 +1,11 @@
-// What the programs of benchmarks that register their own rows do with them.
+// Main part of the benchmark programs that register their own rows.
 #pragma once
 
 #include <benchmark/benchmark.h>
 
 namespace tubeplan::benchmarks {
 
-/// Runs what is registered, as the command line asks; the program's exit code.
+/// Runs the registered benchmarks by the command line and returns the program's exit code.
 inline int runBenchmarks(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -1,5 +1,5 @@
-// What the mock-up's whole sheet costs on one core: postures at every hole, the way up to each, what collision checks
-// add to that, and the score of one visit to each.
+// Benchmark of the mock-up's whole sheet on one core: postures at every hole, the way up to each, the additional
+// collision checks, and the score of one visit to each.
 #include <benchmark/benchmark.h>
 
 #include "app/formats/cell/workcell.hpp"

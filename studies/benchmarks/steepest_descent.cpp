@@ -1,7 +1,7 @@
-// Steepest descent with a line search (section 5.3.3 of the thesis), its path bent along the bounds (Bertsekas 1976).
-// The first trial of each search is a little short of the lowest point down the gradient if the residuals were linear
-// (Cauchy's step, which taken whole zigzags: Raydan and Svaiter 2002); it is cut back by the golden ratio until chi2
-// falls as much as Armijo asks.
+// Steepest descent with a line search (section 5.3.3 of the thesis), with its path bent along the bounds (Bertsekas
+// 1976). The first trial of each search is slightly before the lowest point down the gradient for linear residuals
+// (Cauchy's step, which zigzags at full length: Raydan and Svaiter 2002). It is reduced by the golden ratio until chi2
+// meets Armijo's condition.
 #include <cmath>
 #include <numbers>
 
@@ -19,7 +19,7 @@ constexpr double kArmijo = 1e-4;
 constexpr int kMaxTrials = 80;  // golden cuts down to 1e-17 of Cauchy's step
 constexpr double kLeastGradient = 1e-6;
 constexpr int kMostIterations = 1000;
-constexpr double kHiddenByRounding = 1e-9;  // share of chi2 that rounding in the model may hide
+constexpr double kHiddenByRounding = 1e-9;  // share of chi2 that rounding in the model may conceal
 
 struct SlopedPlace {
   VectorXd x, r;
@@ -28,7 +28,7 @@ struct SlopedPlace {
   VectorXd gradient() const { return jacobian.transpose() * r; }
 };
 
-/// Against the gradient, but not into a bound that x rests on.
+/// Returns the direction against the gradient, without components into a bound that x is at.
 VectorXd downhill(const ScaledProblem& problem, const SlopedPlace& place) {
   VectorXd direction = -place.gradient();
   for (Eigen::Index k = 0; k < direction.size(); ++k)
@@ -38,7 +38,7 @@ VectorXd downhill(const ScaledProblem& problem, const SlopedPlace& place) {
   return direction;
 }
 
-/// True with `x` moved to a point that is lower by enough; false where there is none in this direction.
+/// Moves `x` to a sufficiently lower point and returns true; false if there is none in this direction.
 bool searchLine(ScaledProblem& problem, const SlopedPlace& from, const VectorXd& direction, double stride,
                 VectorXd& x) {
   const VectorXd gradient = from.gradient();

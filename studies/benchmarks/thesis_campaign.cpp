@@ -22,7 +22,7 @@ constexpr double kTorquePerAngle = kPound * kInch / kDegree, kPressure = kPound 
 constexpr double kInchToTheFourth = kInch * kInch * kInch * kInch;
 
 constexpr int kPostures = 31;
-constexpr double kLoads[] = {20, 30, 40};  // lb
+constexpr double kLoads[] = {20, 30, 40};  // [lb]
 constexpr double kSigma = 0.02 * kInch;
 constexpr double kStartFactor = 3, kBoundFactor = 1000;
 constexpr const char* kUnknowns[] = {
@@ -54,7 +54,8 @@ deflection::Beam<double> beamOf(double Iz) {
   return beam;
 }
 
-/// Tables 5.2 and 5.4, with the four values of app/cells/cobra-arm.yaml that the thesis's own examples ask for.
+/// Returns the arm of tables 5.2 and 5.4, with the four values of app/cells/cobra-arm.yaml that the thesis's own
+/// examples require.
 Arm cobraArm() {
   Arm arm;
   arm.rows = {rowOf("mezzanine-beam", 90, 0, 0),
@@ -78,7 +79,7 @@ struct Reading {
   Vector3d p_BT;
 };
 
-/// The true arm measured: postures spread evenly over the joint limits, each under each load.
+/// Returns readings of the true arm: postures spread evenly over the joint limits, each under each load.
 std::vector<Reading> measure(const Arm& arm) {
   boost::random::mt19937_64 random(1994);
   boost::random::normal_distribution<double> noise(0, kSigma);
@@ -93,7 +94,7 @@ std::vector<Reading> measure(const Arm& arm) {
   return readings;
 }
 
-/// Lack of fit of all readings as a function of the unknowns.
+/// Residuals of all readings as a function of the unknowns.
 class Misfit {
  public:
   explicit Misfit(const Arm& truth) : truth_(truth), readings_(measure(truth)) {
@@ -110,7 +111,7 @@ class Misfit {
 
   bool operator()(const VectorXd& x, VectorXd& r, MatrixXd* jacobian) const {
     Arm arm = truth_;
-    VectorXd values(kCount);  // what a derivative by the logarithm is multiplied with
+    VectorXd values(kCount);  // factors of derivatives by the logarithm
     for (Eigen::Index u = 0; u < kCount; ++u)
       values[u] = deflection::locate(arm, paths_[static_cast<std::size_t>(u)]) *= std::exp(x[u]);
     deflection::Kinematics kinematics(arm);
@@ -154,7 +155,7 @@ Campaign thesisCampaign() {
 
 namespace {
 
-/// A stiffness that the thesis's eleven have, in its units.
+/// One of the thesis's eleven stiffnesses, in its units.
 struct TrueStiffness {
   const char* name;
   double value, unit;
@@ -186,7 +187,8 @@ Arm touchingArm() {
   return arm;
 }
 
-/// The touches of one point: the tool driven back to it under each load, at the same tilt. Empty where it cannot.
+/// Returns the touches of one point: the tool is moved back to it under each load, at the same tilt. Empty if it cannot
+/// be reached.
 std::vector<calibration::Measurement> touchPoint(const Arm& arm, const VectorXd& q, int point,
                                                  boost::random::mt19937_64& random) {
   boost::random::normal_distribution<double> noise(0, kTouchSigma);

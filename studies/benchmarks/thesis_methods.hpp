@@ -1,4 +1,4 @@
-// The thesis's two ways to minimise (section 5.3.3), which the program's own are measured beside.
+// Both minimisation methods of the thesis (section 5.3.3), for comparison with the program's own.
 #pragma once
 
 #include "calibration/estimation/least_squares.hpp"
