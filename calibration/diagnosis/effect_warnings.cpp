@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kGap = 8;          // least difference of -2 log of the posterior
 constexpr double kLack = 0.003;     // p-value of the lack of fit below which more is missing
-constexpr double kNearNeutral = 2;  // in sigmas
+constexpr double kNearNeutral = 2;  // least size that counts as not neutral [sigmas]
 constexpr double kByChance = 0.05;  // p-value from which a fall counts as noise
 constexpr int kRivals = 6;          // number of models that are fitted in place of an effect
 constexpr double kMostWork = 2e4;   // most fitted numbers times readings times effects for which rivals are fitted
@@ -23,8 +23,8 @@ constexpr double kMostWork = 2e4;   // most fitted numbers times readings times 
 /// Common input of the warnings for an identification and for a diagnosis.
 struct Case {
   const PlacedArm& start;
-  const std::vector<Measurement>& readings;  ///< without readings that were set aside
-  IdentificationOptions options;             ///< of the fit with all effects, without hooks
+  const std::vector<Measurement>& readings;  ///< readings without those that were set aside
+  IdentificationOptions options;             ///< options of the fit with all effects, without hooks
   const Identification& with;
   ErrorSize heldout;
 

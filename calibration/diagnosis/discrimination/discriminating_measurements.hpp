@@ -4,8 +4,8 @@
 // S = I + H P H^T, in noise sigmas. If a is true, a further reading raises -2 log of b's posterior over that of a on
 // average by twice their Kullback-Leibler divergence,
 //   d^T S_b^-1 d + tr(S_b^-1 S_a) - rows + ln det S_b - ln det S_a,   d = f_a - f_b,
-// which excludes what b's free numbers and sizes could absorb. Readings are chosen one by one to minimise the remaining
-// odds of wrong explanations (Box and Hill 1967; Atkinson and Fedorov 1975).
+// without the part that b's free numbers and sizes could absorb. Readings are chosen one by one to minimise the
+// remaining odds of wrong explanations (Box and Hill 1967; Atkinson and Fedorov 1975).
 #pragma once
 
 #include <string>
@@ -45,7 +45,7 @@ struct DiscriminatingMeasurement {
 /// Another kind of measurement, with the expected effect of as many of them.
 struct AlternativeMeasurements {
   std::string what;
-  double least_expected = kNotKnown;  ///< as in DiscriminatingMeasurements; NaN: not computed
+  double least_expected = kNotKnown;  ///< least expected difference among the pairs; NaN: not computed
 };
 
 enum class DiscriminationStatus { kNotRun, kNothingToDiscriminate, kNoCandidates, kDone, kStopped };

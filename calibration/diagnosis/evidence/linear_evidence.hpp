@@ -24,7 +24,7 @@ namespace tubeplan::calibration {
 struct EvidenceGram {
   Eigen::Index fitted = 0, causes = 0, discrepancy = 0;  ///< columns of J, S and Z; y is the last
   Eigen::MatrixXd products;
-  double log_density = 0;  ///< of the noise at the readings: -1/2 log det(2 pi Lambda)
+  double log_density = 0;  ///< log density of the noise at the readings: -1/2 log det(2 pi Lambda)
 
   void add(const Eigen::MatrixXd& J, const Eigen::MatrixXd& S, const Eigen::MatrixXd& Z, const Eigen::VectorXd& y);
 };
@@ -98,7 +98,7 @@ class LinearEvidence {
   struct Level {
     double size = 0;  ///< [m]
     double log_prior = 0;
-    double log_det = 0;     ///< of J and Z together
+    double log_det = 0;     ///< log determinant of J and Z together
     Eigen::VectorXd taken;  ///< share that the discrepancy takes along each of its axes
     Eigen::MatrixXd along;  ///< [S y] along the axes, times the root of that share
   };
@@ -117,7 +117,7 @@ class LinearEvidence {
   EvidenceOptions options_;
   double log_density_ = 0, log_det_fitted_ = 0;
   Eigen::MatrixXd S_y_;      ///< Gram matrix of [S y] with the fitted numbers integrated out
-  Eigen::VectorXd length_;   ///< of each column of S, before that integration
+  Eigen::VectorXd length_;   ///< length of each column of S, before that integration
   Eigen::MatrixXd along_;    ///< [S y] along the discrepancy's axes
   Eigen::MatrixXd axes_;     ///< axes of the discrepancy's terms, one column each
   Eigen::VectorXd squares_;  ///< squared length of a discrepancy of 1 m along each axis

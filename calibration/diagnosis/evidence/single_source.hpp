@@ -15,7 +15,7 @@ namespace tubeplan::calibration {
 struct SourceEvidence {
   double log_factor = -std::numeric_limits<double>::infinity();  ///< log ratio to the model's evidence without a source
   int source = -1;                                               ///< most probable source; -1: none
-  double size = 0;                                               ///< its most probable size, root mean square [m]
+  double size = 0;                                               ///< most probable size, root mean square [m]
   Eigen::VectorXd weights;  ///< weights of its terms, in the order of the source's list
 };
 

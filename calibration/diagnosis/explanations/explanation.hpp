@@ -35,9 +35,9 @@ struct FoundEffect {
 struct Explanation {
   std::vector<FoundEffect> effects;
   PlacedArm fitted;
-  double probability = 0;            ///< of these causes and no others, with or without a remainder
-  double chi2 = kNotKnown;           ///< for the stated noise
-  double p_value = kNotKnown;        ///< of `chi2`
+  double probability = 0;            ///< probability of these causes and no others, with or without a remainder
+  double chi2 = kNotKnown;           ///< chi-square for the stated noise
+  double p_value = kNotKnown;        ///< p-value of `chi2`
   double criterion = kNotKnown;      ///< -2 log of prior times evidence; only differences are meaningful
   double remainder_probability = 0;  ///< probability that something unnamed is missing as well
   /// Error of each coordinate beyond the stated noise that no function of the readings follows [m].

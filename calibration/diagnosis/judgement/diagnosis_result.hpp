@@ -16,11 +16,11 @@ namespace tubeplan::calibration {
 /// Evidence of the readings for one cause.
 struct RankedEffect {
   std::string effect, at;
-  std::vector<deflection::Effect> effects;  ///< at the most probable sizes, alone; empty for freed numbers
-  double probability = 0;                   ///< of all models that contain the cause
-  double p_value = 1;                       ///< of its fall of chi-square by noise, alone
-  double fall = 0;                          ///< of chi-square, to first order or as fitted
-  FoundNumber size;                         ///< its first or largest number
+  std::vector<deflection::Effect> effects;  ///< effects at their most probable sizes, alone; empty for freed numbers
+  double probability = 0;                   ///< probability of all models that contain the cause
+  double p_value = 1;                       ///< p-value of the cause's fall of chi-square by noise, alone
+  double fall = 0;                          ///< fall of chi-square, to first order or as fitted
+  FoundNumber size;                         ///< first or largest number of the cause
   double kept_fraction = 0;                 ///< share of its signature that the free numbers do not absorb
   ErrorSize heldout_before, heldout_after;
 };
@@ -35,7 +35,7 @@ struct DetectableEffect {
 
 /// Errors that remain with the sure causes in the model.
 struct Remainder {
-  double probability = 0;    ///< that there is a remainder
+  double probability = 0;    ///< probability of a remainder
   double size = kNotKnown;   ///< root mean square over the readings [m]
   double floor = kNotKnown;  ///< root mean square of noise and of errors that follow nothing [m]
   std::vector<std::pair<std::string, double>> follows;  ///< variables that it follows, with their shares; largest first
@@ -59,13 +59,14 @@ struct Diagnosis {
   double noise_floor = kNotKnown;  ///< rms of the stated noise [m]
   /// Error of each coordinate beyond the stated noise that no function of the readings follows [m].
   double model_error = 0;
-  double chi2 = 0;  ///< of the baseline, for the stated noise
+  double chi2 = 0;  ///< chi-square of the baseline, for the stated noise
   double p_value = kNotKnown;
   int degrees_of_freedom = 0;
   double nothing_probability = kNotKnown;  ///< probability that nothing is missing
   double nothing_criterion = kNotKnown;    ///< Explanation::criterion of nothing missing
   double unknown_probability = kNotKnown;  ///< probability that something is missing without any named cause
-  double scatter_probability = kNotKnown;  ///< the same, and it follows nothing that the readings state
+  /// Probability that something is missing and follows nothing that the readings state.
+  double scatter_probability = kNotKnown;
   DiagnosisViews views;
 
   /// Returns true if the missing part follows nothing that the readings state, and so cannot be distinguished from a

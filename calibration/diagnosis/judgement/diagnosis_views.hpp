@@ -35,8 +35,8 @@ struct AddedVariablePoint {
 /// Effect of an explanation against the errors that remain with the explanation's other effects free.
 struct AddedVariable {
   int explanation = -1, effect = -1;       ///< indices into `explanationsShown` and into its effects
-  double slope = kNotKnown;                ///< of `left` by `signature`; near 1 for a correct size
-  double length = 0;                       ///< of the signature [noise sigmas]
+  double slope = kNotKnown;                ///< slope of `left` by `signature`; near 1 for a correct size
+  double length = 0;                       ///< length of the signature [noise sigmas]
   double kept_fraction = 0;                ///< share of the signature that the free numbers do not absorb
   std::vector<AddedVariablePoint> points;  ///< points of whole readings, evenly thinned out above a limit
 };

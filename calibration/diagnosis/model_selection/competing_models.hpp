@@ -41,15 +41,15 @@ struct CompetingModel {
   std::size_t level = 0;               ///< index of that size among those tried
   double model_error = 0;              ///< most probable error of each coordinate beyond the stated noise [m]
   double more_noise_probability = 0;   ///< probability that the noise is larger than stated
-  double scatter_probability = 0;      ///< the same, without a discrepancy
+  double scatter_probability = 0;      ///< probability that the noise is larger than stated, without a discrepancy
   /// Sizes of the terms' numbers, one after another, and their standard deviations [units].
   Eigen::VectorXd sizes, sigma;
   SourceEvidence source;             ///< source of the discrepancy if a single one is most probable
   Eigen::VectorXd remainder;         ///< most probable whitened errors of the discrepancy, of a fit; empty: none
-  Eigen::VectorXd remainder_left;    ///< the part of `remainder` that the fitted numbers do not absorb
+  Eigen::VectorXd remainder_left;    ///< part of `remainder` that the fitted numbers do not absorb
   Eigen::VectorXd remainder_terms;   ///< weights of the process's terms in `remainder`
   std::vector<Likeness> likenesses;  ///< similarity of each term to an unknown effect, of a fit with a remainder
-  Explanation fit;                   ///< of a leader: the fit with everything that is free
+  Explanation fit;                   ///< fit of a leader with everything that is free
   bool is_fitted = false;
   double gain_by_fit = 0;  ///< log evidence of the fit minus that of the linearisation about the baseline
 
@@ -66,7 +66,7 @@ struct CompetingModel {
 
 /// Noise assumption, with all evidence under it.
 struct NoiseHypothesis {
-  double model_error = 0;  ///< of each coordinate beyond the stated noise [m]
+  double model_error = 0;  ///< error of each coordinate beyond the stated noise [m]
   double log_prior = 0;
   ReadingWeights weights;
   Eigen::MatrixXd principal_terms;  ///< principal terms of the discrepancy (terms x principal terms)
@@ -84,8 +84,9 @@ struct DiagnosisWork {
   CauseList causes;
   std::unique_ptr<Signatures> signatures;
   std::unique_ptr<Discrepancy> discrepancy;
-  Eigen::MatrixXf kept_signatures;     ///< columns of all readings for the stated noise; empty if too many
-  std::vector<NoiseHypothesis> noise;  ///< the stated noise first; another one if the readings suggest it
+  Eigen::MatrixXf kept_signatures;  ///< columns of all readings for the stated noise; empty if too many
+  /// Noise assumptions, the stated one first; another one if the readings suggest it.
+  std::vector<NoiseHypothesis> noise;
   std::vector<CompetingModel> models;  ///< most probable first
 
   [[nodiscard]] const Cause& cause(int index) const { return causes.causes[static_cast<std::size_t>(index)]; }

@@ -15,8 +15,8 @@ struct DiagnosisOptions {
   int most_causes = 3;             ///< most causes in one explanation
   int most_leaders = 14;           ///< most models that are fitted
   int folds = 5;
-  std::uint64_t seed = 1;  ///< for the folds, and for the postures that are used to compare causes
-  WorkHooks hooks;         ///< also for the baseline
+  std::uint64_t seed = 1;  ///< seed of the folds, and of the postures that are used to compare causes
+  WorkHooks hooks;         ///< hooks of the diagnosis and of its baseline
 };
 
 }  // namespace tubeplan::calibration

@@ -86,7 +86,7 @@ struct AtOptimum {
   WhitenedResidual residual;
   std::unique_ptr<LinearEvidence> evidence;
   SourceView sources;
-  VectorXd scale, information;  ///< of the fitted numbers and shapes, then of the sizes
+  VectorXd scale, information;  ///< units and prior information of the fitted numbers and shapes, then of the sizes
 };
 
 /// Sets the view of single sources: columns of all numbers in units of their typical size, those of sizes in units of

@@ -55,7 +55,7 @@ void whitenAnew(const std::vector<Measurement>& readings, const ReadingWeights& 
 /// Columns of one block, whitened with the stated noise, including the parts that touched points absorb.
 struct Block {
   std::vector<Measurement> readings;
-  ReadingWeights weights;  ///< with points
+  ReadingWeights weights;  ///< weights including the touched points
   MatrixXd J, S, Z;
   VectorXd y;
 };
