@@ -90,7 +90,8 @@ std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
 }
 
 std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked) {
-  constexpr double kFine = 0.1;  // in sigmas; two readings agree in all three coordinates in one of 10^4 cases
+  // Step in sigmas below which equal coordinates are copies; two readings agree in all three in one of 10^4 cases.
+  constexpr double kFine = 0.1;
   const double step = stepOfCoordinates(checked);
   auto copies = copiesIn(checked.readings);
   std::erase_if(copies, [&](const Copy& copy) {

@@ -45,7 +45,7 @@ struct TriedQuickly {
 struct Likely {
   const TriedQuickly *first = nullptr, *then = nullptr;
   double score = 0;
-  JoinedMends settled = {};  ///< the same corrections with zeros that bring the readings nearest
+  JoinedMends settled = {};  ///< corrections with the zeros that bring the readings nearest
 
   [[nodiscard]] JoinedMends mends() const {
     if (!settled.empty()) return settled;

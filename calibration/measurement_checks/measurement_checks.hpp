@@ -5,13 +5,14 @@
 // and every stiffness within its priors, with a prior of the base about its nominal place; it gives the probability
 // (robust_fit.hpp). A mistake is suspected if both support it:
 // - The error by the drawing falls to a third or less. A physical effect follows its own law and is not removed by
-// another unit, sign or order. A wrong hypothesis may remove some of its error by chance, but not two thirds in all
-// rows and directions.
+//   another unit, sign or order. A wrong hypothesis may remove some of its error by chance, but not two thirds in all
+//   rows and directions.
 // - The odds by the fit with priors, of mistake against none, are above a million to one. This outweighs that mistakes
-// are rare and that a hundred are tried. Anything that the priors allow (5 mm, 20 mrad, softer or stiffer parts) is
-// thereby no mistake. A mistake is also reported if the fitted base is far from its nominal place (20 deg, a quarter of
-// the reach) and the mistake brings it back without a larger error. It is then a remark, since the readings' errors do
-// not require it.
+//   are rare and that a hundred are tried. Anything that the priors allow (5 mm, 20 mrad, softer or stiffer parts) is
+//   thereby no mistake.
+//
+// A mistake is also reported if the fitted base is far from its nominal place (20 deg, a quarter of the reach) and the
+// mistake brings it back without a larger error. It is then a remark: the readings' errors do not require it.
 #pragma once
 
 #include <cstdint>
@@ -36,8 +37,8 @@ struct MeasurementCheck {
   std::string name;
   CheckSeverity severity = CheckSeverity::kRemark;
   std::string sentence;
-  double error_as_is = kNoFigure;      ///< by the drawing [m]; NaN: does not concern errors
-  double error_if_mended = kNoFigure;  ///< [m]
+  double error_as_is = kNoFigure;      ///< error of the readings as stated [m]; NaN: the check does not concern errors
+  double error_if_mended = kNoFigure;  ///< error of the corrected readings [m]
   std::string assume;                  ///< corresponding value of `--assume`; empty: none
   std::vector<std::string> equally;    ///< further values of `--assume` that explain the readings as well
 };

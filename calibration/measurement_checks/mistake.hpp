@@ -33,7 +33,7 @@ struct ReadingUnits {
 
 /// Readings of a file, with everything that they are compared with.
 struct CheckedReadings {
-  PlacedArm start;  ///< as stated by the cell; one base pose for every set-up
+  PlacedArm start;  ///< arm as stated by the cell, with one base pose for every set-up
   std::vector<Measurement> readings;
   FreeChoice free;
   ReadingUnits units;
@@ -49,7 +49,7 @@ struct NewSetup {
 
 /// Correction of the readings for one mistake.
 struct Mend {
-  std::string mistake, value;  ///< as in `--assume MISTAKE=VALUE`
+  std::string mistake, value;  ///< names in `--assume MISTAKE=VALUE`
   std::string sentence;        ///< description: "the unit of the coordinates is mm, not in as their columns say"
   std::function<void(std::vector<Measurement>&)> change = [](std::vector<Measurement>&) {};
   /// Corrects noise in the same wrong unit; empty if there is none.

@@ -16,7 +16,7 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kFinalists = 8;
-constexpr double kLimitSlack = 0.05;    // beyond a joint's limit [rad or m]
+constexpr double kLimitSlack = 0.05;    // distance beyond a joint's limit that is accepted [rad or m]
 constexpr double kShareOutside = 0.02;  // most readings beyond limits in a hypothesis, as a share
 
 class MistakeSearch {

@@ -20,16 +20,16 @@ inline constexpr double kFarShift = 0.25;
 /// Fit of the readings, as stated or corrected for one mistake. `error` is by the drawing with base and tip free; the
 /// lack of fit includes the base's prior.
 struct Trial : RobustFit {
-  double held_error = std::numeric_limits<double>::infinity();  // the error with the tip as drawn [m]
-  double open_error = std::numeric_limits<double>::infinity();  // the error with all that the drawing leaves open [m]
-  double base_shift = 0, base_turn = 0;  // of the base from its nominal place, the largest [m, rad]
+  double held_error = std::numeric_limits<double>::infinity();  // error with the tip as drawn [m]
+  double open_error = std::numeric_limits<double>::infinity();  // error with all that the drawing leaves open [m]
+  double base_shift = 0, base_turn = 0;  // largest displacement of the base from its nominal place [m, rad]
   double extent = 0;                     // spread of the predicted tips that touched unknown points [m]
 };
 
 enum class TrialDepth {
-  kHeld,   ///< with the base free if it is unknown
-  kDrawn,  ///< with the tip free as well
-  kOpen,   ///< with all that the drawing leaves open free as well
+  kHeld,   ///< base free if it is unknown
+  kDrawn,  ///< tip free as well
+  kOpen,   ///< all that the drawing leaves open free as well
 };
 
 /// Drawn readings with their neighbours, for mistakes of the order; the ids name those that are counted.

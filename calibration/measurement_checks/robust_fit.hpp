@@ -21,7 +21,8 @@ struct RobustFit {
   double lack_of_fit = std::numeric_limits<double>::infinity();  ///< -log of likelihood and priors, without constants
   double error = std::numeric_limits<double>::infinity();        ///< root mean square of the best nine tenths [m]
   double whole_error = error;                                    ///< root mean square of all [m]
-  double chi2_per_freedom = kNotKnown;                           ///< of the best nine tenths, for the stated noise
+  /// Chi-square per degree of freedom of the best nine tenths, for the stated noise.
+  double chi2_per_freedom = kNotKnown;
 };
 
 struct RobustFitOptions {

@@ -108,7 +108,7 @@ std::string stepsText(const CheckedReadings& checked, const std::vector<DisplayS
 std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials) {
   const CheckedReadings& checked = trials.checked();
   const Trial& as_is = trials.asIs();
-  constexpr double kMisfit = 2;  // of chi-square per degree of freedom
+  constexpr double kMisfit = 2;  // least chi-square per degree of freedom
   if (checked.readings.size() < kLeastReadings || !(as_is.chi2_per_freedom > kMisfit)) return std::nullopt;
   const auto steps = stepsOf(checked);
   if (std::ranges::none_of(steps, [](const DisplayStep& step) { return step.size > 0; })) return std::nullopt;

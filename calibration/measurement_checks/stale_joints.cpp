@@ -24,7 +24,7 @@ constexpr double kGross = 10;
 constexpr std::size_t kLeast = 6;  // least number of readings that show the usual error
 // Share of readings above which the joints are not the cause, unless they are consecutive.
 constexpr double kMostOfThem = 0.2;
-constexpr double kMostOfRun = 0.4;  // the same for consecutive readings
+constexpr double kMostOfRun = 0.4;  // largest share of consecutive readings
 
 /// Numbers that two readings have in common, and their set-up.
 using Station = std::pair<std::vector<double>, std::string>;

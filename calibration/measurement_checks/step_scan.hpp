@@ -64,7 +64,7 @@ class StepScan {
   Eigen::VectorXd residual_, residual_by_fit_;
   /// Fitted numbers x rows, scaled so that the squares of products are the fall of chi-square by the fit.
   Eigen::MatrixXd by_fit_;
-  std::vector<Eigen::MatrixXd> by_step_;  ///< of each form, rows x numbers
+  std::vector<Eigen::MatrixXd> by_step_;  ///< columns of each form, rows x numbers
 };
 
 }  // namespace tubeplan::calibration
