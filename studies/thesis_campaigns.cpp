@@ -21,7 +21,7 @@ const std::vector<double> kLoads{0, 20 * kPound, 30 * kPound, 40 * kPound};
 
 struct StudyOptions {
   int seeds = 200;
-  double sigma = 0.010;  // of each coordinate of a touch [in]
+  double sigma = 0.010;  // noise of each coordinate of a touch [in]
 };
 
 /// Touch points, free stiffnesses and the mean touch error in the thesis.

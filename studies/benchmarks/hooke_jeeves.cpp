@@ -14,7 +14,7 @@ namespace {
 using calibration::LeastSquaresProblem, calibration::LeastSquaresResult, calibration::LeastSquaresStatus;
 using calibration::ScaledProblem;
 
-constexpr double kFirstStep = 0.25;  // in units of each variable's scale
+constexpr double kFirstStep = 0.25;  // first step in units of each variable's scale
 constexpr double kShrink = 0.5;
 constexpr double kLeastStep = 1e-6;
 constexpr int kMostIterations = 10000;

@@ -43,8 +43,8 @@ Outcome planByOwn(const Workcell& cell, const std::vector<int>& tubes, std::uint
 
 /// Figures of the travels of an outcome, examined in small steps.
 struct Look {
-  double time = 0;           ///< with a stop at every waypoint [s]
-  double straight_time = 0;  ///< with straight moves only, which depends on the order and the postures alone [s]
+  double time = 0;           ///< time with a stop at every waypoint [s]
+  double straight_time = 0;  ///< time with straight moves only, by the order and the postures alone [s]
   double flowing_time = 0;   ///< least time, without intermediate stops [s]
   double least_clearance = std::numeric_limits<double>::infinity();  ///< [m]
   int below_clearance = 0, colliding = 0;                            ///< numbers of travels

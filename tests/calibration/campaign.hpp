@@ -25,7 +25,7 @@ inline deflection::Arm withEffect(deflection::Arm arm, const std::string& name, 
 struct CampaignPlan {
   int postures = 36;
   int repeats = 1;
-  double noise = kReadingSigma;  ///< of each coordinate, whatever is stated [m]
+  double noise = kReadingSigma;  ///< noise of each coordinate, whatever is stated [m]
   double stated = kReadingSigma;
 };
 

@@ -28,8 +28,8 @@ namespace tubeplan::deflection {
 struct CalculixMesh {
   double hinge_length = 0.010;  ///< [m]
   int strips_per_beam = 16;
-  double width = 60;       ///< of a strip, relative to its length
-  double thickness = 0.5;  ///< of a strip, relative to its length
+  double width = 60;       ///< width of a strip, relative to its length
+  double thickness = 0.5;  ///< thickness of a strip, relative to its length
 };
 
 /// Model for arms of revolute and fixed rows whose beams bend about one axis perpendicular to the member, without

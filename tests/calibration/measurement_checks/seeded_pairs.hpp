@@ -16,7 +16,7 @@ namespace tubeplan::calibration {
 struct SeededPair {
   SeededSet set;
   std::vector<Measurement> clean;
-  std::vector<std::string> mends;  ///< in the order in which the mistakes were made
+  std::vector<std::string> mends;  ///< corrections in the order in which the mistakes were made
   std::string label;
 };
 

@@ -18,9 +18,9 @@ namespace tubeplan::planner::testing {
 struct BranchCount {
   int goals = 0;
   long brute = 0;      ///< different postures from the random starts, within limits
-  long missed = 0;     ///< of `brute`, those that the search lacks
+  long missed = 0;     ///< postures of `brute` that the search lacks
   long branches = 0;   ///< usable branches of the flexible arm
-  long wrong = 0;      ///< of `branches`, those with the tip not at its place, or beyond limits
+  long wrong = 0;      ///< postures of `branches` with the tip not at its place, or beyond limits
   int without = 0;     ///< goals that random starts reach within the tilt and the search does not
   double seconds = 0;  ///< processor time for all branches of all goals, flexible [s]
 
