@@ -66,8 +66,8 @@ void takeSizePrior(const deflection::EffectParameter& parameter, Unknown& unknow
 }
 
 /// Prior standard deviations of the numbers about the values of the arm's file. Lengths and angles of frames, joint
-/// offsets, the tip and the tool's rotation each have one. The prior of an effect's size is zero with the largest size
-/// of real machines as standard deviation. All others have a weak prior, a multiple of the usual error
+/// offsets, the tip and the tool's rotation each have one. An effect's size has the prior mean zero and the largest
+/// size of real machines as standard deviation. All others have a weak prior, a multiple of the usual error
 /// (Unknown::typical), which data soon outweigh.
 struct Priors {
   double length = 0.005;  ///< [m]

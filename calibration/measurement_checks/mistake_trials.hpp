@@ -65,7 +65,8 @@ class MistakeTrials {
 
   /// Returns the ratio by which a mistake contracts the touched tips; above 1 if they are closer together.
   [[nodiscard]] double shrinkage(const Trial& trial) const;
-  /// Returns the fall of the lack of fit by a mistake; a large number if the readings as stated cannot be fitted.
+  /// Returns the fall of the lack of fit by a mistake, without the part due to contracted tips; large if the readings
+  /// as stated cannot be fitted.
   [[nodiscard]] double gain(const Trial& trial) const;
   /// Returns true if a trial has the base far from its nominal place. Touches of unknown points alone give no
   /// information on it.

@@ -49,7 +49,7 @@ ceres::Solver::Options solverOptions() {
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = 200;
-  // As small as the final gradient of the interior-point method of `calibration`.
+  // Final gradient of the interior-point method of `calibration`.
   options.gradient_tolerance = 1e-10;
   options.function_tolerance = 1e-13;
   options.parameter_tolerance = 1e-13;

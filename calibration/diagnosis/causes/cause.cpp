@@ -195,7 +195,7 @@ std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, c
   std::vector<deflection::Effect> effects;
   for (const EffectKind& kind : deflection::effectKinds()) {
     if (kind.name != effect || !mayActAlike(kind)) continue;
-    // If places are axes, the moments are taken about the rotation axis of each joint.
+    // If places are axes, only the rotation axis of each joint counts.
     for (const std::string& at : deflection::placeTexts(arm, kind)) {
       const auto made = deflection::makeEffect(arm, kind.name, at);
       const auto& place = made.effect.place;

@@ -17,8 +17,8 @@ inline constexpr const char* kFreedNumbers = "free";
 /// Value of Cause::at for an effect that acts at every joint.
 inline constexpr const char* kAllJoints = "all joints";
 
-/// Returns one neutral effect of this kind for each joint; empty if the kind has no place at a joint, or if the arm
-/// lacks one of these places.
+/// Returns a neutral effect of this kind for each revolute joint that does not have it already; empty if the kind is
+/// none that may act at every joint.
 [[nodiscard]] std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, const std::string& effect);
 
 /// Returns a description of the cause with this name: an effect of the catalogue, or freed numbers.

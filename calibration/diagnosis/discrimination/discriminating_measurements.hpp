@@ -65,9 +65,8 @@ struct DiscriminatingMeasurements {
   std::vector<std::string> columns;  ///< further columns to record, for effects that could not be tried
 };
 
-/// Returns the explanations that a diagnosis leaves open: its alternatives; if inconclusive, that nothing is missing
-/// and the closest one; if none suffices, those as good as the best. With fewer than two there is nothing to
-/// discriminate.
+/// Returns up to `most` explanations that a diagnosis leaves open: its alternatives if ambiguous; nothing missing, then
+/// the closest ones, if inconclusive; none for other verdicts. With fewer than two there is nothing to discriminate.
 [[nodiscard]] std::vector<Explanation> openExplanations(const Diagnosis& diagnosis, int most);
 
 /// Returns "backlash@tool.z with hysteresis@theta4"; "nothing missing" without effects.

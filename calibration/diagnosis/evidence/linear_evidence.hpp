@@ -76,6 +76,7 @@ class LinearEvidence {
 
   /// Returns the length of a column beyond what the fitted numbers absorb [noise sigmas per unit].
   [[nodiscard]] double visibility(int column) const;
+  /// Returns the share of a column's length that the fitted numbers do not absorb.
   [[nodiscard]] double keptShare(int column) const;
 
   /// Returns the fall of chi-square with these columns at their best sizes, without priors or discrepancy; 0 without
