@@ -132,7 +132,8 @@ class StepChanceTrials {
 
   static double uniform(Draw& draw) { return static_cast<double>(draw.seed() >> 11) * 0x1p-53; }
 
-  /// Adds effects of all orders of size between a fiftieth and a third of the largest in a machine.
+  /// Adds an effect of random kind and place, with a size of any order between a fiftieth and a third of the largest in
+  /// a machine.
   void hide(deflection::Arm& arm, Draw& draw) const {
     const int kind = kinds_[draw.seed() % kinds_.size()];
     const auto& row = deflection::effectKinds()[static_cast<std::size_t>(kind)];

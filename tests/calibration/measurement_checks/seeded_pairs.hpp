@@ -58,7 +58,7 @@ enum class PairNaming { kBoth, kAsGood, kOne, kOther, kNone };
 inline constexpr const char* kPairNamings[] = {"both", "as good", "one", "another", "none"};
 
 /// Returns the largest distance of the readings, corrected as a check proposes, from the clean ones: joints [rad,
-/// modulo a turn] and places [m].
+/// modulo a turn] and places [m]; infinite if the proposal is not accepted.
 inline double distanceMended(const SeededPair& pair, const std::string& assume) {
   app::MeasurementTable table = pair.set.table;
   app::Cell cell = pair.set.cell;
@@ -84,8 +84,8 @@ inline SeededSet mendedSet(const SeededPair& pair, const std::string& assume) {
   return set;
 }
 
-/// Returns true if the corrected readings cannot be distinguished from the clean ones: the drawing fits them as well,
-/// with an unknown base free, and their noise is the stated one with all that is open.
+/// Returns true if the corrected readings fit as well as the clean ones: the errors with the tip as drawn, and with all
+/// that is open, are less than 1.5 times theirs.
 inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
   SeededSet clean = pair.set;
   clean.table.readings = pair.clean;
@@ -102,8 +102,8 @@ inline bool fitsAsClean(const SeededPair& pair, const std::string& assume) {
 }
 
 /// Judges whether a check names both mistakes: the readings corrected by its proposal, or by an equal one, are the
-/// clean ones up to a few hundredths of a zero. As good: indistinguishable mistakes are named first. One: the proposal
-/// contains one of the two.
+/// clean ones up to a few hundredths of a zero. As good: a named mistake corrects the readings to fit as clean ones.
+/// One: a proposal contains one of the two.
 inline PairNaming judgePair(const SeededPair& pair, const MeasurementChecks& checks) {
   constexpr double kSame = 0.05;
   bool is_one = false, is_any = false;
