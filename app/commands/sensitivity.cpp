@@ -1,5 +1,5 @@
-// `tubeplan sensitivity`: members worth stiffening or lightening, and numbers whose accuracy matters (Calkins 1994,
-// section 6.3).
+// `tubeplan sensitivity`: members worth stiffening or making lighter, and parameters whose accuracy matters (Calkins
+// 1994, section 6.3).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
