@@ -45,16 +45,20 @@ void checkFigures(const FiguresTarget& target) {
   if (!target.json.empty() && target.json != "-") checkWritableFile(target.json, "--json");
 }
 
-void writeFigures(const FiguresTarget& target, nlohmann::json figures) {
-  stateOrigin(figures);
-  if (!target.json.empty() && target.json != "-") writeFileAtomically(target.json, jsonText(figures), "--json");
-  if (!printsText(target)) fmt::print("{}", formatOf(target).write(figures));
-}
-
 bool printsText(const FiguresTarget& target) { return !formatOf(target).write; }
 
-void showFigures(const FiguresTarget& target, nlohmann::json figures, const std::string& text) {
-  writeFigures(target, std::move(figures));
+bool wantsFigures(const FiguresTarget& target) { return !target.json.empty() || !printsText(target); }
+
+void writeFigures(const FiguresTarget& target, const nlohmann::json& figures) {
+  if (!wantsFigures(target)) return;
+  nlohmann::json stated = figures;
+  stateOrigin(stated);
+  if (!target.json.empty() && target.json != "-") writeFileAtomically(target.json, jsonText(stated), "--json");
+  if (!printsText(target)) fmt::print("{}", formatOf(target).write(stated));
+}
+
+void showFigures(const FiguresTarget& target, const nlohmann::json& figures, const std::string& text) {
+  writeFigures(target, figures);
   if (printsText(target)) fmt::print("{}", text);
 }
 

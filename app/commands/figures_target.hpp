@@ -18,13 +18,16 @@ struct FiguresTarget {
 /// InputError.
 void checkFigures(const FiguresTarget& target);
 
-/// Writes the figures to their destinations, NaN and infinity as null; writes nothing if only the text is requested.
-void writeFigures(const FiguresTarget& target, nlohmann::json figures);
+/// Returns true if the figures are for a file or for standard output; else only the text is requested.
+[[nodiscard]] bool wantsFigures(const FiguresTarget& target);
+
+/// Writes the figures to their destinations, NaN and infinity as null; does nothing if only the text is requested.
+void writeFigures(const FiguresTarget& target, const nlohmann::json& figures);
 
 /// Returns true if standard output is for the text.
 [[nodiscard]] bool printsText(const FiguresTarget& target);
 
 /// Writes the figures, or prints the text.
-void showFigures(const FiguresTarget& target, nlohmann::json figures, const std::string& text);
+void showFigures(const FiguresTarget& target, const nlohmann::json& figures, const std::string& text);
 
 }  // namespace tubeplan::app

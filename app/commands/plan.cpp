@@ -105,10 +105,11 @@ int run(const PlanOptions& options) {
   else
     folder.remove(kTrajectoryFile);
   writePlan(options.request, outcome, folder);
-  showFigures(options.figures, planFileJson(options.request, outcome),
-              planText(options.request, outcome) + (options.from.empty() ? "" : keptText(options.from, outcome)) +
-                  fmt::format("wrote {}\n",
-                              (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string()));
+  if (wantsFigures(options.figures)) writeFigures(options.figures, planFileJson(options.request, outcome));
+  if (printsText(options.figures))
+    fmt::print("{}{}wrote {}\n", planText(options.request, outcome),
+               options.from.empty() ? "" : keptText(options.from, outcome),
+               (folder.path() / "{plan.json,path.csv,cell.yaml,report.html,worklist.csv}").string());
   if (options.open) openInBrowser(std::filesystem::absolute(folder.path() / "report.html").string());
   return kDone;
 }
