@@ -1,0 +1,145 @@
+#include "app/commands/score_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.hpp"
+#include "app/cli/planning_hooks.hpp"
+#include "app/cli/stop_signal.hpp"
+#include "app/documents/figures.hpp"
+#include "app/documents/figures_text.hpp"
+#include "app/documents/pose_json.hpp"
+#include "app/formats/sheet/touch_input.hpp"
+#include "app/formats/sheet/touched_base.hpp"
+#include "app/formats/units_json.hpp"
+#include "app/studies/measurements/touched_holes.hpp"
+#include "app/studies/monte_carlo/centring_trial.hpp"
+
+namespace tubeplan::app {
+
+namespace {
+
+/// Numbers of holes in the thesis's experiment (Calkins 1994, section 5.5, table 5.7), whose trials touch the first of
+/// the holes that they visit.
+constexpr int kTouchedHoles = 3, kVisitedHoles = 10;
+/// Number of touched holes and of repetitions for the error that a base alone, fitted to the touches, leaves there.
+constexpr int kFittedHoles = 14;
+constexpr std::uint64_t kBaseFits = 20;
+
+struct ScoredRuns {
+  std::vector<std::vector<ModeScores>> scores;  ///< per scored run and hole
+  std::vector<std::string> refused;             ///< reason for each run that could not be calibrated
+  int misfits = 0;                              ///< number of runs whose touches do not fit
+  bool is_stopped = false;
+};
+
+ScoredRuns scoredBy(const CentringTrials& trials, int runs, const planner::PlanHooks& hooks) {
+  ScoredRuns scored;
+  for (int run = 0; run < runs; ++run) {
+    scored.is_stopped = hooks.stop && hooks.stop();
+    if (scored.is_stopped) break;
+    if (hooks.progress) hooks.progress("runs", static_cast<std::size_t>(run) + 1, static_cast<std::size_t>(runs));
+    const Trial trial = trials.run(static_cast<std::uint64_t>(run)).front();
+    if (trial.failure != TrialFailure::kNone) {
+      scored.refused.emplace_back(nameOf(trial.failure));
+      continue;
+    }
+    auto& scores = scored.scores.emplace_back();  // at the hole itself, goal-point and via-point compensation coincide
+    for (const auto& [hole, centring] : trial.visits) scores.push_back({centring[0], centring[1], centring[1]});
+    scored.misfits += trial.is_misfit ? 1 : 0;
+  }
+  return scored;
+}
+
+/// Returns the mean error that a base alone, fitted to many touches, leaves at them [m].
+double meanTouchError(const CentringTrials& trials) {
+  double sum = 0;
+  int count = 0;
+  for (std::uint64_t run = 0; run < kBaseFits; ++run) {
+    const Trial trial = trials.run(run).front();
+    if (trial.failure == TrialFailure::kNone) sum += trial.touch_error, ++count;
+  }
+  return count ? sum / count : std::numeric_limits<double>::quiet_NaN();
+}
+
+nlohmann::json modeJson(const ScoredRuns& scored, std::size_t mode, int steps, const Units& units) {
+  std::vector<std::vector<int>> counts_by_run;
+  std::vector<double> mean_counts(static_cast<std::size_t>(steps) + 1);
+  double error = 0;
+  int found = 0;
+  for (const auto& scores : scored.scores) {
+    counts_by_run.push_back(countByMode(scores, steps)[mode]);
+    for (std::size_t k = 0; k < mean_counts.size(); ++k) mean_counts[k] += counts_by_run.back()[k];
+    for (const auto& score : scores)
+      if (score[mode]) error += score[mode]->error, ++found;
+  }
+  for (double& count : mean_counts) count /= static_cast<double>(scored.scores.size());
+  return {{"mean_counts", mean_counts},
+          {"counts_by_run", counts_by_run},
+          {"mean_centring_error", lengthOf(error / std::max(1, found), units)}};
+}
+
+nlohmann::json runsJson(const ScoredRuns& scored, double touch_error, int steps, const Units& units) {
+  nlohmann::json base = standingJson(standingOfEachRun(kTouchedHoles)), warnings = nlohmann::json::array();
+  base["misfits"] = scored.misfits;
+  if (scored.misfits > 0)
+    warnings.push_back(fmt::format(
+        "in {} of {} runs the touches do not fit: `tubeplan calibrate` would say so; their steps are counted as well",
+        scored.misfits, scored.scores.size()));
+  nlohmann::json json = {{"units", unitsJson(units)}, {"base", base},
+                         {"warnings", warnings},      {"runs", scored.scores.size()},
+                         {"refused", scored.refused}, {"mean_touch_error", lengthOf(touch_error, units)}};
+  for (std::size_t mode = 0; mode < kCompensations.size(); ++mode)
+    json[kModeKeys[mode]] = modeJson(scored, mode, steps, units);
+  return json;
+}
+
+constexpr std::string_view kModeWords = "{@:<29}{mean_counts:*6.2f}   {mean_centring_error:l}\n";
+constexpr TextLine kExperimentWords[] = {
+    {"", "{runs} runs of three calibration holes and ten test holes ({#refused} refused"},
+    {"refused", ", first: {}", {}, {}, 1},
+    {"", "), {base/words}\n"},
+    {"warnings", "warning: {}\n"},
+    {"mean_touch_error", "mean residual of a fit to 14 touched holes: {:l units/length}\n"},
+    {"", "of ten holes, by number of inserted steps, from none; then the mean error, {units/length}\n"},
+    {"none", kModeWords, {}, "none"},
+    {"goal_point", kModeWords, {}, "goal-point"},
+    {"via_point", kModeWords, {}, "via-point"},
+    {"",
+     "goal-point and via-point compensation share the posture at the hole: they differ during the approach, not in "
+     "these counts\n"}};
+
+}  // namespace
+
+int scoreRuns(const ScoredRunsOptions& options, const std::vector<int>& tubes, const planner::Workcell& model,
+              const planner::Workcell& truth, const Cell& cell) {
+  const CentringHoles holes{touchCandidates(model, tubes), {}};
+  if (std::ssize(holes.visited) < std::max(kVisitedHoles, kFittedHoles)) {
+    fmt::print(stderr, "no run was scored: {} of the {} holes can be reached, and {} are needed\n",
+               holes.visited.size(), tubes.size(), std::max(kVisitedHoles, kFittedHoles));
+    return kNegativeAnswer;
+  }
+  TruthSpread spread;
+  if (options.unmodelled >= 0) spread.unmodelled_sigma = cell.units.toInternal(options.unmodelled, dimension::kLength);
+  if (options.stiffness >= 0) spread.stiffness_sigma = options.stiffness;
+  const auto trialsOf = [&](const calibration::DoubtBeside& doubt, int touches, TouchRule rule) {
+    const CentringSetting setting{touches, rule, touchSigmaOf(model.tool)};
+    return CentringTrials(model, truth, holes, {spread, doubt, kVisitedHoles, options.seed, {setting}});
+  };
+  const auto scored =
+      scoredBy(trialsOf(doubtBeside(cell), kTouchedHoles, TouchRule::kTested), options.runs, terminalHooks());
+  if (scored.scores.empty()) {
+    fmt::print(stderr, "no run was scored: {}\n",
+               scored.refused.empty() ? "stopped before the first" : scored.refused.front());
+    return kNegativeAnswer;
+  }
+  const double touch_error = meanTouchError(trialsOf({}, kFittedHoles, TouchRule::kRandom));
+  const auto figures = runsJson(scored, touch_error, static_cast<int>(model.tool.steps.size()), cell.units);
+  showFigures(options.figures, figures, textOf(figures, kExperimentWords));
+  return scored.is_stopped ? kStoppedExitCode : kDone;
+}
+
+}  // namespace tubeplan::app
