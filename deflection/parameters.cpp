@@ -151,7 +151,7 @@ void appendRowParameters(Arm& arm, int side_chain, int index, std::vector<Parame
   const auto& fields = parameterFields();
   Row<double>& row = rowsOf(arm, side_chain)[index];
   for (int f = 0; f < static_cast<int>(fields.size()); ++f) {
-    if (fields[f].of_tool || nameInFile(row, fields[f].name).empty()) continue;
+    if (fields[f].of_tool || !isInFile(row, fields[f].name)) continue;
     if (fields[f].name == kShiftOfFirstAxis && (index > 0 || side_chain >= 0)) continue;
     const int lumps = static_cast<int>(row.weight.lumps.size());
     for (int lump = fields[f].of_lump ? 0 : -1; lump < (fields[f].of_lump ? lumps : 0); ++lump) {

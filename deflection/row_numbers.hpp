@@ -47,12 +47,19 @@ inline bool leadsToAxis(std::string_view number) {
   return number == "dh.alpha" || number == "dh.a" || number == "dh.beta" || number == kShiftOfFirstAxis;
 }
 
-/// The name of a row's number in its file and in fits, "forearm.dh.a"; empty where the file has none.
+/// Returns true if the row's file has that number.
+template <class S>
+bool isInFile(const Row<S>& row, std::string_view number) {
+  return row.placed_by && leadsToAxis(number) ? !row.placed_by->empty() : row.is_written;
+}
+
+/// Returns the name of a row's number in its file and in fits, "forearm.dh.a"; empty if the file has none.
 template <class S>
 std::string nameInFile(const Row<S>& row, std::string_view number) {
+  if (!isInFile(row, number)) return "";
   if (row.placed_by && leadsToAxis(number))
-    return row.placed_by->empty() ? "" : *row.placed_by + std::string(number.substr(std::string_view("dh").size()));
-  return row.is_written ? row.name + "." + std::string(number) : "";
+    return *row.placed_by + std::string(number.substr(std::string_view("dh").size()));
+  return row.name + "." + std::string(number);
 }
 
 template <class R>
