@@ -17,7 +17,7 @@ struct PageKind {
 
 /// Returns the page with the document embedded so that no text in it can end its script block. A document that is no
 /// object counts as an empty one. Bytes that are not UTF-8 become U+FFFD and numbers that are not finite become null.
-/// The same document gives the same bytes. Without a script the page says that this program has no report pictures.
+/// Equal documents give equal bytes. Without a script the page says that this program has no report pictures.
 [[nodiscard]] std::string renderPage(const PageKind& kind, const nlohmann::json& report,
                                      const PageSources& sources = builtPageSources());
 

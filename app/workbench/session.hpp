@@ -49,7 +49,7 @@ struct ReadingSet {
   calibration::MeasurementChecks checks = {};      ///< suspected mistakes at opening
   std::set<std::string> set_aside = {};            ///< ids excluded from all fits
   int change = 0;                                  ///< number of changes of readings or marks
-  /// Null for simulated readings and for those of a kept session.
+  /// Files and assumptions that the readings came from; null if they are simulated or of a kept session.
   std::shared_ptr<const ReadingSource> source = {};
   std::set<std::string> joined = {};  ///< ids that joined the others last; empty in a kept session
 };

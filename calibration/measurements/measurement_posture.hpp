@@ -33,8 +33,8 @@ namespace tubeplan::calibration {
   return reading;
 }
 
-/// Returns the posture from which a displacement is taken: the same without its load, or that of another reading.
-/// Nothing for other readings.
+/// Returns the posture from which a displacement is taken: the same without its load, or that of another reading;
+/// nothing if the reading is no displacement.
 [[nodiscard]] inline std::optional<deflection::Posture> referencePostureOf(const Measurement& reading,
                                                                            const deflection::Arm& arm,
                                                                            const Eigen::Isometry3d& X_WB) {

@@ -71,7 +71,7 @@ struct NoiseHypothesis {
   ReadingWeights weights;
   Eigen::MatrixXd principal_terms;  ///< principal terms of the discrepancy (terms x principal terms)
   Eigen::MatrixXd discrepancy;      ///< whitened columns of the principal terms, rows of `weights`
-  /// Null for very many readings, for which all terms together distinguish as well.
+  /// Discrepancies of one source each; null for very many readings, for which all terms together distinguish as well.
   std::unique_ptr<SingleSources> sources;
   EvidenceOptions options;
   std::unique_ptr<LinearEvidence> evidence;
