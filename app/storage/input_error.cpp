@@ -13,7 +13,8 @@ constexpr std::size_t kLongestPart = 4000;  // maximum length of a part of a mes
 
 std::string sentence(const std::string& where, const std::string& found, const std::string& expected,
                      const std::string& advice) {
-  const std::string core = fmt::format("{}: found {}, expected {}", where, found, expected);
+  const std::string core = expected.empty() ? fmt::format("{}: {}", where, found)
+                                            : fmt::format("{}: found {}, expected {}", where, found, expected);
   return advice.empty() ? core : core + "; " + advice;
 }
 
@@ -33,9 +34,13 @@ InputError::InputError(std::string where, std::string found, std::string expecte
       expected_(part(std::move(expected))),
       advice_(part(std::move(advice))) {}
 
+InputError InputError::saying(std::string where, std::string what, std::string advice) {
+  return {std::move(where), std::move(what), "", std::move(advice)};
+}
+
 InputError inputErrorOf(const std::filesystem::filesystem_error& error) {
-  return {error.path1().string(), error.code().message(), "a path that can be used",
-          "check its name, its folder and its permissions"};
+  return InputError::saying(error.path1().string(), error.code().message(),
+                            "check its name, its folder and its permissions");
 }
 
 std::string inQuotes(std::string_view text) { return "'" + nameInLine(text) + "'"; }
