@@ -32,7 +32,7 @@ constexpr std::uint64_t kBaseFits = 20;
 struct ScoredRuns {
   std::vector<std::vector<ModeScores>> scores;  ///< per scored run and hole
   std::vector<std::string> refused;             ///< reason for each run that could not be calibrated
-  int misfits = 0;                              ///< number of runs whose touches do not fit
+  std::uint64_t misfits = 0;                    ///< number of runs whose touches do not fit
   bool is_stopped = false;
 };
 
@@ -83,12 +83,8 @@ nlohmann::json modeJson(const ScoredRuns& scored, std::size_t mode, int steps, c
 }
 
 nlohmann::json runsJson(const ScoredRuns& scored, double touch_error, int steps, const Units& units) {
-  nlohmann::json base = standingJson(standingOfEachRun(kTouchedHoles)), warnings = nlohmann::json::array();
-  base["misfits"] = scored.misfits;
-  if (scored.misfits > 0)
-    warnings.push_back(fmt::format(
-        "in {} of {} runs the touches do not fit: `tubeplan calibrate` would say so; their steps are counted as well",
-        scored.misfits, scored.scores.size()));
+  const auto base = eachRunJson(kTouchedHoles, scored.misfits);
+  const auto warnings = misfitWarnings(scored.misfits, scored.scores.size());
   nlohmann::json json = {{"units", unitsJson(units)}, {"base", base},
                          {"warnings", warnings},      {"runs", scored.scores.size()},
                          {"refused", scored.refused}, {"mean_touch_error", lengthOf(touch_error, units)}};

@@ -79,6 +79,12 @@ nlohmann::json standingJson(const BaseStanding& standing) {
           {"touches", standing.touches}};
 }
 
+nlohmann::json eachRunJson(int touches, std::uint64_t misfits) {
+  nlohmann::json base = standingJson(standingOfEachRun(touches));
+  base["misfits"] = misfits;
+  return base;
+}
+
 nlohmann::json placedBaseJson(const Eigen::Isometry3d& X_WB, const BaseStanding& standing, const Units& units) {
   nlohmann::json base = poseJson(X_WB, units);
   base.update(standingJson(standing));

@@ -41,6 +41,9 @@ struct PoseFigures {
 /// Returns {status, words, placed, touches}: how a base was placed, with words that continue "proved" and "steps".
 [[nodiscard]] nlohmann::json standingJson(const BaseStanding& standing);
 
+/// Returns the same of bases that each run calibrates by `touches`, with the number of runs whose touches do not fit.
+[[nodiscard]] nlohmann::json eachRunJson(int touches, std::uint64_t misfits);
+
 /// Returns a base's pose with how it was placed.
 [[nodiscard]] nlohmann::json placedBaseJson(const Eigen::Isometry3d& X_WB, const BaseStanding& standing,
                                             const Units& units);

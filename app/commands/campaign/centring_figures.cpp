@@ -136,7 +136,8 @@ json settingJson(const CentringResults& results, std::size_t index) {
   const auto& tally = results.tally.settings()[index];
   const std::uint64_t scored = tally.failures[0].runs;
   json figures = {
-      {"base", standingJson(standingOfEachRun(setting.touches))},
+      {"base", eachRunJson(setting.touches, tally.misfits.runs)},
+      {"warnings", misfitWarnings(tally.misfits.runs, scored)},
       {"touches", setting.touches},
       {"choice", touchRules()[static_cast<std::size_t>(setting.rule)].name},
       {"touch_sigma", lengthJson(setting.touch_sigma, results.task.cell.units)},
@@ -156,6 +157,7 @@ constexpr std::string_view kWayRow =
     "{quantiles/95:>9.4r}  "
     "{quantiles/99:>9.4r}";
 constexpr TextLine kSettingWords[] = {{"refused", "  {runs} runs: {reason} (first: run {first_run})\n"},
+                                      {"warnings", "  warning: {}\n"},
                                       {"none", kWayRow, kVisitStepWords, "without"},
                                       {"compensated", kWayRow, kVisitStepWords, "compensated"}};
 

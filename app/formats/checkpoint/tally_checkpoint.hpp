@@ -13,7 +13,7 @@
 namespace tubeplan::app {
 
 inline constexpr const char* kTallyFile = "tally.json";
-inline constexpr CheckpointFormat kTallyFormat{"tubeplan campaign tally 1", "a file written by tubeplan campaign",
+inline constexpr CheckpointFormat kTallyFormat{"tubeplan campaign tally 2", "a file written by tubeplan campaign",
                                                "remove it to start again"};
 
 /// Finished runs and their total.

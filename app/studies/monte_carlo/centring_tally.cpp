@@ -13,6 +13,15 @@ void mergeFailure(const FailureCount& other, FailureCount& count) {
   count.runs += other.runs;
 }
 
+void putFailure(const FailureCount& failure, TallyWords& words) {
+  words.insert(words.end(), {failure.runs, failure.first_run});
+}
+
+FailureCount failureOf(WordReader& reader) {
+  const std::uint64_t runs = reader.next();
+  return {runs, reader.next()};
+}
+
 void putHole(std::uint64_t index, const HoleTally& hole, TallyWords& words) {
   words.push_back(index);
   hole.errors.put(words);
@@ -82,6 +91,7 @@ void CentringTally::add(const std::vector<Trial>& trials, std::uint64_t run) {
   for (std::size_t k = 0; k < trials.size(); ++k) {
     ++settings_[k].runs;
     mergeFailure({1, run}, settings_[k].failures[static_cast<std::size_t>(trials[k].failure)]);
+    if (trials[k].is_misfit) mergeFailure({1, run}, settings_[k].misfits);
     if (trials[k].failure == TrialFailure::kNone) addVisits(trials[k], settings_[k]);
   }
 }
@@ -120,7 +130,8 @@ void CentringTally::put(TallyWords& words) const {
   words.push_back(settings_.size());
   for (const auto& setting : settings_) {
     words.push_back(setting.runs);
-    for (const auto& failure : setting.failures) words.insert(words.end(), {failure.runs, failure.first_run});
+    for (const auto& failure : setting.failures) putFailure(failure, words);
+    putFailure(setting.misfits, words);
     for (const auto& way : setting.ways) putWay(way, words);
   }
 }
@@ -130,10 +141,8 @@ bool CentringTally::merge(const TallyWords& words) {
   if (reader.next() != settings_.size()) return false;
   for (auto& setting : settings_) {
     setting.runs += reader.next();
-    for (auto& failure : setting.failures) {
-      const std::uint64_t runs = reader.next();
-      mergeFailure({runs, reader.next()}, failure);
-    }
+    for (auto& failure : setting.failures) mergeFailure(failureOf(reader), failure);
+    mergeFailure(failureOf(reader), setting.misfits);
     for (auto& way : setting.ways)
       if (!mergeWay(reader, way)) return false;
   }

@@ -35,6 +35,7 @@ struct FailureCount {
 struct SettingTally {
   std::uint64_t runs = 0;
   std::array<FailureCount, kTrialFailures> failures;  ///< counts by TrialFailure; at kNone the runs that were scored
+  FailureCount misfits;  ///< scored runs whose touches do not fit, by chi-square
   std::array<WayTally, kWays.size()> ways;
 };
 

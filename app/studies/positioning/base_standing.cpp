@@ -65,4 +65,11 @@ std::string warningOf(const BaseStanding& standing) {
   return withTouches(rowOf(standing.placing).warning, standing.touches);
 }
 
+std::vector<std::string> misfitWarnings(std::uint64_t misfits, std::uint64_t runs) {
+  if (misfits == 0) return {};
+  return {fmt::format(
+      "in {} of {} runs the touches do not fit: `tubeplan calibrate` would say so; their steps are counted as well",
+      misfits, runs)};
+}
+
 }  // namespace tubeplan::app

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "app/studies/cell_model.hpp"
 #include "calibration/estimation/base_calibration.hpp"
@@ -25,6 +27,9 @@ struct BaseStanding {
 [[nodiscard]] inline BaseStanding standingOfEachRun(int touches) {
   return {BasePlacing::kEachRun, static_cast<std::size_t>(touches)};
 }
+
+/// Returns a sentence of warning for runs whose touches do not fit; nothing if there are none.
+[[nodiscard]] std::vector<std::string> misfitWarnings(std::uint64_t misfits, std::uint64_t runs);
 
 /// Returns the name in documents: "nominal", "calibrated", ...
 [[nodiscard]] std::string nameOf(BasePlacing placing);

@@ -148,10 +148,22 @@ TEST_F(BaseStandings, ACampaignIsForTheBaseOfEachRun) {
     for (const auto& setting : document["settings"]) {
       EXPECT_EQ(setting["base"]["status"], "each-run");
       EXPECT_EQ(setting["base"]["touches"], setting["touches"]);
+      EXPECT_EQ(setting["warnings"].empty(), setting["base"]["misfits"] == 0) << setting["warnings"];
     }
     expectSays(outcome.out, document["base"]["words"]);
     expectSays(contentOf(folder / out / "report.html"), document["settings"][0]["base"]["words"]);
   }
+}
+
+TEST_F(BaseStandings, ACampaignCountsTheRunsWhoseTouchesDoNotFit) {
+  const Outcome outcome =
+      run("campaign exact.yaml --truth mockup-true.yaml --unmodelled 0.03 --runs 4 --tubes spread:20 --out misfits");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json setting = documentIn("misfits/campaign.json")["settings"][0];
+  EXPECT_GT(setting["base"]["misfits"], 0);
+  ASSERT_EQ(setting["warnings"].size(), 1U);
+  expectSays(outcome.out, setting["warnings"][0]);
+  expectSays(contentOf(folder / "misfits" / "report.html"), setting["warnings"][0]);
 }
 
 TEST_F(BaseStandings, ARefusedCalibrationLeavesTheNominalBaseAndSaysSo) {

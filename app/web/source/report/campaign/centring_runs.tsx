@@ -223,11 +223,15 @@ function SettingsTable({report}: OfReport) {
         `${settingName(report, setting)}: ${plural(runs, "run")} not scored, ${textOf(reason)} (the first is run ${whole(first)})`,
     ),
   );
+  const warnings = list(report.settings).flatMap((setting) =>
+    list(setting.warnings).map((warning) => `${settingName(report, setting)}: ${textOf(warning)}`),
+  );
   const inAll = stepsOf(report).map((steps) => `${steps} or more in all of a run`);
   return (
     <Card>
       <Table heads={["setting", "runs scored", ...figures, ...inAll]} rows={rows} />
       {refused.length > 0 ? <Reasons>{refused}</Reasons> : <p class="good">Every run was scored.</p>}
+      {warnings.length > 0 && <Reasons>{warnings}</Reasons>}
     </Card>
   );
 }
