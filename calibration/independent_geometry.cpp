@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kPostures = 12;
 constexpr double kNothingNew = 1e-6;  // length of a column's remainder, as a share of its own, that counts as zero
+constexpr double kHardlyNew = 0.01;   // share below which a number waits for those of all ranks
 constexpr double kNearlyAsNew = 0.3;  // share of the newest column's remainder: the first in order above it is taken
 constexpr std::uint64_t kPosturesSeed = 7;
 constexpr int kRanks = 5;
@@ -91,19 +92,18 @@ class Span {
 /// Returns the rank in which a number is tried; nothing for numbers that a mechanism does not have.
 std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   if (number.path.side_chain >= 0 || number.path.effect >= 0 || !isGeometry(number.name)) return std::nullopt;
-  if (isToolTurn(number.name) && !placed.shows_tool_turn) return std::nullopt;
   if (number.path.row < 0) return 1;
   if (number.name.ends_with(".joint.offset")) return 0;
   if (isShiftOfFirstAxis(number.name)) return kRanks - 1;
   return moves(placed.arm.rows[static_cast<std::size_t>(number.path.row)].joint) ? 2 : 3;
 }
 
-/// Takes the numbers of one rank, as long as any adds to the span.
-void takeAll(std::vector<Index> columns, Span& span, std::vector<Index>& taken) {
+/// Takes the numbers of one rank, as long as any adds at least `least` of its own length to the span.
+void takeAll(std::vector<Index> columns, double least, Span& span, std::vector<Index>& taken) {
   while (!columns.empty()) {
     double newest = 0;
     for (const Index column : columns) newest = std::max(newest, span.newnessOf(column));
-    if (newest < kNothingNew) return;
+    if (newest < least) return;
     const auto first =
         std::ranges::find_if(columns, [&](Index column) { return span.newnessOf(column) >= kNearlyAsNew * newest; });
     span.take(*first);
@@ -173,12 +173,14 @@ std::vector<IndependentNumber> independentGeometry(const PlacedArm& placed, cons
   std::vector<std::vector<Index>> ranks(kRanks);
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const auto isIt = [&](const Unknown& unknown) { return unknown.name == numbers[k].name; };
-    if (std::ranges::any_of(free, isIt))
+    const bool is_unseen = isToolTurn(numbers[k].name) && !placed.shows_tool_turn;
+    if (is_unseen || std::ranges::any_of(free, isIt))
       takeFree(static_cast<Index>(k));
     else
       ranks[static_cast<std::size_t>(*rankOf(numbers[k], placed))].push_back(static_cast<Index>(k));
   }
-  for (const auto& columns : ranks) takeAll(columns, span, taken);
+  for (const double least : {kHardlyNew, kNothingNew})
+    for (const auto& columns : ranks) takeAll(columns, least, span, taken);
   std::ranges::sort(taken);
   std::vector<std::pair<Index, double>> held;
   for (const auto& columns : ranks)

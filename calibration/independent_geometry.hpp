@@ -26,13 +26,14 @@ struct IndependentNumber {
 /// Returns a set of geometry that is complete and not redundant beside the unknowns that are free already:
 /// every motion of the tool that geometry can make is made by one combination of these, those unknowns and no other.
 /// The set has four numbers for a row that turns, two for a slide and six of the tool, less six where no base is known
-/// (Everett 1987); however the rows are written, and whatever readings there are. But where the tool's turn reaches no
-/// reading (`placed.shows_tool_turn`), the tool's three are those of the tip.
+/// (Everett 1987); however the rows are written, and whatever readings there are. Where the tool's turn reaches no
+/// reading (`placed.shows_tool_turn`), three fewer: what only turns the tool about its tip counts as free already, and a
+/// last joint's zero stands for one number of the tip.
 ///
 /// Joint zeros come first, then the tip, then rows that move, then others, and last the first row's b, which only
 /// beside a known base says anything new. Of equals the first in file order is taken; a number that the ones before
 /// nearly replace waits for what they do not, so that of nearly parallel axes beta is taken and d is not (Hayati and
-/// Mirmirani 1985). What is not taken may be off its drawing all the same, by `placed.priors`: the numbers taken have
+/// Mirmirani 1985), and the last joint's zero is not where the tip is near its axis. What is not taken may be off its drawing all the same, by `placed.priors`: the numbers taken have
 /// its part besides their own.
 [[nodiscard]] std::vector<IndependentNumber> independentGeometry(const PlacedArm& placed,
                                                                  const std::vector<Unknown>& free);

@@ -12,15 +12,18 @@
 namespace tubeplan::calibration {
 namespace {
 
-/// How the tool moves by the numbers of these names, then by the base where it is free, at random postures; each column
-/// has length 1.
+/// How the tool moves by the numbers of these names, by its own turn where no reading shows it, and by the base where
+/// it is free, at random postures; each column has length 1.
 Eigen::MatrixXd motions(const PlacedArm& placed, const std::vector<std::string>& names) {
   constexpr int kPostures = 30;
   std::vector<deflection::Variable> variables;
   for (const auto& name : names)
     variables.push_back(deflection::Variable::number(deflection::findParameter(placed.arm, name)->path));
   const bool has_base = !placed.base_poses[0].is_known;
-  const auto count = static_cast<Eigen::Index>(names.size());
+  for (const std::string axis : {"x", "y", "z"})
+    if (!placed.shows_tool_turn)
+      variables.push_back(deflection::Variable::number(deflection::findParameter(placed.arm, "tool.turn." + axis)->path));
+  const auto count = static_cast<Eigen::Index>(variables.size());
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(6 * kPostures, count + (has_base ? 6 : 0));
   RandomStream random(3);
   for (int k = 0; k < kPostures; ++k) {
@@ -88,13 +91,12 @@ TEST(IndependentGeometry, IsCompleteBesideAKnownBaseByEitherTable) {
     for (const auto& joint : drawn.arm.joints()) ++(joint.type == deflection::JointType::kPrismatic ? slides : turns);
     for (const PlacedArm& placed : {drawn, byStandardTable(drawn)}) {
       const bool is_standard = deflection::isStandard(placed.arm.rows);
-      if (is_standard && !placed.shows_tool_turn) continue;  // the end of its last row would count beside the tip
-      const auto names = chosen(placed);
-      const Eigen::Index rank = rankOf(motions(placed, names));
-      EXPECT_EQ(rank, static_cast<Eigen::Index>(names.size())) << seed << " " << is_standard << ": redundant";
+      const Eigen::MatrixXd columns = motions(placed, chosen(placed));
+      const Eigen::Index rank = rankOf(columns);
+      EXPECT_EQ(rank, columns.cols()) << seed << " " << is_standard << ": redundant";
       const PlacedArm all = byOrigins(placed);
       EXPECT_EQ(rank, rankOf(motions(all, allGeometry(all)))) << seed << " " << is_standard << ": not complete";
-      if (slides > 0 || !placed.shows_tool_turn) continue;
+      if (slides > 0) continue;
       ++counted;
       EXPECT_EQ(rank, 4 * turns + 6) << seed << " " << is_standard;
     }
@@ -110,10 +112,12 @@ TEST(IndependentGeometry, HoldsAsManyNumbersAsMechanismsHave) {
     for (const auto& joint : placed.arm.joints()) ++(joint.type == deflection::JointType::kPrismatic ? slides : turns);
     if (placed.base_poses[0].is_known) continue;
     ++open;
-    // Everett's 4 R + 2 P + 6, of which the tool's own turn has no number; slides along one another leave fewer.
-    EXPECT_LE(rankOf(motions(placed, chosen(placed))), 4 * turns + 2 * slides + 6) << seed;
+    // Everett's 4 R + 2 P + 6; slides along one another leave fewer.
+    const Eigen::MatrixXd columns = motions(placed, chosen(placed));
+    EXPECT_EQ(rankOf(columns), columns.cols()) << seed;
+    EXPECT_LE(columns.cols(), 4 * turns + 2 * slides + 6) << seed;
     if (slides == 0) {
-      EXPECT_GE(rankOf(motions(placed, chosen(placed))), 4 * turns + 6 - 3) << seed;
+      EXPECT_EQ(columns.cols(), 4 * turns + 6) << seed;
     }
   }
   EXPECT_GT(open, 30);
@@ -160,7 +164,8 @@ TEST(IndependentGeometry, IsCompleteWhereFixedAnglesAreSingular) {
   placed.arm.rows[1].placement = deflection::Origin<double>{{0.2, 0.1, 0.3}, {kRightAngle, kRightAngle, 0}};
   const auto names = chosen(placed);
   EXPECT_TRUE(std::ranges::count(names, "link2.origin.beta"));
-  EXPECT_EQ(rankOf(motions(placed, names)), static_cast<Eigen::Index>(names.size()) + 6);
+  const Eigen::MatrixXd columns = motions(placed, names);
+  EXPECT_EQ(rankOf(columns), columns.cols());
 }
 
 }  // namespace
