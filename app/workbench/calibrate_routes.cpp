@@ -63,7 +63,10 @@ Eigen::VectorXd postureUnder(const Cell& cell, int hole) {
   for (const auto& branch :
        planner::compensate(work, planner::holeCentre(work.sheet.tubes[static_cast<std::size_t>(hole)]), options))
     if (branch.status == deflection::BranchStatus::kConverged) return branch.q;
-  throw InputError("request (hole)", "one that the arm cannot reach", "another hole");
+  const auto& tube = work.sheet.tubes[static_cast<std::size_t>(hole)];
+  throw InputError::saying("request (hole)",
+                           "the arm does not reach hole " + tubesheets::tubeName(tube.row, tube.column),
+                           "choose another hole");
 }
 
 /// Returns the reading of the true arm, or if there is none of the cell's own, at a touch.
@@ -76,7 +79,7 @@ calibration::Measurement simulatedTouch(const Session& now, const calibration::T
   options.seed = static_cast<std::uint64_t>(now.next_touch);
   const auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, {plan}, options);
   if (simulation.status != calibration::TouchSimulationStatus::kDone)
-    throw InputError("request (hole)", simulation.reason, "a hole that the true arm can touch");
+    throw InputError::saying("request (hole)", simulation.reason, "choose another hole");
   return simulation.touches.front();
 }
 
@@ -85,7 +88,9 @@ Answer addTouch(Workbench& workbench, const Request& request) {
   const Session now = workbench.session();
   const Cell& cell = currentModel(now).cell;
   if (now.touches.size() >= kMostTouches)
-    return refusal(409, InputError("touches", fmt::format("{} already", now.touches.size()), "fewer"));
+    return refusal(409,
+                   InputError::saying("touches", fmt::format("the list is full, with {} touches", now.touches.size()),
+                                      "take one out of the list first"));
   TouchMade made;
   made.tube = requiredHoleOf(body, cell);
   made.is_simulated = booleanOf(body, "simulate", !body.contains("joints"));
@@ -113,7 +118,8 @@ Answer removeTouch(Workbench& workbench, const Request& request) {
     if (is_one) session.touches.erase(session.touches.begin() + static_cast<std::ptrdiff_t>(*index));
     return is_one;
   });
-  if (!done) return refusal(404, InputError("touch", inQuotes(request.words[1]), "the place of one in the list"));
+  if (!done)
+    return refusal(404, InputError("touch", inQuotes(request.words[1]), "the index of a touch in the list, from 0"));
   return answerOf(stateJson(workbench));
 }
 
@@ -139,7 +145,7 @@ std::vector<calibration::Measurement> touchesToUse(const Session& session, const
     return touchesOf(readingsInUse(*session.readings), cell, session.readings->name);
   std::vector<calibration::Measurement> made;
   for (const auto& touch : session.touches) made.push_back(touch.touch);
-  if (made.empty()) throw InputError("touches", "none", "three or more touched holes", "touch some first");
+  if (made.empty()) throw InputError::saying("touches", "no hole is touched yet", "touch three or more holes first");
   return touchesOf(parseReadings(touchesCsv(made, cell), "touches.csv", cell), cell, "touches.csv");
 }
 

@@ -26,14 +26,16 @@ namespace tubeplan::app {
 namespace {
 
 const PlanOutcome& planOf(const Session& session) {
-  if (!session.plan) throw InputError("export", "no plan yet", "a plan", "POST /api/plan makes one");
+  if (!session.plan)
+    throw InputError::saying("export", "there is no plan yet", "plan tube visits first (POST /api/plan)");
   return *session.plan;
 }
 
 nlohmann::json figuresOf(const Session& session, const std::string& name) {
   const auto result = findResult(session, name);
   if (!result)
-    throw InputError("export", "no result of " + name + " yet", "a result", "POST /api/" + name + " makes one");
+    throw InputError::saying("export", "there is no result of '" + name + "' yet",
+                             "compute it first (POST /api/" + name + ")");
   return result->document;
 }
 
@@ -54,7 +56,9 @@ std::vector<TextFile> exportedFiles(const Session& s) {
 std::string exportedCell(const Session& s) { return exportedFiles(s).front().text; }
 std::string exportedArm(const Session& s) {
   const auto files = exportedFiles(s);
-  if (files.size() < 2) throw InputError("export", "an arm that stands in the cell", "cell.yaml");
+  if (files.size() < 2)
+    throw InputError::saying("export", "the cell has no arm file of its own",
+                             "export cell.yaml, which has the arm in it");
   return files.back().text;
 }
 std::string exportedReadings(const Session& s) {
@@ -83,7 +87,8 @@ std::string exportedRunSheet(const Session& s) {
   const auto figures = figuresOf(s, "diagnose");
   const auto sheet = figures.find("run_sheet");
   if (sheet == figures.end())
-    throw InputError("export", "no readings proposed", "a diagnosis that leaves something open");
+    throw InputError::saying("export", "the diagnosis proposes no readings",
+                             "only a diagnosis that leaves something open has a run sheet");
   return sheet->get<std::string>();
 }
 std::string exportedPlan(const Session& s) { return planFileText(s.plan_request, planOf(s)); }
@@ -134,8 +139,8 @@ Answer download(Workbench& workbench, const Request& request) {
   const auto found = std::find_if(std::begin(kExports), std::end(kExports),
                                   [&](const Export& e) { return e.name == request.words[1]; });
   if (found == std::end(kExports))
-    return refusal(404, InputError(inQuotes(request.words[1]), "no export of that name",
-                                   "one of those that docs/workbench_api.md lists"));
+    return refusal(404, InputError::saying(inQuotes(request.words[1]), "there is no export of that name",
+                                           "docs/workbench_api.md lists the exports"));
   try {
     return downloadOf(std::string(found->name), std::string(found->content_type), found->text(workbench.session()));
   } catch (const InputError& error) {
@@ -155,8 +160,8 @@ Answer saveCell(Workbench& workbench, const Request& request) {
   for (const auto& file : files) {
     const auto checked = workbench.folder().fileToWrite(file.path.filename().string());
     if (std::filesystem::exists(checked) && !booleanOf(body, "overwrite", false))
-      return refusal(409, InputError(checked.filename().string(), "a file that is there already", "another name",
-                                     "or say overwrite"));
+      return refusal(409, InputError::saying(checked.filename().string(), "this file is there already",
+                                             "choose another name, or replace the file"));
     written.push_back(checked.filename().string());
   }
   writeFilesTogether(files, "file");

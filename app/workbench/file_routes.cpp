@@ -30,12 +30,12 @@ Answer files(Workbench& workbench, const Request&) {
 /// Replaces the session by another cell or project; refuses to drop unsaved work without confirmation.
 Answer openInstead(Workbench& workbench, const nlohmann::json& body, const std::filesystem::path& path) {
   if (isUnsaved(workbench.session()) && !booleanOf(body, "discard", false))
-    return refusal(409,
-                   InputError("cell", "work that is not saved as a project", "a saved one", "save it, or say discard"));
+    return refusal(409, InputError::saying("cell", "the work is not saved as a project",
+                                           "save it first, or confirm that it is discarded"));
   Session opened = openCell(path.string(), "");
   opened.saved_revision = opened.revision;
   if (!workbench.replace(std::move(opened)))
-    return refusal(409, InputError("cell", "a job that is not done yet", "none"));
+    return refusal(409, InputError::saying("cell", "a job is not done yet", "wait for it, or stop it"));
   return answerOf(stateJson(workbench));
 }
 
@@ -50,7 +50,10 @@ Answer openProject(Workbench& workbench, const Request& request) {
   const auto& keeper = workbench.keeper();
   const std::string recent = textOf(body, "recent");
   if (recent.empty()) return openInstead(workbench, body, workbench.folder().fileToRead(textOf(body, "file")));
-  if (keeper.folder().empty()) throw InputError("recent", inQuotes(recent), "a session that is kept");
+  if (keeper.folder().empty())
+    throw InputError::saying("recent",
+                             "the session " + inQuotes(recent) + " is not kept: the server has no state folder",
+                             "open a file of the opened folder");
   return openInstead(workbench, body, OpenedFolder(keeper.folder()).fileToRead(recent));
 }
 
@@ -60,7 +63,8 @@ Answer saveProject(Workbench& workbench, const Request& request) {
   if (!name.ends_with(kProjectExtension)) name += kProjectExtension;
   const auto place = workbench.folder().fileToWrite(name);
   if (std::filesystem::exists(place) && !booleanOf(body, "overwrite", false))
-    return refusal(409, InputError(name, "a file that is there already", "another name", "or say overwrite"));
+    return refusal(409,
+                   InputError::saying(name, "this file is there already", "choose another name, or replace the file"));
   const Session saved = workbench.session();
   writeFileAtomically(place, projectText(saved), "file");
   workbench.change([&](Session& session) {

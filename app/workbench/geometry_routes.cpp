@@ -4,6 +4,7 @@
 #include "app/storage/input_error.hpp"
 #include "app/studies/model/cell_fit.hpp"
 #include "app/workbench/geometry_json.hpp"
+#include "app/workbench/job_routes.hpp"
 #include "app/workbench/posture_answer.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
@@ -18,7 +19,9 @@ namespace {
 Answer sheet(Workbench& workbench, const Request&) {
   const Session session = workbench.session();
   const Cell& cell = currentModel(session).cell;
-  if (!cell.sheet) return refusal(404, InputError(cell.path, "no key 'tubesheet'", "one"));
+  if (!cell.sheet)
+    return refusal(
+        404, InputError::saying(cell.path, "the cell has no key 'tubesheet'", "add the key, or open another cell"));
   return answerOf(sheetDrawing(cell, *cell.sheet));
 }
 
@@ -55,7 +58,7 @@ constexpr std::size_t kMostForConfounding =
 /// Returns the confounding of the causes, by the readings in use and the fitted numbers.
 Answer confounding(Workbench& workbench, const Request&) {
   const Session session = workbench.session();
-  if (!session.readings) return refusal(404, InputError("measurements", "none loaded", "some"));
+  if (!session.readings) return refusal(404, withoutReadings());
   const Cell& cell = currentModel(session).cell;
   const auto all = readingsInUse(*session.readings);
   std::vector<calibration::Measurement> some;

@@ -45,21 +45,26 @@ void put(const Answer& answer, httplib::Response& response) {
 Answer refused(int status, const httplib::Request& request) {
   switch (status) {
     case 401:
-      return refusal(401, InputError("Authorization", "no token, or a wrong one", "the one that the server was given",
-                                     "open the address that the program printed"));
+      return refusal(401, InputError::saying("Authorization", "the token is missing or is not the server's",
+                                             "open the address that the program printed"));
     case 403:
-      return refusal(403, InputError("Host, Origin", "another site's name", "this server's own address",
-                                     "open the address that the program printed"));
+      return refusal(403, InputError::saying("Host, Origin", "the request comes from another site, or names one",
+                                             "open the address that the program printed"));
     case 413:
       return refusal(413, InputError("request body", "more than 8 MiB", "at most 8 MiB"));
     case 414:
-      return refusal(414, InputError("address", "a longer one", fmt::format("at most {} bytes", kLongestTarget)));
+      return refusal(414, InputError("address", fmt::format("more than {} bytes", kLongestTarget),
+                                     fmt::format("at most {} bytes", kLongestTarget)));
     case 415:
       return refusal(415, InputError("Content-Type", inQuotes(request.get_header_value("Content-Type")),
                                      "application/json or text/csv"));
+    case 404:
+      return refusal(404, InputError::saying(inQuotes(request.path), "there is no such page",
+                                             "open the address that the program printed"));
     default:
       return refusal(status,
-                     InputError("request", fmt::format("one that HTTP refuses ({})", status), "a request by HTTP/1.1"));
+                     InputError::saying("request", fmt::format("it cannot be answered (HTTP status {})", status),
+                                        "send a complete HTTP/1.1 request; docs/workbench_api.md lists the addresses"));
   }
 }
 
@@ -145,8 +150,9 @@ class HttpServer::Implementation : public httplib::Server {
     if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
     const bool is_bound = door_.port == 0 ? (door_.port = bind_to_any_port(host)) > 0 : bind_to_port(host, door_.port);
     if (!is_bound)
-      throw InputError("--port", fmt::format("{} at {}, where the server cannot listen", door_.port, door_.host),
-                       "a free port of this machine", "--port 0 takes any free one");
+      throw InputError::saying("--port",
+                               fmt::format("the server cannot listen at port {} of {}", door_.port, door_.host),
+                               "give a free port of this machine; --port 0 takes any free one");
     ::listen(svr_sock_,
              SOMAXCONN);  // the library's own backlog is five, and refused clients retry after a second or more
   }
@@ -233,7 +239,8 @@ class HttpServer::Implementation : public httplib::Server {
     Events& events = workbench_.events();
     if (request.method != "GET") return put(refused(405, request), response);
     if (!events.tryEnter())
-      return put(refusal(503, InputError("/api/events", "the greatest number of listeners", "fewer open pages")),
+      return put(refusal(503, InputError::saying("/api/events", "too many pages of this workbench are open",
+                                                 "close one of them")),
                  response);
     response.set_header("Cache-Control", "no-store");
     auto seen = std::make_shared<Events::Seen>();

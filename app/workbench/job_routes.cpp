@@ -8,8 +8,7 @@ namespace tubeplan::app {
 Answer beginJob(Workbench& workbench, const std::string& kind, const std::string& label, JobWork work) {
   const auto begun = workbench.jobs().begin(kind, label, std::move(work));
   if (!begun.refused.empty())
-    return refusal(
-        409, InputError("jobs", begun.refused, "none of that kind, and at most four that wait", "wait, or cancel it"));
+    return refusal(409, InputError::saying("jobs", begun.refused, "wait until a job is done, or stop one"));
   workbench.events().stateChanged();
   return answerOf(begun.job, 202);
 }
@@ -39,10 +38,13 @@ planner::PlanHooks planHooksOf(JobContext& context) {
   return hooks;
 }
 
+InputError withoutReadings() {
+  return InputError::saying("measurements", "no readings are loaded", "open a table of readings, or simulate some");
+}
+
 CellReadings inputOf(const Session& session) {
   const Cell& cell = currentModel(session).cell;
-  if (!session.readings)
-    throw InputError("measurements", "none loaded", "readings of this arm", "load a CSV file, or simulate some");
+  if (!session.readings) throw withoutReadings();
   CellReadings input{cell, session.readings->name, readingsInUse(*session.readings), session.readings->checks};
   requireDefinedFormulas(input.readings, input.cell, input.file);
   return input;
@@ -59,7 +61,7 @@ void finishJob(Workbench& workbench, const Session& began, JobInput input, const
     return true;
   });
   if (has_other_readings) throw JobStopped{};
-  if (!is_same) throw InputError("models", "changed since the job started", "unchanged until it is done", "ask again");
+  if (!is_same) throw InputError::saying("models", "the models have changed since the job started", "start it again");
 }
 
 Cell rereadCell(const Cell& cell, const std::string& text) {

@@ -8,6 +8,7 @@
 #include "app/jobs/comparison.hpp"
 #include "app/jobs/diagnosis.hpp"
 #include "app/jobs/identification.hpp"
+#include "app/storage/input_error.hpp"
 #include "app/studies/job_steps.hpp"
 #include "app/workbench/exchange.hpp"
 #include "app/workbench/workbench.hpp"
@@ -39,6 +40,9 @@ using ResultWork = std::function<nlohmann::json(const Session& began, JobContext
 
 /// Returns such hooks for the planner.
 [[nodiscard]] planner::PlanHooks planHooksOf(JobContext& context);
+
+/// Returns the error of a request that needs readings where none are loaded.
+[[nodiscard]] InputError withoutReadings();
 
 /// Returns the current model with the readings, checked against its formulas. Throws InputError without readings.
 [[nodiscard]] CellReadings inputOf(const Session& session);

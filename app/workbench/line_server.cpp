@@ -35,7 +35,7 @@ std::vector<std::string> wordsOf(std::string line) {
 
 double loadOf(const std::string& word, const Units& units) {
   const auto load = tubesheets::parseNumber(word);
-  if (!load) throw InputError("line", inQuotes(word), "a load");
+  if (!load) throw InputError("line (load)", inQuotes(word), "a number");
   return parseLoad(*load, units, "line (load)");
 }
 
@@ -109,8 +109,9 @@ class LineServer::Implementation {
       acceptor_.bind(here);
       acceptor_.listen();
     } catch (const boost::system::system_error& failure) {
-      throw InputError("--lines", fmt::format("the port {}, where the server cannot listen", port), "a free one",
-                       failure.code().message());
+      throw InputError::saying("--lines",
+                               fmt::format("the server cannot listen at port {}: {}", port, failure.code().message()),
+                               "give a free port");
     }
     accept();
     thread_ = std::thread([this] { context_.run(); });

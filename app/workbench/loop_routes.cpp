@@ -98,10 +98,10 @@ Answer compare(Workbench& workbench, const Request& request) {
 
 void requireFitted(const IdentificationOutcome& outcome, const CellReadings& input) {
   if (outcome.fit.status == calibration::IdentificationStatus::kNotRun)
-    throw InputError(input.file, outcome.fit.reason, "readings that allow a verdict");
+    throw InputError::saying(input.file, outcome.fit.reason, "mend the readings, or confirm that they are right");
   if (outcome.fit.status != calibration::IdentificationStatus::kDone)
-    throw InputError(input.file, "a fit that did not converge: " + outcome.fit.reason,
-                     "readings that determine the numbers");
+    throw InputError::saying(input.file, "the fit did not converge: " + outcome.fit.reason,
+                             "fit fewer numbers, or add readings that determine them");
 }
 
 /// Job that fits the current model, with the model that it puts on the stack.
@@ -190,10 +190,12 @@ Answer improve(Workbench& workbench, const Request& request) {
                     const CellReadings input = inputOf(began);
                     const auto outcome = improveModel(input, asked, hooksOf(context));
                     if (!outcome.isUsable())
-                      throw InputError(input.file,
-                                       outcome.steps.empty() ? outcome.models.front().fit.reason
-                                                             : reasonText(outcome.steps.back(), input.cell.units),
-                                       "readings that allow a verdict");
+                      throw InputError::saying(
+                          input.file,
+                          "the readings allow no verdict: " +
+                              (outcome.steps.empty() ? outcome.models.front().fit.reason
+                                                     : reasonText(outcome.steps.back(), input.cell.units)),
+                          "mend the readings, or add more");
                     std::vector<NamedCell> improved;  // one model per step, so that each step can be undone
                     for (const auto& model : outcome.models)
                       improved.push_back(
@@ -250,7 +252,7 @@ Answer simulate(Workbench& workbench, const Request& request) {
                           [&] { return context.stopRequested(); }});
     if (campaign.status == calibration::CampaignStatus::kStopped) throw JobStopped{};
     if (campaign.status != calibration::CampaignStatus::kDone)
-      throw InputError("design", campaign.reason, "readings that the arm can make");
+      throw InputError::saying("design", campaign.reason, "choose another design or seed, or fewer readings");
     const auto set = readingsOf(campaign, cell, fmt::format("simulated-{}-{}.csv", asked.design, asked.seed));
     finishJob(workbench, began, JobInput::kModelAndReadings, [&](Session& session) {
       putReadings(session, set);

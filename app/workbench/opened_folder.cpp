@@ -1,5 +1,7 @@
 #include "app/workbench/opened_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "app/storage/input_error.hpp"
@@ -26,16 +28,25 @@ void requirePlainName(const std::string& name) {
 OpenedFolder::OpenedFolder(const fs::path& folder) {
   std::error_code error;
   path_ = fs::canonical(folder, error);
-  if (error || !fs::is_directory(path_, error)) throw InputError("--folder", inQuotes(folder.string()), "a folder");
+  const std::string quoted = inQuotes(folder.string());
+  if (error)
+    throw InputError::saying("--folder", fmt::format("{} cannot be opened: {}", quoted, error.message()),
+                             "check the name");
+  if (!fs::is_directory(path_, error))
+    throw InputError::saying("--folder", quoted + " is not a folder", "name the folder with the files");
 }
 
 fs::path OpenedFolder::fileToRead(const std::string& name) const {
   requirePlainName(name);
   std::error_code error;
   const fs::path place = fs::canonical(path_ / name, error);
-  if (error) throw InputError(name, "no such file", "a file of the opened folder", "GET /api/files lists them");
-  if (place.parent_path() != path_ || !fs::is_regular_file(place, error))
-    throw InputError(name, "what is not a file of the opened folder", "a regular file in it");
+  if (error)
+    throw InputError::saying(name, "there is no such file in the opened folder",
+                             "choose another (GET /api/files lists them)");
+  if (place.parent_path() != path_)
+    throw InputError::saying(name, "this link leads out of the opened folder", "copy the file into the folder");
+  if (!fs::is_regular_file(place, error))
+    throw InputError::saying(name, "this is not a regular file", "choose a file of the opened folder");
   return place;
 }
 
@@ -45,7 +56,8 @@ fs::path OpenedFolder::fileToWrite(const std::string& name) const {
   std::error_code error;
   const auto status = fs::symlink_status(place, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    throw InputError(name, "something that is not a regular file", "a name for a file in the opened folder");
+    throw InputError::saying(name, "this name belongs to something other than a regular file, such as a folder",
+                             "choose another name");
   return place;
 }
 

@@ -47,7 +47,8 @@ PageFiles::PageFiles(const std::string& folder) {
   if (folder.empty()) return;
   std::error_code error;
   folder_ = fs::canonical(folder, error);
-  if (error || !fs::is_directory(folder_)) throw InputError("--page", inQuotes(folder), "a folder with index.html");
+  if (error || !fs::is_directory(folder_))
+    throw InputError::saying("--page", inQuotes(folder) + " is not a folder", "name a folder with index.html");
 }
 
 std::optional<std::string> PageFiles::contentOf(const std::string& name) const {

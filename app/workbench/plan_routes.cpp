@@ -112,13 +112,14 @@ void requirePlanned(const PlanOutcome& outcome) {
   if (outcome.plan.status == planner::VisitPlanStatus::kStopped) throw JobStopped{};
   if (outcome.plan.status == planner::VisitPlanStatus::kPlanned) return;
   const std::string first = outcome.plan.unreachable.empty() ? "" : ": " + outcome.plan.unreachable.front().reason;
-  throw InputError("tubes", outcome.plan.reason + first, "tubes that the arm can visit");
+  throw InputError::saying("tubes", outcome.plan.reason + first, "choose tubes that the arm can visit");
 }
 
 /// Throws InputError for a file, because a request selects tubes in words only.
 void requireNoFile(const std::string& tubes) {
   if (tubes.ends_with(".csv"))
-    throw InputError("request (first)", inQuotes(tubes), "tubes as --tubes says them, no file");
+    throw InputError::saying("request (first)", inQuotes(tubes) + " is the name of a file, which a request cannot give",
+                             "name the tubes in words, as R10C20 or outer:2");
 }
 
 Answer plan(Workbench& workbench, const Request& request) {
@@ -198,14 +199,16 @@ Answer workList(Workbench& workbench, const Request& request) {
 Answer listColumns(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const auto& tables = requiredOf(body, "tables", "one table of text");
-  if (!tables.is_array() || tables.size() != 1) throw InputError("tables", "no one table", "one table of text");
+  if (!tables.is_array() || tables.size() != 1)
+    throw InputError("request (tables)", tables.is_array() ? fmt::format("{} tables", tables.size()) : "no list",
+                     "a list of one table of text");
   const Cell cell = currentModel(workbench.session()).cell;
   (void)requireSheet(cell, "read a work list");
   const auto [name, text] = listTextOf(tables[0]);
   return answerOf(tubeColumnsJson(text, name, cell.arm));
 }
 
-Answer noPlan() { return refusal(404, InputError("plan", "none yet", "one that was made")); }
+Answer noPlan() { return refusal(404, InputError::saying("plan", "there is no plan yet", "plan tube visits first")); }
 
 Answer path(Workbench& workbench, const Request&) {
   const Session now = workbench.session();

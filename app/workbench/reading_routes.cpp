@@ -25,9 +25,11 @@ namespace {
 constexpr std::size_t kMostLoaded =
     Arrivals::kMost;  // limit, because every check solves the arm's shape this many times
 
-Answer noReadings() { return refusal(404, InputError("measurements", "none loaded", "some")); }
+Answer noReadings() { return refusal(404, withoutReadings()); }
 
-Answer jobRuns() { return refusal(409, InputError("readings", "a job that is not done yet", "none")); }
+Answer jobRuns() {
+  return refusal(409, InputError::saying("readings", "a job is not done yet", "wait for it, or stop it"));
+}
 
 Answer readings(Workbench& workbench, const Request&) {
   const Session session = workbench.session();
@@ -76,14 +78,13 @@ Answer takeText(Workbench& workbench, const std::string& text, const std::string
 /// commands does; `as-is`: they are correct; none: they are taken as their file states them.
 Answer assume(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
-  (void)requiredOf(body, "assume", "a list of NAME=VALUE as --assume of the commands takes it");
+  (void)requiredOf(body, "assume", "a list of NAME=VALUE, as the option --assume takes");
   const auto names = textsOf(body, "assume");
   if (workbench.jobs().isBusy()) return jobRuns();
   const Session session = workbench.session();
   if (!session.readings) return noReadings();
   if (!session.readings->source)
-    return refusal(409, InputError("readings", "readings whose file is not at hand any more", "ones that were opened",
-                                   "open their file again"));
+    return refusal(409, InputError::saying("readings", "their file is not at hand any more", "open it again"));
   ReadingSource source = *session.readings->source;
   if (names.empty()) source.assumed.clear();
   source.assumed.insert(source.assumed.end(), names.begin(), names.end());
@@ -118,7 +119,7 @@ std::vector<ForeignTable> foreignTablesOf(const nlohmann::json& body) {
     checkText(name, text);
     tables.push_back(parseForeignTable(text, name));
   }
-  if (tables.empty()) throw InputError("tables", "none", "tables of text");
+  if (tables.empty()) throw InputError("request (tables)", "an empty list", "a list of tables of text");
   return tables;
 }
 
@@ -158,7 +159,7 @@ std::set<std::string> idsOf(const ReadingSet& set) {
 void requireIds(const ReadingSet& set, const std::vector<std::string>& ids) {
   const auto known = idsOf(set);
   for (const auto& id : ids)
-    if (!known.contains(id)) throw InputError("ids", inQuotes(id), "ids of the readings");
+    if (!known.contains(id)) throw InputError("ids", inQuotes(id), "the id of a reading");
 }
 
 /// Returns the set with those ids set aside, or taken back. Throws InputError if nothing would be left.
@@ -169,7 +170,8 @@ ReadingSet withSetAside(ReadingSet set, const std::vector<std::string>& ids, boo
     else
       set.set_aside.erase(id);
   }
-  if (set.set_aside.size() >= set.readings.size()) throw InputError("ids", "all readings to be set aside", "some left");
+  if (set.set_aside.size() >= set.readings.size())
+    throw InputError::saying("ids", "all readings would be set aside", "leave some in use");
   return set;
 }
 
@@ -182,7 +184,7 @@ ReadingSet withHeldOut(ReadingSet set, const std::vector<std::string>& ids, bool
     if (chosen.contains(reading.id)) reading.is_held_out = held_out;
     fitted += !reading.is_held_out && !set.set_aside.contains(reading.id) ? 1 : 0;
   }
-  if (fitted == 0) throw InputError("ids", "all readings to be held out", "some left to fit");
+  if (fitted == 0) throw InputError::saying("ids", "no reading would be left to fit", "hold out fewer");
   return set;
 }
 
@@ -218,7 +220,8 @@ Answer part(Workbench& workbench, const Request&) {
   const Session session = workbench.session();
   if (!session.readings) return noReadings();
   if (joinedCount(*session.readings) == 0)
-    return refusal(409, InputError("readings", "none that have joined others", "some that joined"));
+    return refusal(
+        409, InputError::saying("readings", "no readings have joined the others", "join some before taking them out"));
   take(workbench, partedSet(*session.readings, currentModel(session).cell));
   return answerOf(stateJson(workbench));
 }

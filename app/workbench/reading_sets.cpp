@@ -103,10 +103,11 @@ std::size_t Arrivals::take(std::vector<calibration::Measurement> readings, const
     if (!ids.contains(reading.id))
       fresh.push_back(std::move(reading));
     else if (!passes_known)
-      throw InputError("id", inQuotes(reading.id), "one that no reading has yet");
+      throw InputError::saying("id", "there is a reading " + inQuotes(reading.id) + " already",
+                               "give every reading an id of its own");
   }
   if (ids.size() + fresh.size() > kMost)
-    throw InputError("readings", fmt::format("{}", ids.size() + fresh.size()),
+    throw InputError("readings", fmt::format("{} readings", ids.size() + fresh.size()),
                      fmt::format("at most {} in the workbench", kMost));
   for (auto& reading : fresh) waiting_.push_back(std::move(reading));
   return waiting_.size();

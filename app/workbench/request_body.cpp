@@ -45,7 +45,7 @@ json objectOf(const Request& request) {
   constexpr const char* kBody = "request body";
   constexpr const char* kExpected = "the JSON that this address takes";
   json object = parseJson(request.body, kBody, kExpected);
-  if (!object.is_object()) throw NotJson(kBody, "no object", kExpected);
+  if (!object.is_object()) throw NotJson(kBody, fmt::format("a JSON {}", object.type_name()), "a JSON object");
   return object;
 }
 
@@ -92,7 +92,7 @@ std::vector<double> numbersOf(const json& object, const std::string& key) {
 
 const json& requiredOf(const json& object, const std::string& key, const std::string& expected) {
   const json* value = find(object, key);
-  if (!value) throw InputError("request (" + key + ")", "nothing", expected);
+  if (!value) throw InputError::saying("request (" + key + ")", "the key is missing", "give " + expected);
   return *value;
 }
 
@@ -120,8 +120,9 @@ int requiredHoleOf(const json& body, const Cell& cell) {
 std::vector<int> selectedTubes(const std::string& text, const tubesheets::Sheet& sheet) {
   const auto selection = tubesheets::selectTubes(sheet, text);
   if (selection.status != tubesheets::SelectionStatus::kSelected)
-    throw InputError("tubes", inQuotes(text) + " (" + selection.reason + ")", "tubes of this sheet",
-                     "all, R10C20, R1-10C5-9, outer:2, every:10, spread:60, -plugged");
+    throw InputError::saying(
+        "tubes", fmt::format("{} does not select tubes of this sheet: {}", inQuotes(text), selection.reason),
+        "write all, R10C20, R1-10C5-9, outer:2, every:10, spread:60 or -plugged");
   return selection.tube_indices;
 }
 
@@ -135,7 +136,8 @@ std::string tubesText(const json& body, const tubesheets::Sheet& sheet, const st
   const auto numbers = numbersOf(body, "tubes");
   for (const double number : numbers) {
     if (!(number >= 0 && number < static_cast<double>(sheet.tubes.size())) || number != std::floor(number))
-      throw InputError("tubes", fmt::format("{}", number), "indices of holes");
+      throw InputError("tubes", fmt::format("{}", number),
+                       fmt::format("the index of a hole, 0 to {}", sheet.tubes.size() - 1));
     const auto& tube = sheet.tubes[static_cast<std::size_t>(number)];
     // An area of several tubes excludes plugged ones; a single tube is always included.
     names.push_back(numbers.size() > 1 ? fmt::format("R{0}-{0}C{1}-{1}", tube.row, tube.column)
@@ -149,11 +151,12 @@ std::string tubesText(const json& body, const tubesheets::Sheet& sheet, const st
 std::map<int, double> staysOf(const json& body, const tubesheets::Sheet& sheet) {
   std::map<int, double> stays;
   if (!body.contains("stays") || body["stays"].is_null()) return stays;
-  if (!body["stays"].is_object()) throw InputError("stays", body["stays"].dump(), "{index of a hole: seconds}");
+  if (!body["stays"].is_object())
+    throw InputError("stays", body["stays"].dump(), "an object {index of a hole: seconds}");
   for (const auto& [name, stay] : body["stays"].items()) {
     const auto tube = tubesheets::parseInteger(name);
     if (!tube || *tube < 0 || *tube >= static_cast<int>(sheet.tubes.size()))
-      throw InputError("stays", inQuotes(name), "the index of a hole");
+      throw InputError("stays", inQuotes(name), fmt::format("the index of a hole, 0 to {}", sheet.tubes.size() - 1));
     if (!stay.is_number() || !(stay.get<double>() >= 0 && stay.get<double>() <= tubesheets::kLongestStay))
       throw InputError("stays", stay.dump(), "seconds from 0 to a day");
     stays.emplace(*tube, stay.get<double>());

@@ -53,22 +53,23 @@ Answer answer(Workbench& workbench, const Request& request) {
     const Route* route = findRoute(request, known_path);
     if (route) return route->answer(workbench, request);
     if (known_path)
-      return refusal(405, InputError(pathOf(request), request.method + ", which this address does not take",
-                                     "the other of GET and POST"));
-    return refusal(404,
-                   InputError(pathOf(request), "no address of the workbench", "one that docs/workbench_api.md lists"));
+      return refusal(405, InputError::saying(pathOf(request), "this address does not take " + request.method,
+                                             "docs/workbench_api.md lists the methods of every address"));
+    return refusal(404, InputError::saying(pathOf(request), "the workbench has no such address",
+                                           "docs/workbench_api.md lists them"));
   } catch (const NotJson& error) {
     return refusal(400, error);
   } catch (const InputError& error) {
     return refusal(422, error);
   } catch (const nlohmann::json::exception&) {
-    return refusal(400, InputError("request body", "values of another kind", "the JSON that this address takes"));
+    return refusal(400, InputError::saying("request body", "a value is not of the kind that this address takes",
+                                           "docs/workbench_api.md describes what it takes"));
   } catch (const std::filesystem::filesystem_error& error) {
     return refusal(422, inputErrorOf(error));
   } catch (const std::exception& error) {
     fmt::print(stderr, "tubeplan: {} {}: internal error: {}\n", request.method, pathOf(request), error.what());
-    return refusal(500,
-                   InputError(pathOf(request), "an internal error of the program", "none", "its output says more"));
+    return refusal(500, InputError::saying(pathOf(request), "the program has failed (an internal error)",
+                                           "the terminal in which it runs shows the reason"));
   }
 }
 

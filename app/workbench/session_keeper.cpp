@@ -56,8 +56,12 @@ SessionKeeper::SessionKeeper(fs::path folder) : folder_(std::move(folder)) {
   checkWritableFile(folder_ / "session", "--state");
   std::error_code error;
   fs::create_directories(folder_, error);
-  folder_ = fs::canonical(folder_, error);
-  if (error) throw InputError("--state", error.message(), "a folder that can be made");
+  const fs::path made = fs::canonical(folder_, error);
+  if (error)
+    throw InputError::saying(
+        "--state", fmt::format("the folder {} cannot be made: {}", inQuotes(folder_.string()), error.message()),
+        "name a folder that can be written");
+  folder_ = made;
 }
 
 std::optional<Session> SessionKeeper::begin(const std::string& cell) {

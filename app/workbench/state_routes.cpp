@@ -25,7 +25,8 @@ ResultPointer resultAsked(const Session& session, const Request& request) {
 Answer result(Workbench& workbench, const Request& request) {
   const auto found = resultAsked(workbench.session(), request);
   if (!found)
-    return refusal(404, InputError(inQuotes(request.words[1]), "no such result yet", "one that was asked for"));
+    return refusal(404,
+                   InputError::saying(inQuotes(request.words[1]), "there is no such result yet", "compute it first"));
   nlohmann::json document = found->document;
   document["model"] = found->model;
   document["revision"] = found->revision;
@@ -38,7 +39,8 @@ Answer step(Workbench& workbench, bool back) {
     session.current += back ? std::size_t(-1) : 1;
     return true;
   });
-  if (!done) return refusal(409, InputError("models", back ? "nothing to undo" : "nothing to redo", "a step"));
+  if (!done)
+    return refusal(409, InputError::saying("models", back ? "there is nothing to undo" : "there is nothing to redo"));
   return answerOf(stateJson(workbench));
 }
 
