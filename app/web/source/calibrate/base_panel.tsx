@@ -3,7 +3,7 @@ import {Panel} from "../drawing/panel";
 import {fixed, isNumber, short} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
 import type {CalibrateDocument} from "../server/documents";
-import {pageAdvice} from "../server/page_words";
+import {pageAdvice, pageWords} from "../server/page_words";
 import {units} from "../server/workbench";
 import {OtherModel} from "../shell/other_model";
 import {ProblemWords} from "../shell/states";
@@ -42,11 +42,11 @@ function FoundBase({document}: {document: CalibrateDocument}) {
       {document.reason ? (
         <p class="warning">
           {document.status === "done" ? "" : "The base stays where it was: "}
-          {document.reason}
+          {pageWords(document.reason)}
         </p>
       ) : null}
       {warnings.map((warning) => (
-        <p class="warning">{warning}</p>
+        <p class="warning">{pageWords(warning)}</p>
       ))}
       {to_do.length > 0 ? <ToDo steps={to_do} /> : null}
       <BasePose document={document} {...units.value} />

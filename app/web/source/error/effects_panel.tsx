@@ -5,6 +5,7 @@ import {plural} from "../../../drawing/numbers.js";
 import {Panel} from "../drawing/panel";
 import {choicesOf} from "../drawing/segments";
 import {Tabs} from "../drawing/tabs";
+import {pageWords} from "../server/page_words";
 import {runningJob, state} from "../server/workbench";
 import {OtherModel} from "../shell/other_model";
 import {ProblemWords, Waiting} from "../shell/states";
@@ -64,7 +65,7 @@ function TabBody() {
   return (
     <>
       {found.document.warnings.map((entry) => (
-        <p class="warning">{typeof entry === "string" ? entry : entry.sentence}</p>
+        <p class="warning">{pageWords(typeof entry === "string" ? entry : entry.sentence)}</p>
       ))}
       <EffectRanking document={found.document} />
     </>

@@ -2,6 +2,7 @@
 import {computed} from "@preact/signals";
 import {MarkIcon, type Mark} from "../drawing/marks";
 import {plural, short} from "../../../drawing/numbers.js";
+import {pageWords} from "../server/page_words";
 import type {ReadingCheck, ReadingsInfo, WorkbenchState} from "../server/state_documents";
 import {post} from "../server/requests";
 import {state, units} from "../server/workbench";
@@ -47,7 +48,7 @@ function waysOf(check: ReadingCheck): string[] {
 export const mistake = computed(() => {
   const checks = state.value?.measurements?.checks ?? [];
   const found = checks.find((check) => check.severity === "mistake" && waysOf(check).length > 0);
-  return found ? {sentence: found.sentence, way: waysOf(found)[0]} : null;
+  return found ? {sentence: pageWords(found.sentence), way: waysOf(found)[0]} : null;
 });
 
 /** Assumes the suspected mistakes, in memory, and compares again; without any, reads the file as it states. */
@@ -115,7 +116,7 @@ function Check({check}: {check: ReadingCheck}) {
     <li class={check.severity}>
       <MarkIcon mark={MARKS[check.severity]} size={16} />
       <span>
-        {check.sentence}
+        {pageWords(check.sentence)}
         {asIs !== null && mended !== null && (
           <>
             : error {short(asIs)} → {short(mended)} {units.value.length}

@@ -5,6 +5,7 @@ import {useWindow} from "../drawing/window";
 import {clock, lengthFigure, probability, short} from "../../../drawing/numbers.js";
 import {tubeTitle} from "../../../drawing/sheet_model.js";
 import type {PlanDocument, PlannedTube} from "../server/documents";
+import {pageWords} from "../server/page_words";
 import {units} from "../server/workbench";
 import {stepKinds} from "../../../drawing/steps.js";
 import type {Kind} from "../sheet/colourings";
@@ -33,7 +34,7 @@ export function TubeTable({document}: {document: PlanDocument}) {
       <div class="tube-row out" key={i} role="row" style={{top: `${ROW * i}px`}}>
         <span class="number">–</span>
         <b>{titleOf(tube)}</b>
-        <span class="wide bad">{tube.reason}</span>
+        <span class="wide bad">{pageWords(tube.reason)}</span>
       </div>
     );
   };

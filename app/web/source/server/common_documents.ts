@@ -21,7 +21,7 @@ export interface BaseStanding {
   touches: number;
 }
 
-/** Problem with an input, in the program's words. */
+/** Problem with an input, in the program's words. `found` is the wrong value; without `expected`, a sentence. */
 export interface Problem {
   where?: string;
   found?: string;

@@ -2,6 +2,7 @@
 import {computed, signal, useSignal} from "@preact/signals";
 import {submitting, TextInput} from "../drawing/fields";
 import type {Problem, WorkbenchState} from "../server/documents";
+import {pageWords} from "../server/page_words";
 import {asProblem, post, ServerProblem} from "../server/requests";
 import {cell, report, state, takeState} from "../server/workbench";
 import {Dialog} from "./dialog";
@@ -136,7 +137,7 @@ export function ProjectTools() {
   const isUnsaved = project.value?.unsaved ?? false;
   const words = isUnsaved ? "not saved as a project" : project.value?.file ? `saved as ${project.value.file}` : "";
   const kept = project.value?.problem
-    ? `, not autosaved: ${project.value.problem}`
+    ? `, not autosaved: ${pageWords(project.value.problem)}`
     : project.value?.kept
       ? "; autosaved"
       : "";

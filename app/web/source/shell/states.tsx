@@ -21,7 +21,7 @@ export function Nothing({title, children}: {title: string; children?: ComponentC
   );
 }
 
-/** Problem in the program's own words: the place, the input found, the input expected, the remedy. */
+/** Problem in the program's own words: the place, what happened or the values found and expected, the remedy. */
 export function ProblemWords({problem}: {problem: Problem}) {
   const {where, found, expected, message, advice} = pageProblem(problem);
   return (
@@ -31,7 +31,7 @@ export function ProblemWords({problem}: {problem: Problem}) {
           <b>{where}</b>
         </p>
       ) : null}
-      {found ? <p>found {found}</p> : null}
+      {found ? <p>{expected ? `found ${found}` : found}</p> : null}
       {expected ? <p>expected {expected}</p> : null}
       {where || found || expected ? null : <p>{message}</p>}
       {advice ? <p class="advice">{advice}</p> : null}
