@@ -25,6 +25,7 @@
 #include "app/formats/units_json.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/studies/measurements/simulated_calibration.hpp"
+#include "app/studies/positioning/step_score.hpp"
 #include "planner/reach/tube_reach.hpp"
 
 namespace tubeplan::app {
