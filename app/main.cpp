@@ -19,7 +19,7 @@ namespace {
 
 /// Reports a failed write to standard output (full disk, or pipe closed by its reader) and returns the exit code.
 int tellOfOutput(int error) {
-  std::fprintf(stderr, "tubeplan: standard output: found %s, expected a place that can be written\n",
+  std::fprintf(stderr, "tubeplan: standard output: the text cannot be written (%s); check where it goes\n",
                std::strerror(error));
   return tubeplan::app::kBadInput;
 }

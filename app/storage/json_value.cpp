@@ -34,15 +34,15 @@ json parseJson(std::string_view text, const std::string& where, const std::strin
                const std::string& advice) {
   const json::parser_callback_t bounded = [&](int depth, json::parse_event_t, json&) {
     if (depth > kDeepestJson)
-      throw NotJson(where, fmt::format("values nested in more than {} others", kDeepestJson), expected, advice);
+      throw NotJson(where, fmt::format("values nested more than {} deep", kDeepestJson), expected, advice);
     return true;
   };
   try {
     return json::parse(text, bounded);
   } catch (const json::parse_error& error) {
-    throw NotJson(placeIn(text, where, error.byte), "text that is no JSON", expected, advice);
+    throw NotJson(placeIn(text, where, error.byte), "text that is not JSON", expected, advice);
   } catch (const json::exception&) {
-    throw NotJson(where, "text that is no JSON of any use", expected, advice);
+    throw NotJson(where, "a number beyond the range of JSON", expected, advice);
   }
 }
 
@@ -53,7 +53,7 @@ void JsonValue::refuse(const std::string& expected) const {
 JsonValue JsonValue::at(const std::string& key) const {
   if (!value_.is_object()) refuse("an object with the key " + key);
   const auto found = value_.find(key);
-  if (found == value_.end()) throw InputError(place(), "no key " + key, "one", advice_);
+  if (found == value_.end()) throw InputError::saying(place(), "the key " + inQuotes(key) + " is missing", advice_);
   return {*found, document_, path_ + (path_.empty() ? "" : ".") + key, advice_};
 }
 

@@ -9,7 +9,7 @@
 
 namespace tubeplan::app {
 
-/// Throws the InputError for an output that cannot be written: "--out: found '/there/file': WHY".
+/// Throws the InputError for an output that cannot be written: "--out: '/there/file' cannot be written (WHY)".
 [[noreturn]] void failToWrite(const std::string& option, const std::filesystem::path& path, const std::string& why);
 
 /// Creates or empties a file and waits until all of `content` is on the disk. Writes to a device or pipe without

@@ -59,8 +59,8 @@ void checkText(const std::string& path, std::string_view text) {
 }
 
 void refuseText(const std::string& path, const tubesheets::Problem& problem) {
-  throw InputError(fmt::format("{}:{} ({})", path, problem.line, problem.what), problem.found, problem.expected,
-                   problem.advice);
+  const std::string place = problem.line > 0 ? fmt::format("{}:{}", path, problem.line) : path;
+  throw InputError(fmt::format("{} ({})", place, problem.what), problem.found, problem.expected, problem.advice);
 }
 
 std::string readTextFile(const std::string& path) {

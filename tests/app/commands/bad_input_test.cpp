@@ -81,7 +81,7 @@ TEST_F(Program, refusesToWriteOverItsInputs) {
   expectRefused("compare " + asked + " --report set/../set/measurements.csv", {"--report", "reads"});
   expectRefused("improve " + asked + " --out cobra-arm.yaml", {"--out", "cobra-arm.yaml", "reads"});
   expectRefused("diagnose " + asked + " --json bench.yaml", {"--json", "bench.yaml", "reads"});
-  expectRefused("diagnose " + asked + " --json a.txt --report a.txt", {"a.txt", "writes too"});
+  expectRefused("diagnose " + asked + " --json a.txt --report a.txt", {"writes 'a.txt' too"});
   EXPECT_EQ(contentOf(folder / readings), before);
   EXPECT_EQ(contentOf(folder / "cobra-arm.yaml"), arm);
 }
@@ -150,7 +150,7 @@ TEST_F(Program, refusesCommandLinesThatMakeNoSense) {
 TEST_F(Program, refusesBadCells) {
   expectRefused("map none.yaml --json -", {"none.yaml", "no such file"});
   write("empty.yaml", "");
-  expectRefused("map empty.yaml --json -", {"empty.yaml", "an empty file"});
+  expectRefused("map empty.yaml --json -", {"empty.yaml", "the file is empty"});
   writeMockup("mockup.yaml", "  hole_diameter", "\thole_diameter");
   expectRefused("map mockup.yaml --json -", {"mockup.yaml:9:1", "a tab"});
   writeMockup("mockup.yaml", "  leg: hot\n", "  leg: hot\n  leg: cold\n");

@@ -34,7 +34,7 @@ TEST(JsonText, ValuesOfAnotherKindAreRefusedWithTheirPlace) {
   expectSays(messageOf([&] { (void)document.at("a").items()[1].text(); }), "f.json a[1]");
   expectSays(messageOf([&] { (void)document.at("b").integer(0, 9); }), "f.json b: found '2.5'");
   expectSays(messageOf([&] { (void)document.at("c").number(); }), "f.json c");
-  expectSays(messageOf([&] { (void)document.at("d"); }), "no key d");
+  expectSays(messageOf([&] { (void)document.at("d"); }), "f.json: the key 'd' is missing");
   EXPECT_EQ(messageOf([&] { (void)document.at("a").items()[1].text(); }).find('\x1b'), std::string::npos);
 }
 

@@ -101,8 +101,8 @@ TEST_F(StrictYamlFile, refusesFilesThatAreNone) {
   const auto refusedFile = [&](const std::string& path) { return messageOf([&] { (void)readYamlFile(path); }); };
   expectSays(refusedFile((folder / "none.yaml").string()), "no such file");
   expectSays(refusedFile(folder.string()), "a folder");
-  expectSays(refusedFile(write("empty.yaml", "")), "an empty file");
-  expectSays(refusedFile(write("blank.yaml", " \n\n")), "an empty file");
+  expectSays(refusedFile(write("empty.yaml", "")), "the file is empty");
+  expectSays(refusedFile(write("blank.yaml", " \n\n")), "the file is empty");
   expectSays(refusedFile(write("binary.yaml", std::string("a: 1\nb\0c", 8))), "binary.yaml:2: found the byte 0x00");
   expectSays(refusedFile(write("latin.yaml", "a: 1\nb: \xE4\n")), "0xE4");
   expectSays(refusedFile("/dev/zero"), "64 MB");
