@@ -47,11 +47,11 @@ void findOrderProblems(const Sheet& sheet, std::vector<Problem>& problems) {
   for (std::size_t i = 1; i < sheet.tubes.size() && problems.size() < kMostProblems; ++i) {
     const Tube &before = sheet.tubes[i - 1], &tube = sheet.tubes[i];
     if (before.row == tube.row && before.column == tube.column)
-      problems.push_back({nameOf(tube), "two holes of that name, at " + placeOf(before) + " and " + placeOf(tube),
-                          "one hole for each row and column", "remove one"});
+      problems.push_back({nameOf(tube), "two holes have this name, at " + placeOf(before) + " and " + placeOf(tube), "",
+                          "remove one, or correct its row or column"});
     if (before.row > tube.row || (before.row == tube.row && before.column > tube.column))
-      problems.push_back(
-          {nameOf(tube), "listed after " + nameOf(before), "holes by row, then by column", "use makeSheet"});
+      problems.push_back({nameOf(tube), "the hole is listed after " + nameOf(before), "",
+                          "list holes by row, then by column, as makeSheet() does"});
   }
 }
 
@@ -124,10 +124,9 @@ void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::v
   if (distances.size() < 2 || 2 * distances.size() < sheet.tubes.size()) return;              // a list of a few holes
   const double distance = medianOf(distances);
   if (std::abs(distance - sheet.pitch) <= kAsDrawn * sheet.pitch) return;
-  problems.insert(
-      problems.begin(),
-      {"pitch", fmt::format("{:.6g} m, where most holes are {:.6g} m from the nearest", sheet.pitch, distance),
-       "the distance of neighbouring holes", "correct the pitch, or the unit in the column's name"});
+  problems.insert(problems.begin(), {"pitch", fmt::format("{:.6g} m", sheet.pitch),
+                                     fmt::format("{:.6g} m, the distance of most holes from the nearest", distance),
+                                     "correct the pitch, or the unit in the column's name"});
 }
 
 // Finds holes far apart on a grid of millimetres, which are read as inches.

@@ -37,7 +37,7 @@ void findOrderProblems(const Step& before, const Step& step, const std::string& 
 }  // namespace
 
 std::vector<Problem> findToolProblems(const SteppedTool& tool, double hole_diameter) {
-  if (tool.steps.empty()) return {{"steps", "none", "at least one step", ""}};
+  if (tool.steps.empty()) return {{"steps", "no step", "at least one", ""}};
   std::vector<Problem> problems;
   for (std::size_t k = 0; k < tool.steps.size(); ++k) {
     const std::string name = fmt::format("steps[{}]", k);

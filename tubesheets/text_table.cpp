@@ -133,7 +133,8 @@ class TableParser {
     for (std::size_t k = first; k < lines_.size(); ++k) {
       auto fields = fieldsIn(lines_[k], width);
       if (!fields) {
-        refuse({"row", "an unclosed quote", "quotes in pairs around a field", "close it", lines_[k].number});
+        refuse({"row", "a field begins with a quote but does not end with one", "",
+                "write quotes in pairs around a field", lines_[k].number});
         return rows;
       }
       rows.push_back({lines_[k].number, std::move(*fields)});
@@ -181,15 +182,20 @@ class TableParser {
   }
 
   void refuseHeadless() {
-    if (lines_.empty()) return refuse({"text", "an empty file", "a header line with the columns' names", "", 0});
+    if (lines_.empty())
+      return refuse({"text", "there is no header line with the columns' names", "", "begin the table with one", 0});
     const auto fields = splitCsvLine(lines_.front().text, ',');
     if (!fields)
-      return refuse(
-          {"header", "an unclosed quote", "quotes in pairs around a field", "close it", lines_.front().number});
+      return refuse({"header", "a field begins with a quote but does not end with one", "",
+                     "write quotes in pairs around a field", lines_.front().number});
     const bool is_row = hasNumbers(*fields, ';');
-    refuse({"header", is_row ? fmt::format("the row {}", lines_.front().text) : std::string("other words"),
-            "columns named \"row\" and \"column\", or \"tube\"",
-            is_row ? "add a header line" : "name the columns in one line above the rows", lines_.front().number});
+    refuse({"header",
+            is_row ? fmt::format("the row {} stands before a header line", lines_.front().text)
+                   : std::string("no line names the columns \"row\" and \"column\", or \"tube\""),
+            "",
+            is_row ? "add a header line with columns named \"row\" and \"column\", or \"tube\""
+                   : "name the columns in one line above the rows",
+            lines_.front().number});
   }
 
   // Reads a table that is recognised by its numbers.
@@ -229,7 +235,7 @@ class TableParser {
     };
     const auto first = static_cast<std::size_t>(std::find_if(rows.begin(), rows.end(), isFirst) - rows.begin());
     if (first == rows.size())
-      return refuse({"text", "no row with a number in it", "readings", "export the readings as text or CSV", 0});
+      return refuse({"text", "no row has a number in it", "", "export the readings as text or CSV", 0});
     takeHeadingAbove(rows, first, width);
     if (!table_.has_heading) takeHeadingOfComment(rows[first].line, width);
     if (!table_.has_heading)
@@ -330,10 +336,10 @@ class TableParser {
       for (const CsvRow& row : table_.rows)
         for (const auto& field : row.fields)
           if (isAmbiguous(field, other))
-            return refuse(
-                {"row",
-                 fmt::format("\"{}\" where other numbers have a decimal {}", field, decimal == ',' ? "comma" : "point"),
-                 "numbers written alike", "export them without separators of thousands", row.line});
+            return refuse({"row",
+                           fmt::format("\"{}\" is ambiguous, as other numbers have a decimal {}", field,
+                                       decimal == ',' ? "comma" : "point"),
+                           "", "export the numbers without separators of thousands", row.line});
     }
   }
 

@@ -27,10 +27,10 @@ class ColumnFinder {
     stated_ = statedUnit(table_.text.lines_before, isTubeUnit);
     for (std::size_t c = 0; c < columns.size() && !table_.problem; ++c) {
       if (columns[c].empty())
-        refuse(fmt::format("header, column {}", c + 1), "no name", "a name for every column", "");
+        refuse(fmt::format("header, column {}", c + 1), "the column has no name", "", "name every column");
       else if (std::ranges::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(c), columns[c]) !=
                columns.begin() + static_cast<std::ptrdiff_t>(c))
-        refuse("header", "the column \"" + columns[c] + "\" twice", "every column once", "rename or remove one");
+        refuse("header", "two columns are named \"" + columns[c] + "\"", "", "rename or remove one");
       else
         take(c);
     }
@@ -67,8 +67,8 @@ class ColumnFinder {
     const TubeHeading says = readTubeHeading(heading);
     if (says.column) return put(*says.column, c, says.unit);
     if (const auto meant = tubeColumnMeantBy(heading))
-      refuse("header", "the column \"" + heading + "\"", fmt::format("the name \"{}\", or another one", nameOf(*meant)),
-             "rename or remove it");
+      refuse("header", fmt::format("the column \"{}\" may mean \"{}\"", heading, nameOf(*meant)), "",
+             fmt::format("name it \"{}\" if it does, else rename or remove it", nameOf(*meant)));
     table_.unread.push_back(heading);
   }
 
@@ -80,12 +80,12 @@ class ColumnFinder {
     const auto [first, is_new] = table_.places.emplace(column, c);
     if (is_new || is_code) return;
     if (isPlaceColumn(column))
-      refuse("header", fmt::format("{} in two units", nameOf(column)), "one unit", "remove one column");
+      refuse("header", fmt::format("two columns state {}, in two units", nameOf(column)), "", "remove one of them");
     else
       refuse("header",
-             fmt::format("\"{}\" and \"{}\", both for {}", table_.text.columns[first->second], table_.text.columns[c],
-                         nameOf(column)),
-             "one of them", "rename or remove the other");
+             fmt::format("the columns \"{}\" and \"{}\" both state the {}", table_.text.columns[first->second],
+                         table_.text.columns[c], nameOf(column)),
+             "", "rename or remove one of them");
   }
 
   void takeUnit(TubeColumn axis, const std::string& unit) {
@@ -104,7 +104,7 @@ class ColumnFinder {
   void requireOneUnit() {
     if (table_.unit_x && table_.unit_y && table_.unit_x->suffix != table_.unit_y->suffix)
       refuse("header", fmt::format("x in {} and y in {}", table_.unit_x->suffix, table_.unit_y->suffix),
-             "both in one unit", "");
+             "both in one unit", "convert one of them");
   }
 
   TubeTable table_;
@@ -159,8 +159,8 @@ void TubeText::readRows(std::string_view what, const std::function<void(const Cs
     readRow(row);
   }
   if (table.text.rows.empty())
-    refuse(
-        Problem{"text", fmt::format("no {}", what), "at least one line below the header", "", table.text.heading_line});
+    refuse(Problem{"text", fmt::format("there are no {} below the header", what), "", "add at least one line",
+                   table.text.heading_line});
   status = problem ? TubeTextStatus::kRefused : TubeTextStatus::kRead;
 }
 

@@ -158,7 +158,7 @@ TEST(SheetProblems, EmptySheet) {
 TEST(SheetProblems, DuplicateName) {
   std::vector<Tube> tubes = makeSheet(smallDescription()).tubes;
   tubes.push_back({2, 3, 0.0, 0.2});
-  EXPECT_TRUE(mentions(findSheetProblems(makeSheet(smallDescription(), tubes)), "R2C3: found two holes of that name"));
+  EXPECT_TRUE(mentions(findSheetProblems(makeSheet(smallDescription(), tubes)), "R2C3: two holes have this name"));
 }
 
 TEST(SheetProblems, OverlapNamesBothHoles) {

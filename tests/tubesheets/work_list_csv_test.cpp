@@ -97,7 +97,7 @@ TEST_P(RefusedWorkList, SaysWhereAndWhat) {
 INSTANTIATE_TEST_SUITE_P(
     All, RefusedWorkList,
     testing::Values(
-        BadList{"Empty", "", 0, "an empty file"}, BadList{"OnlyHeader", "row,column\n", 1, "no tubes"},
+        BadList{"Empty", "", 0, "no header line"}, BadList{"OnlyHeader", "row,column\n", 1, "no tubes"},
         BadList{"NoHeader", "1,1\n2,2\n", 1, "add a header line"}, BadList{"NoColumn", "row\n1\n", 1, "\"column\""},
         BadList{"UnknownColumn", "row,column,legg\n1,1,hot\n", 1, "\"legg\""},
         BadList{"TwoStates", "row,column,state\n1,1,plugged\n2,2,\n1,1,SLV\n", 4, "plugged, as on line 2"},
@@ -105,9 +105,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadList{"DoneAndNot", "row,column,status\n1,1,done\n1,1,\n", 3, "done, as on line 2"},
         BadList{"TwoStatesInARow", "row,column,state,code\n1,1,PLG,SLV\n", 2, "plugged, as beside it"},
         BadList{"UnknownState", "row,column,status\n1,1,XYZ\n", 2, "\"XYZ\""},
-        BadList{"ColumnTwice", "row,column,row\n1,1,1\n", 1, "\"row\" twice"},
+        BadList{"ColumnTwice", "row,column,row\n1,1,1\n", 1, "two columns are named \"row\""},
         BadList{"TwoNamesOfOneColumn", "Row,Col,Column\n1,1,1\n", 1, "\"Col\" and \"Column\""},
-        BadList{"NoteTwice", "row,column,ind,volts,volts\n1,1,,,\n", 1, "\"volts\" twice"},
+        BadList{"NoteTwice", "row,column,ind,volts,volts\n1,1,,,\n", 1, "two columns are named \"volts\""},
         BadList{"NameAndNumbersDiffer", "tube,row,column\nR1C2,1,3\n", 2, "column 3"},
         BadList{"NameIsANumber", "tube\n34.12\n", 2, "\"34.12\""},
         BadList{"NameIsARange", "tube\nR1-3\n", 2, "\"R1-3\""},
