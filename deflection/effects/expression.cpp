@@ -67,7 +67,7 @@ std::optional<ExpressionProblem> findForeign(const std::string& text) {
     if (is_printable && !assigns && c != '"' && c != '\\') continue;
     const std::string found = is_printable ? std::string("'") + c + "'" : "a byte that cannot be printed";
     return ExpressionProblem{
-        found, assigns ? "an expression, with == to compare" : "numbers, names and operators", k, "", {}};
+        found, assigns ? "an expression, with == to compare" : "numbers, names and operators", "", k, "", {}};
   }
   return std::nullopt;
 }
@@ -80,19 +80,20 @@ ExpressionProblem problemOf(const mu::ParserError& error, const std::string& tex
   switch (error.GetCode()) {
     case mu::ecUNEXPECTED_EOF:
     case mu::ecEMPTY_EXPRESSION:
-      problem.found = "its end";
+      problem = {"the formula ends", "", " where an expression should follow", problem.position, "", {}};
       break;
     case mu::ecMISSING_PARENS:
-      problem.found = "its end";
-      problem.expected = "a ')' for every '('";
+      problem = {"the formula ends", "", " without a ')' for every '('", problem.position, "", {}};
       break;
     case mu::ecTOO_FEW_PARAMS:
     case mu::ecTOO_MANY_PARAMS:
-      problem.found = "too " + std::string(error.GetCode() == mu::ecTOO_FEW_PARAMS ? "few" : "many") +
-                      " arguments of '" + token + "'";
+      problem.found = "the function '" + token + "'";
+      problem.expected = "";
+      problem.after =
+          std::string(" has too ") + (error.GetCode() == mu::ecTOO_FEW_PARAMS ? "few" : "many") + " arguments";
       break;
     default:
-      problem.found = token.empty() ? "what is not an expression" : "'" + token.substr(0, 40) + "'";
+      problem.found = token.empty() ? "text that is no expression" : "'" + token.substr(0, 40) + "'";
   }
   return problem;
 }
@@ -200,8 +201,8 @@ std::shared_ptr<const Expression> Expression::parse(const std::string& text, Exp
   for (const Word& word : wordsOf(text)) {
     const bool is_function = std::find(functions.begin(), functions.end(), word.text) != functions.end();
     if (word.is_called && !is_function) {
-      problem = {"no function '" + word.text.substr(0, 40) + "'", "a function that is known", word.position, word.text,
-                 functions};
+      problem = {
+          "the function '" + word.text.substr(0, 40) + "'", "", " is not known", word.position, word.text, functions};
       return nullptr;
     }
     const bool is_new = std::find(pool->names.begin(), pool->names.end(), word.text) == pool->names.end();
@@ -216,7 +217,7 @@ std::shared_ptr<const Expression> Expression::parse(const std::string& text, Exp
     return nullptr;
   }
   if (pool->idle.front()->parser.GetNumResults() != 1) {
-    problem = {"several expressions", "one", std::min(text.find(','), text.size()), "", {}};
+    problem = {"a second expression begins", "", "; write one alone", std::min(text.find(','), text.size()), "", {}};
     return nullptr;
   }
   return std::shared_ptr<const Expression>(new Expression(std::move(pool)));

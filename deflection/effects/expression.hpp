@@ -13,7 +13,9 @@ namespace tubeplan::deflection {
 
 /// Reason why a text is no expression.
 struct ExpressionProblem {
-  std::string found, expected;
+  std::string found;               ///< value found, or the beginning of a sentence: "the formula ends"
+  std::string expected;            ///< value expected; empty unless a value is wrong
+  std::string after;               ///< rest of the sentence, after its place: " where an expression should follow"
   std::size_t position = 0;        ///< index in the text, from 0
   std::string word;                ///< the unknown name, if that is the reason
   std::vector<std::string> known;  ///< the known names, if one is unknown

@@ -47,7 +47,7 @@ bool isAngle(const Arm& arm, const FormulaTarget& target) {
   return target.of == FormulaTarget::Of::kBase && target.axis == 3;
 }
 
-MadeFormula refused(FormulaStatus status, std::string found, std::string expected) {
+MadeFormula refused(FormulaStatus status, std::string found, std::string expected = "") {
   MadeFormula made;
   made.status = status;
   made.found = std::move(found);
@@ -109,8 +109,10 @@ std::optional<MadeFormula> bindNames(const Arm& arm, const FormulaUnits& units, 
     for (const NamedSymbol& symbol : symbols)
       if (symbol.name == name) meant.push_back(&symbol);
     if (meant.size() > 1)
-      return refused(FormulaStatus::kBadExpression, "the name '" + name + "', which two parts of the arm have",
-                     "names that differ by more than signs");
+      return refused(FormulaStatus::kBadExpression,
+                     "the name '" + name +
+                         "' stands for two parts of the arm; give them names that differ "
+                         "by more than signs");
     Formula::Input input;
     if (meant.empty()) {
       input.parameter = static_cast<int>(formula.names.size());
@@ -125,8 +127,8 @@ std::optional<MadeFormula> bindNames(const Arm& arm, const FormulaUnits& units, 
                    "at most " + std::to_string(kMostParameters));
   for (const char* taken : {"effect", "at", "formula"})
     if (std::find(formula.names.begin(), formula.names.end(), taken) != formula.names.end())
-      return refused(FormulaStatus::kBadExpression, "a parameter '" + std::string(taken) + "'",
-                     "another name: that one is reserved in a cell file");
+      return refused(FormulaStatus::kBadExpression, "the name of the parameter '" + std::string(taken) +
+                                                        "' is reserved in a cell file; choose another");
   return std::nullopt;
 }
 
@@ -134,8 +136,9 @@ std::optional<MadeFormula> bindNames(const Arm& arm, const FormulaUnits& units, 
 std::optional<MadeFormula> chooseParameters(const std::vector<Start>& starts, Formula& formula, MadeFormula& made) {
   for (const Start& start : starts)
     if (std::find(formula.names.begin(), formula.names.end(), start.name) == formula.names.end()) {
-      MadeFormula wrong = refused(FormulaStatus::kBadStart, "an initial value of '" + start.name.substr(0, 40) + "'",
-                                  "a parameter of the formula");
+      MadeFormula wrong =
+          refused(FormulaStatus::kBadStart, "there is an initial value of '" + start.name.substr(0, 40) +
+                                                "', which is no parameter of the formula");
       wrong.word = start.name;
       wrong.known = formula.names;
       return wrong;
@@ -150,9 +153,10 @@ std::optional<MadeFormula> chooseParameters(const std::vector<Start>& starts, Fo
     const bool is_shape = (sizes >> k & 1U) == 0;
     const auto start = startOf(formula.names[k]);
     if (is_shape && start == starts.end()) {
-      MadeFormula wrong = refused(
-          FormulaStatus::kNeedsStart, "the parameter '" + formula.names[k] + "', in which the formula is not linear",
-          "an initial value: '" + formula.text.substr(0, 200) + "; " + formula.names[k] + "=1'");
+      MadeFormula wrong =
+          refused(FormulaStatus::kNeedsStart, "the formula is not linear in the parameter '" + formula.names[k] +
+                                                  "', which therefore needs an initial value; write '" +
+                                                  formula.text.substr(0, 200) + "; " + formula.names[k] + "=1'");
       wrong.free = made.free;
       return wrong;
     }
@@ -213,8 +217,9 @@ std::optional<MadeFormula> understand(const Arm& arm, const Parts& parts, const 
   ExpressionProblem problem;
   formula.expression = Expression::parse(parts.expression, problem);
   if (formula.expression) return bindNames(arm, units, formula);
-  MadeFormula wrong = refused(FormulaStatus::kBadExpression,
-                              problem.found + atCharacter(parts.expression_at + problem.position), problem.expected);
+  MadeFormula wrong =
+      refused(FormulaStatus::kBadExpression,
+              problem.found + atCharacter(parts.expression_at + problem.position) + problem.after, problem.expected);
   wrong.word = problem.word;
   wrong.known = problem.known;
   return wrong;
@@ -268,14 +273,15 @@ MadeFormula makeFormula(const Arm& arm, std::string_view text, const FormulaUnit
   formula->text = trimmed(text);
   const auto parts = split(formula->text);
   if (!parts)
-    return refused(FormulaStatus::kBadTarget, formula->text.empty() ? "nothing" : "no '+='",
-                   "TARGET += EXPRESSION, as 'theta3 += c*sin(3*theta1)'");
+    return refused(FormulaStatus::kBadTarget,
+                   std::string(formula->text.empty() ? "the formula is empty" : "the formula has no '+='") +
+                       "; write TARGET += EXPRESSION, as 'theta3 += c*sin(3*theta1)'");
   if (auto wrong = understand(arm, *parts, units, at, *formula)) return *wrong;
   std::string wrong_start;
   const auto starts = readStarts(parts->starts, wrong_start);
   if (!starts)
     return refused(FormulaStatus::kBadStart, "'" + wrong_start.substr(0, 40) + "'",
-                   "starts as 'c=0.1, k=3', each once");
+                   "initial values such as 'c=0.1, k=3', each once");
   MadeFormula made;
   if (auto wrong = chooseParameters(*starts, *formula, made)) return *wrong;
   made.status = FormulaStatus::kMade;

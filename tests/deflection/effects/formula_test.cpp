@@ -263,18 +263,18 @@ TEST(Formula, WhatIsNoneIsRefusedWithItsPlace) {
   const Arm arm = cobraArm();
   using Status = FormulaStatus;
   const Wrong wrongs[] = {
-      {"", Status::kBadTarget, "nothing"},
+      {"", Status::kBadTarget, "is empty"},
       {"theta3 = c*theta1", Status::kBadTarget, "no '+='"},
       {"theta9 += c*theta1", Status::kBadTarget, "theta9"},
       {"tip.w += c", Status::kBadTarget, "tip.w"},
       {"moment_tool_z += c", Status::kBadTarget, "moment_tool_z"},
-      {"theta3 += ", Status::kBadExpression, "its end at character"},
-      {"theta3 += c*sin(3*theta1", Status::kBadExpression, "its end at character 25"},
+      {"theta3 += ", Status::kBadExpression, "the formula ends at character"},
+      {"theta3 += c*sin(3*theta1", Status::kBadExpression, "ends at character 25 without a ')'"},
       {"theta3 += c*)", Status::kBadExpression, "')' at character 13"},
-      {"theta3 += c*sine(theta1)", Status::kBadExpression, "no function 'sine' at character 13"},
+      {"theta3 += c*sine(theta1)", Status::kBadExpression, "the function 'sine' at character 13"},
       {"theta3 += c sin(theta1)", Status::kBadExpression, "at character 13"},
       {"theta3 += c = 5", Status::kBadExpression, "'=' at character 13"},
-      {"theta3 += c, d", Status::kBadExpression, "several expressions"},
+      {"theta3 += c, d", Status::kBadExpression, "a second expression"},
       {"theta3 += c*\"x\"", Status::kBadExpression, "at character 13"},
       {"theta3 += c*\x01", Status::kBadExpression, "byte"},
       {"theta3 += c*\xc3\xa9", Status::kBadExpression, "byte"},
@@ -293,7 +293,6 @@ TEST(Formula, WhatIsNoneIsRefusedWithItsPlace) {
     const MadeFormula made = makeFormula(arm, wrong.text, {});
     EXPECT_EQ(made.status, wrong.status) << wrong.text;
     EXPECT_NE(made.found.find(wrong.says), std::string::npos) << wrong.text << ": " << made.found;
-    EXPECT_FALSE(made.expected.empty()) << wrong.text;
     EXPECT_FALSE(made.effect.formula) << wrong.text;
   }
 }

@@ -100,7 +100,7 @@ TEST(ArmReader, refusesImpossibleArmsWithTheLine) {
   const std::string reversed = refusal("limits: [0, 180]", "limits: [180, 0]");
   expectSays(reversed, "latch-link.joint.limits");
   expectSays(reversed, "found 180, 0,");
-  expectSays(refusal("name: forearm", "name: tool"), "a second row");
+  expectSays(refusal("name: forearm", "name: tool"), "two rows are named 'tool'");
   expectSays(refusal("gravity: [0, 0, -1]", "gravity: [0, 0, 0]"), "length zero");
 }
 
