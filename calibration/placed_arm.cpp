@@ -219,7 +219,7 @@ Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice) {
     return std::any_of(result.list.begin(), result.list.end(), [&](const Unknown& u) { return u.name == name; });
   };
   if (std::count(choice.names.begin(), choice.names.end(), "geometry") > 1)
-    result.problems.push_back({"geometry", "'geometry' again", "every parameter freed once"});
+    result.problems.push_back({"geometry", "'geometry' is freed twice", "name it once"});
   for (const auto& group : choice.names) {
     if (group == "geometry") continue;
     for (const auto& name : namesBehind(placed.arm, group)) {
@@ -227,9 +227,9 @@ Unknowns chooseUnknowns(PlacedArm& placed, const FreeChoice& choice) {
       const auto parameter = deflection::findParameter(placed.arm, name);
       if (!parameter)
         result.problems.push_back(
-            {group, "no number '" + name + "' in the arm", "a number of the arm file by its path"});
+            {group, "the arm has no number '" + name + "'", "name a number of the arm file by its path", true});
       else if (is_free(name))
-        result.problems.push_back({group, "'" + name + "' again", "every parameter freed once"});
+        result.problems.push_back({group, "'" + name + "' is freed twice", "name it once"});
       else
         result.list.push_back(armUnknown(*parameter, placed.arm, softened));
     }

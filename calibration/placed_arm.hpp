@@ -93,9 +93,12 @@ struct PlacedArm {
 /// Returns the pose X_WB of the base that a reading was made from.
 [[nodiscard]] const Eigen::Isometry3d& basePoseAt(const PlacedArm& placed, const Measurement& reading);
 
-/// Reason why names cannot be freed; empty if they can.
+/// Reason why a name cannot be freed.
 struct FreeProblem {
-  std::string name, found, expected;
+  std::string name;
+  std::string what;         ///< sentence of the reason
+  std::string advice;       ///< what to do
+  bool is_unknown = false;  ///< true: the arm has no such number
 };
 
 struct FreeChoice {

@@ -17,9 +17,14 @@ calibration::Estimate estimateOf(const Cell& cell, const std::vector<calibration
                                  const calibration::DoubtBeside& doubt) {
   auto estimate = calibration::estimateFrom(cell.arm, cell.X_WB, cell.base_known, readings, free, doubt);
   if (estimate.problems.empty()) return estimate;
-  const auto& problem = estimate.problems.front();
-  const auto known = calibration::freeableNames(cell.arm);
-  throw InputError(where, problem.found, problem.expected, suggestion(problem.name, known));
+  refuseName(where, estimate.problems.front(), cell.arm);
+}
+
+void refuseName(const std::string& where, const calibration::FreeProblem& problem, const deflection::Arm& arm) {
+  std::string advice = problem.advice;
+  if (problem.is_unknown)
+    if (auto near = suggestion(problem.name, calibration::freeableNames(arm)); !near.empty()) advice = std::move(near);
+  throw InputError::saying(where, problem.what, advice);
 }
 
 Cell cellAsEstimated(Cell cell, const calibration::Estimate& estimate) {

@@ -21,6 +21,10 @@ namespace tubeplan::app {
                                                const calibration::FreeChoice& free, const std::string& where,
                                                const calibration::DoubtBeside& doubt = {});
 
+/// Throws the InputError for a name that cannot be freed.
+[[noreturn]] void refuseName(const std::string& where, const calibration::FreeProblem& problem,
+                             const deflection::Arm& arm);
+
 /// Returns the cell with the estimated arm and base.
 [[nodiscard]] Cell cellAsEstimated(Cell cell, const calibration::Estimate& estimate);
 

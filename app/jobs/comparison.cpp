@@ -5,7 +5,7 @@
 #include "app/documents/comparison_json.hpp"
 #include "app/documents/measurement_checks_json.hpp"
 #include "app/formats/measurements/reading_input.hpp"
-#include "app/storage/input_error.hpp"
+#include "app/jobs/cell_estimate.hpp"
 #include "app/studies/model/cell_fit.hpp"
 
 namespace tubeplan::app {
@@ -16,8 +16,7 @@ namespace {
 void requireCompared(const calibration::Comparison& result, const CellReadings& input) {
   if (result.status == calibration::ComparisonStatus::kDone) return;
   if (result.verdict != calibration::Adequacy::kNotRun) return;
-  if (!result.problems.empty())
-    throw InputError(input.cell.path + " (identify)", result.problems.front().found, result.problems.front().expected);
+  if (!result.problems.empty()) refuseName(input.cell.path + " (identify)", result.problems.front(), input.cell.arm);
   throw refusalOf(result.refit.reading_problem, result.reason, input);
 }
 

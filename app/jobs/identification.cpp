@@ -11,9 +11,9 @@
 #include "app/documents/overlap_report.hpp"
 #include "app/documents/predicted_centring_json.hpp"
 #include "app/formats/measurements/reading_input.hpp"
+#include "app/jobs/cell_estimate.hpp"
 #include "app/jobs/outliers.hpp"
 #include "app/storage/input_error.hpp"
-#include "app/storage/suggestion.hpp"
 #include "app/studies/model/cell_fit.hpp"
 
 namespace tubeplan::app {
@@ -39,7 +39,7 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   result.loss = lossOf(request.robust);
   result.starts = request.starts;
   if (request.folds < 0 || request.folds > kMostFolds)
-    throw InputError("folds", std::to_string(request.folds), fmt::format("from 0 to {}", kMostFolds));
+    throw InputError("folds", std::to_string(request.folds), fmt::format("0 to {}", kMostFolds));
   result.folds = request.folds;
   result.seed = request.seed;
   result.drop_level = request.drop;
@@ -47,8 +47,8 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   for (const auto& method : calibration::leastSquaresMethods())
     if (method.name == request.method) result.solver.method = method.method;
   if (result.free.names.empty() && request.stages.empty() && cell.base_known)
-    throw InputError(cell.path, "no free parameter", "a list `identify`, or --free NAME",
-                     "`tubeplan identify --help` says what may be freed");
+    throw InputError::saying(cell.path, "no parameter is free, by a list `identify` or --free NAME",
+                             "`tubeplan identify --help` says what may be freed");
   return result;
 }
 
@@ -58,12 +58,8 @@ void requireAccepted(const Identification& result, const IdentificationRequest& 
   const Cell& cell = input.cell;
   if (result.reading_problem) throw refusalOf(result.reading_problem, result.reason, input);
   if (result.problems.empty())
-    throw InputError(cell.path, result.reason, "something to find",
-                     "`tubeplan identify --help` says what may be freed");
-  const auto& problem = result.problems.front();
-  const auto known = calibration::freeableNames(cell.arm);
-  throw InputError(request.free.empty() ? cell.path + " (identify)" : "--free", problem.found, problem.expected,
-                   suggestion(problem.name, known));
+    throw InputError::saying(cell.path, result.reason, "`tubeplan identify --help` says what may be freed");
+  refuseName(request.free.empty() ? cell.path + " (identify)" : "--free", result.problems.front(), cell.arm);
 }
 
 /// Reads "a,b" or "a,b:SETUP".
@@ -88,8 +84,8 @@ Identification identifyAsAsked(const IdentificationRequest& request, const Cell&
   asked.uncertainty = cell.uncertainty;
   if (request.stages.empty()) return calibration::identify(start, readings, asked);
   if (!request.free.empty())
-    throw InputError("--free", "it together with --stage", "one of them",
-                     "each stage names what is freed in it: --stage NAME,NAME");
+    throw InputError::saying("--free", "this option cannot be combined with --stage",
+                             "name what is freed in each stage: --stage NAME,NAME");
   std::vector<calibration::IdentificationStage> stages;
   for (const auto& text : request.stages) stages.push_back(stageOf(text));
   auto results = calibration::identifyInStages(start, readings, stages, asked);

@@ -180,7 +180,8 @@ void noteReadingProblem(const std::vector<Measurement>& fitted, const std::vecto
   result.reading_problem = findReadingProblem(fitted, unknowns);
   if (!result.reading_problem) return;
   ReadingProblem& problem = *result.reading_problem;
-  result.reason = "found " + problem.found + ", expected " + problem.expected;
+  result.reason =
+      problem.expected.empty() ? problem.found : "found " + problem.found + ", expected " + problem.expected;
   if (problem.reading >= 0) problem.reading = result.used[static_cast<std::size_t>(problem.reading)];
 }
 
@@ -252,7 +253,7 @@ Identification identifyOnce(const PlacedArm& start, const std::vector<Measuremen
   model.unknowns = std::move(unknowns.list);
   if (result.problems.empty() && model.unknowns.empty() && !options.may_hold_all)
     result.reason = "no free parameter: name one to identify";
-  if (!result.problems.empty()) result.reason = result.problems.front().found;
+  if (!result.problems.empty()) result.reason = result.problems.front().what;
   if (result.reason.empty()) noteReadingProblem(fitted, model.unknowns, result);
   if (!result.reason.empty()) {
     result.status = IdentificationStatus::kRefused;

@@ -54,22 +54,26 @@ int numbersMeasured(const std::vector<Measurement>& readings) {
 std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>& readings,
                                                  const std::vector<Unknown>& unknowns) {
   if (readings.empty())
-    return ReadingProblem{-1, "no reading to fit", "readings that are not marked held-out", "mark some as fit"};
+    return ReadingProblem{-1, "no reading is left to fit beside those that are marked held-out", "",
+                          "mark some as fit"};
   if (const auto lone = loneReading(readings)) {
     if (touchesSurface(readings[static_cast<std::size_t>(*lone)])) return fewOfSurface(*lone, readings);
     const Measurement& touch = readings[static_cast<std::size_t>(*lone)];
-    return ReadingProblem{*lone, "the only touch of point " + touch.point + " (reading " + touch.id + ")",
-                          "two or more touches of a point of unknown position",
-                          "touch it again, give its position, or remove the reading: it carries no information"};
+    return ReadingProblem{*lone,
+                          "point " + touch.point + " of unknown position is touched by reading " + touch.id +
+                              " alone, which carries no information then",
+                          "", "touch it again, give its position, or remove the reading"};
   }
   if (isOnePosture(readings))
-    return ReadingProblem{-1, "all readings at one posture under one load", "several postures or loads",
-                          "they determine a single point: measure elsewhere too"};
+    return ReadingProblem{-1, "all readings are at one posture under one load, and determine a single point", "",
+                          "measure at other postures or under other loads too"};
   const auto named = std::count_if(unknowns.begin(), unknowns.end(), [](const Unknown& u) { return !u.is_geometry; });
   const int measured = numbersMeasured(readings);
   if (measured < named)
-    return ReadingProblem{-1, "readings that hold " + std::to_string(measured) + " numbers",
-                          "as many as the " + std::to_string(named) + " that are free", "measure more or free fewer"};
+    return ReadingProblem{-1,
+                          "the readings hold " + std::to_string(measured) + " numbers, fewer than the " +
+                              std::to_string(named) + " that are free",
+                          "", "measure more or free fewer"};
   return std::nullopt;
 }
 

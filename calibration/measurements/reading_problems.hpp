@@ -12,8 +12,10 @@ namespace tubeplan::calibration {
 
 /// Reason why readings determine nothing, or not enough.
 struct ReadingProblem {
-  int reading = -1;  ///< index of the reading at fault; -1 if there is none
-  std::string found, expected, advice;
+  int reading = -1;      ///< index of the reading at fault; -1 if there is none
+  std::string found;     ///< value found, or what is wrong
+  std::string expected;  ///< value expected; empty unless a value is wrong
+  std::string advice;
 };
 
 /// Returns how many numbers the readings hold beyond those that the places of unknown points take.

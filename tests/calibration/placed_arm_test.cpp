@@ -1,11 +1,11 @@
 // The numbers that may be freed, what a variable means, and the base pose of bases in closed form.
-#include "calibration/measurements/reading_placement.hpp"
 #include "calibration/placed_arm.hpp"
 
 #include <gtest/gtest.h>
 
 #include "calibration/estimation/fit.hpp"
 #include "calibration/independent_geometry.hpp"
+#include "calibration/measurements/reading_placement.hpp"
 #include "calibration/placed_arm.hpp"
 #include "tests/calibration/synthetic_readings.hpp"
 
@@ -44,14 +44,14 @@ TEST(PlacedArm, NamesThatCannotBeFreedAreProblems) {
   const auto problem = [](const std::vector<std::string>& names) {
     PlacedArm placed = cobra();
     const auto problems = chooseUnknowns(placed, {names, true}).problems;
-    return problems.empty() ? "" : problems[0].name + ": " + problems[0].found;
+    return problems.empty() ? "" : problems[0].name + ": " + problems[0].what;
   };
   EXPECT_NE(problem({"tol.tip"}).find("no number 'tol.tip'"), std::string::npos);
   EXPECT_NE(problem({"tool.beam.Iz"}).find("tool.beam.Iz"), std::string::npos);
-  EXPECT_NE(problem({"tool.tip", "tool.tip"}).find("again"), std::string::npos);
-  EXPECT_NE(problem({"tool.tip", "tool.tip.x"}).find("'tool.tip.x' again"), std::string::npos);
-  EXPECT_NE(problem({"geometry", "geometry"}).find("again"), std::string::npos);
-  EXPECT_NE(problem({"tool.joint_stiffness.x", "tool.joint_stiffness.x"}).find("again"), std::string::npos);
+  EXPECT_NE(problem({"tool.tip", "tool.tip"}).find("freed twice"), std::string::npos);
+  EXPECT_NE(problem({"tool.tip", "tool.tip.x"}).find("'tool.tip.x' is freed twice"), std::string::npos);
+  EXPECT_NE(problem({"geometry", "geometry"}).find("freed twice"), std::string::npos);
+  EXPECT_NE(problem({"tool.joint_stiffness.x", "tool.joint_stiffness.x"}).find("freed twice"), std::string::npos);
   EXPECT_EQ(problem({"geometry", "tool.tip.x"}), "");
 }
 

@@ -154,10 +154,11 @@ TEST_F(Identify, RefusesAFreeListThatMakesNoSense) {
   for (const char* name : {"bench.yaml", "cobra-arm.yaml"}) write(name, contentOf(shippedCells() / name));
   const std::string cell = contentOf(folder / "bench.yaml");
   write("none.yaml", cell.substr(0, cell.find("identify:")));
-  expectRefused("none.yaml readings.csv", {"none.yaml: found no free parameter", "expected", "--free"});
-  expectRefused("bench.yaml readings.csv --free tool.tip,tool.tip", {"--free", "again", "once"});
-  expectRefused("bench.yaml readings.csv --free tool.joint_stiffness.z,tool.joint_stiffness.z", {"--free", "again"});
-  expectRefused("bench.yaml readings.csv --free geometry,geometry", {"--free", "'geometry' again"});
+  expectRefused("none.yaml readings.csv", {"none.yaml: no parameter is free", "identify", "--free"});
+  expectRefused("bench.yaml readings.csv --free tool.tip,tool.tip", {"--free", "freed twice", "once"});
+  expectRefused("bench.yaml readings.csv --free tool.joint_stiffness.z,tool.joint_stiffness.z",
+                {"--free", "freed twice"});
+  expectRefused("bench.yaml readings.csv --free geometry,geometry", {"--free", "'geometry' is freed twice"});
   expectRefused("bench.yaml readings.csv --free tool.jiont_stiffness.z",
                 {"--free", "tool.jiont_stiffness.z", "did you mean", "tool.joint_stiffness.z"});
   write("twice.yaml", changed(cell, "identify: [", "identify: [tool.joint_stiffness.z, "));
@@ -172,18 +173,18 @@ TEST_F(Identify, RefusesReadingsThatTellNothing) {
   const auto readings = maker.readings;
   maker.addTouches(1, {0}, false);
   writeReadings("once.csv");
-  expectRefused(bench + " once.csv" + kFree, {"once.csv:8:", "the only touch of point P7", "expected two", "remove"});
+  expectRefused(bench + " once.csv" + kFree, {"once.csv:8:", "point P7", "alone", "touch it again", "remove"});
   maker.readings.assign(5, readings[0]);
   for (std::size_t k = 0; k < 5; ++k) maker.readings[k].id = std::to_string(k);
   writeReadings("same.csv");
-  expectRefused(bench + " same.csv" + kFree, {"same.csv:", "one posture", "expected several", "measure elsewhere"});
+  expectRefused(bench + " same.csv" + kFree, {"same.csv:", "one posture", "measure at other postures"});
   maker.readings = readings;
   for (auto& m : maker.readings) m.is_held_out = true;
   std::string text = readingsCsv(readings);
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 10)
     text.insert(at, text.substr(0, at).find('\n') == std::string::npos ? ",split   " : ",held-out");
   write("held.csv", changed(text, ",split   ", ",split"));
-  expectRefused(bench + " held.csv" + kFree, {"held.csv:", "no reading to fit", "held-out"});
+  expectRefused(bench + " held.csv" + kFree, {"held.csv:", "no reading is left to fit", "held-out"});
   write("few.csv", readingsCsv({readings[0]}));
   expectRefused(shipped("bowl.yaml") + " few.csv" + kFree, {"few.csv:", "posture"});
   write("two.csv", readingsCsv({readings[0], readings[1]}));
