@@ -39,7 +39,7 @@ std::vector<Lever> leversOf(const deflection::Arm& arm, const std::vector<std::s
   std::vector<Lever> levers;
   for (const auto& name : names) {
     const auto lever = findLever(arm, name);
-    if (!lever) throw InputError("at", inQuotes(name), "a joint of this arm, or an axis of a row as in 'forearm.z'");
+    if (!lever) throw InputError("at", inQuotes(name), "a joint of this arm, or an axis of a row such as 'forearm.z'");
     levers.push_back(*lever);
   }
   return levers;

@@ -1,5 +1,8 @@
 #include "app/documents/signature_json.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -36,8 +39,17 @@ Variable variableOf(const Cell& cell, const deflection::Signature& signature) {
 
 json signatureJson(const Cell& cell, const std::string& effect, const std::string& at, double most_load) {
   const auto made = deflection::makeEffect(cell.arm, effect, at);
-  if (made.status != deflection::EffectStatus::kMade)
-    throw InputError("effect", inQuotes(effect + "@" + at), made.reason, suggestion(at, made.known));
+  if (made.status == deflection::EffectStatus::kUnknownEffect)
+    throw InputError("effect", inQuotes(effect), "an effect of the catalogue", suggestion(effect, made.known));
+  if (made.status != deflection::EffectStatus::kMade) {
+    const std::string near = suggestion(at, made.known);
+    const std::string places = made.known.empty() ? "" : fmt::format("its places are {}", fmt::join(made.known, ", "));
+    throw InputError::saying(
+        "at",
+        made.known.empty() ? fmt::format("the effect {}: {}", inQuotes(effect), made.reason)
+                           : fmt::format("this arm has no place {} for the effect {}", inQuotes(at), inQuotes(effect)),
+        near.empty() ? places : near);
+  }
   const auto signature = deflection::signatureOf(cell.arm, made.effect, deflection::gravityInBase(cell.arm, cell.X_WB),
                                                  {.most_load = most_load});
   const Variable variable = variableOf(cell, signature);

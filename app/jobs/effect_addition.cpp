@@ -25,8 +25,8 @@ constexpr const char* kFormulaAt = "formula@";
 
 void addOrRefuse(Addition& addition, const Effect& effect) {
   if (!addEffect(effect, freedNames(addition.cell.arm, effect), addition.cell, addition))
-    throw InputError(kWhere, deflection::textOf(addition.cell.arm, effect) + ", which the cell already has",
-                     "another effect or place", "");
+    throw InputError::saying(kWhere, "the cell already has " + deflection::textOf(addition.cell.arm, effect),
+                             "name another effect or place");
 }
 
 /// Frees numbers, for "free@latch-link.beam.Iz" or "free@geometry".
@@ -34,7 +34,7 @@ void freeNumbers(Addition& addition, const std::string& name) {
   const auto& arm = addition.cell.arm;
   const auto known = calibration::freeableNames(arm);
   if (std::find(known.begin(), known.end(), name) == known.end())
-    throw InputError(kWhere, "no number " + inQuotes(name), "a number of the arm's file, or geometry",
+    throw InputError(kWhere, inQuotes(name), "the path of a number in the arm file, or geometry",
                      suggestion(name, known));
   addition.names.push_back(fmt::format("{}@{}", calibration::kFreedNumbers, name));
   addition.freed.push_back(name);
@@ -44,8 +44,8 @@ void freeNumbers(Addition& addition, const std::string& name) {
 void addAtAllJoints(Addition& addition, const std::string& effect) {
   const auto effects = calibration::effectsAtAllJoints(addition.cell.arm, effect);
   if (effects.empty())
-    throw InputError(kWhere, inQuotes(effect) + " at all joints", "an effect that acts at each joint",
-                     "`tubeplan effects CELL` lists the places of each");
+    throw InputError::saying(kWhere, "there is no effect " + inQuotes(effect) + " that acts at each joint",
+                             "`tubeplan effects CELL` lists the places of each effect");
   for (const Effect& one : effects) addOrRefuse(addition, one);
 }
 
@@ -69,14 +69,15 @@ void removeOrRefuse(Cell& cell, const std::string& cause) {
         std::erase_if(cell.arm.effects, [&](const Effect& own) { return deflection::textOf(cell.arm, own) == cause; });
   const std::size_t names = std::erase_if(cell.identify, is_gone);
   if (effects + (is_name ? names : 0) == 0)
-    throw InputError(kWhere, inQuotes(cause) + ", which the model does not have", "an effect or a free number of it");
+    throw InputError::saying(kWhere, "the model has no " + inQuotes(cause), "name an effect or a free number of it");
 }
 
 }  // namespace
 
 Addition addToCell(const Cell& cell, const AdditionRequest& request) {
   if (request.causes.empty() && request.formula.empty())
-    throw InputError(kWhere, "nothing", "EFFECT@AT, as backlash@tool.z, or --formula 'theta3 += c*sin(3*theta1)'");
+    throw InputError::saying(kWhere, "no effect to add is named",
+                             "name one, as backlash@tool.z, or give --formula 'theta3 += c*sin(3*theta1)'");
   Addition addition{{}, cell};
   std::string target;
   for (const auto& cause : request.causes) {
@@ -92,7 +93,8 @@ Addition addToCell(const Cell& cell, const AdditionRequest& request) {
 }
 
 Cell withoutCauses(const Cell& cell, const std::vector<std::string>& causes) {
-  if (causes.empty()) throw InputError(kWhere, "nothing", "EFFECT@AT or free@NAME of the model");
+  if (causes.empty())
+    throw InputError::saying(kWhere, "no cause to remove is named", "name EFFECT@AT or free@NAME of the model");
   Cell without = cell;
   for (const auto& cause : causes) removeOrRefuse(without, cause);
   return without;

@@ -30,7 +30,9 @@ std::optional<Cell> sheetCell(const LadderRequest& request, const std::vector<La
 
 void requireOneSheet(const Cell& cell, const tubesheets::Sheet& sheet) {
   if (cell.sheet && cell.sheet->fingerprint() != sheet.fingerprint())
-    throw InputError(cell.path, "another tube sheet", "the same for every model, fingerprint " + sheet.fingerprint());
+    throw InputError(cell.path, "a tube sheet of fingerprint " + cell.sheet->fingerprint(),
+                     "that of the step table, of fingerprint " + sheet.fingerprint(),
+                     "name cells under one tube sheet");
 }
 
 /// Returns the arm of the truth, or else of the best model, under the sheet.

@@ -31,21 +31,23 @@ planner::TravelKind travelOf(const PlanRequest& request) {
   const auto kind = planner::findTravelKind(request.travel);
   if (!kind) throw InputError("--travel", inQuotes(request.travel), "joints or line");
   if (*kind == planner::TravelKind::kLine && request.compensation != planner::nameOf(planner::Compensation::kViaPoint))
-    throw InputError("--travel line", request.compensation + " compensation", "via-point",
-                     "only via points solved on the flexible model keep the tip on a straight line");
+    throw InputError::saying("--travel line",
+                             "this travel needs the compensation via-point, not " + request.compensation,
+                             "only via points solved on the flexible model keep the tip on a straight line");
   return *kind;
 }
 
 void requireSameSheet(const planner::Workcell& cell, const planner::Workcell& truth, const std::string& file) {
   if (cell.sheet.fingerprint() != truth.sheet.fingerprint())
-    throw InputError(file, "another tube sheet (fingerprint " + truth.sheet.fingerprint() + ")",
-                     "the cell's (" + cell.sheet.fingerprint() + ")");
+    throw InputError(file, "a tube sheet of fingerprint " + truth.sheet.fingerprint(),
+                     "the cell's, of fingerprint " + cell.sheet.fingerprint(),
+                     "name a true cell under the same tube sheet");
 }
 
 std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, const PlanOutcome& outcome) {
   if (request.touches == "auto" && !outcome.truth)
-    throw InputError("--touches auto", "no true arm to touch with", "--truth CELL",
-                     "name a true cell, or a file of touches");
+    throw InputError::saying("--touches auto", "there is no true arm to touch with",
+                             "name its cell by --truth CELL, or give a file of touches");
   if (request.touches == "auto") return touchesByTrueArm(outcome.nominal, outcome.cell, *outcome.truth, request.seed);
   const auto readings = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
   requireDefinedFormulas(readings, outcome.cell, request.touches);
@@ -98,10 +100,10 @@ planner::VisitPlanOptions planOptions(const PlanRequest& request, const PlanOutc
 void checkPadding(const PlanRequest& request, const PlanOutcome& outcome) {
   constexpr double kMostSigmas = 10;
   if (!(request.padding >= 0 && request.padding <= kMostSigmas))
-    throw InputError("--padding", fmt::format("{}", request.padding), "standard deviations of the base, from 0 to 10");
+    throw InputError("--padding", fmt::format("{}", request.padding), "0 to 10 standard deviations of the base");
   if (request.padding > 0 && outcome.model.base_covariance.isZero(0))
-    throw InputError("--padding", "a base pose without a covariance", "one that was calibrated",
-                     "give --touches, or a cell that `calibrate` wrote");
+    throw InputError::saying("--padding", "the base pose has no covariance, as it was not calibrated",
+                             "give --touches, or a cell that `calibrate` wrote");
 }
 
 void addTruth(const std::string& file, PlanOutcome& outcome) {
@@ -131,7 +133,8 @@ void requireZonesOfTheList(const ConditionsRequest& asked, const planner::VisitC
   for (std::size_t k = 0; k < conditions.zones.size(); ++k) {
     const auto isAsked = [&](int tube) { return std::binary_search(tubes.begin(), tubes.end(), tube); };
     if (std::none_of(conditions.zones[k].begin(), conditions.zones[k].end(), isAsked))
-      throw InputError("--first", inQuotes(asked.first[k]), "tubes that are to be visited", "it names none of them");
+      throw InputError::saying("--first", inQuotes(asked.first[k]) + " names no tube that is to be visited",
+                               "name tubes of the list");
   }
 }
 
@@ -205,7 +208,8 @@ PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::Plan
   PlanOutcome outcome = begun(cell, request);
   auto selection = tubesheets::selectTubes(outcome.nominal.sheet, request.tubes);
   if (selection.status != tubesheets::SelectionStatus::kSelected)
-    throw InputError("tubes", inQuotes(request.tubes) + " (" + selection.reason + ")", "tubes of this sheet");
+    throw InputError::saying("tubes", inQuotes(request.tubes) + " cannot be planned: " + selection.reason,
+                             "name tubes of this sheet");
   for (const auto& [tube, stay] : request.stays)
     if (std::ranges::find(selection.tube_indices, tube) != selection.tube_indices.end()) selection.dwell[tube] = stay;
   addConditions(request, selection, outcome);

@@ -49,7 +49,7 @@ std::vector<double> loadsOf(const TouchRequest& request, const Cell& cell, const
   for (const double load : request.loads) {
     if (!std::isfinite(load) || load < 0)
       throw InputError("--loads", fmt::format("{}", load),
-                       "finite weights in " + std::string(cell.units.force().name) + ", zero or more");
+                       "a weight of zero or more, in " + std::string(cell.units.force().name));
     loads.insert(cell.units.toInternal(load, dimension::kForce));
   }
   if (loads.empty())
@@ -106,8 +106,8 @@ TouchRequest completed(TouchRequest request, const Cell& cell) {
   if (request.kind.empty()) request.kind = cell.sheet ? "touch" : "position";
   if (request.goal.empty()) request.goal = !cell.sheet ? "parameters" : frees ? "both" : "base";
   if (request.goal != "base" && !frees && cell.base_known)
-    throw InputError(cell.path, "no free parameter", "a list `identify`, or --free NAME",
-                     "`tubeplan touches --help` says what may be freed");
+    throw InputError::saying(cell.path, "no parameter is free, by a list `identify` or --free NAME",
+                             "`tubeplan touches --help` says what may be freed");
   if (request.goal != "parameters") (void)requireSheet(cell, "choose holes to touch for the base");
   if (!request.tubes.empty()) (void)requireSheet(cell, "choose --tubes");
   requireWorkList(request.columns, {request.tubes});
@@ -120,8 +120,8 @@ void requireEnough(const TouchRequest& request, const TouchOutcome& outcome) {
   const bool needs_loads = wants(request, "parameters") && request.kind == "touch" && !outcome.cell.sheet;
   if (needs_loads && outcome.loads.size() < 2)
     throw InputError("--loads", fmt::format("{} load", outcome.loads.size()),
-                     "two or more: a point of unknown position is informative only when touched under several loads",
-                     "say --loads=0,20 or --kind position");
+                     "two or more, as a point of unknown position is informative only when touched under several",
+                     "give --loads=0,20 or --kind position");
 }
 
 /// Sets the postures of the work and the possible readings.

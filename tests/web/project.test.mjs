@@ -223,7 +223,7 @@ describe("the report of a project", () => {
   it("says what is missing where there is no Chromium, and what is no project", () => {
     const without = run(["report", "reported.tubeplan", "--pdf", "none.pdf"], {PATH: "", TUBEPLAN_CHROMIUM: ""});
     assert.equal(without.status, 2);
-    assert.match(without.said, /found no Chromium on this machine.*install it/s);
+    assert.match(without.said, /Chromium is not installed.*install the package chromium/s);
     assert.equal(existsSync(path.join(made.folder, "none.pdf")), false);
     const other = run(["report", "bench.yaml"]);
     assert.equal(other.status, 2);

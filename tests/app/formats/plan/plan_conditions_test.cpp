@@ -79,7 +79,7 @@ TEST_F(PlanConditions, PaddingKeepsTheArmFurtherOff) {
   write("padded/cobra-arm.yaml", contentOf(shippedCells() / "cobra-arm.yaml"));
   const Outcome unknown = run("verify " + shipped("mockup.yaml") + " padded");
   EXPECT_EQ(unknown.exit_code, 2);
-  expectSays(unknown.err, "expected a cell.yaml beside it with the base's covariance");
+  expectSays(unknown.err, "the cell.yaml beside it has no covariance of the base");
 }
 
 TEST_F(PlanConditions, AChangedParkKeepsEverythingButTheWaysToIt) {
@@ -97,7 +97,7 @@ TEST_F(PlanConditions, BadOnesAreRefused) {
   expectRefused("--dwell -1", "--dwell");
   expectRefused("--dwell nan", "--dwell");
   expectRefused("--first R99C1", "--first");
-  expectRefused("--padding 2", "a base pose without a covariance");
+  expectRefused("--padding 2", "the base pose has no covariance");
   expectRefused("--padding 99", "--padding");
   write("list.csv", "row,column,dwell_s\n20,40,soon\n");
   const Outcome list = run("plan " + shipped("mockup.yaml") + " --tubes list.csv --out refused");
