@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <map>
 
+#include "app/commands/command_line_error.hpp"
 #include "app/commands/command_table.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/storage/origin.hpp"
@@ -38,14 +39,12 @@ bool asksForOverview(std::vector<std::string>& words) {
 void refuseUnknownCommand(const std::string& word) {
   std::vector<std::string> names;
   for (const Command& command : commands()) names.emplace_back(command.name);
-  if (word.starts_with("-") || std::find(names.begin(), names.end(), word) != names.end()) return;
+  if (std::find(names.begin(), names.end(), word) != names.end()) return;
+  if (word.starts_with("-"))
+    throw InputError::saying(nameInLine(word), "the command is missing before this option",
+                             "begin with a command, see `tubeplan help`");
   const std::string near = suggestion(word, names);
-  throw InputError("command line", "the unknown command " + inQuotes(word), alternatives(names),
-                   near.empty() ? "see `tubeplan help`" : near);
-}
-
-[[noreturn]] void refuse(const CLI::ParseError& error, const std::string& command) {
-  throw InputError("command line", error.what(), "words as in `tubeplan " + command + " --help`", "");
+  throw InputError("COMMAND", inQuotes(word), alternatives(names), near.empty() ? "see `tubeplan help`" : near);
 }
 
 }  // namespace
@@ -70,13 +69,13 @@ int runCommandLine(std::vector<std::string> words) {
     runs[std::string(command.name)] = command.configure(*sub);
   }
   try {
-    std::reverse(words.begin(), words.end());  // in the reverse order that CLI11 expects
-    cli.parse(words);
+    std::vector<std::string> reversed(words.rbegin(), words.rend());  // the order that CLI11 expects
+    cli.parse(reversed);
   } catch (const CLI::CallForHelp&) {
     fmt::print("{}", cli.get_subcommand(name)->help("tubeplan"));
     return kDone;
   } catch (const CLI::ParseError& error) {
-    refuse(error, name);
+    throw commandLineError(error, *cli.get_subcommand(name), words);
   }
   const InputRecord inputs;  // inputs of this command
   return runs.at(cli.get_subcommands().front()->get_name())();

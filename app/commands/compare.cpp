@@ -5,6 +5,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
+#include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/comparison_json.hpp"
@@ -47,7 +48,7 @@ Run configureCompare(CLI::App& cli) {
   addMeasurementOptions(cli, options->given);
   addReportOptions(cli, options->report, "write a report with maps and curves of the error to this file (HTML)");
   cli.add_option("--folds", options->request.folds, "folds of the cross-validation by pose; 0 for none")
-      ->check(CLI::Range(0, 100));
+      ->check(within(0, 100));
   addSeed(cli, options->request.seed, "seed of the folds");
   addFigures(cli, options->figures);
   return [options] { return run(*options); };

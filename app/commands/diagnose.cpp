@@ -7,6 +7,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
+#include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/diagnosis_json.hpp"
@@ -65,10 +66,10 @@ Run configureDiagnose(CLI::App& cli) {
   const auto options = std::make_shared<DiagnoseOptions>();
   addCell(cli, options->cell);
   addReadings(cli, options->measurements);
-  cli.add_option("--effects", options->request.effects, "the most effects in one explanation")->check(CLI::Range(1, 4));
+  cli.add_option("--effects", options->request.effects, "the most effects in one explanation")->check(within(1, 4));
   cli.add_option("--next", options->request.next,
                  "how many further readings to propose where the verdict is not conclusive")
-      ->check(CLI::Range(1, 50))
+      ->check(within(1, 50))
       ->capture_default_str();
   addMeasurementOptions(cli, options->given);
   addSeed(cli, options->request.seed, "seed of the simulated noise and the folds");

@@ -8,6 +8,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
+#include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/effect_warnings_json.hpp"
@@ -94,11 +95,11 @@ Run configureIdentify(CLI::App& cli) {
   cli.add_option("--out", options->out, "write the identified cell to this file, its arm file beside it");
   addMeasurementOptions(cli, options->given);
   cli.add_option("--robust", options->request.robust, "robust loss function")
-      ->check(CLI::IsMember({"none", "huber", "cauchy"}));
+      ->check(oneOf({"none", "huber", "cauchy"}));
   std::vector<std::string> methods;
   for (const auto& method : calibration::leastSquaresMethods()) methods.emplace_back(method.name);
   cli.add_option("--method", options->request.method, "least-squares method")
-      ->check(CLI::IsMember(methods))
+      ->check(oneOf(methods))
       ->capture_default_str();
   cli.add_option("--stage", options->request.stages,
                  "NAMES[:SETUP]: identify these parameters from that set-up's readings, those of earlier stages held "
@@ -106,11 +107,11 @@ Run configureIdentify(CLI::App& cli) {
       ->allow_extra_args(false);
   cli.add_option("--starts", options->request.starts,
                  "number of initial values; all but the first are drawn around the given one")
-      ->check(CLI::Range(1, 1000));
+      ->check(within(1, 1000));
   cli.add_option("--folds", options->request.folds, "folds of the cross-validation by pose; 0 for none")
-      ->check(CLI::Range(0, kMostFolds));
+      ->check(within(0, kMostFolds));
   cli.add_option("--drop", options->request.drop, "drop parameters that are not significant at this level (0.05)")
-      ->check(CLI::Range(0., 0.5));
+      ->check(within(0., 0.5));
   addSeed(cli, options->request.seed, "seed of the initial values and the folds");
   cli.add_flag("-v,--verbose", options->verbose,
                "print every iteration of the fit: chi-square (with the priors' part), length of the step, damping");

@@ -9,6 +9,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
+#include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/diagnosis_pages.hpp"
@@ -115,7 +116,7 @@ Run configureImprove(CLI::App& cli) {
   addCell(cli, options->cell);
   addReadings(cli, options->measurements);
   cli.add_option("--out", options->out, "write the improved cell to this file, its arm beside it")->required();
-  cli.add_option("--steps", options->request.steps, "the most causes to add, one step each")->check(CLI::Range(1, 20));
+  cli.add_option("--steps", options->request.steps, "the most causes to add, one step each")->check(within(1, 20));
   addMeasurementOptions(cli, options->given);
   addSeed(cli, options->request.seed, "seed of the simulated noise and the folds");
   addReportOptions(cli, options->report, "write a self-contained report (HTML) to this file");

@@ -7,6 +7,7 @@
 
 #include "app/cli/command.hpp"
 #include "app/cli/planning_hooks.hpp"
+#include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/ladder_json.hpp"
@@ -68,7 +69,7 @@ Run configureLadder(CLI::App& cli) {
   cli.add_option("--sheet", options->request.sheet,
                  "a cell whose tube sheet and calibration tool the step table is for");
   cli.add_option("--holes", options->request.holes, "random holes of the step table")
-      ->check(CLI::Range(1, 100000))
+      ->check(within(1, 100000))
       ->capture_default_str();
   addSeed(cli, options->request.seed, "seed of the folds and the holes");
   addFigures(cli, options->figures);

@@ -1,14 +1,12 @@
 #include "app/commands/option_groups.hpp"
 
-#include <charconv>
-#include <cstdint>
 #include <filesystem>
 
 #include "app/cli/browser.hpp"
+#include "app/commands/option_checks.hpp"
 #include "app/formats/measurements/assumptions.hpp"
 #include "app/storage/atomic_file.hpp"
 #include "app/storage/suggestion.hpp"
-#include "tubesheets/csv_table.hpp"
 #include "tubesheets/tube_columns.hpp"
 
 namespace tubeplan::app {
@@ -20,30 +18,19 @@ void addReadings(CLI::App& cli, ReadingFiles& files) {
 }
 
 void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of) {
-  cli.add_option("--seed", seed, of)
-      ->check([](const std::string& text) {
-        const char* const end = text.data() + text.size();
-        std::uint64_t value = 0;
-        const auto [stop, problem] = std::from_chars(text.data(), end, value);
-        return problem == std::errc() && stop == end ? std::string()
-                                                     : inQuotes(text) + ", not a whole number from 0 to 2^64 - 1";
-      })
-      ->capture_default_str();
+  cli.add_option("--seed", seed, of)->check(seedNumber())->capture_default_str();
 }
 
 void addFigures(CLI::App& cli, FiguresTarget& target) {
   cli.add_option("--json", target.json, "write the figures as JSON to this file, or - for standard output");
   cli.add_option("--format", target.format, "of standard output: text, or the figures as json, csv or markdown")
-      ->check(CLI::IsMember(figureFormats()))
+      ->check(oneOf(figureFormats()))
       ->capture_default_str();
 }
 
 void addSigma(CLI::App& cli, double& sigma, const std::string& when) {
   cli.add_option("--sigma", sigma, "standard deviation of a coordinate, in the cell's unit of length, " + when)
-      ->check([](const std::string& text) {
-        const auto value = tubesheets::parseNumber(text);
-        return value && *value > 0 ? std::string() : inQuotes(text) + ", not a length above zero";
-      });
+      ->check(lengthAboveZero());
 }
 
 void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
+#include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/fill_in_json.hpp"
@@ -77,23 +78,23 @@ Run configureTouches(CLI::App& cli) {
   cli.add_option("--goal", request.goal,
                  "base: holes for its calibration; parameters: readings for their identification; default: whatever "
                  "the cell allows")
-      ->check(CLI::IsMember({"base", "parameters", "both"}));
+      ->check(oneOf({"base", "parameters", "both"}));
   cli.add_option("--tubes", request.tubes, "tubes at which the tip position must be known, as for plan (spread:60)");
   addListColumns(cli, request.columns);
   cli.add_option("--count", request.count, "readings to propose for each goal (3 touches, 10 readings)")
-      ->check(CLI::Range(1, 500));
+      ->check(within(1, 500));
   cli.add_option("--loads", request.loads,
                  "loads that can be hung, in the cell's unit of force (those of the readings, else none)")
       ->delimiter(',');
   cli.add_option("--kind", request.kind, "touch or position (touch under a sheet, else position)")
-      ->check(CLI::IsMember({"touch", "position"}));
+      ->check(oneOf({"touch", "position"}));
   cli.add_option("--optimal", options->optimality,
                  "optimality criterion for the parameters: D, determinant of the covariance; G, largest standard "
                  "deviation of the tip; V, its average")
-      ->check(CLI::IsMember({"D", "G", "V"}))
+      ->check(oneOf({"D", "G", "V"}))
       ->capture_default_str();
   cli.add_option("--candidates", request.candidates, "number of candidate holes or postures (60 holes, 600 postures)")
-      ->check(CLI::Range(3, 100000));
+      ->check(within(3, 100000));
   addSigma(cli, request.sigma, "instead of that of the readings, or of the tool");
   cli.add_option(
       "--csv", options->csv,
