@@ -36,7 +36,8 @@ int run(const AddOptions& options) {
   const Cell cell = readCell(options.cell);
   const Addition added = addToCell(cell, options.request);
   if (!options.readings.empty() && added.formulas.empty())
-    throw InputError("--readings", "no formula to set beside the catalogue", "--formula with it");
+    throw InputError::saying("--readings", "there is no formula to be compared with the catalogue by these readings",
+                             "add --formula, or leave --readings out");
   checkWritableCell(cell, options.out, "--out");
   const std::string text = cellTextWith(cell, added, options.out);
   const std::string overlap =

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
+#include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/documents/arm_drawing.hpp"
 #include "app/documents/arm_figures.hpp"
@@ -106,15 +107,16 @@ bool isYaml(const std::string& file) { return file.ends_with(".yaml") || file.en
 
 int importCalibration(const ArmOptions& options) {
   if (options.nominal.empty())
-    throw InputError(
-        "--nominal", "nothing",
-        isYaml(options.file) ? "the arm whose joint origins " + options.file + " replaces"
-                             : "the arm file with the model's standard table, to which " + options.file + " adds",
-        isYaml(options.file) ? "make one by `arm import robot.urdf`"
-                             : "write one with `convention: standard`, and limits and speeds as the maker states them");
+    throw InputError::saying(
+        "--nominal", "the option is missing",
+        isYaml(options.file)
+            ? "name the arm file whose joint origins " + options.file + " replaces, as `arm import robot.urdf` makes it"
+            : "name the arm file with the model's standard table, to which " + options.file +
+                  " adds; write it with `convention: standard`, and limits and speeds as the maker states them");
   for (const auto& [name, value] : {std::pair("--cell", options.cell), std::pair("--tip", options.tip)})
     if (!value.empty())
-      throw InputError(name, "an option of URDF files", "a controller's calibration without it", "leave it out");
+      throw InputError::saying(name, "this option is for URDF files, and not for a controller's calibration",
+                               "leave it out");
   const CalibratedText text = options.file.ends_with(".conf") ? controllersArm(options) : robotsArm(options);
   const ArmSource calibrated = readArm(parseYaml(text.arm, options.out));
   writeFileAtomically(options.out, text.arm, "--out");
@@ -146,9 +148,10 @@ int exportRows(const ArmOptions& options) {
       static_cast<deflection::RowConvention>(std::ranges::find(names, options.convention) - names.begin());
   const auto converted = deflection::convertRows(given.arm, convention);
   if (!converted.is_converted)
-    throw InputError(options.file, fmt::format("the row {}: {}", inQuotes(converted.row), converted.reason),
-                     fmt::format("rows whose frames may stand as `--convention {}` has them", options.convention),
-                     "take --convention origin, which leaves frames where they are");
+    throw InputError::saying(options.file,
+                             fmt::format("the frame of row {} cannot stand as `--convention {}` has it: {}",
+                                         inQuotes(converted.row), options.convention, converted.reason),
+                             "take --convention origin, which leaves frames where they are");
   std::vector<std::string> left_out;
   if (!given.arm.effects.empty()) left_out.emplace_back("the cell's effects: they are no numbers of rows");
   writeFileAtomically(options.out, armYaml(converted.arm, given.units, given.tool_axis), "--out");
@@ -192,11 +195,11 @@ int show(const ArmOptions& options) {
 
 int exportArm(const ArmOptions& options) {
   if (!options.into.empty() && !options.convention.empty())
-    throw InputError("--into", "--convention beside it", "one of them",
-                     "take --into for a URDF file, --convention for an arm file");
+    throw InputError::saying("--into", "this option cannot be combined with --convention",
+                             "take --into for a URDF file, --convention for an arm file");
   if (options.is_kinematics && !(options.into.empty() && options.convention.empty()))
-    throw InputError("--kinematics", "--into or --convention beside it", "one of them",
-                     "take --kinematics for the YAML file of ROS alone");
+    throw InputError::saying("--kinematics", "this option cannot be combined with --into or --convention",
+                             "take --kinematics only for the YAML file of ROS");
   if (options.is_kinematics) return exportKinematics(options);
   if (!options.into.empty()) return exportIntoUrdf(options);
   return options.convention.empty() ? exportUrdf(options) : exportRows(options);
@@ -221,15 +224,18 @@ void requireOptionsOf(const ArmOptions& options) {
              {"--format", format, {"show"}}};
   for (const auto& [name, value, actions] : own)
     if (!value.empty() && std::ranges::find(actions, options.action) == actions.end())
-      throw InputError(name, "an option of " + fmt::format("`arm {}`", fmt::join(actions, "` or `arm ")),
-                       fmt::format("options of `arm {}`", options.action), "leave it out");
+      throw InputError::saying(name,
+                               fmt::format("this is an option of `arm {}`, not of `arm {}`",
+                                           fmt::join(actions, "` or `arm "), options.action),
+                               "leave it out");
 }
 
 int run(const ArmOptions& options) {
   requireOptionsOf(options);
   if (options.action == "show") return show(options);
   if (options.out.empty())
-    throw InputError("--out", "nothing", fmt::format("the file that `arm {}` writes", options.action));
+    throw InputError::saying("--out", "the option is missing",
+                             fmt::format("name the file that `arm {}` writes", options.action));
   if (options.action == "export") return exportArm(options);
   const bool is_calibration = !options.nominal.empty() || options.file.ends_with(".conf") || isYaml(options.file);
   return is_calibration ? importCalibration(options) : importUrdf(options);
@@ -243,7 +249,7 @@ Run configureArm(CLI::App& cli) {
                  "import (from URDF, a controller's calibration.conf or ROS's kinematics of a UR), export (to URDF, by "
                  "--convention or --kinematics) or show")
       ->required()
-      ->check(CLI::IsMember({"import", "export", "show"}));
+      ->check(oneOf({"import", "export", "show"}));
   cli.add_option(
          "FILE", options->file,
          "a URDF file, an arm file, a cell, a controller's calibration.conf or a kinematics YAML of ur_calibration")
@@ -254,7 +260,7 @@ Run configureArm(CLI::App& cli) {
   cli.add_option(
          "--convention", options->convention,
          "export: an arm file with rows by Craig's numbers, the standard ones or origins, instead of a URDF file")
-      ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
+      ->check(oneOf(std::vector<std::string>(names.begin(), names.end())));
   cli.add_option("--nominal", options->nominal,
                  "import of calibration.conf: the arm file with the model's standard table, to which it adds; of a "
                  "kinematics YAML: the arm imported from the robot's URDF, whose origins it replaces");

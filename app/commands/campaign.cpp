@@ -48,7 +48,8 @@ class CampaignDesk {
       : options_(options), campaign_(campaign), runs_(static_cast<std::uint64_t>(options.runs)) {
     checkFigures(options.figures);
     if (options.resume && options.out.empty())
-      throw InputError("--resume", "no folder to continue in", "--out DIR", "name the folder of the stopped campaign");
+      throw InputError::saying("--resume", "the folder to continue in is missing",
+                               "add --out with the folder of the stopped campaign");
     RunSet done;
     noteStopSignals();  // before the first folder is made, so that a stop removes it
     if (!options.out.empty()) {
@@ -57,7 +58,7 @@ class CampaignDesk {
       keeper_.emplace(folder_->path(), options.resume);
       if (const auto kept = keeper_->begin(campaign.question, runs_)) {
         if (!campaign.experiment->add(kept->total))
-          throw InputError(keeper_->path().string(), "a tally of another format", "one of this campaign",
+          throw InputError(keeper_->path().string(), "a tally of another format", "that of this campaign",
                            "remove it to start again");
         done = kept->done;
       }
@@ -117,9 +118,9 @@ class CampaignDesk {
 void checkOptions(const CampaignOptions& options) {
   constexpr std::int64_t kMostRuns = 1'000'000'000;
   if (options.runs < 1 || options.runs > kMostRuns)
-    throw InputError("--runs", std::to_string(options.runs), fmt::format("1 to {} runs", kMostRuns));
+    throw InputError("--runs", std::to_string(options.runs), fmt::format("1 to {}", kMostRuns));
   if (options.jobs < 0 || options.jobs > 1024)
-    throw InputError("--jobs", std::to_string(options.jobs), "1 to 1024 workers");
+    throw InputError("--jobs", std::to_string(options.jobs), "0 to 1024", "0 takes one for each core");
 }
 
 int workersOf(const CampaignOptions& options) {
@@ -154,8 +155,8 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
     // error.
     if (ranks.rank() > 0) return kDone;
     if (wrong) throw *wrong;
-    throw InputError("campaign", "different options on one of the machines, or none",
-                     "the same program and the same files on each", "copy them to every machine");
+    throw InputError::saying("campaign", "one of the machines has other options or files, or could not read them",
+                             "copy the same program and the same files to every machine");
   }
   if (desk) return desk->run(workersOf(options), &ranks);
   noteStopSignals();  // the first rank decides on the end
@@ -166,8 +167,8 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
 int run(const CampaignOptions& options) {
   if (!areRanksLaunched()) return runAlone(options);
   if (!isBuiltForRanks())
-    throw InputError("campaign", "several processes started together", "one: this program is built without MPI",
-                     "run it once, with --jobs, or build it where CMake finds MPI");
+    throw InputError::saying("campaign", "several processes were started together, but this program has no MPI",
+                             "run it once, with --jobs, or build it where CMake finds MPI");
   Ranks ranks;
   return runRanked(options, ranks);
 }
@@ -180,9 +181,10 @@ void requireOptionsOf(const CLI::App& cli, const std::string& chosen) {
     if (kind.name == chosen) continue;
     for (const auto* option : cli.get_options([&](const auto* one) { return one->get_group() == groupOf(kind.name); }))
       if (option->count() > 0)
-        throw InputError(option->get_name(), "an option of another kind of campaign",
-                         fmt::format("options of kind {}", chosen),
-                         fmt::format("add --kind {}, or leave it out", kind.name));
+        throw InputError::saying(
+            option->get_name(),
+            fmt::format("this is an option of campaigns of kind {}, not of kind {}", kind.name, chosen),
+            fmt::format("add --kind {}, or leave it out", kind.name));
   }
 }
 

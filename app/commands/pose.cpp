@@ -92,7 +92,8 @@ int run(const PoseOptions& options) {
   checkFigures(options.figures);
   const auto shape = deflection::solveFlexibleKinematics(cell.arm, posture);
   if (shape.status == deflection::KinematicsStatus::kUndefined)
-    throw InputError("--joints", shape.reason, "a posture at which every formula of the cell has a value");
+    throw InputError::saying("--joints", shape.reason,
+                             "choose a posture at which every formula of the cell has a value");
   if (shape.status != deflection::KinematicsStatus::kConverged) {
     fmt::print(stderr, "{}\n", shape.reason);
     return kNegativeAnswer;

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/cli/command.hpp"
+#include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/formats/cell/cell_reader.hpp"
 #include "app/formats/foreign/clock_time.hpp"
@@ -33,10 +34,11 @@ std::map<UnitKind, const Unit*> unitsOf(const std::vector<std::string>& words) {
   std::map<UnitKind, const Unit*> units;
   for (const auto& word : words) {
     const Unit* unit = findUnitWord(word);
-    if (!unit) throw InputError("--units", inQuotes(word), "units such as mm, deg, N", "");
+    if (!unit) throw InputError("--units", inQuotes(word), "a unit such as mm, deg or N");
     if (!units.emplace(unit->kind, unit).second)
-      throw InputError("--units", fmt::format("{} beside {}", unit->name, units[unit->kind]->name), "one of a kind",
-                       "");
+      throw InputError::saying(
+          "--units", fmt::format("{} and {} are units of the same quantity", units[unit->kind]->name, unit->name),
+          "name one unit of each kind");
   }
   return units;
 }
@@ -68,7 +70,8 @@ int run(const ReadingsOptions& options) {
     write(options, measurementsCsv({}, cell.arm, cell.units));
     return kDone;
   }
-  if (options.files.empty()) throw InputError("FILES", "none", "the tables to read", "name one or more, or --template");
+  if (options.files.empty())
+    throw InputError::saying("readings", "FILES are missing", "name the tables to read, or give --template");
   ForeignRequest request{
       {}, {options.columns, unitsOf(options.units), options.orientation, options.points, options.dates}, options.kind};
   for (const auto& file : options.files) request.tables.push_back(parseForeignTable(readTextFile(file), file));
@@ -99,13 +102,13 @@ Run configureReadings(CLI::App& cli) {
   cli.add_option("--units", options->units, "units of columns that state none: mm,deg,N")->delimiter(',');
   cli.add_option("--kind", options->kind,
                  "kind of the readings, where no column states it (default: position, or touch without coordinates)")
-      ->check(CLI::IsMember(calibration::measurementKindNames()));
+      ->check(oneOf(calibration::measurementKindNames()));
   cli.add_option("--orientation", options->orientation, "form in which the columns state how the tool is turned")
-      ->check(CLI::IsMember(formNames(Stated::kTurn)));
+      ->check(oneOf(formNames(Stated::kTurn)));
   cli.add_option("--points", options->points, "form in which the columns state places, where it is not x, y, z")
-      ->check(CLI::IsMember(formNames(Stated::kPlace)));
+      ->check(oneOf(formNames(Stated::kPlace)));
   cli.add_option("--dates", options->dates, "which number of dates such as 3/5/2024 is the day")
-      ->check(CLI::IsMember({nameOf(DateOrder::kDayFirst), nameOf(DateOrder::kMonthFirst)}));
+      ->check(oneOf({nameOf(DateOrder::kDayFirst), nameOf(DateOrder::kMonthFirst)}));
   cli.add_option("--out", options->out, "write the measurement table to this file, else to standard output");
   cli.add_flag("--template", options->is_template, "an empty table for this arm, to be filled in");
   return [options] { return run(*options); };

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
+#include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/score_runs.hpp"
 #include "app/documents/calibration_json.hpp"
@@ -173,7 +174,9 @@ int run(const ScoreOptions& options) {
   const Cell true_cell = readCell(options.truth);
   const auto model = workcellOf(cell, "score positioning"), truth = workcellOf(true_cell, "score against it");
   if (model.sheet.fingerprint() != truth.sheet.fingerprint())
-    throw InputError(options.truth, "another tube sheet", "the cell's, fingerprint " + model.sheet.fingerprint());
+    throw InputError(options.truth, "a tube sheet of fingerprint " + truth.sheet.fingerprint(),
+                     "the cell's, of fingerprint " + model.sheet.fingerprint(),
+                     "name a true cell under the same tube sheet");
   checkFigures(options.figures);
   const std::size_t spread = options.runs > 0 ? kTubesOfRuns : kTubes;
   requireWorkList(options.columns, {options.tubes});
@@ -204,15 +207,15 @@ Run configureScore(CLI::App& cli) {
   addListColumns(cli, options->columns);
   auto* runs = cli.add_option("--runs", options->runs,
                               "repeat the thesis's experiment N times, each with a true arm drawn about the given one")
-                   ->check(CLI::Range(0, 1000000));
+                   ->check(within(0, 1000000));
   cli.add_option("--unmodelled", options->unmodelled,
                  "with --runs: standard deviation of the true arm's unmodelled error, per coordinate")
       ->needs(runs)
-      ->check(CLI::NonNegativeNumber);
+      ->check(notNegative());
   cli.add_option("--stiffness", options->stiffness,
                  "with --runs: relative standard deviation of the true arm's stiffnesses")
       ->needs(runs)
-      ->check(CLI::NonNegativeNumber);
+      ->check(notNegative());
   addSeed(cli, options->seed, "seed of the random numbers");
   addFigures(cli, options->figures);
   return [options] { return run(*options); };

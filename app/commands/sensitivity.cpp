@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.hpp"
+#include "app/commands/option_checks.hpp"
 #include "app/commands/option_groups.hpp"
 #include "app/commands/reading_answer.hpp"
 #include "app/documents/measurement_checks_json.hpp"
@@ -108,7 +109,7 @@ int run(const SensitivityOptions& options) {
     checks = made.checks;
     const auto estimate = estimateOf(cell, made.readings, {cell.identify, !cell.base_known}, cell.path + " (identify)");
     if (!estimate.note.empty())
-      throw InputError(options.readings, estimate.note, "readings that determine the parameters");
+      throw InputError::saying(options.readings, estimate.note, "give readings that determine the parameters");
     cell = cellAsEstimated(cell, estimate);
     report.sigmas = posteriorSigmas(estimate, cell.arm);
   }
@@ -146,7 +147,7 @@ Run configureSensitivity(CLI::App& cli) {
                  "standard deviation of each");
   addAssumeOption(cli, options->assume);
   cli.add_option("--postures", options->postures, "number of random postures, where there is no tube sheet")
-      ->check(CLI::Range(3, 10000))
+      ->check(within(3, 10000))
       ->capture_default_str();
   addSeed(cli, options->seed, "seed of the random postures");
   addFigures(cli, options->figures);

@@ -12,6 +12,7 @@
 #include "app/cli/browser.hpp"
 #include "app/cli/command.hpp"
 #include "app/cli/stop_signal.hpp"
+#include "app/commands/option_checks.hpp"
 #include "app/storage/input_error.hpp"
 #include "app/workbench/http_server.hpp"
 #include "app/workbench/line_server.hpp"
@@ -35,13 +36,13 @@ constexpr auto kGlanceAtArm = std::chrono::milliseconds(50);  // interval of che
 void requireToken(const DoorRules& door) {
   if (door.token.empty() && isLoopback(door.host)) return;
   if (door.token.empty())
-    throw InputError("--host", inQuotes(door.host) + " without a token", "--token TEXT with it",
-                     "others on the network must show it");
+    throw InputError::saying("--host", "others on the network could reach " + inQuotes(door.host) + " without a token",
+                             "add --token TEXT, which they must then show");
   const bool is_plain = std::all_of(door.token.begin(), door.token.end(),
                                     [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
   if (!is_plain || door.token.size() < kShortestToken)
-    throw InputError("--token", "one that is too short or has other signs",
-                     fmt::format("{} or more letters, digits, - and _", kShortestToken));
+    throw InputError::saying("--token", "the token is too short or has other signs than letters, digits, - and _",
+                             fmt::format("give at least {} of these", kShortestToken));
 }
 
 int run(const ServeOptions& options) {
@@ -78,7 +79,7 @@ Run configureServe(CLI::App& cli) {
   cli.add_option("CELL", options->workbench.cell, "the cell file, or a project that was saved")->required();
   cli.add_option("MEASUREMENTS", options->workbench.measurements, "readings of any kind (CSV), taken together");
   cli.add_option("--port", options->door.port, "where to listen; 0 takes any free one")
-      ->check(CLI::Range(0, 65535))
+      ->check(within(0, 65535))
       ->capture_default_str();
   cli.add_option("--host", options->door.host, "the address to listen at; any but loopback requires --token")
       ->capture_default_str();
@@ -94,7 +95,7 @@ Run configureServe(CLI::App& cli) {
                  "follow this file (CSV): readings that are added to it, or joint readings of a running arm");
   cli.add_option("--lines", options->lines,
                  "take postures of a running arm as lines of text at this TCP port too; 0 takes any free one")
-      ->check(CLI::Range(0, 65535));
+      ->check(within(0, 65535));
   cli.add_option("--page", options->page, "serve the page from this folder instead of the program's own");
   cli.add_flag("--open", options->open, "open the page in a browser");
   return [options] { return run(*options); };

@@ -135,8 +135,10 @@ int run(const VerifyOptions& options) {
   checkFigures(options.figures);
   const planner::Workcell work = checkedWorkcell(cell, planned, files);
   if (files.padding_sigmas > 0 && work.base_covariance.isZero(0))
-    throw InputError(options.folder + "/plan.json padding", "a plan kept off by what the base may be out",
-                     "a cell.yaml beside it with the base's covariance", "plan again");
+    throw InputError::saying(options.folder + "/plan.json padding",
+                             "the plan has a padding for the uncertainty of the base, but the cell.yaml beside it has "
+                             "no covariance of the base",
+                             "plan again");
   planner::PlanCheckOptions checks;
   checks.padding = files.padding_sigmas;
   checks.via_points = files.compensation == "via-point";

@@ -47,7 +47,7 @@ template <class T>
 void refuseTwice(const std::string& option, std::vector<T> values) {
   std::sort(values.begin(), values.end());
   if (const auto twice = std::adjacent_find(values.begin(), values.end()); twice != values.end())
-    throw InputError(option, fmt::format("{} twice", *twice), "each once");
+    throw InputError::saying(option, fmt::format("{} is named twice", *twice), "name each value once");
 }
 
 TouchRule ruleOf(const std::string& name) {
@@ -99,7 +99,7 @@ std::vector<CentringSetting> settingsOf(const CampaignRequest& request, const Ce
   }
   if (settings.size() > kMostSettings)
     throw InputError("--touches, --choice, --touch-sigma", fmt::format("{} settings in all", settings.size()),
-                     fmt::format("up to {}", kMostSettings), "split the campaign");
+                     fmt::format("at most {}", kMostSettings), "split the campaign");
   return settings;
 }
 
@@ -117,7 +117,7 @@ void findHoles(const CampaignRequest& request, CentringTask& task) {
   if (static_cast<int>(task.holes.visited.size()) < request.holes)
     throw InputError(
         "--tubes " + tubes, fmt::format("{} holes in reach of {} tubes", task.holes.visited.size(), task.tubes),
-        fmt::format("{} at least, as many as a run visits", request.holes), "name more tubes, or fewer --holes");
+        fmt::format("at least the {} that a run visits", request.holes), "name more tubes, or fewer --holes");
   for (const auto& setting : task.options.settings)
     if (setting.rule == TouchRule::kBest && task.holes.touchable.empty())
       task.holes.touchable = touchCandidates(task.model, kTouchableHoles);
@@ -132,7 +132,8 @@ void requireTouchable(const CentringTask& task) {
     if (setting.touches > most)
       throw InputError(
           "--touches", std::to_string(setting.touches),
-          fmt::format("up to {}: so many holes {}", most, is_tested ? "are visited in a run" : "can be touched"));
+          fmt::format("at most the {} holes that {}", most, is_tested ? "are visited in a run" : "can be touched"),
+          is_tested ? "touch fewer, or visit more by --holes" : "touch fewer");
   }
 }
 
@@ -146,9 +147,11 @@ CentringTask centringTask(const CampaignRequest& request) {
   const std::string truth = request.truth.empty() ? request.cell : request.truth;
   task.truth = workcellOf(readCell(truth), "score against it");
   if (task.model.sheet.fingerprint() != task.truth.sheet.fingerprint())
-    throw InputError(truth, "another tube sheet", "the cell's, fingerprint " + task.model.sheet.fingerprint());
+    throw InputError(truth, "a tube sheet of fingerprint " + task.truth.sheet.fingerprint(),
+                     "the cell's, of fingerprint " + task.model.sheet.fingerprint(),
+                     "name a true cell under the same tube sheet");
   if (request.holes < 1 || request.holes > 1000)
-    throw InputError("--holes", std::to_string(request.holes), "1 to 1000 holes in a run");
+    throw InputError("--holes", std::to_string(request.holes), "1 to 1000 holes in each run");
   if (request.encoder_sigma)
     for (auto* arm : {&task.model.arm, &task.truth.arm})
       setEncoderSigma(angleFrom("--encoder-sigma", request.encoder_sigma, 0, task.cell.units), *arm);
