@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -24,6 +26,13 @@ int tellOfOutput(int error) {
   return tubeplan::app::kBadInput;
 }
 
+/// Has freed memory kept for later allocations: MUMPS frees and takes some megabytes in every iteration of Ipopt.
+void keepFreedMemory() {
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+  mallopt(M_TOP_PAD, 16 << 20);
+}
+
 /// Ends the program with a message for an exception outside of any handler. Such a case is lack of memory for a new
 /// thread of oneTBB's pool. The next run removes partly written files, as after a kill.
 [[noreturn]] void endInWords() {
@@ -44,6 +53,7 @@ int tellOfOutput(int error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepFreedMemory();
   std::set_terminate(endInWords);
   std::signal(SIGPIPE, SIG_IGN);  // a write to a closed pipe fails like any other
   try {
