@@ -35,12 +35,12 @@ std::string unquote(std::string_view quoted) {
 std::optional<Problem> findHeaderProblem(const std::vector<std::string>& columns, int line) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (columns[i].empty())
-      return Problem{fmt::format("header, column {}", i + 1), "the column has no name", "", "", line};
+      return Problem{"header", fmt::format("column {} has no name", i + 1), "", "name every column", line};
     if (parseNumber(columns[i]))
       return Problem{"header", "the number " + columns[i], "names of columns", "add a header line", line};
     if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) !=
         columns.begin() + static_cast<std::ptrdiff_t>(i))
-      return Problem{"header", "two columns are named \"" + columns[i] + "\"", "", "", line};
+      return Problem{"header", "the column \"" + columns[i] + "\" occurs twice", "", "rename or remove one", line};
   }
   return std::nullopt;
 }
@@ -50,7 +50,7 @@ void addLine(CsvTable& table, std::string_view text, int line) {
   if (text.find('\0') != std::string_view::npos) {
     table.problem = Problem{"text", "a zero byte", "comma-separated text", "save the table as CSV", line};
   } else if (!fields) {
-    table.problem = Problem{"text", "a field begins with a quote but does not end with one", "", "", line};
+    table.problem = Problem{"text", "a quote is not closed", "", "write quotes in pairs around a field", line};
   } else if (table.columns.empty()) {
     table.columns = std::move(*fields);
     table.header_line = line;
@@ -125,7 +125,7 @@ CsvTable parseCsv(std::string_view text) {
     if (table.problem) break;
   }
   if (!table.problem && table.columns.empty())
-    table.problem = Problem{"text", "there is no header line with the columns' names", "", "", 0};
+    table.problem = Problem{"text", "there is no header line", "", "write one with the columns' names", 0};
   return table;
 }
 

@@ -32,11 +32,9 @@ class MapReader {
     for (const auto& [axis, name, unit] :
          {std::tuple{TubeColumn::kX, 'x', map_.table.unit_x}, std::tuple{TubeColumn::kY, 'y', map_.table.unit_y}})
       if (!unit)
-        map_.refuse(Problem{"header",
-                            map_.table.has(axis) ? fmt::format("the column for {} states no unit", name)
-                                                 : fmt::format("there is no column for {}", name),
-                            "", fmt::format("name the column {0}_in, {0}_mm or {0}_m", name),
-                            map_.table.text.heading_line});
+        map_.refuse(Problem{
+            "header", fmt::format("there is no {} for {}", map_.table.has(axis) ? "unit" : "column", name), "",
+            fmt::format("name the column with its unit: {0}_in, {0}_mm or {0}_m", name), map_.table.text.heading_line});
   }
 
   void readRow(const CsvRow& row) {
@@ -53,7 +51,7 @@ class MapReader {
     const auto [first, is_new] = lines_.try_emplace({tube.row, tube.column}, row.line);
     if (!is_new)
       map_.refuse(Problem{tubeName(tube.row, tube.column),
-                          fmt::format("the tube is named a second time (first on line {})", first->second), "",
+                          fmt::format("the tube occurs a second time (first on line {})", first->second), "",
                           "remove one of the lines", row.line});
     map_.tubes.push_back(tube);
   }

@@ -25,7 +25,7 @@ void findKeyProblems(const Layout& layout, const LayoutType& type, std::vector<P
     const bool is_good = std::isfinite(number) && (key.required ? number > 0 : number >= 0);
     const bool is_count = std::holds_alternative<int Layout::*>(key.field);
     const std::string found = is_count ? fmt::format("{}", number) : fmt::format("{} m", number);
-    const std::string limit = key.required ? "a number above zero" : "a number not below zero";
+    const std::string limit = key.required ? "a number above zero" : "zero or more";
     if (!is_good) problems.push_back({std::string(key.name), found, limit, std::string(key.meaning)});
     if (is_good && is_count && number > kMostLines)
       problems.push_back({std::string(key.name), found, fmt::format("at most {}", kMostLines), ""});
@@ -40,7 +40,7 @@ void findSizeProblems(const Layout& layout, const LayoutType& type, std::vector<
     problems.push_back({"stay_radius", fmt::format("{:.6g} m", layout.stay_radius),
                         fmt::format("less than the radius, {:.6g} m", layout.radius), ""});
   if (layout.columns > 0 && type.columns_modulo_two >= 0 && layout.columns % 2 != type.columns_modulo_two)
-    problems.push_back({"columns", fmt::format("{}", layout.columns), "an odd number: one column lies on x = 0",
+    problems.push_back({"columns", fmt::format("{}", layout.columns), "an odd number, as one column lies on x = 0",
                         "leave it out to have it derived"});
 }
 
@@ -56,7 +56,7 @@ void findNumberingProblems(const Layout& layout, const LayoutType& type, std::ve
   for (const Tube& tube : tubes) first = std::min(first, tube.column);
   if (first > 1)
     problems.push_back({"columns", fmt::format("{}", layout.columns),
-                        fmt::format("at most {}: no more fit within the radius", layout.columns - 2 * (first - 1)),
+                        fmt::format("at most {}, as no more fit within the radius", layout.columns - 2 * (first - 1)),
                         "leave it out to have it derived"});
 }
 

@@ -23,7 +23,7 @@ std::vector<Problem> findManwayProblems(const Manway& manway, Leg leg) {
   std::vector<Problem> problems;
   const double side = leg == Leg::kHot ? 1 : -1;
   if (!(manway.centre.z() < 0))
-    problems.push_back({centre, placeOf(manway), "z below 0, for the bowl hangs below the sheet", "reverse its sign"});
+    problems.push_back({centre, placeOf(manway), "z below 0, as the bowl hangs below the sheet", "reverse its sign"});
   if (manway.centre.head<2>().norm() < kAside)
     problems.push_back({centre, placeOf(manway), "a place beside the line straight below the sheet's middle", ""});
   else if (leg != Leg::kFull && !(side * manway.centre.y() > 0))
@@ -31,10 +31,11 @@ std::vector<Problem> findManwayProblems(const Manway& manway, Leg leg) {
                         fmt::format("y {} 0 in the {} leg", side > 0 ? "above" : "below", legName(leg)),
                         "each leg has a manway of its own"});
   if (!std::isfinite(manway.diameter) || manway.diameter <= 0 || manway.diameter >= 2 * manway.centre.norm())
-    problems.push_back({"manway.diameter", fmt::format("{:.6g} m", manway.diameter),
-                        fmt::format("above zero and below twice the distance from the sheet's middle, {:.6g} m",
-                                    2 * manway.centre.norm()),
-                        ""});
+    problems.push_back(
+        {"manway.diameter", fmt::format("{:.6g} m", manway.diameter),
+         fmt::format("a length above zero and below twice the distance from the sheet's middle, {:.6g} m",
+                     2 * manway.centre.norm()),
+         ""});
   return problems;
 }
 

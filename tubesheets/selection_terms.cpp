@@ -100,7 +100,8 @@ TermChoice thinSpread(const Sheet& sheet, const std::vector<int>& candidates, st
   const std::optional<int> count = parseCount(argument);
   if (!count) return refuseTerm(std::string(kExpectedCount));
   if (*count > static_cast<int>(candidates.size()))
-    return refuseTerm(fmt::format("asks for {} tubes, but the rest of the list selects {}", *count, candidates.size()));
+    return refuseTerm(
+        fmt::format("it asks for {} tubes, but the rest of the list selects {}", *count, candidates.size()));
   return {chooseSpread(sheet, candidates, *count), ""};
 }
 
@@ -127,7 +128,7 @@ bool takeSpan(std::string_view& text, char letter, std::optional<Span>& span) {
 }
 
 std::string explainSpan(std::string_view name, const Span& span, int last) {
-  if (span.last < span.first) return fmt::format("{} {} to {}: reversed limits", name, span.first, span.last);
+  if (span.last < span.first) return fmt::format("the limits {0} {1} to {2} are reversed", name, span.first, span.last);
   if (span.last > last) return fmt::format("{0} {1} is not on this sheet: {0}s 1 to {2}", name, span.last, last);
   return "";
 }

@@ -64,7 +64,8 @@ std::vector<Problem> findDescriptionProblems(const SheetDescription& description
   const double diameter = description.hole_diameter;
   if (!std::isfinite(diameter) || diameter <= 0 || diameter >= description.layout.pitch)
     problems.push_back({"hole_diameter", fmt::format("{:.6g} m", diameter),
-                        fmt::format("above zero and below the pitch, {:.6g} m", description.layout.pitch), ""});
+                        fmt::format("a length above zero and below the pitch, {:.6g} m", description.layout.pitch),
+                        ""});
   const bool is_full = findLayoutType(description.layout.type)->covers_full_sheet;
   if (is_full != (description.leg == Leg::kFull))
     problems.push_back(

@@ -27,7 +27,7 @@ void findNumberProblems(const Sheet& sheet, std::vector<Problem>& problems) {
     problems.push_back({"pitch", fmt::format("{} m", sheet.pitch), "a number above zero", ""});
   if (!std::isfinite(sheet.hole_diameter) || sheet.hole_diameter <= 0 || sheet.hole_diameter >= sheet.pitch)
     problems.push_back({"hole_diameter", fmt::format("{} m", sheet.hole_diameter),
-                        fmt::format("above zero and below the pitch, {} m", sheet.pitch), ""});
+                        fmt::format("a length above zero and below the pitch, {} m", sheet.pitch), ""});
   if (sheet.tubes.empty()) problems.push_back({"sheet", "no holes", "at least one hole", ""});
 }
 
@@ -50,8 +50,9 @@ void findOrderProblems(const Sheet& sheet, std::vector<Problem>& problems) {
       problems.push_back({nameOf(tube), "two holes have this name, at " + placeOf(before) + " and " + placeOf(tube), "",
                           "remove one, or correct its row or column"});
     if (before.row > tube.row || (before.row == tube.row && before.column > tube.column))
-      problems.push_back({nameOf(tube), "the hole is listed after " + nameOf(before), "",
-                          "list holes by row, then by column, as makeSheet() does"});
+      problems.push_back({nameOf(tube),
+                          "the hole is listed after " + nameOf(before) + ", but holes go by row, then by column", "",
+                          "use makeSheet"});
   }
 }
 
@@ -77,8 +78,10 @@ void findOverlaps(const Sheet& sheet, std::vector<Problem>& problems) {
       if (problems.size() >= kMostProblems) return;
       const double distance = std::hypot(sheet.tubes[other].x - tube.x, sheet.tubes[other].y - tube.y);
       problems.push_back(
-          {nameOf(tube) + " and " + nameOf(sheet.tubes[other]), fmt::format("centres {:.6g} m apart", distance),
-           fmt::format("more than the hole diameter, {:.6g} m", sheet.hole_diameter), "the holes overlap"});
+          {nameOf(tube) + " and " + nameOf(sheet.tubes[other]),
+           fmt::format("the holes overlap: their centres are {:.6g} m apart, and the hole diameter is {:.6g} m",
+                       distance, sheet.hole_diameter),
+           "", "correct their coordinates or the hole diameter"});
     }
   }
 }
@@ -124,9 +127,10 @@ void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::v
   if (distances.size() < 2 || 2 * distances.size() < sheet.tubes.size()) return;              // a list of a few holes
   const double distance = medianOf(distances);
   if (std::abs(distance - sheet.pitch) <= kAsDrawn * sheet.pitch) return;
-  problems.insert(problems.begin(), {"pitch", fmt::format("{:.6g} m", sheet.pitch),
-                                     fmt::format("{:.6g} m, the distance of most holes from the nearest", distance),
-                                     "correct the pitch, or the unit in the column's name"});
+  problems.insert(problems.begin(), {"pitch",
+                                     fmt::format("most holes are {:.6g} m from the nearest, but the pitch is {:.6g} m",
+                                                 distance, sheet.pitch),
+                                     "", "correct the pitch, or the unit in the column's name"});
 }
 
 // Finds holes far apart on a grid of millimetres, which are read as inches.
@@ -151,7 +155,7 @@ void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
   if (pitches >= kFar || isMultipleOf(1) || !isMultipleOf(25.4)) return;
   problems.insert(problems.begin(),
                   {"spacing", fmt::format("holes {:.6g} m apart, {:.4g} pitches", pitches * sheet.pitch, pitches),
-                   "whole pitches", "they would be in millimetres: check the unit in the column's name"});
+                   "a whole number of pitches", "they may be in millimetres: check the unit in the column's name"});
 }
 
 // Checks the distance to the nearest hole of each, near or far.

@@ -14,7 +14,7 @@ bool isPositive(double number) { return std::isfinite(number) && number > 0; }
 void findStepProblems(const Step& step, const std::string& name, double hole_diameter, std::vector<Problem>& problems) {
   if (!isPositive(step.diameter) || !(step.diameter < hole_diameter))
     problems.push_back({name + ".diameter", fmt::format("{:.6g} m", step.diameter),
-                        fmt::format("above zero and below the hole's diameter, {:.6g} m", hole_diameter), ""});
+                        fmt::format("a length above zero and below the hole's diameter, {:.6g} m", hole_diameter), ""});
   if (!isPositive(step.tolerance))
     problems.push_back({name + ".tolerance", fmt::format("{:.6g} m", step.tolerance), "a number above zero", ""});
   const double gap = (hole_diameter - step.diameter) / 2;

@@ -133,8 +133,7 @@ class TableParser {
     for (std::size_t k = first; k < lines_.size(); ++k) {
       auto fields = fieldsIn(lines_[k], width);
       if (!fields) {
-        refuse({"row", "a field begins with a quote but does not end with one", "",
-                "write quotes in pairs around a field", lines_[k].number});
+        refuse({"row", "a quote is not closed", "", "write quotes in pairs around a field", lines_[k].number});
         return rows;
       }
       rows.push_back({lines_[k].number, std::move(*fields)});
@@ -182,18 +181,17 @@ class TableParser {
   }
 
   void refuseHeadless() {
-    if (lines_.empty())
-      return refuse({"text", "there is no header line with the columns' names", "", "begin the table with one", 0});
+    if (lines_.empty()) return refuse({"text", "there is no header line", "", "write one with the columns' names", 0});
     const auto fields = splitCsvLine(lines_.front().text, ',');
     if (!fields)
-      return refuse({"header", "a field begins with a quote but does not end with one", "",
-                     "write quotes in pairs around a field", lines_.front().number});
+      return refuse(
+          {"header", "a quote is not closed", "", "write quotes in pairs around a field", lines_.front().number});
     const bool is_row = hasNumbers(*fields, ';');
     refuse({"header",
-            is_row ? fmt::format("the row {} stands before a header line", lines_.front().text)
+            is_row ? fmt::format("the first line is the row {}", lines_.front().text)
                    : std::string("no line names the columns \"row\" and \"column\", or \"tube\""),
             "",
-            is_row ? "add a header line with columns named \"row\" and \"column\", or \"tube\""
+            is_row ? "add a header line with \"row\" and \"column\", or \"tube\""
                    : "name the columns in one line above the rows",
             lines_.front().number});
   }
@@ -225,9 +223,9 @@ class TableParser {
   void beginAtNumbers() {
     const std::size_t width = chooseSeparator();
     if (width == 0)
-      return refuse({"text", "lines that form no table",
-                     "rows of equally many fields, separated by tab, semicolon, comma, | or blanks",
-                     "export the readings as text or CSV", 0});
+      return refuse({"text",
+                     "the lines form no table of equally many fields, separated by tab, semicolon, comma, | or blanks",
+                     "", "export the readings as text or CSV", 0});
     std::vector<CsvRow> rows = rowsFrom(0, width);
     if (table_.problem) return;
     const auto isFirst = [&](const CsvRow& row) {
@@ -336,10 +334,11 @@ class TableParser {
       for (const CsvRow& row : table_.rows)
         for (const auto& field : row.fields)
           if (isAmbiguous(field, other))
-            return refuse({"row",
-                           fmt::format("\"{}\" is ambiguous, as other numbers have a decimal {}", field,
-                                       decimal == ',' ? "comma" : "point"),
-                           "", "export the numbers without separators of thousands", row.line});
+            return refuse(
+                {"row",
+                 fmt::format("the number \"{}\" may have a separator of thousands: other numbers have a decimal {}",
+                             field, decimal == ',' ? "comma" : "point"),
+                 "", "export the numbers without separators of thousands", row.line});
     }
   }
 

@@ -27,10 +27,10 @@ class ColumnFinder {
     stated_ = statedUnit(table_.text.lines_before, isTubeUnit);
     for (std::size_t c = 0; c < columns.size() && !table_.problem; ++c) {
       if (columns[c].empty())
-        refuse(fmt::format("header, column {}", c + 1), "the column has no name", "", "name every column");
+        refuse("header", fmt::format("column {} has no name", c + 1), "", "name every column");
       else if (std::ranges::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(c), columns[c]) !=
                columns.begin() + static_cast<std::ptrdiff_t>(c))
-        refuse("header", "two columns are named \"" + columns[c] + "\"", "", "rename or remove one");
+        refuse("header", "the column \"" + columns[c] + "\" occurs twice", "", "rename or remove one");
       else
         take(c);
     }
@@ -67,8 +67,8 @@ class ColumnFinder {
     const TubeHeading says = readTubeHeading(heading);
     if (says.column) return put(*says.column, c, says.unit);
     if (const auto meant = tubeColumnMeantBy(heading))
-      refuse("header", fmt::format("the column \"{}\" may mean \"{}\"", heading, nameOf(*meant)), "",
-             fmt::format("name it \"{}\" if it does, else rename or remove it", nameOf(*meant)));
+      refuse("header", fmt::format("the column \"{}\" may be a misspelt \"{}\"", heading, nameOf(*meant)), "",
+             "rename or remove it");
     table_.unread.push_back(heading);
   }
 
@@ -80,10 +80,10 @@ class ColumnFinder {
     const auto [first, is_new] = table_.places.emplace(column, c);
     if (is_new || is_code) return;
     if (isPlaceColumn(column))
-      refuse("header", fmt::format("two columns state {}, in two units", nameOf(column)), "", "remove one of them");
+      refuse("header", fmt::format("{} has columns in two units", nameOf(column)), "", "remove one of them");
     else
       refuse("header",
-             fmt::format("the columns \"{}\" and \"{}\" both state the {}", table_.text.columns[first->second],
+             fmt::format("\"{}\" and \"{}\" are both columns for {}", table_.text.columns[first->second],
                          table_.text.columns[c], nameOf(column)),
              "", "rename or remove one of them");
   }
@@ -97,14 +97,15 @@ class ColumnFinder {
     if (table_.has(TubeColumn::kTube)) return;
     for (const auto& [column, name] : {std::pair{TubeColumn::kRow, "row"}, std::pair{TubeColumn::kColumn, "column"}})
       if (!table_.has(column))
-        refuse("header", fmt::format("columns {}", fmt::join(table_.text.columns, ", ")),
-               fmt::format("a column \"{}\"", name), "add it to the header");
+        refuse("header", fmt::format("there is no column \"{}\" among {}", name, fmt::join(table_.text.columns, ", ")),
+               "", "add it to the header");
   }
 
   void requireOneUnit() {
     if (table_.unit_x && table_.unit_y && table_.unit_x->suffix != table_.unit_y->suffix)
-      refuse("header", fmt::format("x in {} and y in {}", table_.unit_x->suffix, table_.unit_y->suffix),
-             "both in one unit", "convert one of them");
+      refuse("header",
+             fmt::format("x and y have different units, {} and {}", table_.unit_x->suffix, table_.unit_y->suffix), "",
+             "write both in one unit");
   }
 
   TubeTable table_;
@@ -159,7 +160,7 @@ void TubeText::readRows(std::string_view what, const std::function<void(const Cs
     readRow(row);
   }
   if (table.text.rows.empty())
-    refuse(Problem{"text", fmt::format("there are no {} below the header", what), "", "add at least one line",
+    refuse(Problem{"text", fmt::format("there are no {} below the header", what), "", "write a line for each",
                    table.text.heading_line});
   status = problem ? TubeTextStatus::kRefused : TubeTextStatus::kRead;
 }
@@ -185,7 +186,7 @@ NamedTube tubeOf(const TubeTable& table, const CsvRow& row) {
     return {
         {},
         Problem{table.nameOf(TubeColumn::kTube), "\"" + tube + "\"", "a tube such as R12C34, R012C034, 12-34 or 12/34",
-                "or give row and column in columns of their own", row.line}};
+                "otherwise give row and column in columns of their own", row.line}};
   for (const auto& [column, number] : {std::pair{TubeColumn::kRow, of_row}, std::pair{TubeColumn::kColumn, of_column}})
     if (table.has(column) && !number && (!named || !table.field(row, column).empty()))
       return {{}, badNumber(table, row, column)};

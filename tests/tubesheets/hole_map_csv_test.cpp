@@ -107,6 +107,7 @@ TEST_P(RefusedHoleMap, SaysWhereAndWhat) {
   EXPECT_TRUE(map.tubes.empty());
   EXPECT_EQ(map.problem->line, GetParam().line) << map.problem->sentence();
   EXPECT_NE(map.problem->sentence().find(GetParam().found), std::string::npos) << map.problem->sentence();
+  EXPECT_FALSE(map.problem->expected.empty() && map.problem->advice.empty());
 }
 
 const std::string kHeader = "row,column,x_in,y_in,state\n";
@@ -120,9 +121,9 @@ INSTANTIATE_TEST_SUITE_P(
                     BadText{"MissingX", "row,column,y_in\n1,1,1\n", 1, "no column for x"},
                     BadText{"NoUnit", "row,column,x,y\n1,1,1,1\n", 1, "x_in, x_mm or x_m"},
                     BadText{"UnknownUnit", "row,column,x_ft,y_ft\n1,1,1,1\n", 1, "x_in, x_mm or x_m"},
-                    BadText{"TwoUnits", "row,column,x_in,y_mm\n1,1,1,1\n", 1, "x in in and y in mm"},
+                    BadText{"TwoUnits", "row,column,x_in,y_mm\n1,1,1,1\n", 1, "in and mm"},
                     BadText{"XTwice", "row,column,x_in,x_mm,y_in\n1,1,1,1,1\n", 1, "two units"},
-                    BadText{"ColumnTwice", "row,row,column,x_in,y_in\n1,1,1,1,1\n", 1, "two columns are named \"row\""},
+                    BadText{"ColumnTwice", "row,row,column,x_in,y_in\n1,1,1,1,1\n", 1, "\"row\" occurs twice"},
                     BadText{"NamelessColumn", "row,column,x_in,y_in,\n1,1,1,1,\n", 1, "no name"},
                     BadText{"UnknownColumn", "row,column,x_in,y_in,stat\n1,1,1,1,open\n", 1, "\"stat\""},
                     BadText{"NaN", kHeader + "1,1,0,1,open\n1,2,nan,1,open\n", 3, "\"nan\""},

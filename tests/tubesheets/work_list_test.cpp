@@ -236,7 +236,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadRequest{"R3C1", "row 3 has columns 2 to 7"}, BadRequest{"-R60C3", "R60C3 is not on this sheet"},
                     BadRequest{"R1-60", "row 60 is not on this sheet: rows 1 to 4"},
                     BadRequest{"C9", "column 9 is not on this sheet"},
-                    BadRequest{"R3-2", "row 3 to 2: reversed limits"},
+                    BadRequest{"R3-2", "the limits row 3 to 2 are reversed"},
                     BadRequest{"R3-4C1", "no hole of this sheet lies in that range"},
                     BadRequest{"R0C1", "expected a range"}, BadRequest{"R", "expected a range"},
                     BadRequest{"R1C", "expected a range"}, BadRequest{"R1-C2", "expected a range"},
