@@ -40,11 +40,10 @@ void findObstacleProblems(const Scene& scene, Problems& problems) {
     const Obstacle& obstacle = scene.obstacles[i];
     const std::string path = obstacle.name.empty() ? fmt::format("obstacle {}", i + 1) : "obstacle " + obstacle.name;
     if (obstacle.name.empty())
-      problems.push_back({path + ": name", "the name is missing; give one, by which reports refer to it", ""});
+      problems.push_back({path + ": name", "nothing", "a name, by which reports refer to it"});
     else if (!seen.insert(obstacle.name).second)
-      problems.push_back(
-          {path + ": name", "two obstacles are named '" + obstacle.name + "'; give each a name of its own", ""});
-    if (!obstacle.shape) problems.push_back({path, "the shape is missing", ""});
+      problems.push_back({path + ": name", "another obstacle has the same name"});
+    if (!obstacle.shape) problems.push_back({path, "the obstacle has no shape"});
     findAllowProblems(path, obstacle.allow, arm_names, problems);
   }
 }
@@ -58,9 +57,7 @@ void findBodyProblems(const Scene& scene, Problems& problems) {
     if (!on_row || scene.links[body.frame_index].name != body.link)
       problems.push_back({path + ": link", body.link, "the name of a link of the arm"});
     if (!std::dynamic_pointer_cast<const Solid>(body.shape))
-      problems.push_back(
-          {path, body.shape ? "a region cannot be part of the arm; give a solid" : "the shape is missing; give a solid",
-           ""});
+      problems.push_back({path, body.shape ? "a region cannot be part of the arm" : "the body has no shape"});
     findAllowProblems(path, body.allow, known, problems);
   }
 }

@@ -44,8 +44,8 @@ struct Scene {
 /// A fault of a scene. `path` names its place (`obstacle mezzanine: allow`).
 struct SceneProblem {
   std::string path;
-  std::string found;     ///< value found, or what is wrong and what to do
-  std::string expected;  ///< value expected; empty unless a value is wrong
+  std::string found;          ///< value found; without an expected one, a sentence of what is wrong
+  std::string expected = {};  ///< value expected; empty unless a value is wrong
 };
 
 /// Returns every problem of a scene: repeated or missing names, a link that the arm lacks, a shape missing or unfit for

@@ -131,7 +131,7 @@ MadeShape makeShape(const ShapeRow& row, Numbers numbers, const TriangleMesh* me
     start += field.count;
   }
   if (const ShapeField* field = findMeshField(row)) {
-    const std::string problem = mesh ? findMeshProblem(*mesh) : "no triangles";
+    const std::string problem = mesh ? findMeshProblem(*mesh) : "the mesh has no triangles";
     if (!problem.empty()) return {nullptr, fmt::format("{}: {}", field->name, problem)};
   }
   return row.make(numbers, mesh);

@@ -75,19 +75,20 @@ bool hasFace(const TriangleMesh& mesh, const Triangle& triangle) {
 }  // namespace
 
 std::string findMeshProblem(const TriangleMesh& mesh) {
-  if (mesh.triangles.empty()) return "a mesh without triangles";
+  if (mesh.triangles.empty()) return "the mesh has no triangles";
   if (mesh.triangles.size() > kMostTriangles)
-    return fmt::format("a mesh of {} triangles, more than {}", mesh.triangles.size(), kMostTriangles);
+    return fmt::format("the mesh has {} triangles, more than {}", mesh.triangles.size(), kMostTriangles);
   for (const Vector3d& vertex : mesh.vertices) {
-    if (!vertex.allFinite()) return "a mesh with a corner that is not a finite number";
-    if (vertex.cwiseAbs().maxCoeff() > kFarthest) return fmt::format("a mesh with a corner beyond {:g}", kFarthest);
+    if (!vertex.allFinite()) return "a corner of the mesh is not finite";
+    if (vertex.cwiseAbs().maxCoeff() > kFarthest)
+      return fmt::format("a corner of the mesh lies beyond {:g} in x, y or z", kFarthest);
   }
   const int vertices = static_cast<int>(mesh.vertices.size());
   for (const Triangle& triangle : mesh.triangles)
     if (std::ranges::any_of(triangle, [&](int k) { return k < 0 || k >= vertices; }))
-      return "a mesh with a triangle whose corner does not exist";
+      return "a triangle of the mesh has a corner that does not exist";
   if (std::ranges::none_of(mesh.triangles, [&](const Triangle& triangle) { return hasFace(mesh, triangle); }))
-    return "a mesh of degenerate triangles only";
+    return "all triangles of the mesh are degenerate";
   return "";
 }
 

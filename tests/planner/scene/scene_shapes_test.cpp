@@ -77,7 +77,7 @@ TEST(SceneShapes, NumbersThatMakeNoSenseAreTold) {
   EXPECT_EQ(problem("capsule", {1, 2, 3, 1, 2, 3, 1}), "");
   EXPECT_NE(problem("mesh", {0, 0, 0, 0, 0, 0}).find("no triangles"), std::string::npos);
   const TriangleMesh empty;
-  EXPECT_NE(makeShape(*findSceneShape("mesh"), std::vector<double>(6), &empty).problem.find("without triangles"),
+  EXPECT_NE(makeShape(*findSceneShape("mesh"), std::vector<double>(6), &empty).problem.find("no triangles"),
             std::string::npos);
 }
 

@@ -36,9 +36,9 @@ TEST(SceneProblems, EachIsTold) {
   scene.bodies.push_back({"link9", 1, "thing", shape("keep_side", {0, 0, 0, 1, 0, 0}), {"cupboard"}});
   const auto problems = findSceneProblems(scene);
   EXPECT_TRUE(tells(problems, "clearance", "-1"));
-  EXPECT_TRUE(tells(problems, "obstacle wall: name", "two obstacles are named 'wall'"));
-  EXPECT_TRUE(tells(problems, "obstacle 3: name", "the name is missing"));
-  EXPECT_TRUE(tells(problems, "obstacle 3", "the shape is missing"));
+  EXPECT_TRUE(tells(problems, "obstacle wall: name", "the same name"));
+  EXPECT_TRUE(tells(problems, "obstacle 3: name", "nothing"));
+  EXPECT_TRUE(tells(problems, "obstacle 3", "no shape"));
   EXPECT_TRUE(tells(problems, "obstacle 3: allow", "elbow"));
   EXPECT_TRUE(tells(problems, "body thing: link", "link9"));
   EXPECT_TRUE(tells(problems, "body thing", "a region"));
