@@ -251,8 +251,8 @@ double reachOf(const Arm& arm);
 /// A fault of an arm. `path` is the dotted name in the arm file (`tool.joint_stiffness.z`).
 struct ArmProblem {
   std::string path;
-  std::string found;     ///< value found, or what is wrong and what to do
-  std::string expected;  ///< value expected; empty unless a value is wrong
+  std::string found;          ///< value found; without an expected one, a sentence of what is wrong
+  std::string expected = {};  ///< value expected; empty unless a value is wrong
 };
 
 /// Returns every problem of an arm, in file order: no rows, repeated names, a negative or zero stiffness, a flexible

@@ -42,11 +42,9 @@ void checkNumbers(const Row<double>& row, std::vector<ArmProblem>& out) {
 
 void checkName(const Row<double>& row, std::set<std::string>& rows, std::set<std::string>& joints,
                std::vector<ArmProblem>& out) {
-  if (!rows.insert(row.name).second)
-    out.push_back({row.name, "two rows are named '" + row.name + "'; give each a name of its own", ""});
+  if (!rows.insert(row.name).second) out.push_back({row.name, "another row has the same name"});
   if (row.joint.type != JointType::kPassive && !joints.insert(row.joint.name).second)
-    out.push_back(
-        {row.name + ".joint.name", "two joints are named '" + row.joint.name + "'; give each a name of its own", ""});
+    out.push_back({row.name + ".joint.name", "another joint has the name '" + row.joint.name + "' too"});
 }
 
 void checkJoint(const Row<double>& row, std::vector<ArmProblem>& out) {
@@ -67,8 +65,7 @@ void checkFollower(const Arm& arm, const Row<double>& row, std::vector<ArmProble
   const std::string path = row.name + ".joint.follows";
   for (const auto& followed : row.joint.follows) {
     if (followed.row < 0 || arm.rows.at(static_cast<std::size_t>(followed.row)).joint.type != JointType::kRevolute)
-      out.push_back(
-          {path, "a joint that is not revolute, or has no reading of its own", "revolute joints with readings"});
+      out.push_back({path, "the joint follows one that is not revolute, or has no encoder reading of its own"});
     if (!std::isfinite(followed.ratio)) out.push_back({path, text(followed.ratio), "a finite number"});
   }
 }
@@ -81,25 +78,21 @@ void checkBeam(const Arm& arm, int index, std::vector<ArmProblem>& out) {
     out.push_back({path + ".segments", std::to_string(row.beam->segments), "1 to 1000"});
   const Eigen::Vector3d member = undeflectedMember(arm, index);
   if (member.norm() < 1e-9) {
-    out.push_back(
-        {path, "the flexible member has length zero; place the next row, or the tip, away from this row's origin", ""});
+    out.push_back({path, "the flexible member has length zero: the next row (or the tip) is at this row's origin"});
     return;
   }
   for (int k = 0; k < 3; ++k)
     if (std::isfinite(row.beam->I[k]) && std::abs(member.normalized()[k]) > 1 - 1e-9)
-      out.push_back({path + "." + kInertia[k],
-                     std::string("an inertia of bending about the member's own axis ") + kAxis[k],
-                     "G and J for the twist about that axis"});
+      out.push_back({path + "." + kInertia[k], std::string("a member does not bend about its own axis, here ") +
+                                                   kAxis[k] + ": give G and J for the twist about it"});
 }
 
 /// Checks a row of a side chain: it has no stiffness, and its joints follow none.
 void checkSideRow(const Row<double>& row, std::vector<ArmProblem>& out) {
   if (row.beam || row.joint_stiffness.array().isFinite().any())
-    out.push_back(
-        {row.name, "row '" + row.name + "' of a side chain must be rigid; leave out its beam and joint_stiffness", ""});
+    out.push_back({row.name, "a row of a side chain must be rigid, without beam and joint_stiffness"});
   if (!row.joint.follows.empty())
-    out.push_back(
-        {row.name + ".joint.follows", "a joint of a side chain must not follow others; give it a reading", ""});
+    out.push_back({row.name + ".joint.follows", "a joint of a side chain cannot follow others"});
 }
 
 double weightOf(const Row<double>& row) {
@@ -120,8 +113,7 @@ void checkSideChains(const Arm& arm, std::set<std::string>& rows, std::set<std::
       weight += weightOf(row);
     }
     if (!chain.rows.empty() && weight == 0)
-      out.push_back({chain.rows.front().name,
-                     "the side chain has no weight, which is its only influence; give the weights of its rows", ""});
+      out.push_back({chain.rows.front().name, "the side chain has no weight, and it has no other influence"});
   }
 }
 
@@ -129,7 +121,7 @@ void checkSideChains(const Arm& arm, std::set<std::string>& rows, std::set<std::
 
 std::vector<ArmProblem> findProblems(const Arm& arm) {
   std::vector<ArmProblem> out;
-  if (arm.rows.empty()) out.push_back({"links", "no row", "at least one row"});
+  if (arm.rows.empty()) out.push_back({"links", "no rows", "at least one row"});
   std::set<std::string> rows, joints;
   for (int i = 0; i < static_cast<int>(arm.rows.size()); ++i) {
     const Row<double>& row = arm.rows[i];
@@ -147,7 +139,7 @@ std::vector<ArmProblem> findProblems(const Arm& arm) {
   if (std::abs(arm.tool_axis_L.norm() - 1) > 1e-9)
     out.push_back({"tool.axis", "a direction of length zero", "three numbers, not all zero"});
   if (!((arm.R_LT.transpose() * arm.R_LT - Eigen::Matrix3d::Identity()).norm() < 1e-9))
-    out.push_back({"tool.rpy", "angles that give no frame", "three finite angles"});
+    out.push_back({"tool.rpy", "axes that are no frame", "three finite angles"});
   if (!arm.tool_turn_L.allFinite()) out.push_back({"tool.turn", "a number that is not finite", "three finite angles"});
   for (auto& problem : findEffectProblems(arm)) out.push_back(std::move(problem));
   return out;

@@ -56,17 +56,16 @@ std::vector<ArmProblem> findEffectProblems(const Arm& arm) {
     const Effect& effect = arm.effects[k];
     const std::string path = std::string("effects.") + std::to_string(k + 1);
     if (effect.kind < 0 || effect.kind >= static_cast<int>(effectKinds().size())) {
-      out.push_back({path, "an unknown effect", "an effect of the catalogue"});
+      out.push_back({path, "the effect is of no kind of the catalogue"});
       continue;
     }
     const EffectKind& kind = kindOf(effect);
     if (!isWhereItCanBe(arm, kind, effect)) {
-      out.push_back(
-          {path, std::string(kind.name) + " cannot be at that place; name a place that this arm has for it", ""});
+      out.push_back({path, std::string("this arm has no such place for the effect ") + kind.name});
       continue;
     }
     const std::string name = textOf(arm, effect);
-    if (!names.insert(name).second) out.push_back({name, "the effect is named twice at one place; remove one", ""});
+    if (!names.insert(name).second) out.push_back({name, "the effect is listed twice at this place"});
     checkValues(arm, effect, out);
   }
   return out;

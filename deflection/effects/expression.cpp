@@ -65,9 +65,9 @@ std::optional<ExpressionProblem> findForeign(const std::string& text) {
     const bool is_printable = c >= ' ' && c <= '~';
     const bool assigns = c == '=' && after != '=' && std::string_view("=<>!").find(before) == std::string_view::npos;
     if (is_printable && !assigns && c != '"' && c != '\\') continue;
-    const std::string found = is_printable ? std::string("'") + c + "'" : "a byte that cannot be printed";
+    const std::string what = is_printable ? std::string("'") + c + "'" : "a byte that cannot be printed";
     return ExpressionProblem{
-        found, assigns ? "an expression, with == to compare" : "numbers, names and operators", "", k, "", {}};
+        what + " stands", assigns ? ": a comparison is ==" : ": a formula has numbers, names and operators", k, "", {}};
   }
   return std::nullopt;
 }
@@ -75,25 +75,27 @@ std::optional<ExpressionProblem> findForeign(const std::string& text) {
 ExpressionProblem problemOf(const mu::ParserError& error, const std::string& text) {
   ExpressionProblem problem;
   problem.position = std::min(static_cast<std::size_t>(std::max(0, error.GetPos())), text.size());
-  problem.expected = "an expression such as c*sin(3*theta1)";
+  problem.rest = " where an expression such as c*sin(3*theta1) is expected";
   const std::string token = error.GetToken();
   switch (error.GetCode()) {
     case mu::ecUNEXPECTED_EOF:
     case mu::ecEMPTY_EXPRESSION:
-      problem = {"the formula ends", "", " where an expression should follow", problem.position, "", {}};
+      problem.what = "the formula ends";
+      problem.rest = " where an expression should follow";
       break;
     case mu::ecMISSING_PARENS:
-      problem = {"the formula ends", "", " without a ')' for every '('", problem.position, "", {}};
+      problem.what = "the formula ends";
+      problem.rest = " where a ')' is missing";
       break;
     case mu::ecTOO_FEW_PARAMS:
     case mu::ecTOO_MANY_PARAMS:
-      problem.found = "the function '" + token + "'";
-      problem.expected = "";
-      problem.after =
-          std::string(" has too ") + (error.GetCode() == mu::ecTOO_FEW_PARAMS ? "few" : "many") + " arguments";
+      problem.what = "'" + token + "' has too " +
+                     std::string(error.GetCode() == mu::ecTOO_FEW_PARAMS ? "few" : "many") + " arguments";
+      problem.rest = "";
       break;
     default:
-      problem.found = token.empty() ? "text that is no expression" : "'" + token.substr(0, 40) + "'";
+      problem.what = token.empty() ? "the formula cannot be read" : "'" + token.substr(0, 40) + "' stands";
+      if (token.empty()) problem.rest = ": write an expression such as c*sin(3*theta1)";
   }
   return problem;
 }
@@ -201,8 +203,8 @@ std::shared_ptr<const Expression> Expression::parse(const std::string& text, Exp
   for (const Word& word : wordsOf(text)) {
     const bool is_function = std::find(functions.begin(), functions.end(), word.text) != functions.end();
     if (word.is_called && !is_function) {
-      problem = {
-          "the function '" + word.text.substr(0, 40) + "'", "", " is not known", word.position, word.text, functions};
+      problem = {"the unknown function '" + word.text.substr(0, 40) + "' is called", "", word.position, word.text,
+                 functions};
       return nullptr;
     }
     const bool is_new = std::find(pool->names.begin(), pool->names.end(), word.text) == pool->names.end();
@@ -217,7 +219,7 @@ std::shared_ptr<const Expression> Expression::parse(const std::string& text, Exp
     return nullptr;
   }
   if (pool->idle.front()->parser.GetNumResults() != 1) {
-    problem = {"a second expression begins", "", "; write one alone", std::min(text.find(','), text.size()), "", {}};
+    problem = {"a second expression follows", ", but a formula has one", std::min(text.find(','), text.size()), "", {}};
     return nullptr;
   }
   return std::shared_ptr<const Expression>(new Expression(std::move(pool)));

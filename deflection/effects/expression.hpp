@@ -11,11 +11,10 @@
 
 namespace tubeplan::deflection {
 
-/// Reason why a text is no expression.
+/// Reason why a text is no expression: the sentence is `what`, " at character N", `rest`.
 struct ExpressionProblem {
-  std::string found;               ///< value found, or the beginning of a sentence: "the formula ends"
-  std::string expected;            ///< value expected; empty unless a value is wrong
-  std::string after;               ///< rest of the sentence, after its place: " where an expression should follow"
+  std::string what;                ///< begin of the sentence: "the formula ends"
+  std::string rest;                ///< end of the sentence: " where an expression should follow"; may be empty
   std::size_t position = 0;        ///< index in the text, from 0
   std::string word;                ///< the unknown name, if that is the reason
   std::vector<std::string> known;  ///< the known names, if one is unknown

@@ -109,10 +109,8 @@ std::optional<MadeFormula> bindNames(const Arm& arm, const FormulaUnits& units, 
     for (const NamedSymbol& symbol : symbols)
       if (symbol.name == name) meant.push_back(&symbol);
     if (meant.size() > 1)
-      return refused(FormulaStatus::kBadExpression,
-                     "the name '" + name +
-                         "' stands for two parts of the arm; give them names that differ "
-                         "by more than signs");
+      return refused(FormulaStatus::kBadExpression, "two parts of the arm have the name '" + name +
+                                                        "': rename one, so that they differ by more than signs");
     Formula::Input input;
     if (meant.empty()) {
       input.parameter = static_cast<int>(formula.names.size());
@@ -127,8 +125,8 @@ std::optional<MadeFormula> bindNames(const Arm& arm, const FormulaUnits& units, 
                    "at most " + std::to_string(kMostParameters));
   for (const char* taken : {"effect", "at", "formula"})
     if (std::find(formula.names.begin(), formula.names.end(), taken) != formula.names.end())
-      return refused(FormulaStatus::kBadExpression, "the name of the parameter '" + std::string(taken) +
-                                                        "' is reserved in a cell file; choose another");
+      return refused(FormulaStatus::kBadExpression, "a parameter cannot have the name '" + std::string(taken) +
+                                                        "', which is a key of a cell file: choose another name");
   return std::nullopt;
 }
 
@@ -154,9 +152,9 @@ std::optional<MadeFormula> chooseParameters(const std::vector<Start>& starts, Fo
     const auto start = startOf(formula.names[k]);
     if (is_shape && start == starts.end()) {
       MadeFormula wrong =
-          refused(FormulaStatus::kNeedsStart, "the formula is not linear in the parameter '" + formula.names[k] +
-                                                  "', which therefore needs an initial value; write '" +
-                                                  formula.text.substr(0, 200) + "; " + formula.names[k] + "=1'");
+          refused(FormulaStatus::kNeedsStart, "the formula is not linear in its parameter '" + formula.names[k] +
+                                                  "', which needs an initial value: '" + formula.text.substr(0, 200) +
+                                                  "; " + formula.names[k] + "=1'");
       wrong.free = made.free;
       return wrong;
     }
@@ -217,9 +215,8 @@ std::optional<MadeFormula> understand(const Arm& arm, const Parts& parts, const 
   ExpressionProblem problem;
   formula.expression = Expression::parse(parts.expression, problem);
   if (formula.expression) return bindNames(arm, units, formula);
-  MadeFormula wrong =
-      refused(FormulaStatus::kBadExpression,
-              problem.found + atCharacter(parts.expression_at + problem.position) + problem.after, problem.expected);
+  MadeFormula wrong = refused(FormulaStatus::kBadExpression,
+                              problem.what + atCharacter(parts.expression_at + problem.position) + problem.rest);
   wrong.word = problem.word;
   wrong.known = problem.known;
   return wrong;
@@ -273,15 +270,14 @@ MadeFormula makeFormula(const Arm& arm, std::string_view text, const FormulaUnit
   formula->text = trimmed(text);
   const auto parts = split(formula->text);
   if (!parts)
-    return refused(FormulaStatus::kBadTarget,
-                   std::string(formula->text.empty() ? "the formula is empty" : "the formula has no '+='") +
-                       "; write TARGET += EXPRESSION, as 'theta3 += c*sin(3*theta1)'");
+    return refused(FormulaStatus::kBadTarget, formula->text.empty() ? "nothing" : "no '+='",
+                   "TARGET += EXPRESSION, as 'theta3 += c*sin(3*theta1)'");
   if (auto wrong = understand(arm, *parts, units, at, *formula)) return *wrong;
   std::string wrong_start;
   const auto starts = readStarts(parts->starts, wrong_start);
   if (!starts)
     return refused(FormulaStatus::kBadStart, "'" + wrong_start.substr(0, 40) + "'",
-                   "initial values such as 'c=0.1, k=3', each once");
+                   "initial values as 'c=0.1, k=3', each once");
   MadeFormula made;
   if (auto wrong = chooseParameters(*starts, *formula, made)) return *wrong;
   made.status = FormulaStatus::kMade;

@@ -90,8 +90,8 @@ enum class FormulaStatus { kNotRun, kMade, kBadTarget, kBadExpression, kBadStart
 
 struct MadeFormula {
   FormulaStatus status = FormulaStatus::kNotRun;
-  std::string found;               ///< value found, or what is wrong and what to do, if not made
-  std::string expected;            ///< value expected; empty unless a value is wrong
+  std::string found;               ///< wrong value if not made; without an expected one, a sentence of what is wrong
+  std::string expected;            ///< expected value; empty unless a value is wrong
   std::string word;                ///< the unknown name, if that is the reason
   std::vector<std::string> known;  ///< the known names, if one is unknown
   std::vector<std::string> free;   ///< parameters without a start, if made; a misspelt symbol is among them

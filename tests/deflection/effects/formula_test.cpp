@@ -263,17 +263,17 @@ TEST(Formula, WhatIsNoneIsRefusedWithItsPlace) {
   const Arm arm = cobraArm();
   using Status = FormulaStatus;
   const Wrong wrongs[] = {
-      {"", Status::kBadTarget, "is empty"},
+      {"", Status::kBadTarget, "nothing"},
       {"theta3 = c*theta1", Status::kBadTarget, "no '+='"},
       {"theta9 += c*theta1", Status::kBadTarget, "theta9"},
       {"tip.w += c", Status::kBadTarget, "tip.w"},
       {"moment_tool_z += c", Status::kBadTarget, "moment_tool_z"},
       {"theta3 += ", Status::kBadExpression, "the formula ends at character"},
-      {"theta3 += c*sin(3*theta1", Status::kBadExpression, "ends at character 25 without a ')'"},
-      {"theta3 += c*)", Status::kBadExpression, "')' at character 13"},
-      {"theta3 += c*sine(theta1)", Status::kBadExpression, "the function 'sine' at character 13"},
+      {"theta3 += c*sin(3*theta1", Status::kBadExpression, "the formula ends at character 25"},
+      {"theta3 += c*)", Status::kBadExpression, "')' stands at character 13"},
+      {"theta3 += c*sine(theta1)", Status::kBadExpression, "the unknown function 'sine' is called at character 13"},
       {"theta3 += c sin(theta1)", Status::kBadExpression, "at character 13"},
-      {"theta3 += c = 5", Status::kBadExpression, "'=' at character 13"},
+      {"theta3 += c = 5", Status::kBadExpression, "'=' stands at character 13"},
       {"theta3 += c, d", Status::kBadExpression, "a second expression"},
       {"theta3 += c*\"x\"", Status::kBadExpression, "at character 13"},
       {"theta3 += c*\x01", Status::kBadExpression, "byte"},
