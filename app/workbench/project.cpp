@@ -171,7 +171,7 @@ Session sessionOf(const json& payload, const std::string& file) {
   for (const auto& entry : payload.at("models")) session.models.push_back(modelOf(entry));
   session.current = wholeNumber<std::size_t>(payload.at("current"));
   if (session.current >= session.models.size())
-    refuseDamaged(kProjectFormat, file, "a current model that is not in it");
+    refuseDamaged(kProjectFormat, file, "the file's current model is not in it");
   const Cell& cell = session.models.front()->cell;
   session.next_model = wholeNumber<int>(payload.at("next_model"));
   session.revision = wholeNumber<std::uint64_t>(payload.at("revision"));

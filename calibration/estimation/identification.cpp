@@ -180,8 +180,7 @@ void noteReadingProblem(const std::vector<Measurement>& fitted, const std::vecto
   result.reading_problem = findReadingProblem(fitted, unknowns);
   if (!result.reading_problem) return;
   ReadingProblem& problem = *result.reading_problem;
-  result.reason =
-      problem.expected.empty() ? problem.found : "found " + problem.found + ", expected " + problem.expected;
+  result.reason = problem.what;
   if (problem.reading >= 0) problem.reading = result.used[static_cast<std::size_t>(problem.reading)];
 }
 

@@ -23,8 +23,8 @@ inline void state(const KnownPlaces& places, Measurement& reading) {
 
 inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string& kind) {
   if (!reading.p_W || reading.direction_W) return lackOfPlace(reading, kind);
-  return ReadingLack{"a reading of kind " + kind + " without a direction",
-                     "its direction in the columns dx, dy, dz (of any length)"};
+  return ReadingLack{"the reading of kind " + kind + " has no direction",
+                     "write its direction in the columns dx, dy, dz (of any length)"};
 }
 
 inline MeasurementKindRow kind() {

@@ -50,15 +50,15 @@ struct KnownPlaces {
   Eigen::Vector3d up_W = Eigen::Vector3d::UnitZ();  ///< direction against gravity
 };
 
-/// Missing part of a reading: found, expected, and advice.
+/// Missing part of a reading, as a sentence, and advice.
 struct ReadingLack {
-  std::string found, expected, advice = {};
+  std::string what, advice;
 };
 
 /// Returns the lack of coordinates x, y, z, which most kinds need; nothing if they are there.
 [[nodiscard]] inline std::optional<ReadingLack> lackOfPlace(const Measurement& reading, const std::string& kind) {
   if (reading.p_W) return std::nullopt;
-  return ReadingLack{"a reading of kind " + kind + " without x, y, z", "its coordinates"};
+  return ReadingLack{"the reading of kind " + kind + " has no x, y, z", "write its coordinates"};
 }
 
 /// Standard deviations [m] per coordinate of simulated readings: by a tracker (0.003 in), of a tip brought under a hole

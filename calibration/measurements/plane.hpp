@@ -59,12 +59,14 @@ inline void recordNothing(const ToolPose&, double, const MeasuredValue&, Measure
 
 inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string& kind) {
   if (reading.point.empty())
-    return ReadingLack{"a " + kind + " without a name", "the " + kind + "'s name in the column 'point'",
-                       "readings of one name touched the same"};
+    return ReadingLack{"the reading does not name the " + kind + " that it touched",
+                       "write the " + kind + "'s name in the column 'point', the same in all readings that touched it"};
   if (!reading.p_W && !reading.direction_W) return std::nullopt;
   return ReadingLack{
-      "the place of a reading of kind " + kind, "nothing in x, y, z, dx, dy, dz: where it is, its readings say",
-      "of a plane of known place make readings of kind axis, of a ball of known centre of kind distance"};
+      "the reading of kind " + kind + " states its place (x, y, z, dx, dy, dz), which follows from the readings",
+      "leave these columns empty; of a plane of known place make readings of kind axis, of a ball of known centre of "
+      "kind "
+      "distance"};
 }
 
 inline MeasurementKindRow kind() {

@@ -33,9 +33,10 @@ ReadingProblem fewOfSurface(int place, const std::vector<Measurement>& readings)
   const Measurement& first = readings[static_cast<std::size_t>(place)];
   const auto count = std::count_if(readings.begin(), readings.end(),
                                    [&](const Measurement& m) { return placeOf(m) == placeOf(first); });
-  return {place, std::to_string(count) + " readings of the " + placeOf(first) + " (" + first.id + " the first)",
-          std::to_string(leastOfPlace(first)) + " or more of one " + kindOf(first).name,
-          "touch it again elsewhere, or remove them: so few only say where it is"};
+  return {place,
+          "the " + placeOf(first) + " has " + std::to_string(count) + " readings (" + first.id + " the first), and a " +
+              kindOf(first).name + " needs " + std::to_string(leastOfPlace(first)) + " or more",
+          "touch it again elsewhere, or remove them: so few only determine its place"};
 }
 
 }  // namespace
@@ -53,27 +54,25 @@ int numbersMeasured(const std::vector<Measurement>& readings) {
 
 std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>& readings,
                                                  const std::vector<Unknown>& unknowns) {
-  if (readings.empty())
-    return ReadingProblem{-1, "no reading is left to fit beside those that are marked held-out", "",
-                          "mark some as fit"};
+  if (readings.empty()) return ReadingProblem{-1, "there is no reading to fit", "mark some as fit, not held-out"};
   if (const auto lone = loneReading(readings)) {
     if (touchesSurface(readings[static_cast<std::size_t>(*lone)])) return fewOfSurface(*lone, readings);
     const Measurement& touch = readings[static_cast<std::size_t>(*lone)];
     return ReadingProblem{*lone,
-                          "point " + touch.point + " of unknown position is touched by reading " + touch.id +
-                              " alone, which carries no information then",
-                          "", "touch it again, give its position, or remove the reading"};
+                          "point " + touch.point + ", whose position is unknown, is touched only once (reading " +
+                              touch.id + "), which carries no information",
+                          "touch it again, give its position, or remove the reading"};
   }
   if (isOnePosture(readings))
-    return ReadingProblem{-1, "all readings are at one posture under one load, and determine a single point", "",
-                          "measure at other postures or under other loads too"};
+    return ReadingProblem{-1, "all readings are at one posture under one load, so they determine a single point",
+                          "measure at several postures, or under several loads"};
   const auto named = std::count_if(unknowns.begin(), unknowns.end(), [](const Unknown& u) { return !u.is_geometry; });
   const int measured = numbersMeasured(readings);
   if (measured < named)
     return ReadingProblem{-1,
                           "the readings hold " + std::to_string(measured) + " numbers, fewer than the " +
                               std::to_string(named) + " that are free",
-                          "", "measure more or free fewer"};
+                          "measure more or free fewer"};
   return std::nullopt;
 }
 

@@ -12,9 +12,8 @@ namespace tubeplan::calibration {
 
 /// Reason why readings determine nothing, or not enough.
 struct ReadingProblem {
-  int reading = -1;      ///< index of the reading at fault; -1 if there is none
-  std::string found;     ///< value found, or what is wrong
-  std::string expected;  ///< value expected; empty unless a value is wrong
+  int reading = -1;  ///< index of the reading at fault; -1 if there is none
+  std::string what;  ///< sentence of what is wrong
   std::string advice;
 };
 

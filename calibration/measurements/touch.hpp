@@ -10,7 +10,7 @@ inline void recordNothing(const ToolPose&, double, const MeasuredValue&, Measure
 
 inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string&) {
   if (!reading.point.empty()) return std::nullopt;
-  return ReadingLack{"a touch without a point", "the point's name in the column 'point'"};
+  return ReadingLack{"the touch has no point", "write the point's name in the column 'point'"};
 }
 
 inline MeasurementKindRow kind() {

@@ -53,28 +53,28 @@ int leastOfSurface(const MeasurementKindRow& kind) { return kind.place_numbers({
 
 std::string findNoiseProblem(const CampaignDesign& design) {
   for (const double sigma : {design.sigma, design.turn_sigma})
-    if (!(sigma >= 0) || !std::isfinite(sigma)) return "a sigma that is negative or not finite";
+    if (!(sigma >= 0) || !std::isfinite(sigma)) return "a sigma is negative or not finite";
   if (design.sigma_W && !(design.sigma_W->minCoeff() > 0 && design.sigma_W->allFinite()))
-    return "a sigma of x, y or z that is not above zero";
+    return "a sigma of x, y or z is not above zero";
   if (design.sigma_W && !kindOf(design.kind).has_coordinates)
-    return std::string("sigmas of x, y and z for readings of kind ") + kindOf(design.kind).name +
-           ", which measure no x, y, z";
-  if (design.correlation_W && !design.sigma_W) return "correlations without the sigmas of x, y and z";
+    return std::string("readings of kind ") + kindOf(design.kind).name +
+           " measure no x, y, z, so they have no sigmas of these";
+  if (design.correlation_W && !design.sigma_W) return "the correlations need the sigmas of x, y and z";
   if (design.correlation_W && !isPossibleCorrelation(*design.correlation_W))
-    return "correlations that are not positive definite";
+    return "the correlations are not positive definite";
   return {};
 }
 
 std::string findLoadProblem(const CampaignDesign& design) {
   const auto& loads = design.loads;
-  if (loads.empty()) return "no loads";
+  if (loads.empty()) return "there are no loads";
   if (!std::all_of(loads.begin(), loads.end(), [](double load) { return std::isfinite(load) && load >= 0; }))
-    return "a load that is negative or not finite";
+    return "a load is negative or not finite";
   if (kindOf(design.kind).departure && !kindOf(design.kind).is_from_reading &&
       *std::min_element(loads.begin(), loads.end()) <= 0)
-    return "a deflection without a load, which is zero";
+    return "a deflection is measured under a load of zero, where it is zero";
   const bool is_seen = !kindOf(design.kind).is_centring && design.place == CampaignPlace::kHoles;
-  if (is_seen && *std::max_element(loads.begin(), loads.end()) > 0) return "holes looked at under a load";
+  if (is_seen && *std::max_element(loads.begin(), loads.end()) > 0) return "holes are looked at under a load";
   return {};
 }
 
@@ -82,23 +82,23 @@ std::string findKindProblem(const CampaignDesign& design) {
   const MeasurementKindRow& kind = kindOf(design.kind);
   const bool is_touch = kind.is_touch, is_surface = kind.settle != nullptr;
   if (kind.has_anchor && !kind.is_from_origin && !design.anchor_W)
-    return std::string("readings of kind ") + kind.name + " without an anchor";
+    return std::string("readings of kind ") + kind.name + " need an anchor";
   if (kind.has_direction && !design.direction_W)
-    return std::string("readings of kind ") + kind.name + " without a direction";
-  if (!is_touch && design.place == CampaignPlace::kPlane) return "points of a plane that are not touched";
+    return std::string("readings of kind ") + kind.name + " need a direction";
+  if (!is_touch && design.place == CampaignPlace::kPlane) return "the points of a plane are not touched";
   const bool is_of_holes = kind.is_place || kind.names_hole;
-  if (!is_of_holes && design.place == CampaignPlace::kHoles) return "holes that are neither touched nor looked at";
+  if (!is_of_holes && design.place == CampaignPlace::kHoles) return "the holes are neither touched nor looked at";
   if (kind.names_hole && !is_touch && design.place != CampaignPlace::kHoles)
-    return std::string("readings of kind ") + kind.name + " elsewhere than at holes of the sheet";
+    return std::string("readings of kind ") + kind.name + " are made at holes of the sheet only";
   if (!design.rows.empty() && !kind.may_be_of_row)
-    return std::string("readings of kind ") + kind.name + " of rows of the arm";
+    return std::string("readings of kind ") + kind.name + " cannot be of rows of the arm";
   if (is_surface && readingsPerPoint(design) < leastOfSurface(kind))
-    return std::string("a ") + kind.name + " of unknown place touched less than " +
-           std::to_string(leastOfSurface(kind)) + " times, which says nothing";
+    return std::string("a ") + kind.name + " of unknown place is touched less than " +
+           std::to_string(leastOfSurface(kind)) + " times, which carries no information";
   if (!is_touch && !is_surface && design.postures_per_point != 1)
-    return "several postures for a point that is not touched";
+    return "a point that is not touched has several postures";
   if (is_touch && !design.points_known && readingsPerPoint(design) < 2)
-    return "unknown points, each touched only once, which carry no information";
+    return "unknown points are each touched only once, which carries no information";
   return {};
 }
 
@@ -134,16 +134,17 @@ int pointsOf(const CampaignDesign& design, int readings) {
 
 std::string findDesignProblem(const CampaignDesign& design, int readings) {
   if (readings < 1 || readings > kMostReadings)
-    return std::to_string(readings) + " readings, not 1 to " + std::to_string(kMostReadings);
+    return "the design has " + std::to_string(readings) + " readings, not 1 to " + std::to_string(kMostReadings);
   if (auto problem = findNoiseProblem(design); !problem.empty()) return problem;
-  if (!(design.held_out >= 0 && design.held_out < 1)) return "a held-out fraction that is not from 0 to below 1";
-  if (design.postures_per_point < 1 || design.setups < 1) return "no posture for a point, or no set-up";
+  if (!(design.held_out >= 0 && design.held_out < 1)) return "the held-out fraction is not from 0 to below 1";
+  if (design.postures_per_point < 1 || design.setups < 1) return "a point has no posture, or there is no set-up";
   if (auto problem = findLoadProblem(design); !problem.empty()) return problem;
   if (auto problem = findKindProblem(design); !problem.empty()) return problem;
   const int points = pointsOf(design, readings);
   if (points < design.setups)
-    return std::to_string(design.setups) + " set-ups for " + std::to_string(points) + " points or postures";
-  if (points < 2 && design.held_out > 0) return "a held-out fraction of a single point or posture";
+    return "the design has " + std::to_string(design.setups) + " set-ups for " + std::to_string(points) +
+           " points or postures";
+  if (points < 2 && design.held_out > 0) return "a single point or posture cannot be held out in part";
   return {};
 }
 

@@ -42,7 +42,8 @@ std::string explain(const RefusalCounts& counts) {
 
 std::string findCampaignProblem(const CampaignTruth& truth, const CampaignDesign& design,
                                 const CampaignOptions& options) {
-  if (design.place == CampaignPlace::kHoles && options.holes.empty()) return "a design at holes without holes";
+  if (design.place == CampaignPlace::kHoles && options.holes.empty())
+    return "the design is at holes, but there are none";
   if (static_cast<int>(truth.bases.size()) != design.setups)
     return std::to_string(truth.bases.size()) + " bases for " + std::to_string(design.setups) + " set-ups";
   return findDesignProblem(design, options.readings);

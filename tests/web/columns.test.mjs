@@ -51,7 +51,7 @@ describe("tables of other programs", () => {
     for (const k of [2, 3, 4]) await tab.selectOption(`select[aria-label='unit of column ${k}']`, "in");
     assert.equal(await tab.inputValue("select[aria-label='unit of Payload [lb]']"), "lbf");
     await take.click();
-    await tab.waitForSelector("dialog[open] >> text=a reading without sigma");
+    await tab.waitForSelector("dialog[open] >> text=the reading has no sigma");
     await tab.fill("dialog[open] label:has-text('standard deviation') input", "0.005");
     if (process.env.PICTURES) await tab.screenshot({path: `${process.env.PICTURES}/columns.png`});
     await take.click();

@@ -95,9 +95,9 @@ deflection::Origin<double> readOrigin(const YamlNode& node, const Units& units) 
 void readPlacement(const YamlNode& node, const Units& units, ArmRow& row) {
   const YamlNode* dh = node.find("dh");
   const YamlNode* origin = node.find("origin");
-  if (dh && origin) node.fail("both `dh` and `origin`", "one of them", "remove the other");
+  if (dh && origin) node.failSaying("the row has both `dh` and `origin`", "remove one of them");
   if (!dh && !origin)
-    node.fail("neither `dh` nor `origin`", "one of them", "add dh: {alpha, a, d, theta} or origin: {position, rpy}");
+    node.failSaying("the row has neither `dh` nor `origin`", "add dh: {alpha, a, d, theta} or origin: {position, rpy}");
   if (dh)
     readDh(*dh, units, row);
   else
@@ -109,12 +109,13 @@ void checkBeamKeys(const YamlNode& node) {
   const bool bends = node.find("Ix") || node.find("Iy") || node.find("Iz");
   const bool twists = node.find("J");
   if (bends != (node.find("E") != nullptr))
-    node.fail(bends ? "Ix, Iy or Iz without E" : "E without Ix, Iy or Iz", "both for a flexible beam", "");
+    node.failSaying(bends ? "the beam has Ix, Iy or Iz but no E" : "the beam has E but no Ix, Iy or Iz",
+                    "a beam that bends needs both");
   if (twists != (node.find("G") != nullptr))
-    node.fail(twists ? "J without G" : "G without J", "both for a torsionally flexible beam", "");
+    node.failSaying(twists ? "the beam has J but no G" : "the beam has G but no J", "a beam that twists needs both");
   if (!bends && !twists)
-    node.fail("a beam that neither bends nor twists", "E with Ix, Iy or Iz, or G with J",
-              "leave `beam` out where it is rigid");
+    node.failSaying("the beam neither bends nor twists",
+                    "write E with Ix, Iy or Iz, or G with J, or leave `beam` out where it is rigid");
 }
 
 void readBeam(const YamlNode& node, const Units& units, ArmRow& row) {
@@ -164,7 +165,9 @@ std::vector<deflection::FollowedJoint> readFollowed(const YamlNode& follows, con
       return candidate.joint.type == JointType::kRevolute && candidate.joint.name == follows.keys[k];
     });
     if (row == arm.rows.end())
-      follows.items[k].fail("joints with encoder readings of their own", "write JOINT: RATIO, as {theta1: -1}");
+      follows.items[k].failSaying(
+          inQuotes(follows.keys[k]) + " is no revolute joint with an encoder reading of its own",
+          "write JOINT: RATIO, as {theta1: -1}");
     followed.push_back({static_cast<int>(row - arm.rows.begin()), follows.items[k].number()});
   }
   return followed;
@@ -180,7 +183,7 @@ deflection::SideChain<double> readSideChain(const YamlNode& node, const Units& u
   for (const YamlNode& row : node.at("links").list()) {
     chain.rows.push_back(readRow(row, units));
     if (const YamlNode* joint = row.find("joint"); joint && joint->find("follows"))
-      joint->at("follows").fail("a joint with a reading of its own, in a side chain");
+      joint->at("follows").failSaying("a joint of a side chain cannot follow others", "give it a reading of its own");
   }
   if (chain.rows.empty()) node.at("links").fail("one link or more");
   return chain;
@@ -191,7 +194,7 @@ RowConvention readConvention(const YamlNode& node) {
   if (!convention || convention->text() == "modified") return RowConvention::kModified;
   if (convention->text() != "standard")
     convention->fail(inQuotes(convention->text()), "standard or modified",
-                     "what `dh` of the links means: modified is Craig's, and where none is stated");
+                     "it says what `dh` of the links means: modified is Craig's, and the default");
   return RowConvention::kStandard;
 }
 
@@ -200,8 +203,8 @@ void requireOriginsFirst(const YamlNode& links) {
   bool is_after_dh = false;
   for (const YamlNode& row : links.list()) {
     if (is_after_dh && row.find("origin"))
-      row.at("origin").fail("a row by origin after one by dh", "dh, by `convention: standard`",
-                            "write it by dh, or take `tubeplan arm export --convention` to have all rows alike");
+      row.at("origin").failSaying("a row by origin follows one by dh, which `convention: standard` does not allow",
+                                  "write it by dh, or take `tubeplan arm export --convention` to have all rows alike");
     is_after_dh = is_after_dh || row.find("dh");
   }
 }
@@ -227,8 +230,8 @@ void takeRows(const YamlNode& links, RowConvention convention, const Units& unit
     if (!axis) continue;
     auto* dh = is_standard && k == 0 ? deflection::dhOf(rows[k]) : nullptr;
     if (!dh)
-      axis->fail("an axis of a link that has it by its other numbers", "one of a first link by dh alone",
-                 "`axis` belongs to `convention: standard`");
+      axis->failSaying("`axis` is only for a first link by dh under `convention: standard`",
+                       "remove it: other links have their axis by their other numbers");
     readAxis(*axis, units, *dh);
   }
 }
@@ -264,7 +267,8 @@ void checkArm(const YamlNode& node, const Arm& arm) {
   if (problems.empty()) return;
   const deflection::ArmProblem& first = problems.front();
   const YamlNode& at = findArmNode(node, first.path);
-  throw InputError(at.where(first.path), asWritten(first.found, at), first.expected);
+  throw InputError(at.where(first.path), first.expected.empty() ? first.found : asWritten(first.found, at),
+                   first.expected);
 }
 
 /// Returns the row of that name among the links of the arm or one of its side chains; null if there is none.

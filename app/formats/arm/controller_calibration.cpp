@@ -101,9 +101,11 @@ ControllerCalibration parseControllerCalibration(std::string_view text, const st
   for (const DeltaList& list : deltaLists()) {
     const auto entry = entries.find(list.key);
     if (entry == entries.end())
-      throw InputError(path, fmt::format("no {} in [mounting]", list.key),
-                       "delta_theta, delta_a, delta_d and delta_alpha there",
-                       "take calibration.conf from the controller's folder .urcontrol");
+      throw InputError::saying(
+          path,
+          fmt::format("there is no {} in [mounting], where delta_theta, delta_a, delta_d and delta_alpha are expected",
+                      list.key),
+          "take calibration.conf from the controller's folder .urcontrol");
     const std::string where = fmt::format("{}:{}: {}", path, entry->second.line, list.key);
     const auto numbers = numbersIn(entry->second, where);
     if (!calibration.theta.empty() && numbers.size() != calibration.theta.size())
@@ -119,9 +121,10 @@ std::string withControllerCalibration(const YamlFile& nominal, const ControllerC
   const ArmSource source = readArm(nominal.root);
   const auto& rows = source.arm.rows;
   if (!deflection::isStandard(rows))
-    throw InputError(nominal.path, "rows that are not by the standard convention",
-                     "the maker's standard Denavit-Hartenberg table, to which the controller's numbers are added",
-                     "write it as `convention: standard` with dh of each link");
+    throw InputError::saying(nominal.path,
+                             "the rows are not by the standard convention, to which the controller's numbers are added",
+                             "write the maker's standard Denavit-Hartenberg table: `convention: standard` with dh of "
+                             "each link");
   const auto active = deflection::activeRows(source.arm);
   if (active.size() != calibration.theta.size())
     throw InputError(nominal.path, fmt::format("{} joints", active.size()),
@@ -130,7 +133,9 @@ std::string withControllerCalibration(const YamlFile& nominal, const ControllerC
   for (std::size_t joint = 0; joint < active.size(); ++joint) {
     const auto row = static_cast<std::size_t>(active[joint]);
     if (rows[row].joint.type != deflection::JointType::kRevolute || !rows[row].placed_by)
-      throw InputError(nominal.path, "the row " + inQuotes(rows[row].name), "rows by dh with revolute joints only");
+      throw InputError::saying(nominal.path,
+                               fmt::format("the row {} is not by dh with a revolute joint", inQuotes(rows[row].name)),
+                               "write all rows so");
     const CalibrationRow numbers = deflection::standardNumbers(rows, row);
     for (const DeltaList& list : deltaLists()) {
       const double value = numbers.*list.of_row + (calibration.*list.values)[joint];

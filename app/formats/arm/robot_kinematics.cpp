@@ -47,8 +47,9 @@ LinkOrigin halfTurned(const LinkOrigin& origin) {
 const LinkOrigin& originIn(const std::string& file, const deflection::Row<double>& row) {
   const auto* origin = std::get_if<LinkOrigin>(&row.placement);
   if (!origin)
-    throw InputError(file, "the row " + inQuotes(row.name) + " by dh", "rows by origin, as the robot's URDF",
-                     "take the arm that `arm import robot.urdf` makes, or `arm export --convention origin`");
+    throw InputError::saying(
+        file, fmt::format("the row {} is by dh, not by origin as in the robot's URDF", inQuotes(row.name)),
+        "take the arm that `arm import robot.urdf` makes, or `arm export --convention origin`");
   return *origin;
 }
 
@@ -56,8 +57,10 @@ const LinkOrigin& originIn(const std::string& file, const deflection::Row<double
 const LinkOrigin& nominalOrigin(const YamlFile& nominal, const deflection::Row<double>& row) {
   const LinkOrigin& origin = originIn(nominal.path, row);
   if (row.joint.type != deflection::JointType::kRevolute || row.joint.offset != 0 || origin.beta != 0)
-    throw InputError(nominal.path, "the row " + inQuotes(row.name),
-                     "revolute joints without offset or beta: the origins hold all that was calibrated");
+    throw InputError::saying(
+        nominal.path,
+        fmt::format("the joint of the row {} is not revolute, or has an offset or beta", inQuotes(row.name)),
+        "take an arm of revolute joints without them: the origins hold all that was calibrated");
   return origin;
 }
 
@@ -86,11 +89,13 @@ void refuseOtherModel(const YamlFile& nominal, const std::string& row, const Lin
   constexpr double kFarthest = 0.05, kMostTurned = 10 * std::numbers::pi / 180;
   const double moved = (from.position - to.position).norm(), turned = angleBetween(from, to);
   if (moved <= kFarthest && turned <= kMostTurned) return;
-  throw InputError(nominal.path,
-                   fmt::format("the row {}, which would move by {:.1f} mm and {:.2f} deg", inQuotes(row), moved * 1000,
-                               turned * 180 / std::numbers::pi),
-                   "no more than 50 mm and 10 deg: the nominal arm of the same model, joints turning about z",
-                   "import the URDF of ur_description of this model and name that arm with --nominal");
+  throw InputError::saying(
+      nominal.path,
+      fmt::format(
+          "the row {} would move by {:.1f} mm and {:.2f} deg, more than 50 mm or 10 deg: this is not the nominal "
+          "arm of the same model, with joints turning about z",
+          inQuotes(row), moved * 1000, turned * 180 / std::numbers::pi),
+      "import the URDF of ur_description of this model and name that arm with --nominal");
 }
 
 }  // namespace
@@ -156,7 +161,8 @@ RobotKinematics robotKinematicsOf(const deflection::Arm& arm, const std::string&
     else if (row.joint.type == deflection::JointType::kRevolute && row.joint.follows.empty())
       kinematics.origins[joints++] = origin;
     else
-      throw InputError(file, "the joint " + inQuotes(row.joint.name), "joints that turn, each by itself");
+      throw InputError::saying(file, fmt::format("the joint {} slides or follows others", inQuotes(row.joint.name)),
+                               "only an arm whose joints turn, each by itself, can be written so");
   }
   LinkOrigin& base = kinematics.origins.front();
   if (angleBetween(base, LinkOrigin{}) > std::numbers::pi / 2) {

@@ -1,5 +1,7 @@
 #include "app/formats/cell/campaign_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -59,7 +61,8 @@ Eigen::AlignedBox3d readRegion(const YamlNode& node, const Units& units) {
   node.expectKeys({"from", "to"}, {});
   const Eigen::Vector3d from = readVector(node.at("from"), units, dimension::kLength);
   const Eigen::Vector3d to = readVector(node.at("to"), units, dimension::kLength);
-  if ((from.array() >= to.array()).any()) node.at("to").fail("a corner above `from` in all three coordinates");
+  if ((from.array() >= to.array()).any())
+    node.at("to").failSaying("the corner `to` is not above `from` in all three coordinates", "correct the corners");
   return {from, to};
 }
 
@@ -72,7 +75,8 @@ std::vector<int> readRowList(const YamlNode& node, const deflection::Arm& arm) {
   std::vector<int> rows;
   for (const YamlNode& item : node.list()) {
     rows.push_back(rowOfArmNamed(item, arm));
-    if (std::count(rows.begin(), rows.end(), rows.back()) > 1) item.fail("every row once");
+    if (std::count(rows.begin(), rows.end(), rows.back()) > 1)
+      item.failSaying("the row " + item.text() + " is listed twice", "list every row once");
   }
   if (rows.empty()) node.fail("one row of the arm or more", "omit the key for the tool");
   return rows;
@@ -84,24 +88,27 @@ void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
   for (const char* key : {"points", "postures_per_point"})
     if (const YamlNode* node = root.find(key);
         node && !kind.is_touch && !(kind.settle && std::string_view(key) == "postures_per_point"))
-      node->fail(std::string("`") + key + "` of a kind that touches nothing", "it with kind: touch", "remove it");
+      node->failSaying(fmt::format("`{}` is for readings of kind touch, not {}", key, kind.name), "remove it");
   const auto check = [&](const char* key, bool calibration::MeasurementKindRow::*has, const std::string& what) {
     std::string kinds;
     for (const auto& row : calibration::measurementKinds())
       if (row.*has) kinds += (kinds.empty() ? "" : " or ") + std::string(row.name);
     const YamlNode* node = root.find(key);
-    if (node && !(kind.*has)) node->fail(what + " of a kind that needs none", "it with kind: " + kinds, "remove it");
+    if (node && !(kind.*has))
+      node->failSaying(fmt::format("{} is for readings of kind {}, not {}", what, kinds, kind.name), "remove it");
     if (!node && kind.*has && !kind.is_from_origin)
-      root.at("kind").fail(std::string("readings of kind ") + kind.name + " without " + what,
-                           "the point they are measured from", std::string("add ") + key + ": [x, y, z]");
+      root.at("kind").failSaying(fmt::format("readings of kind {} need {}", kind.name, what),
+                                 fmt::format("add {}: [x, y, z]", key));
   };
   if (const YamlNode* rows = root.find("rows"); rows && !kind.may_be_of_row)
-    rows->fail("`rows` of a kind that reads the tool", "it with kind: " + alternatives(calibration::kindNamesOfRows()),
-               "remove it");
+    rows->failSaying(fmt::format("`rows` is for readings of kind {}, not {}",
+                                 alternatives(calibration::kindNamesOfRows()), kind.name),
+                     "remove it");
   check("anchor", &calibration::MeasurementKindRow::has_anchor, "an anchor");
   check("direction", &calibration::MeasurementKindRow::has_direction, "a direction");
   if (const YamlNode* node = root.find("turn_sigma"); node && kind.turn_rows == 0)
-    node->fail("`turn_sigma` of a kind that measures no angle", "it with angles", "remove it");
+    node->failSaying(fmt::format("`turn_sigma` is for readings of angles, and kind {} measures none", kind.name),
+                     "remove it");
 }
 
 constexpr int kPosturesOfSurface = 12;
@@ -126,20 +133,23 @@ CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
 
 void readNoiseOfAxes(const YamlNode& node, const Units& units, CampaignDesign& design) {
   design.sigma_W = readVector(node, units, dimension::kLength);
-  if (!(design.sigma_W->minCoeff() > 0)) node.fail("three lengths above zero");
+  if (!(design.sigma_W->minCoeff() > 0))
+    node.failSaying("a sigma of x, y or z is not above zero", "write three lengths above zero");
   if (!kindOf(design.kind).has_coordinates)
-    node.fail("`sigmas` of a kind that measures no x, y, z", "`sigma` alone", "remove it");
+    node.failSaying(
+        fmt::format("`sigmas` is for readings of x, y, z, and kind {} measures none", kindOf(design.kind).name),
+        "write one `sigma` instead");
   design.sigma = calibration::meanSigma(*design.sigma_W);
 }
 
 void readCorrelationList(const YamlNode& node, CampaignDesign& design) {
-  if (!design.sigma_W)
-    node.fail("`correlations` without `sigmas`", "the sigmas of x, y and z", "add sigmas: [x, y, z]");
+  if (!design.sigma_W) node.failSaying("`correlations` need `sigmas`, those of x, y and z", "add sigmas: [x, y, z]");
   if (node.list().size() != 3) node.fail("three numbers: of x and y, x and z, y and z");
   Eigen::Vector3d numbers;
   for (std::size_t k = 0; k < 3; ++k) numbers[static_cast<Eigen::Index>(k)] = node.list()[k].number();
   if (!calibration::isPossibleCorrelation(numbers))
-    node.fail("a positive definite correlation matrix, each entry between -1 and 1");
+    node.failSaying("the correlations are not those of a positive definite matrix, each between -1 and 1",
+                    "check their order and signs");
   design.correlation_W = numbers;
 }
 

@@ -1,6 +1,7 @@
 #include "app/formats/cell/cell_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -33,9 +34,9 @@ Matrix6d readCovariance(const YamlNode& node, const Units& units) {
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseMax(1e-300).cwiseSqrt();
   const Matrix6d correlation = sigma.cwiseInverse().asDiagonal() * covariance * sigma.cwiseInverse().asDiagonal();
   if (!correlation.isApprox(correlation.transpose(), 1e-6))
-    node.fail("a matrix that is not symmetric", "a covariance", "");
+    node.failSaying("the covariance is not symmetric", "write it symmetric, six lists of six numbers");
   if (correlation.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() < -1e-6)
-    node.fail("a matrix with a negative variance", "a covariance", "");
+    node.failSaying("the matrix has a negative variance, so it is no covariance", "check its numbers and their order");
   return covariance;
 }
 
@@ -43,7 +44,7 @@ double readSigma(const YamlNode& node, const char* key, const Units& units, Dime
   const YamlNode* value = node.find(key);
   if (!value) return otherwise;
   const double sigma = readQuantity(*value, units, dimension);
-  if (!(sigma > 0)) value->fail("a standard deviation that is not above zero", "one above zero", "");
+  if (!(sigma > 0)) value->fail("a standard deviation above zero");
   return sigma;
 }
 
@@ -74,7 +75,7 @@ void readModelError(const YamlNode& node, Cell& cell) {
   }
   const YamlNode& sigma = is_map ? node.at("sigma") : node;
   error.sigma = readQuantity(sigma, cell.units, dimension::kLength);
-  if (!(error.sigma >= 0)) sigma.fail("a negative length", "zero or more", "");
+  if (!(error.sigma >= 0)) sigma.fail("a length of zero or more");
   cell.model_error = error;
 }
 
@@ -86,11 +87,21 @@ void readPark(const YamlNode& node, Cell& cell) {
   for (Eigen::Index k = 0; k < cell.arm.jointCount(); ++k) {
     const auto& joint = cell.arm.joint(k);
     const bool slides = joint.type == deflection::JointType::kPrismatic;
-    const double q = readQuantity(numbers[k], cell.units, slides ? dimension::kLength : dimension::kAngle);
+    const Dimension unit = slides ? dimension::kLength : dimension::kAngle;
+    const double q = readQuantity(numbers[k], cell.units, unit);
     if (!(q >= joint.lower && q <= joint.upper))
-      numbers[k].fail("a reading past a limit of " + joint.name, "one within its limits", "");
+      numbers[k].fail(fmt::format("a reading between the limits of {}, {} and {}", joint.name,
+                                  formatNumber(cell.units.toFile(joint.lower, unit)),
+                                  formatNumber(cell.units.toFile(joint.upper, unit))));
     (*cell.park)[k] = q;
   }
+}
+
+/// Returns the row that may be meant, else all rows of the arm.
+std::string adviceOnRow(const std::string& name, const deflection::Arm& arm) {
+  const auto rows = deflection::rowNames(arm);
+  const std::string near = suggestion(name, rows);
+  return near.empty() ? fmt::format("its rows are {}", fmt::join(rows, ", ")) : near;
 }
 
 // Reads the differences of set-ups of the base from the arm's file: rows that are rigid there, as on a bench.
@@ -102,9 +113,7 @@ void readSetups(const YamlNode& node, deflection::Arm& arm) {
     deflection::RigidMounting mounting{node.keys[k], {}};
     for (const YamlNode& item : setup.at("rigid").list()) {
       const auto row = deflection::findRow(arm, item.text());
-      if (!row)
-        item.fail("the unknown row '" + item.text() + "'", "a row of the arm file",
-                  suggestion(item.text(), deflection::rowNames(arm)));
+      if (!row) item.failSaying("the arm has no row " + inQuotes(item.text()), adviceOnRow(item.text(), arm));
       mounting.rows.push_back(*row);
     }
     arm.mountings.push_back(std::move(mounting));
@@ -119,7 +128,7 @@ void readIdentify(const YamlNode& node, Cell& cell) {
       item.fail("the unknown parameter '" + name + "'", "a number of the arm file by its path, or geometry",
                 suggestion(name, known));
     if (std::find(cell.identify.begin(), cell.identify.end(), name) != cell.identify.end())
-      item.fail("'" + name + "' again", "every name once", "");
+      item.failSaying(inQuotes(name) + " is listed twice", "list every name once");
     cell.identify.push_back(name);
   }
 }
@@ -129,9 +138,10 @@ void readIdentify(const YamlNode& node, Cell& cell) {
 void requireSamePair(const YamlNode& pair, const ArmSource& arm, const Cell& cell) {
   if (pair.text() == arm.pair) return;
   const std::string found = arm.pair.empty() ? "none" : "'" + arm.pair + "'";
-  pair.fail(fmt::format("'{}', but '{}' has {}", pair.text(), cell.arm_path, found),
-            "the arm file that was written with this cell",
-            "write both again, or remove the key `pair` if another arm is meant");
+  pair.failSaying(fmt::format("'{}' is not the arm file that was written with this cell: the cell has the pair '{}', "
+                              "the arm {}",
+                              cell.arm_path, pair.text(), found),
+                  "write both again, or remove the key `pair` if another arm is meant");
 }
 
 // Reads the arm: inline, from given text or from its own file.
@@ -145,7 +155,8 @@ ArmSource readCellArm(const YamlNode& node, const std::optional<std::string>& te
     return readArm(cell.arm_source.root);
   }
   if (std::error_code error; !std::filesystem::exists(cell.arm_path, error))
-    node.fail("no file '" + cell.arm_path + "'", "an arm file, relative to this cell's folder", "check the name");
+    node.failSaying("there is no file '" + cell.arm_path + "'",
+                    "check the name of the arm file: it is relative to this cell's folder");
   cell.arm_source = readYamlFile(cell.arm_path);
   return readArm(cell.arm_source.root);
 }
@@ -190,7 +201,7 @@ Cell cellOf(YamlFile file, const std::optional<std::string>& arm_text) {
   const auto folder = std::filesystem::path(path).parent_path();
   if (const YamlNode* sheet = root.find("tubesheet")) cell.sheet = readSheet(*sheet, cell.units, folder);
   if (const YamlNode* tool = root.find("calibration_tool")) {
-    if (!cell.sheet) tool->fail("a calibration tool without a tube sheet", "both", "add `tubesheet`");
+    if (!cell.sheet) tool->failSaying("the cell has a calibration tool but no tube sheet", "add `tubesheet`");
     cell.tool = readSteppedTool(*tool, cell.units, cell.sheet->hole_diameter);
   }
   if (const YamlNode* park = root.find("park")) readPark(*park, cell);
@@ -218,22 +229,22 @@ Cell parseCell(const std::string& text, const std::string& path, const std::opti
 
 const tubesheets::Sheet& requireSheet(const Cell& cell, const std::string& purpose) {
   if (!cell.sheet)
-    throw InputError(cell.path, "no key 'tubesheet'", "one: needed to " + purpose,
-                     "add it, as in app/cells/mockup.yaml");
+    throw InputError::saying(cell.path, "there is no key 'tubesheet', which is needed to " + purpose,
+                             "add it, as in app/cells/mockup.yaml");
   return *cell.sheet;
 }
 
 const tubesheets::SteppedTool& requireTool(const Cell& cell, const std::string& purpose) {
   if (!cell.tool)
-    throw InputError(cell.path, "no key 'calibration_tool'", "one: needed to " + purpose,
-                     "add it, as in app/cells/mockup.yaml");
+    throw InputError::saying(cell.path, "there is no key 'calibration_tool', which is needed to " + purpose,
+                             "add it, as in app/cells/mockup.yaml");
   return *cell.tool;
 }
 
 void requireToolAxis(const Cell& cell, const std::string& purpose) {
   if (!cell.tool_axis_stated)
-    throw InputError(
-        cell.path, "no insertion direction of the tool", "it: needed to " + purpose,
+    throw InputError::saying(
+        cell.path, "the insertion direction of the tool, which is needed to " + purpose + ", is not stated",
         "add tool: {axis: [x, y, z]} to the arm file, or a scene whose sheet allows a capsule of the tool");
 }
 

@@ -186,14 +186,14 @@ void requireReproduced(const CellFiles& files, const calibration::Identification
   const double rms = calibration::judge(rereadBasePoses(files, result.fitted), used).rms;
   if (std::abs(rms - result.after.rms) <= kAlike * result.after.rms + kLeast) return;
   if (!std::isfinite(rms))
-    throw InputError(files.cell.path.string(),
-                     "a fitted arm too compliant for its deflected shape to converge at every reading",
-                     "an arm that carries its loads", "nothing was written; check the readings");
+    throw InputError::saying(files.cell.path.string(),
+                             "the fitted arm is too compliant for its deflected shape to converge at every reading",
+                             "nothing was written; check the readings");
   const auto length = [&](double metres) {
     return fmt::format("{:.6g} {}", metres / units.factor(dimension::kLength), units.length().name);
   };
   throw InputError(files.cell.path.string(), "an error of " + length(rms) + " by the cell as it would be written",
-                   "the reported " + length(result.after.rms), "nothing was written; please report this");
+                   "the reported error of " + length(result.after.rms), "nothing was written; please report this");
 }
 
 }  // namespace

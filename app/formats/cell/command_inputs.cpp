@@ -70,8 +70,10 @@ std::size_t placeOfChosen(const std::string& theirs, const std::vector<std::stri
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (theirs == columns[c] || theirs == file + ":" + columns[c]) found.push_back(c);
   if (found.size() == 1) return found.front();
-  throw InputError("--column", fmt::format("{} columns {}", found.size(), inQuotes(theirs)), "one",
-                   found.empty() ? suggestion(theirs, columns) : "give each column a name of its own");
+  if (found.empty())
+    throw InputError::saying("--column", file + " has no column " + inQuotes(theirs), suggestion(theirs, columns));
+  throw InputError::saying("--column", fmt::format("{} has {} columns {}", file, found.size(), inQuotes(theirs)),
+                           "give each column a name of its own");
 }
 
 /// Returns the list's table with only these columns: "row=Reihe", "x_mm=list.csv:Lage"; `file` is its name.
@@ -101,8 +103,8 @@ std::vector<std::string> columnsOfList(std::vector<std::string> columns, const s
 tubesheets::Selection selectedOrRefused(tubesheets::Selection selection, const std::string& request,
                                         const std::string& option) {
   if (selection.status == tubesheets::SelectionStatus::kSelected) return selection;
-  throw InputError(option, inQuotes(request) + " (" + selection.reason + ")", "tubes of this sheet",
-                   "`tubeplan map CELL --csv holes.csv` lists them");
+  throw InputError::saying(option, fmt::format("{} cannot be used: {}", inQuotes(request), selection.reason),
+                           "`tubeplan map CELL --csv holes.csv` lists the tubes of this sheet");
 }
 
 }  // namespace
@@ -154,8 +156,8 @@ tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sh
 
 void requireWorkList(const std::vector<std::string>& columns, const std::vector<std::string>& requests) {
   if (!columns.empty() && std::ranges::none_of(requests, namesCsvFile))
-    throw InputError("--column", inQuotes(columns.front()) + " without a work list", "--tubes LIST.csv with it",
-                     "leave --column out, or name the list");
+    throw InputError::saying("--column", inQuotes(columns.front()) + " is given without a work list",
+                             "name the list by --tubes LIST.csv, or leave --column out");
 }
 
 std::vector<std::string> listNotes(const tubesheets::Selection& selection) {

@@ -41,13 +41,27 @@ void requireFormula(const deflection::MadeFormula& made, const deflection::Arm& 
   for (const auto& named : deflection::formulaSymbols(arm, formulaUnitsOf(units))) symbols.push_back(named.name);
   for (const auto& name : made.free)
     if (const auto meant = misspeltSymbol(name, symbols); !meant.empty())
-      throw InputError(where, "the unknown name " + inQuotes(name), "a symbol, or a parameter",
-                       meant + " If it is a parameter, give it an initial value: '; " + name.substr(0, 60) + "=0'");
+      throw InputError::saying(
+          where, fmt::format("the name {} is neither a symbol nor a parameter with an initial value", inQuotes(name)),
+          meant + " If it is a parameter, give it an initial value: '; " + name.substr(0, 60) + "=0'");
   if (made.status == deflection::FormulaStatus::kMade) return;
   std::string advice = suggestion(made.word, made.known);
   if (advice.empty() && made.status == deflection::FormulaStatus::kBadTarget && !made.known.empty())
     advice = fmt::format("the targets are {}", fmt::join(made.known, ", "));
   throw InputError(where, made.found, made.expected, advice);
+}
+
+/// Returns the sentence for an effect that cannot be at a place.
+std::string noPlaceText(const deflection::MadeEffect& made, const std::string& name, const std::string& at) {
+  if (!made.known.empty()) return fmt::format("this arm has no place {} for the effect {}", inQuotes(at), name);
+  return fmt::format("the effect {} cannot be at {}: {}", name, inQuotes(at), made.reason);
+}
+
+/// Returns advice that lists the places for an effect, and the one that may be meant; empty if there are none.
+std::string placesAdvice(const deflection::MadeEffect& made, const std::string& at) {
+  if (made.known.empty()) return "";
+  const std::string near = suggestion(at, made.known);
+  return fmt::format("choose one of {}{}{}", fmt::join(made.known, ", "), near.empty() ? "" : "; ", near);
 }
 
 /// Returns an effect with its initial numbers: a formula, or an effect of the catalogue.
@@ -64,9 +78,8 @@ Effect effectAtStart(const YamlNode& node, const deflection::Arm& arm, const Uni
     node.at("effect").fail("the unknown effect " + inQuotes(node.at("effect").text()), "an effect of the catalogue",
                            suggestion(node.at("effect").text(), made.known));
   if (made.status != EffectStatus::kMade)
-    node.at("at").fail("the place " + inQuotes(node.at("at").text()) + ": " + made.reason,
-                       made.known.empty() ? "another arm" : fmt::format("one of {}", fmt::join(made.known, ", ")),
-                       suggestion(node.at("at").text(), made.known));
+    node.at("at").failSaying(noPlaceText(made, node.at("effect").text(), node.at("at").text()),
+                             placesAdvice(made, node.at("at").text()));
   return made.effect;
 }
 
@@ -129,7 +142,7 @@ void readSizes(const std::string& text, const deflection::Arm& arm, const Units&
     const std::string name = equals == std::string::npos ? names.front() : part.substr(0, equals);
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
-      throw InputError(where, "no number " + inQuotes(name), fmt::format("one of {}", fmt::join(names, ", ")),
+      throw InputError(where, "the unknown number " + inQuotes(name), fmt::format("one of {}", fmt::join(names, ", ")),
                        suggestion(name, names));
     const int value = static_cast<int>(found - names.begin());
     const auto number = deflection::numberOf(arm, effect, value);
@@ -159,7 +172,8 @@ std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm
     const bool is_twice = std::any_of(effects.begin(), effects.end(), [&](const Effect& other) {
       return deflection::textOf(arm, other) == deflection::textOf(arm, effect);
     });
-    if (is_twice) item.fail(deflection::textOf(arm, effect) + " again", "every effect once at a place", "");
+    if (is_twice)
+      item.failSaying(deflection::textOf(arm, effect) + " is listed twice", "list every effect once at a place");
     effects.push_back(std::move(effect));
   }
   return effects;
@@ -222,14 +236,13 @@ ParsedEffect parseEffect(const std::string& text, const deflection::Arm& arm, co
   if (at == std::string::npos)
     throw InputError(where, inQuotes(text), "EFFECT@AT, as backlash@tool.z", "`tubeplan effects CELL` lists them");
   const std::size_t colon = text.find(':', at);
-  const auto made = deflection::makeEffect(arm, text.substr(0, at), text.substr(at + 1, colon - at - 1));
-  if (made.status != EffectStatus::kMade) {
-    const bool is_effect = made.status == EffectStatus::kUnknownEffect;
-    throw InputError(
-        where, inQuotes(text) + " (" + made.reason + ")",
-        made.known.empty() ? "an effect this arm can have" : fmt::format("one of {}", fmt::join(made.known, ", ")),
-        suggestion(is_effect ? text.substr(0, at) : text.substr(at + 1, colon - at - 1), made.known));
-  }
+  const std::string name = text.substr(0, at), place = text.substr(at + 1, colon - at - 1);
+  const auto made = deflection::makeEffect(arm, name, place);
+  if (made.status == EffectStatus::kUnknownEffect)
+    throw InputError(where, "the unknown effect " + inQuotes(name),
+                     fmt::format("one of {}", fmt::join(made.known, ", ")), suggestion(name, made.known));
+  if (made.status != EffectStatus::kMade)
+    throw InputError::saying(where, noPlaceText(made, name, place), placesAdvice(made, place));
   ParsedEffect parsed{made.effect, colon != std::string::npos};
   if (parsed.has_sizes) readSizes(text.substr(colon + 1), arm, units, where, parsed.effect);
   return parsed;

@@ -66,7 +66,7 @@ NamedShape findShape(const YamlNode& node, const std::string& prefix, const std:
   for (const std::string& word : words) {
     const YamlNode* item = node.find(word);
     if (!item) continue;
-    if (chosen) item->fail("a second shape, " + word, "one shape for each entry", "move it to an entry of its own");
+    if (chosen) item->failSaying("the entry has a second shape, " + word, "move it to an entry of its own");
     chosen = item;
     key = prefix + word;
   }
@@ -104,10 +104,10 @@ void checkSize(const YamlNode& node, const planner::TriangleMesh& mesh, const Sc
   const auto text = [&](double length) {
     return fmt::format("{:.4g} {}", reading.units.toFile(length, dimension::kLength), reading.units.length().name);
   };
-  node.fail(
-      fmt::format("a mesh that is {} across, beside an arm that reaches {}", text(size), text(reading.reach)),
-      "a mesh in the cell's unit of length",
-      fmt::format("say in which unit it is (unit: mm), or unit: {} if that is its size", reading.units.length().name));
+  node.failSaying(
+      fmt::format("the mesh would be {} across, beside an arm that reaches {}: it may be in another unit of length",
+                  text(size), text(reading.reach)),
+      fmt::format("state its unit (unit: mm), or unit: {} if that is its size", reading.units.length().name));
 }
 
 /// Returns the mesh [m] of a row that names one, and records its file; nothing for other rows.
@@ -117,7 +117,8 @@ std::optional<planner::TriangleMesh> readMesh(const NamedShape& shape, SceneRead
   const YamlNode& node = shape.fields->at(field->name);
   const std::string path = (reading.folder / node.text()).lexically_normal().string();
   if (std::error_code error; !std::filesystem::exists(path, error))
-    node.fail("no file '" + path + "'", "a mesh (.stl, .obj, .ply), relative to this cell's folder", "check the name");
+    node.failSaying("there is no file '" + path + "'",
+                    "check the name of the mesh (.stl, .obj, .ply): it is relative to this cell's folder");
   MeshFile file = readMeshFile(path);
   const Unit* unit = nullptr;
   for (const auto& other : shape.row->fields)
@@ -145,7 +146,7 @@ planner::ShapePointer makeShape(const NamedShape& shape, SceneReading& reading) 
   }
   const auto mesh = readMesh(shape, reading);
   planner::MadeShape made = planner::makeShape(*shape.row, numbers, mesh ? &*mesh : nullptr);
-  if (!made.shape) shape.fields->fail(made.problem, "a shape with a size", "");
+  if (!made.shape) shape.fields->failSaying(made.problem);
   if (mesh) reading.meshes.back().shape = std::dynamic_pointer_cast<const planner::MeshShape>(made.shape);
   return made.shape;
 }
@@ -166,8 +167,8 @@ planner::Obstacle readObstacle(const YamlNode& node, SceneReading& reading) {
 planner::Body readBody(const YamlNode& node, SceneReading& reading) {
   const NamedShape shape = findShape(node, "", {"name", "allow"});
   if (!shape.row->may_be_body)
-    shape.fields->fail("a shape that a link cannot have",
-                       "a box, sphere, capsule or cylinder: a link has a convex body", "");
+    shape.fields->failSaying("a link cannot have this shape, because its body is convex",
+                             "write a box, sphere, capsule or cylinder");
   planner::Body body;
   body.shape = makeShape(shape, reading);
   body.allow = readAllow(node);

@@ -96,10 +96,12 @@ std::vector<calibration::CampaignPoint> openHoles(const Cell& cell) {
 
 BaseError baseErrorOf(const SimulationRequest& request, const Cell& cell, const CampaignDesign& design) {
   if (cell.base_known && !request.base_error.empty())
-    throw InputError("--base-error", "a base that is known", "base: {..., known: false} in " + cell.path);
+    throw InputError::saying("--base-error", "the base of the cell is known, so it has no error",
+                             "write base: {..., known: false} in " + cell.path);
   if (cell.base_known && design.setups > 1)
-    throw InputError(cell.path, fmt::format("one known base for {} set-ups", design.setups),
-                     "base: {..., known: false}, since each set-up has a base of its own");
+    throw InputError::saying(
+        cell.path, fmt::format("the base is known, but each of the {} set-ups has a base of its own", design.setups),
+        "write base: {..., known: false}");
   if (cell.base_known) return {};
   if (request.base_error.empty()) return {kBaseShift, kBaseTurn};
   if (request.base_error.size() != 2)
@@ -126,7 +128,8 @@ calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cel
   calibration::TruthOptions truth;
   truth.parameters = identifiedParameters(cell);
   if (request.spread > 0 && truth.parameters.empty())
-    throw InputError(cell.path, "no parameters under `identify`", "them: needed for --spread");
+    throw InputError::saying(cell.path, "there are no parameters under `identify`, which --spread needs",
+                             "list them there");
   truth.spread = request.spread;
   truth.base_shift_sigma = base.shift;
   truth.base_turn_sigma = base.turn;
@@ -157,8 +160,7 @@ SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& requ
   task.readings = countReadings(request, file);
   task.design = file.design;
   if (const auto problem = calibration::findDesignProblem(task.design, task.readings); !problem.empty())
-    throw InputError("--design " + request.design, problem, "measurements that can be simulated",
-                     "see `tubeplan simulate --help`");
+    throw InputError::saying("--design " + request.design, problem, "see `tubeplan simulate --help`");
   requireHoles(cell, task.design);
   if (kindOf(task.design.kind).counts_steps) (void)requireTool(cell, "count its steps");
   task.base = baseErrorOf(request, cell, task.design);

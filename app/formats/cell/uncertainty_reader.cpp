@@ -40,7 +40,7 @@ std::optional<Dimension> dimensionOfNumber(const std::string& name, const deflec
 
 double readSigma(const YamlNode& node, const Units& units, Dimension dimension) {
   const double sigma = readQuantity(node, units, dimension);
-  if (!(sigma >= 0)) node.fail("a standard deviation below zero", "zero or more", "");
+  if (!(sigma >= 0)) node.fail("a standard deviation of zero or more");
   return sigma;
 }
 
@@ -57,7 +57,7 @@ MatrixXd readCorrelation(const YamlNode& node, std::size_t numbers) {
   }
   if (correlation.cwiseAbs().maxCoeff() > 1 + kRounding ||
       correlation.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() < -kRounding * static_cast<double>(count))
-    node.fail("correlations that no errors can have", "those of a covariance", "");
+    node.failSaying("no errors can have these correlations", "write those of a covariance");
   return correlation;
 }
 

@@ -1,5 +1,7 @@
 #include "app/formats/cell/workcell.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "app/storage/input_error.hpp"
@@ -9,23 +11,25 @@ namespace tubeplan::app {
 namespace {
 
 void refuseWhatIsNotPlannedFor(const Cell& cell, const std::string& purpose) {
-  const std::string needed = ": needed to " + purpose;
   requireToolAxis(cell, purpose);
   for (const auto& row : cell.arm.rows) {
     if (!row.joint.follows.empty())
-      throw InputError(cell.path, "the joint " + row.joint.name + ", which follows others",
-                       "joints with encoder readings of their own" + needed,
-                       "give it a reading of its own: motions of coupled joints are not planned");
+      throw InputError::saying(
+          cell.path,
+          fmt::format("the joint {} follows others, but to {} each joint needs an encoder reading of its own",
+                      row.joint.name, purpose),
+          "give it one: motions of coupled joints are not planned");
     if (!std::isfinite(deflection::slideLength(row.joint)))
-      throw InputError(cell.path, "the slide " + row.joint.name + " without limits",
-                       "how far it goes either way" + needed, "add limits: [LOWEST, HIGHEST] to its joint");
+      throw InputError::saying(
+          cell.path, fmt::format("the slide {} has no limits, which are needed to {}", row.joint.name, purpose),
+          "add limits: [LOWEST, HIGHEST] to its joint");
   }
   if (!cell.arm.side_chains.empty())
-    throw InputError(
+    throw InputError::saying(
         cell.path,
-        "the side chain at " + cell.arm.rows[static_cast<std::size_t>(cell.arm.side_chains.front().row)].name,
-        "an arm without side chains" + needed,
-        "if it does not move, write its weight as a lump of the link that carries it");
+        fmt::format("the arm has a side chain at {}, but to {} it must have none",
+                    cell.arm.rows[static_cast<std::size_t>(cell.arm.side_chains.front().row)].name, purpose),
+        "if the chain does not move, write its weight as a lump of the link that carries it");
 }
 
 }  // namespace
@@ -46,9 +50,11 @@ planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
 void requireSpeeds(const Cell& cell) {
   for (const auto& joint : cell.arm.joints())
     if (!std::isfinite(joint.max_speed) && !std::isfinite(joint.max_acceleration))
-      throw InputError(cell.path, "neither max_speed nor max_acceleration of joint " + inQuotes(joint.name),
-                       "one of them at least: a plan's times follow from them",
-                       "state it in the arm file; a URDF's velocity=\"0\" is none");
+      throw InputError::saying(cell.path,
+                               fmt::format("joint {} has neither max_speed nor max_acceleration, from which a plan's "
+                                           "times follow",
+                                           inQuotes(joint.name)),
+                               "state one of them in the arm file; a URDF's velocity=\"0\" is none");
 }
 
 }  // namespace tubeplan::app

@@ -18,8 +18,9 @@ std::string questionChecksum(const PlanKey& question) { return fingerprintOf(jso
 
 }  // namespace
 
-void refuseDamaged(const CheckpointFormat& format, const std::filesystem::path& path, const std::string& found) {
-  throw InputError(path.string(), found, format.expected, format.remedy);
+void refuseDamaged(const CheckpointFormat& format, const std::filesystem::path& path, const std::string& what) {
+  throw InputError::saying(path.string(), fmt::format("{}, so it is damaged or not {}", what, format.file),
+                           format.remedy);
 }
 
 CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesystem::path& path) {
@@ -31,17 +32,17 @@ CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesys
   try {
     const json head = json::parse(text.substr(0, end));
     if (head.at("format") != format.name)
-      refuseDamaged(format, path, "the format " + inQuotes(head.at("format").dump()));
+      refuseDamaged(format, path, "the file has the format " + inQuotes(head.at("format").dump()));
     file.question = head.at("question").get<PlanKey>();
     file.checksum = head.at("checksum");
     // Files of version 0.1 have none.
     if (head.contains("question_checksum") && head.at("question_checksum") != questionChecksum(file.question))
-      refuseDamaged(format, path, "a first line that does not match its checksum");
+      refuseDamaged(format, path, "the file's first line does not match its checksum");
   } catch (const json::exception&) {
-    refuseDamaged(format, path, "a first line of no known format");
+    refuseDamaged(format, path, "the file's first line has no known format");
   }
   if (fingerprintOf(file.payload) != file.checksum)
-    refuseDamaged(format, path, "content that does not match its checksum");
+    refuseDamaged(format, path, "the file's content does not match its checksum");
   return file;
 }
 
@@ -50,7 +51,7 @@ void readPayload(const CheckpointFormat& format, const std::filesystem::path& pa
   try {
     read(json::parse(file.payload));
   } catch (const json::exception&) {
-    refuseDamaged(format, path, "content of another kind than is written to it");
+    refuseDamaged(format, path, "the file's content is of another kind than is written to it");
   }
 }
 
@@ -70,8 +71,8 @@ void putAside(const std::filesystem::path& path, const std::vector<std::string>&
   while (std::filesystem::exists(aside, error));
   std::filesystem::rename(path, aside, error);
   if (error)
-    throw InputError("--out", fmt::format("{}, which cannot be renamed: {}", path.string(), error.message()),
-                     "a folder that can be written", "use another folder");
+    throw InputError::saying("--out", fmt::format("{} cannot be renamed ({})", path.string(), error.message()),
+                             "use another folder, which can be written");
   say(fmt::format("started again: {} is of {}; it is kept as {}", path.string(), fmt::join(differences, ", "),
                   aside.filename().string()));
 }

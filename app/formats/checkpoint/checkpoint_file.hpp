@@ -16,9 +16,9 @@ inline constexpr int kLeastShareOfWriting = 20;  ///< minimum ratio of the pause
 
 /// Name of a file format, with the texts of the message for a damaged file.
 struct CheckpointFormat {
-  const char* name;      ///< name of the format: "tubeplan plan memory 1"
-  const char* expected;  ///< expected file: "a file written by tubeplan plan"
-  const char* remedy;    ///< advice: "remove it and plan again"
+  const char* name;    ///< name of the format: "tubeplan plan memory 1"
+  const char* file;    ///< kind of file: "a file written by tubeplan plan"
+  const char* remedy;  ///< advice: "remove it and plan again"
 };
 
 struct CheckpointFile {
@@ -26,8 +26,9 @@ struct CheckpointFile {
   std::string checksum, payload;
 };
 
+/// Throws InputError for a file that is damaged or another one. `what` is a sentence: "its runs are out of order".
 [[noreturn]] void refuseDamaged(const CheckpointFormat& format, const std::filesystem::path& path,
-                                const std::string& found);
+                                const std::string& what);
 
 /// Reads a file. Throws InputError if it cannot be read, has another format or does not match its checksums.
 [[nodiscard]] CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesystem::path& path);

@@ -40,8 +40,8 @@ PlanCheckpoint::PlanCheckpoint(fs::path folder, bool must_resume, const std::str
   if (from.empty()) return;
   const fs::path path = fs::path(from) / kCacheFile;
   if (!isThere(path))
-    throw InputError("--from", inQuotes(from) + " without " + kCacheFile, "the folder of a plan that was completed",
-                     "plan without --from");
+    throw InputError::saying("--from", fmt::format("there is no {} in {}", kCacheFile, inQuotes(from)),
+                             "name the folder of a plan that was completed, or plan without --from");
   const CheckpointFile file = readCheckpoint(kPlanFormat, path);
   from_fingerprint_ = file.checksum;
   from_question_ = file.question;
@@ -52,8 +52,9 @@ void PlanCheckpoint::begin(const PlanKey& question) {
   question_ = question;
   if (takeStopped(question)) return;
   if (must_resume_ && !takeDone(question))
-    throw InputError("--resume", "no stopped plan in " + inQuotes(folder_.string()),
-                     std::string("a folder with ") + kProgressFile, "omit --resume to start again");
+    throw InputError::saying(
+        "--resume", fmt::format("there is no stopped plan ({}) in {}", kProgressFile, inQuotes(folder_.string())),
+        "name its folder, or omit --resume to start again");
   if (!must_resume_ && !from_.empty()) takeFrom(question);
 }
 
@@ -68,8 +69,8 @@ bool PlanCheckpoint::takeStopped(const PlanKey& question) {
     return true;
   }
   if (must_resume_)
-    throw InputError("--resume", fmt::format("{} stopped with {}", path.string(), fmt::join(differences, ", ")),
-                     "the same options as the stopped run", "repeat them, or omit --resume to start again");
+    throw InputError::saying("--resume", fmt::format("{} stopped with {}", path.string(), fmt::join(differences, ", ")),
+                             "repeat the options of the stopped run, or omit --resume to start again");
   putAside(path, differences);
   return false;
 }
@@ -86,8 +87,8 @@ bool PlanCheckpoint::takeDone(const PlanKey& question) {
 
 void PlanCheckpoint::takeFrom(const PlanKey& question) {
   if (partOf(from_question_, "sheet") != partOf(question, "sheet"))
-    throw InputError("--from", fmt::format("a plan for another sheet, fingerprint {}", partOf(from_question_, "sheet")),
-                     fmt::format("one for the cell's, {}", partOf(question, "sheet")),
+    throw InputError("--from", fmt::format("a plan for the sheet of fingerprint {}", partOf(from_question_, "sheet")),
+                     fmt::format("one for the cell's sheet, {}", partOf(question, "sheet")),
                      "check leg and map, or plan without --from");
   const auto differences = findModelDifferences(from_question_, question);
   cache_.visiting_order = from_cache_.visiting_order;

@@ -23,7 +23,8 @@ RunSet runsFrom(const json& ranges, const fs::path& path) {
   std::uint64_t last = 0;
   for (const auto& range : ranges) {
     const RunRange runs{wholeNumber<std::uint64_t>(range.at(0)), wholeNumber<std::uint64_t>(range.at(1))};
-    if (runs.first < last || runs.end <= runs.first) refuseDamaged(kTallyFormat, path, "runs out of order");
+    if (runs.first < last || runs.end <= runs.first)
+      refuseDamaged(kTallyFormat, path, "the file's runs are out of order");
     set.insert(runs);
     last = runs.end;
   }
@@ -57,8 +58,9 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
   std::error_code error;
   if (!fs::exists(path(), error)) {
     if (must_resume_)
-      throw InputError("--resume", "no campaign in " + inQuotes(folder_.string()),
-                       std::string("a folder with ") + kTallyFile, "omit --resume to start again");
+      throw InputError::saying("--resume",
+                               fmt::format("there is no campaign ({}) in {}", kTallyFile, inQuotes(folder_.string())),
+                               "name its folder, or omit --resume to start again");
     return std::nullopt;
   }
   const CheckpointFile file = readCheckpoint(kTallyFormat, path());
@@ -72,8 +74,9 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
     return tally;
   }
   if (must_resume_)
-    throw InputError("--resume", fmt::format("{} with {}", path().string(), fmt::join(differences, ", ")),
-                     "the same options, with as many runs or more", "repeat them, or omit --resume to start again");
+    throw InputError::saying(
+        "--resume", fmt::format("{} is of {}", path().string(), fmt::join(differences, ", ")),
+        "repeat the options of that campaign, with as many runs or more, or omit --resume to start again");
   putAside(path(), differences);
   return std::nullopt;
 }

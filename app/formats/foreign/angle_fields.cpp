@@ -67,20 +67,19 @@ void requireOneForm(const ForeignTable& table, std::size_t column, bool is_state
   const std::string &heading = table.columns[column], &text = first->fields[column];
   for (const auto& row : table.rows)
     if (isOfAnotherForm(row.fields[column], form))
-      throw InputError(
-          fmt::format("{}:{} (column {})", table.file, row.line, inQuotes(heading)),
-          fmt::format("{} where line {} has {}", inQuotes(row.fields[column]), first->line, inQuotes(text)),
-          "angles in one form", "write all of the column alike");
+      throw InputError::saying(fmt::format("{}:{} (column {})", table.file, row.line, inQuotes(heading)),
+                               fmt::format("the angle {} is written in another form than {} in line {}",
+                                           inQuotes(row.fields[column]), inQuotes(text), first->line),
+                               "write all angles of the column alike");
   if (!form || !isBare(*form) || is_stated) return;
   const double value = parseSexagesimal(text)->value;
-  throw InputError(fmt::format("the column {} of {}", inQuotes(heading), table.file),
-                   fmt::format("{}, which may be hours, minutes and seconds ({:.6g} deg) or degrees, minutes and "
-                               "seconds ({:.6g} deg)",
-                               inQuotes(text), value * kDegreesPerHour, value),
-                   "one of them",
-                   fmt::format("rename the heading to '{0} [hms]' or '{0} [dms]', or write --column NAME_hms='{0}' or "
-                               "NAME_dms='{0}'",
-                               heading));
+  throw InputError::saying(
+      fmt::format("the column {} of {}", inQuotes(heading), table.file),
+      fmt::format("{} may be hours, minutes and seconds ({:.6g} deg) or degrees, minutes and seconds ({:.6g} deg)",
+                  inQuotes(text), value * kDegreesPerHour, value),
+      fmt::format("rename the heading to '{0} [hms]' or '{0} [dms]', or write --column NAME_hms='{0}' or "
+                  "NAME_dms='{0}'",
+                  heading));
 }
 
 bool mayBeHours(const ForeignTable& table, std::size_t column) {
@@ -94,11 +93,11 @@ void refuseDoubtfulDegrees(const ForeignTable& table, std::size_t column, const 
   if (!mayBeHours(table, column)) return;
   const auto [least, most] = *rangeOfHourAngle(table, column);
   const std::string theirs = inQuotes(table.columns[column]);
-  throw InputError(
+  throw InputError::saying(
       fmt::format("the column {} of {}", theirs, table.file),
-      fmt::format("{0:.6g} to {1:.6g}, which may be hours ({2:.6g} to {3:.6g} deg) or degrees ({0:.6g} to {1:.6g} deg)",
-                  least, most, least * kDegreesPerHour, most * kDegreesPerHour),
-      "one of them", fmt::format("write --column {0}_h={1} or --column {0}_deg={1}", quantity, theirs));
+      fmt::format("its numbers, {0:.6g} to {1:.6g}, may be hours ({2:.6g} to {3:.6g} deg) or degrees", least, most,
+                  least * kDegreesPerHour, most * kDegreesPerHour),
+      fmt::format("write --column {0}_h={1} or --column {0}_deg={1}", quantity, theirs));
 }
 
 std::optional<double> numberIn(std::string_view field, const Unit* unit) {

@@ -42,7 +42,9 @@ std::pair<std::size_t, const Unit*> targetOf(const std::string& name, const std:
     const std::string_view word = std::string_view(name).substr(target.quantity.size() + 1);
     if (const Unit* unit = unitOfKind(findUnitWord(word), *target.unit)) return {k, unit};
   }
-  throw InputError("--column", inQuotes(name), "a column of a measurement table", suggestion(name, known));
+  const std::string near = suggestion(name, known);
+  throw InputError::saying("--column", "a measurement table has no column " + inQuotes(name),
+                           near.empty() ? "`tubeplan readings CELL --template` prints an empty one" : near);
 }
 
 struct FoundColumn {
@@ -64,9 +66,10 @@ FoundColumn columnOf(const std::string& theirs, const std::vector<ForeignTable>&
   }
   if (found.size() == 1) return found.front();
   if (found.empty())
-    throw InputError("--column", "no column " + inQuotes(theirs), alternatives(known), suggestion(theirs, known));
-  throw InputError("--column", fmt::format("{} columns {}", found.size(), inQuotes(theirs)), "one",
-                   fmt::format("write {}:{}", tables[found.front().table].file, theirs));
+    throw InputError("--column", "the unknown column " + inQuotes(theirs), alternatives(known),
+                     suggestion(theirs, known));
+  throw InputError::saying("--column", fmt::format("{} columns have the name {}", found.size(), inQuotes(theirs)),
+                           fmt::format("write {}:{}", tables[found.front().table].file, theirs));
 }
 
 }  // namespace
@@ -79,8 +82,8 @@ ChosenColumn parseChosenColumn(const std::string& chosen, const std::vector<Fore
   const auto [target, unit] = targetOf(chosen.substr(0, equals), targets);
   const auto [table, column, factor] = columnOf(chosen.substr(equals + 1), tables);
   if (factor != 1 && (!targets[target].is_number || targets[target].form))
-    throw InputError("--column", fmt::format("a factor in {}", inQuotes(chosen)),
-                     "none but of joints, coordinates and other single numbers", "");
+    throw InputError::saying("--column", fmt::format("the column of {} cannot have a factor", inQuotes(chosen)),
+                             "only joints, coordinates and other single numbers can");
   return {target, table, column, unit, factor};
 }
 

@@ -214,10 +214,10 @@ const Unit* unitOf(const ForeignTable& table, const ForeignHeading& heading, Uni
   const auto asked = usual.find(kind);
   if (above == table.units.end()) return asked == usual.end() ? nullptr : asked->second;
   if (asked != usual.end() && asked->second->name != above->second.unit->name)
-    throw InputError(table.file,
-                     fmt::format("the unit {} by {}", above->second.unit->name, inQuotes(above->second.line)),
-                     fmt::format("{} as --units says", asked->second->name),
-                     "leave that unit out of --units, or take out the line where it is not true");
+    throw InputError::saying(table.file,
+                             fmt::format("the line {} states the unit {}, but --units says {}",
+                                         inQuotes(above->second.line), above->second.unit->name, asked->second->name),
+                             "leave that unit out of --units, or remove the line if it is not true");
   return above->second.unit;
 }
 

@@ -56,7 +56,9 @@ class ColumnTaker {
   void takeChosen(const std::string& chosen) {
     const ChosenColumn column = parseChosenColumn(chosen, tables_, targets_);
     if (isTaken(column.target) || std::ranges::find(parts_, column.target, &ChosenColumn::target) != parts_.end())
-      throw InputError("--column", fmt::format("{} twice", inQuotes(targets_[column.target].quantity)), "it once", "");
+      throw InputError::saying("--column",
+                               fmt::format("{} is assigned twice", inQuotes(targets_[column.target].quantity)),
+                               "assign it once");
     if (!targets_[column.target].form)
       return add(column.target, column.table, column.column, column.unit, column.factor);
     free_[column.table][column.column] = false;
@@ -73,10 +75,10 @@ class ColumnTaker {
           return targets_[chosen.target].form == &form && targets_[chosen.target].part == part;
         });
         if (found == parts_.end() || found->table != columns.table)
-          throw InputError("--column",
-                           fmt::format("{} without its {} in the same table", form.name, form.numbers[part].name),
-                           fmt::format("all {} numbers", form.numbers.size()),
-                           fmt::format("add --column {}.{}=COLUMN", form.name, form.numbers[part].name));
+          throw InputError::saying("--column",
+                                   fmt::format("{} lacks its {} in the same table: it has {} numbers", form.name,
+                                               form.numbers[part].name, form.numbers.size()),
+                                   fmt::format("add --column {}.{}=COLUMN", form.name, form.numbers[part].name));
         columns.columns.push_back(found->column);
         columns.units.push_back(found->unit);
       }
@@ -118,8 +120,9 @@ class ColumnTaker {
     const auto& form = *std::ranges::find(writtenForms(), name, &WrittenForm::name);
     std::vector<std::string> numbers;
     for (const auto& number : form.numbers) numbers.push_back(fmt::format("--column {}.{}=COLUMN", name, number.name));
-    throw InputError(fmt::format("{} {}", columnsOf(form.stated).option, name), "no columns with its headings",
-                     fmt::format("{}", form.words), fmt::format("say which: {}", fmt::join(numbers, " ")));
+    throw InputError::saying(fmt::format("{} {}", columnsOf(form.stated).option, name),
+                             fmt::format("no columns have its headings ({})", form.words),
+                             fmt::format("say which: {}", fmt::join(numbers, " ")));
   }
 
   void addForm(FormColumns columns, bool are_chosen = false) {
@@ -144,8 +147,9 @@ class ColumnTaker {
     for (std::size_t part = 0; part < stated.columns.size(); ++part) {
       const std::size_t target = indexOf(stated.columns[part]);
       if (isTaken(target))
-        throw InputError("--column", fmt::format("{} and {}", stated.columns[part], shared->form->name), "one of them",
-                         "");
+        throw InputError::saying("--column",
+                                 fmt::format("{} cannot be combined with {}", stated.columns[part], shared->form->name),
+                                 "give one of them");
       taken_.push_back({fmt::format("{}_{}", stated.columns[part], ownUnitOf(unit).unit->name), target, shared->table,
                         shared->columns.front(), 1, shared, part});
     }
@@ -160,11 +164,10 @@ class ColumnTaker {
     if (found.size() > 1 && targets_[k].is_number) {
       std::vector<std::string> names;
       for (const auto& [t, c] : found) names.push_back(nameOf(t, c));
-      throw InputError("the columns",
-                       fmt::format("{}, which could each be {}", fmt::join(names, " and "), targets_[k].quantity),
-                       "one",
-                       fmt::format("say which: --column {}={}:{}", targets_[k].quantity, tables_[found[0].first].file,
-                                   tables_[found[0].first].columns[found[0].second]));
+      throw InputError::saying(
+          "the columns", fmt::format("{} could each be {}", fmt::join(names, " and "), targets_[k].quantity),
+          fmt::format("say which: --column {}={}:{}", targets_[k].quantity, tables_[found[0].first].file,
+                      tables_[found[0].first].columns[found[0].second]));
     }
     add(k, found[0].first, found[0].second, nullptr);
   }
@@ -197,13 +200,14 @@ class ColumnTaker {
       return unit;
     const std::string& theirs = tables_[table].columns[column];
     if (heading.is_count)
-      throw InputError("the column " + nameOf(table, column), "pulses, whose size is not stated",
-                       "the angle or length of one",
-                       fmt::format("write --column '{}_{}={}*0.0001', with the size of a pulse and its sign", quantity,
-                                   exampleOf(kind), theirs));
-    throw InputError("the column " + nameOf(table, column), "no unit",
-                     fmt::format("{} with its unit: {}", quantity, alternatives(unitNames(kind))),
-                     fmt::format("write --units {0}, or --column {1}_{0}={2}", exampleOf(kind), quantity, theirs));
+      throw InputError::saying("the column " + nameOf(table, column),
+                               "its numbers are pulses, whose size as an angle or length is not stated",
+                               fmt::format("write --column '{}_{}={}*0.0001', with the size of a pulse and its sign",
+                                           quantity, exampleOf(kind), theirs));
+    throw InputError::saying(
+        "the column " + nameOf(table, column),
+        fmt::format("the unit of {} is not stated: {}", quantity, alternatives(unitNames(kind))),
+        fmt::format("write --units {0}, or --column {1}_{0}={2}", exampleOf(kind), quantity, theirs));
   }
 
   /// Throws InputError for whole numbers of many turns: pulses rather than angles, whatever unit is assumed.
@@ -217,11 +221,12 @@ class ColumnTaker {
     }
     if (joint.unit != UnitKind::kAngle || most < kMostTurns) return;
     const std::string& theirs = tables_[table].columns[column];
-    throw InputError("the column " + nameOf(table, column),
-                     fmt::format("whole numbers that would be up to {:.0f} turns", most), "angles, not pulses",
-                     fmt::format("write --column '{0}_{1}={2}*0.0001' with the size of a pulse and its sign, or "
-                                 "--column {0}_{1}={2} if they are angles",
-                                 joint.quantity, unit.name, theirs));
+    throw InputError::saying(
+        "the column " + nameOf(table, column),
+        fmt::format("its whole numbers would be up to {:.0f} turns as angles, so they may be pulses", most),
+        fmt::format("write --column '{0}_{1}={2}*0.0001' with the size of a pulse and its sign, or "
+                    "--column {0}_{1}={2} if they are angles",
+                    joint.quantity, unit.name, theirs));
   }
 
   [[nodiscard]] const std::string& firstField(std::size_t table, std::size_t column) const {
@@ -247,8 +252,8 @@ class ColumnTaker {
       if (isNumbered(target))
         columns.push_back(fmt::format("--column '{}={}'", target.quantity,
                                       tables_[patterns.front().table].columns[patterns.front().columns[k++]]));
-    throw InputError("the columns", fmt::format("{} for the joints", fmt::join(sets, " and ")), "one set",
-                     fmt::format("say which, such as {}", fmt::join(columns, " ")));
+    throw InputError::saying("the columns", fmt::format("{} could each be the joints", fmt::join(sets, " and ")),
+                             fmt::format("say which, such as {}", fmt::join(columns, " ")));
   }
 
   [[noreturn]] void missingJoint(std::size_t k) const {
@@ -259,9 +264,10 @@ class ColumnTaker {
       for (std::size_t c = 0; c < free_[t].size(); ++c)
         if (free_[t][c]) left.push_back(tables_[t].columns[c]);
     const std::string& name = targets_[k].quantity;
-    throw InputError("the columns", "none for the joint " + name,
-                     left.empty() ? "one for every joint" : "one of " + alternatives(left),
-                     fmt::format("say which: --column {}=COLUMN", name));
+    throw InputError::saying("the columns",
+                             fmt::format("none is recognised as the joint {}{}", name,
+                                         left.empty() ? "" : fmt::format(", which may be {}", alternatives(left))),
+                             fmt::format("say which: --column {}=COLUMN", name));
   }
 
   const std::vector<ForeignTable>& tables_;

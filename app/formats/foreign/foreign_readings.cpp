@@ -78,8 +78,8 @@ class ForeignReader {
   void refuseUnused() const {
     for (std::size_t t = 0; t < request_.tables.size(); ++t)
       if (!isUsed(t))
-        throw InputError(table(t).file, "no column that is recognised", "joints, coordinates or points",
-                         "say which columns they are (--column x_mm=COLUMN), or leave the file out");
+        throw InputError::saying(table(t).file, "no column is recognised as joints, coordinates or points",
+                                 "say which columns they are (--column x_mm=COLUMN), or leave the file out");
   }
 
   /// Matches the rows of all tables with those of the table with the joints.
@@ -149,9 +149,10 @@ class ForeignReader {
     const StatedColumns& turn = columnsOf(Stated::kTurn);
     if (request_.kind.empty() || !neededForms({request_.kind}, {}).contains(Stated::kTurn)) return;
     if (std::ranges::any_of(turn.columns, [&](const char* name) { return isTaken(name); })) return;
-    throw InputError(
-        "the columns", fmt::format("none for the orientation of readings of kind {}", request_.kind),
-        fmt::format("{}, or the numbers of {}", fmt::join(turn.columns, ", "), alternatives(formNames(Stated::kTurn))),
+    throw InputError::saying(
+        "the columns",
+        fmt::format("none states the orientation of readings of kind {}, by {}, or by the numbers of {}", request_.kind,
+                    fmt::join(turn.columns, ", "), alternatives(formNames(Stated::kTurn))),
         "say which columns they are: --column euler-zyx.z_deg=COLUMN and so on");
   }
 
@@ -188,13 +189,14 @@ class ForeignReader {
     if (turn && turn->form) return has_place ? "pose" : "orientation";
     if (has_place) return "position";
     if (!isTaken("point"))
-      throw InputError("the columns", "no coordinates and no points", "x, y and z, or the points that were touched",
-                       "say which columns they are (--column x_mm=COLUMN), or of what kind the readings are (--kind)");
+      throw InputError::saying(
+          "the columns", "none is recognised as coordinates x, y, z or as the points that were touched",
+          "say which columns they are (--column x_mm=COLUMN), or of what kind the readings are (--kind)");
     if (!unknown_numbers_.empty() && !areHoles())
-      throw InputError(
+      throw InputError::saying(
           "the columns",
-          fmt::format("no coordinates, and numbers that are not recognised: {}", fmt::join(unknown_numbers_, ", ")),
-          "x, y and z, or touches of points alone",
+          fmt::format("none is recognised as coordinates x, y, z, and the numbers in {} have no known meaning",
+                      fmt::join(unknown_numbers_, ", ")),
           "say which columns they are (--column x_mm=COLUMN), or of polar coordinates all three "
           "(--column polar.horizontal_gon=COLUMN); or say that the readings are touches (--kind touch)");
     return "touch";
@@ -336,11 +338,11 @@ class ForeignReader {
     const auto orders = dateOrders(fields);
     if (orders.size() < 2) return orders.empty() ? DateOrder::kMonthFirst : orders.front();
     const auto first = std::ranges::find_if(fields, isClockTime);
-    throw InputError(
+    throw InputError::saying(
         fmt::format("the column {} of {}", inQuotes(table(column.table).columns[column.column]),
                     table(column.table).file),
-        fmt::format("{} and no day beyond 12: the day may be the first number or the second", inQuotes(*first)),
-        "one of them", "say which: --dates day-first or --dates month-first");
+        fmt::format("the day may be the first number or the second, as in {}: no day is beyond 12", inQuotes(*first)),
+        "say which: --dates day-first or --dates month-first");
   }
 
   const ForeignRequest& request_;

@@ -45,8 +45,10 @@ std::map<UnitKind, StatedUnit> statedUnits(const std::vector<std::string>& lines
     for (const Unit* unit : unitsIn(tubesheets::behindUnits(line))) {
       const auto [known, is_new] = stated.try_emplace(unit->kind, StatedUnit{unit, line});
       if (!is_new && known->second.unit->name != unit->name)
-        throw InputError(file, fmt::format("{} and {}", inQuotes(known->second.line), inQuotes(line)),
-                         "one unit of a kind", "take out the line that is not true");
+        throw InputError::saying(
+            file,
+            fmt::format("the lines {} and {} state different units", inQuotes(known->second.line), inQuotes(line)),
+            "remove the line that is not true");
     }
   return stated;
 }

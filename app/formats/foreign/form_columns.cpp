@@ -195,9 +195,10 @@ std::optional<FormColumns> onlyForm(const std::vector<FormColumns>& found, const
                                    columns.form->words));
     options.push_back(fmt::format("{} {}", stated.option, columns.form->name));
   }
-  throw InputError("the columns " + namesOf(left.front(), tables),
-                   fmt::format("{} that may be written as {}", stated.word, fmt::join(readings, "; or as ")),
-                   "one of them", fmt::format("say which: {}", fmt::join(options, " or ")));
+  throw InputError::saying(
+      "the columns " + namesOf(left.front(), tables),
+      fmt::format("their numbers may state {} as {}", stated.word, fmt::join(readings, ", or as ")),
+      fmt::format("say which: {}", fmt::join(options, " or ")));
 }
 
 }  // namespace tubeplan::app

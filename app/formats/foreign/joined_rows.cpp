@@ -38,7 +38,8 @@ class RowJoiner {
     }
     const std::size_t kept = out_.rows[out_.lead].size();
     if (kept == 0)
-      throw InputError(lead().file, "no row that another table has a point for", "rows with the same names", "");
+      throw InputError::saying(lead().file, "no row has a name that the other tables have too",
+                               "give the points the same names in all tables");
     if (const std::size_t lost = lead().rows.size() - kept; lost > 0)
       out_.left_out.push_back(fmt::format("{} rows of {} whose names another table does not have", lost, lead().file));
     return std::move(out_);
@@ -67,8 +68,9 @@ class RowJoiner {
                           [&](const auto& row) { return tubesheets::parseNumber(row.fields[column]).has_value(); });
     };
     if (areNames(lead(), ours) && areNames(table(t), theirs))
-      throw InputError(table(t).file, fmt::format("names of which {} has none", lead().file), "the same names in both",
-                       "give the points the same names, or remove them to match by order");
+      throw InputError::saying(
+          table(t).file, fmt::format("{} has none of its names", lead().file),
+          "give the points the same names in both, or remove the names to match rows by their order");
   }
 
   Partners partnersByName(std::size_t t, std::size_t ours, std::size_t theirs) {
@@ -76,9 +78,9 @@ class RowJoiner {
     for (std::size_t k = 0; k < table(t).rows.size(); ++k) {
       const auto& row = table(t).rows[k];
       if (!index.emplace(pointName(row.fields[theirs]), k).second)
-        throw InputError(fmt::format("{}:{}", table(t).file, row.line),
-                         fmt::format("the name {} twice", inQuotes(row.fields[theirs])), "every name once",
-                         "give the points different names, or remove the names to match rows by their order");
+        throw InputError::saying(fmt::format("{}:{}", table(t).file, row.line),
+                                 fmt::format("the name {} occurs twice", inQuotes(row.fields[theirs])),
+                                 "give the points different names, or remove the names to match rows by their order");
     }
     Partners partners;
     std::set<std::size_t> used;
@@ -99,8 +101,9 @@ class RowJoiner {
   Partners partnersByOrder(std::size_t t) {
     const std::size_t ours = lead().rows.size(), theirs = table(t).rows.size();
     if (ours != theirs)
-      throw InputError(table(t).file, fmt::format("{} rows, and none with a name that {} has", theirs, lead().file),
-                       fmt::format("{} rows, as {} has, or the same names in both", ours, lead().file), "");
+      throw InputError::saying(
+          table(t).file, fmt::format("its {} rows have no names of {}, which has {} rows", theirs, lead().file, ours),
+          "give the points the same names in both, or both tables as many rows");
     out_.how = "row by row";
     Partners partners;
     for (std::size_t k = 0; k < ours; ++k) partners.emplace_back(k);

@@ -38,7 +38,8 @@ void takeOptions(const std::string& file, const PointingLine& line, PointingHead
     if (word == "EQUAT" || word == "ALTAZ") {
       const bool is_altaz = word == "ALTAZ";
       if (head.is_altaz.value_or(is_altaz) != is_altaz)
-        throw InputError(lineOf(file, line), "both ALTAZ and EQUAT", "the one kind of mount that the readings are of");
+        throw InputError::saying(lineOf(file, line), "both ALTAZ and EQUAT are stated",
+                                 "keep the kind of mount that the readings are of");
       head.is_altaz = is_altaz;
     } else if (word == "NODA") {
       head.is_without_diurnal = true;
@@ -57,7 +58,7 @@ void takePlace(const std::string& file, const std::vector<PointingLine>& lines, 
   if (k >= lines.size() || !areAllNumbers(lines[k].fields) || lines[k].fields.size() < kLatitude ||
       lines[k].fields.size() > kMost)
     throw InputError(k < lines.size() ? lineOf(file, lines[k]) : file,
-                     k < lines.size() ? inQuotes(lines[k].text) : "nothing behind the options",
+                     k < lines.size() ? inQuotes(lines[k].text) : "nothing below the options",
                      "the latitude as degrees, minutes and seconds, then year, month, day, temperature, pressure");
   const PointingLine& line = lines[k];
   head.latitude = sixtiethsIn(file, line, 0, 3, 90);
@@ -65,10 +66,10 @@ void takePlace(const std::string& file, const std::vector<PointingLine>& lines, 
   if (line.fields.size() > kPressureAt) head.pressure = signedNumber(line.fields[kPressureAt]);
   if (head.temperature && (*head.temperature < -90 || *head.temperature > 60))
     throw InputError(lineOf(file, line), fmt::format("a temperature of {}", line.fields[kTemperatureAt]),
-                     "one in degC");
+                     "one in degC, from -90 to 60");
   if (head.pressure && (*head.pressure < 0 || *head.pressure > 1100))
     throw InputError(lineOf(file, line), fmt::format("a pressure of {}", line.fields[kPressureAt]),
-                     "one in hPa, 0 where places are with refraction");
+                     "one in hPa, from 0 to 1100; it is 0 where places are with refraction");
 }
 
 }  // namespace
@@ -107,7 +108,7 @@ double sixtiethsIn(const std::string& file, const PointingLine& line, std::size_
     const bool is_fit = number && (k == 0 ? std::abs(*number) <= most : isSixtieth(*number));
     if (!is_fit)
       throw InputError(lineOf(file, line), inQuotes(line.fields[from + k]) + fmt::format(" as number {}", from + k + 1),
-                       k == 0 ? fmt::format("no more than {}", most) : "minutes or seconds, 0 to 60");
+                       k == 0 ? fmt::format("a number within {} of zero", most) : "minutes or seconds, 0 to 60");
     parts.push_back(std::abs(*number));
   }
   return sumOfSixtieths(line.fields[from].starts_with('-'), parts);

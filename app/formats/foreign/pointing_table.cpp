@@ -30,7 +30,8 @@ class PointingParser {
   ForeignTable read() {
     head_ = readPointingHead(lines_, file_);
     if (head_.rows_from >= lines_.size())
-      throw InputError(file_, "no observations", "lines of 4 or 14 numbers behind the record of the latitude");
+      throw InputError::saying(file_, "there are no observations",
+                               "add lines of 4 or 14 numbers below the record of the latitude");
     width_ = lines_[head_.rows_from].fields.size();
     checkKind(lines_[head_.rows_from]);
     for (std::size_t row = head_.rows_from; row < lines_.size(); ++row) addObservation(lines_[row]);
@@ -51,9 +52,8 @@ class PointingParser {
                        "sidereal time), and up to 3 of auxiliary readings");
     is_stars_ = isOf(kStarNumbers);
     if (!is_stars_ && !head_.is_altaz.value_or(false))
-      throw InputError(lineOf(file_, line), "4 angles and no option ALTAZ",
-                       "`: ALTAZ`, or observations of stars (14 numbers)",
-                       "say above the latitude of which mount they are");
+      throw InputError::saying(lineOf(file_, line), "the observation has 4 angles, but no option says ALTAZ",
+                               "write the mount (`: ALTAZ`) above the latitude, or give stars (14 numbers)");
     refuseSidereal(line);
   }
 
@@ -63,7 +63,7 @@ class PointingParser {
     for (std::size_t row = head_.rows_from; row < lines_.size(); ++row)
       if (const auto& fields = lines_[row].fields; fields.size() > kSiderealMinutesAt)
         if (fields[kSiderealMinutesAt].find('.') != std::string::npos) return;
-    throw InputError(lineOf(file_, line), "a sidereal time of whole minutes, and further numbers",
+    throw InputError(lineOf(file_, line), "a sidereal time of whole minutes, with further numbers",
                      "hours and minutes with decimals, as 16 23.130", "write the seconds as decimals of the minutes");
   }
 
@@ -92,8 +92,9 @@ class PointingParser {
       numbers[k] = *signedNumber(line.fields[k]);
       const double most = k % 2 == 0 ? 720 : 180;
       if (std::abs(numbers[k]) > most)
-        throw InputError(lineOf(file_, line), line.fields[k],
-                         k % 2 == 0 ? "an azimuth in degrees" : "an elevation in degrees");
+        throw InputError(
+            lineOf(file_, line), line.fields[k],
+            k % 2 == 0 ? "an azimuth in degrees, within 720 of zero" : "an elevation in degrees, within 180 of zero");
     }
     addRow(line, {nearestTurn(-numbers[0]), numbers[1]}, nearestTurn(-numbers[2]), numbers[3]);
   }
@@ -112,8 +113,9 @@ class PointingParser {
 
   void addRow(const PointingLine& line, const SkyDirection& seen, double first, double second) {
     if (seen.altitude < 0)
-      throw InputError(lineOf(file_, line), fmt::format("a direction {:.2f} deg below the horizon", -seen.altitude),
-                       "one above it", "check the latitude's sign, the sidereal time and the order of the numbers");
+      throw InputError::saying(lineOf(file_, line),
+                               fmt::format("the direction is {:.2f} deg below the horizon", -seen.altitude),
+                               "check the latitude's sign, the sidereal time and the order of the numbers");
     const auto text = [](double degrees) { return fmt::format("{:.7f}", degrees); };
     table_.rows.push_back(
         {line.number, {"direction", text(seen.azimuth), text(seen.altitude), text(first), text(second)}});

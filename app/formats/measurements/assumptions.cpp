@@ -39,7 +39,7 @@ void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable
   if (is_sigma_settled && !kind->settles_sigma) mend->change_sigma = nullptr;
   mend->apply(table.readings);
   if (table.readings.empty())
-    throw InputError("--assume", inQuotes(assumption), "one that keeps some readings", "leave fewer out");
+    throw InputError::saying("--assume", inQuotes(assumption) + " leaves no reading", "leave fewer out");
   if (mend->frees_base) cell.base_known = false;
 }
 

@@ -38,7 +38,8 @@ class Header {
       const std::string name = quantity + "_" + unit;
       const auto index = take(name);
       if (index && found)
-        fail("both " + inQuotes(found->name) + " and " + inQuotes(name), "one of them", "remove the other");
+        failSaying(fmt::format("there are both columns {} and {}", inQuotes(found->name), inQuotes(name)),
+                   "remove one of them");
       if (index) found = NumberColumn{*index, findUnit(kind, unit), name};
     }
     if (!found) refuseOtherUnit(quantity, kind);
@@ -66,13 +67,17 @@ class Header {
       const std::string& name = table_.columns[i];
       if (taken_.contains(i)) continue;
       const std::string advice = suggestion(name, known_);
-      fail("the unknown column " + inQuotes(name), "only the columns of a measurement table",
-           advice.empty() ? "remove or rename it" : advice);
+      failSaying("a measurement table has no column " + inQuotes(name),
+                 advice.empty() ? "remove or rename it" : advice);
     }
   }
 
   [[noreturn]] void fail(const std::string& found, const std::string& expected, const std::string& advice) const {
     throw InputError(fmt::format("{}:{}", file_, table_.header_line), found, expected, advice);
+  }
+
+  [[noreturn]] void failSaying(const std::string& what, const std::string& advice) const {
+    throw InputError::saying(fmt::format("{}:{}", file_, table_.header_line), what, advice);
   }
 
  private:
@@ -81,16 +86,17 @@ class Header {
     for (std::size_t i = 0; i < table_.columns.size(); ++i)
       if (!taken_.contains(i)) left.push_back(table_.columns[i]);
     const std::string near = suggestion(name, left);
-    fail("no column " + inQuotes(name), "one",
-         near.empty() ? std::string("add it to the header, or ") + kReadForeign
-                      : "is it " + near.substr(near.find('\'')));
+    failSaying("there is no column " + inQuotes(name), near.empty()
+                                                           ? std::string("add it to the header, or ") + kReadForeign
+                                                           : "is it " + near.substr(near.find('\'')));
   }
 
   void refuseOtherUnit(const std::string& quantity, UnitKind kind) const {
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
       const std::string& name = table_.columns[i];
       if (taken_.contains(i) || !name.starts_with(quantity + "_") || name == quantity + "_dir") continue;
-      fail("the column " + inQuotes(name) + " with the unknown unit " + inQuotes(name.substr(quantity.size() + 1)),
+      fail(fmt::format("the unknown unit {} of the column {}", inQuotes(name.substr(quantity.size() + 1)),
+                       inQuotes(name)),
            alternatives(unitNames(kind)), "");
     }
   }

@@ -35,7 +35,7 @@ std::optional<Eigen::Vector3d> readTriple(const RowReader& row, const ColumnTrip
   const Eigen::Vector3d numbers(row.numberOrNaN(columns[0]), row.numberOrNaN(columns[1]), row.numberOrNaN(columns[2]));
   const auto missing = numbers.array().isNaN().count();
   if (missing == 3) return std::nullopt;
-  if (missing > 0) row.failRow(fmt::format("some of the {}", names), "all three or none");
+  if (missing > 0) row.failRow(fmt::format("only some of the {} are given", names), "give all three or none");
   return numbers;
 }
 
@@ -52,10 +52,10 @@ std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const Measuremen
   const auto sigmas = readTriple(row, columns.sigmas, "coordinates' sigma_x, sigma_y, sigma_z");
   if (!sigmas) return std::nullopt;
   if (!(sigmas->minCoeff() > 0))
-    row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
+    row.failRow("a sigma of x, y or z is not above zero", "write one standard deviation of the coordinate");
   if (!kind.has_coordinates)
-    row.failRow(fmt::format("sigma_x, sigma_y, sigma_z of a reading of kind {}", kind.name),
-                "its one `sigma`: it measures no x, y, z");
+    row.failRow(fmt::format("a reading of kind {} has no sigma_x, sigma_y, sigma_z: it measures no x, y, z", kind.name),
+                "write its one `sigma`");
   return sigmas;
 }
 
@@ -65,16 +65,15 @@ std::optional<Eigen::Vector3d> readCorrelations(const RowReader& row, const Meas
   const auto correlations = readTriple(row, columns.correlations, "correlations rho_xy, rho_xz, rho_yz");
   if (!correlations) return std::nullopt;
   if (!sigmas)
-    row.failRow("correlations rho_xy, rho_xz, rho_yz without the coordinates' own sigmas",
-                "them together with sigma_x, sigma_y, sigma_z", "add those columns, or leave the correlations out");
+    row.failRow("the correlations rho_xy, rho_xz, rho_yz need sigma_x, sigma_y, sigma_z",
+                "add those columns, or leave the correlations out");
   for (std::size_t k = 0; k < 3; ++k)
     if (!(std::abs((*correlations)[static_cast<Eigen::Index>(k)]) < 1))
       row.fail(columns.correlations[k]->index, row.field(columns.correlations[k]->index),
                "a correlation between -1 and 1, without either",
                "a covariance becomes one divided by the two standard deviations");
   if (!calibration::isPossibleCorrelation(*correlations))
-    row.failRow("correlations rho_xy, rho_xz, rho_yz that are not positive definite",
-                "those of a positive definite covariance",
+    row.failRow("the correlations rho_xy, rho_xz, rho_yz are not those of a positive definite covariance",
                 "check their order and signs, or write more of their digits");
   return correlations;
 }
@@ -82,7 +81,7 @@ std::optional<Eigen::Vector3d> readCorrelations(const RowReader& row, const Meas
 std::optional<Eigen::Vector3d> directionOfRow(const RowReader& row, const MeasurementColumns& columns) {
   const auto direction = readTriple(row, columns.direction, "direction's dx, dy, dz");
   if (!direction) return std::nullopt;
-  if (!(direction->norm() > 0)) row.failRow("the direction 0, 0, 0", "one that is not zero");
+  if (!(direction->norm() > 0)) row.failRow("the direction dx, dy, dz is zero", "write one that is not");
   return direction->normalized();
 }
 
@@ -92,10 +91,11 @@ std::optional<int> readRowOfArm(const RowReader& row, const MeasurementColumns& 
   const std::string name = row.textOr(columns.row);
   if (name.empty()) return std::nullopt;
   if (!kind.may_be_of_row)
-    row.fail(*columns.row, fmt::format("the row {} for a reading of kind {}", inQuotes(name), kind.name),
-             fmt::format("nothing: only readings of kind {} are of a row of the arm",
-                         fmt::join(calibration::kindNamesOfRows(), ", ")),
-             "leave the field empty");
+    row.failSaying(
+        *columns.row,
+        fmt::format("a reading of kind {} cannot be of row {}: only readings of kind {} are of a row of the arm",
+                    kind.name, inQuotes(name), fmt::join(calibration::kindNamesOfRows(), ", ")),
+        "leave the field empty");
   if (const auto found = deflection::findRow(arm, name)) return found;
   const auto names = deflection::rowNames(arm);
   row.fail(*columns.row, "the unknown row " + inQuotes(name), alternatives(names) + ", or nothing for the tool",
@@ -119,8 +119,8 @@ deflection::ConditionValues readConditions(const RowReader& row, const Measureme
     double& value = values[kind.condition];
     value = row.numberOrNaN(columns.conditions[kind.condition]);
     if (value < kind.least)
-      row.failRow(fmt::format("a {} below {}", kind.name, kind.least_words),
-                  fmt::format("the reading's {} in the column's unit", kind.name));
+      row.failRow(fmt::format("the {} is below {}", kind.name, kind.least_words),
+                  fmt::format("write the reading's {} in the column's unit", kind.name));
   }
   return values;
 }
@@ -165,8 +165,8 @@ void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measur
   const std::size_t count = kind.columns.size();
   std::vector<std::string> names, columns;
   for (const auto& column : kind.columns) names.emplace_back(column.name), columns.push_back(columnText(column));
-  row.failRow(fmt::format("a reading of kind {} without its {}", kind.name, fmt::join(names, ", ")),
-              fmt::format("{}number{} in the column{} {}", count > 1 ? "" : "a ",
+  row.failRow(fmt::format("the reading of kind {} has no {}", kind.name, fmt::join(names, ", ")),
+              fmt::format("write {}number{} in the column{} {}", count > 1 ? "" : "a ",
                           kind.is_possible && count == 1 ? " above zero"
                           : count > 1                    ? "s"
                                                          : "",
@@ -174,17 +174,18 @@ void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measur
 }
 
 void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
-  if (const auto lack = kind.lack ? kind.lack(m, kind.name) : std::nullopt)
-    row.failRow(lack->found, lack->expected, lack->advice);
+  if (const auto lack = kind.lack ? kind.lack(m, kind.name) : std::nullopt) row.failRow(lack->what, lack->advice);
   checkOwn(row, kind, m);
   if (m.p_TQ && calibration::isDisplacement(m))
-    row.failRow(fmt::format("tool_x, tool_y, tool_z of a reading of kind {}", kind.name), "readings of the tip itself");
+    row.failRow(
+        fmt::format("a reading of kind {} is of the tip itself, so it has no tool_x, tool_y, tool_z", kind.name),
+        "leave these empty");
   if (m.p_TQ && m.row)
-    row.failRow("tool_x, tool_y, tool_z of a reading of a row of the arm", "a row or a point of the tool, not both",
+    row.failRow("the reading has both a row of the arm and a point of the tool (tool_x, tool_y, tool_z)",
                 "leave one of them empty");
-  if (m.sigma <= 0) row.failRow("a sigma that is not above zero", "one standard deviation of a coordinate");
-  if (m.turn_sigma <= 0) row.failRow("a turn_sigma that is not above zero", "one standard deviation of an angle");
-  if (m.load < 0) row.failRow("a negative load", "zero or more");
+  if (m.sigma <= 0) row.failRow("the sigma is not above zero", "write one standard deviation of a coordinate");
+  if (m.turn_sigma <= 0) row.failRow("the turn_sigma is not above zero", "write one standard deviation of an angle");
+  if (m.load < 0) row.failRow("the load is negative", "write a load of zero or more");
 }
 
 }  // namespace
@@ -213,8 +214,12 @@ void RowReader::fail(std::size_t column, const std::string& found, const std::st
   throw InputError(fmt::format("{}:{} (column {})", file_, row_.line, table_.columns[column]), found, expected, advice);
 }
 
-void RowReader::failRow(const std::string& found, const std::string& expected, const std::string& advice) const {
-  throw InputError(fmt::format("{}:{}", file_, row_.line), found, expected, advice);
+void RowReader::failSaying(std::size_t column, const std::string& what, const std::string& advice) const {
+  throw InputError::saying(fmt::format("{}:{} (column {})", file_, row_.line, table_.columns[column]), what, advice);
+}
+
+void RowReader::failRow(const std::string& what, const std::string& advice) const {
+  throw InputError::saying(fmt::format("{}:{}", file_, row_.line), what, advice);
 }
 
 Measurement readMeasurement(const RowReader& row, const MeasurementColumns& columns, const deflection::Arm& arm,
@@ -255,15 +260,16 @@ std::shared_ptr<const Measurement> readReference(const RowReader& row, const Mea
                                                  const Measurement& m) {
   const std::string id = row.textOr(columns.from);
   if (id.empty())
-    row.failRow("a reading of kind relative without the one that it is taken from",
-                "another reading's id in the column 'from'");
+    row.failRow("the reading of kind relative does not name the one that it is taken from",
+                "write another reading's id in the column 'from'");
   const auto found = known.find(id);
   if (found == known.end() || id == m.id)
     row.fail(*columns.from, id == m.id ? "the reading's own id" : "the unknown id " + inQuotes(id),
              "the id of another reading");
   const Measurement& other = *found->second;
   if (other.setup != m.setup)
-    row.fail(*columns.from, fmt::format("the reading {} of another set-up", inQuotes(id)), "one of the same set-up");
+    row.failSaying(*columns.from, fmt::format("the reading {} is of another set-up", inQuotes(id)),
+                   "name one of the same set-up");
   auto reference = std::make_shared<Measurement>(other);
   reference->reference = nullptr;
   return reference;

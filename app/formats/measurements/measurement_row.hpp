@@ -30,8 +30,10 @@ class RowReader {
 
   [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected,
                          const std::string& advice = "") const;
-  [[noreturn]] void failRow(const std::string& found, const std::string& expected,
-                            const std::string& advice = "") const;
+
+  /// Throw InputError::saying() at a column, or at the row.
+  [[noreturn]] void failSaying(std::size_t column, const std::string& what, const std::string& advice = "") const;
+  [[noreturn]] void failRow(const std::string& what, const std::string& advice = "") const;
 
   [[nodiscard]] int line() const { return row_.line; }
 

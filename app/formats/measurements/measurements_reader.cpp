@@ -110,12 +110,12 @@ void requireFilledIn(const tubesheets::CsvTable& table, const MeasurementColumns
   const std::string what = fmt::format("{}", fmt::join(wanted, ", "));
   const auto values = calibration::valueColumnsOf(*kind);
   const bool is_some = !values.has_place && values.least < static_cast<int>(values.numbers.size());
-  throw InputError(fmt::format("{}:{}", file, blank.front()->line),
-                   blank.size() == 1
-                       ? fmt::format("a reading of kind {} without {}", kind->name, valuesOf(*kind))
-                       : fmt::format("{} readings that are not filled in: {}", blank.size(), fmt::join(named, ", ")),
-                   fmt::format("what was measured, {}{}", is_some ? "one or more of " : "", what),
-                   fmt::format("fill in {}, or take {} out", what, blank.size() == 1 ? "the row" : "these rows"));
+  throw InputError::saying(
+      fmt::format("{}:{}", file, blank.front()->line),
+      blank.size() == 1 ? fmt::format("the reading of kind {} does not state {}", kind->name, valuesOf(*kind))
+                        : fmt::format("{} readings are not filled in: {}", blank.size(), fmt::join(named, ", ")),
+      fmt::format("fill in what was measured, {}{}, or remove {}", is_some ? "one or more of " : "", what,
+                  blank.size() == 1 ? "the row" : "these rows"));
 }
 
 }  // namespace
@@ -130,10 +130,10 @@ void shareGivenNumbers(std::vector<Measurement>& readings, const std::string& fi
     if (!touchesSurface(reading) || std::isnan(reading.own[0])) continue;
     const auto [first, is_new] = stated.emplace(placeOf(reading), &reading);
     if (!is_new && reading.own[0] != first->second->own[0])
-      throw InputError(fmt::format("{}:{}", file, reading.line),
-                       fmt::format("another {} of the {}", kindOf(reading).columns.front().name, placeOf(reading)),
-                       fmt::format("the one that line {} states", first->second->line),
-                       "give another ball a name of its own");
+      throw InputError::saying(fmt::format("{}:{}", file, reading.line),
+                               fmt::format("the {} of the {} is another than in line {}",
+                                           kindOf(reading).columns.front().name, placeOf(reading), first->second->line),
+                               "correct it, or give another ball a name of its own");
   }
   for (auto& reading : readings)
     if (const auto found = stated.find(placeOf(reading)); found != stated.end()) reading.own = found->second->own;
@@ -193,7 +193,8 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
   if (table.problem && table.problem->advice.empty()) table.problem->advice = kReadForeign;
   if (table.problem) refuseText(file, *table.problem);
   const MeasurementColumns columns = findColumns(table, file, arm);
-  if (table.rows.empty()) throw InputError(file, "a header without readings", "one line or more for each reading", "");
+  if (table.rows.empty())
+    throw InputError::saying(file, "there are no readings below the header", "write a line for each reading");
   requireFilledIn(table, columns, file);
   MeasurementTable read;
   read.units = unitsOf(columns);
@@ -206,8 +207,9 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
     out.push_back(readMeasurement(reader, columns, arm, sheet));
     const auto [first, is_new] = index.emplace(out.back().id, out.size() - 1);
     if (!is_new)
-      reader.fail(columns.id, "the id " + inQuotes(out.back().id) + " again", "every id once",
-                  fmt::format("line {} has the same", out[first->second].line));
+      reader.failSaying(columns.id,
+                        fmt::format("line {} has the id {} too", out[first->second].line, inQuotes(out.back().id)),
+                        "give each reading an id of its own");
   }
   shareGivenNumbers(out, file);
   std::map<std::string, const Measurement*> known;

@@ -67,8 +67,9 @@ void settleCounts(std::vector<Measurement>& readings, const Cell& cell, const st
   const auto first = std::find_if(readings.begin(), readings.end(), counts);
   if (first == readings.end()) return;
   if (!cell.tool)
-    throw InputError(fmt::format("{}:{}", file, first->line), "steps without a calibration tool in the cell",
-                     "its steps and tolerances", "add `calibration_tool` to " + cell.path);
+    throw InputError::saying(fmt::format("{}:{}", file, first->line),
+                             "the reading counts steps, but the cell has no calibration tool",
+                             "add `calibration_tool` with its steps and tolerances to " + cell.path);
   settleSteps(readings, *cell.tool, file);
 }
 
@@ -78,9 +79,10 @@ void stateTurnSigma(Measurement& reading, const std::string& file, const Cell& c
   const auto& kind = kindOf(reading);
   if (kind.turn_rows == 0) return;
   if (!std::isfinite(reading.turn_sigma))
-    throw InputError(fmt::format("{}:{}", file, reading.line),
-                     fmt::format("a reading of kind {} without turn_sigma", kind.name), "the noise of its angles",
-                     fmt::format("add a column turn_sigma_{}", cell.units.angle().name));
+    throw InputError::saying(
+        fmt::format("{}:{}", file, reading.line),
+        fmt::format("the reading of kind {} has no turn_sigma, the noise of its angles", kind.name),
+        fmt::format("add a column turn_sigma_{}", cell.units.angle().name));
   if (kind.rows <= kind.turn_rows) reading.sigma = calibration::kTurnLever * reading.turn_sigma;
 }
 
@@ -89,7 +91,7 @@ void stateTurnSigma(Measurement& reading, const std::string& file, const Cell& c
 void stateSigma(std::vector<Measurement>& readings, const Cell& cell, const std::string& file, double sigma) {
   if (!std::isfinite(sigma) || sigma < 0)
     throw InputError("--sigma", fmt::format("{}", sigma),
-                     "a noise above zero, in " + std::string(cell.units.length().name));
+                     "a noise of zero or more, in " + std::string(cell.units.length().name));
   settleCounts(readings, cell, file);
   for (auto& reading : readings) {
     stateTurnSigma(reading, file, cell);
@@ -99,8 +101,8 @@ void stateSigma(std::vector<Measurement>& readings, const Cell& cell, const std:
     else if (isTouch(reading) && cell.tool)
       reading.sigma = touchSigmaOf(*cell.tool);
     else
-      throw InputError(fmt::format("{}:{}", file, reading.line), "a reading without sigma", "its noise",
-                       fmt::format("add a column sigma_{} or --sigma", cell.units.length().name));
+      throw InputError::saying(fmt::format("{}:{}", file, reading.line), "the reading has no sigma, its noise",
+                               fmt::format("add a column sigma_{} or --sigma", cell.units.length().name));
   }
 }
 
@@ -109,8 +111,9 @@ void requireDefinedFormulas(const std::vector<Measurement>& readings, const Cell
     const auto posture = calibration::postureOf(reading, cell.arm, cell.X_WB);
     const auto undefined = deflection::findUndefinedFormula(cell.arm, posture);
     if (!undefined.empty())
-      throw InputError(fmt::format("{}:{} (reading {})", file, reading.line, reading.id), undefined,
-                       "a formula with a finite value at every reading", "change the formula in " + cell.path);
+      throw InputError::saying(fmt::format("{}:{} (reading {})", file, reading.line, reading.id),
+                               "the formula " + undefined,
+                               "change it in " + cell.path + ", so that it is finite at every reading");
   }
 }
 
@@ -196,8 +199,9 @@ MeasurementTable tableOfAll(const ReadingFiles& files, const Cell& cell, const M
     MeasurementTable table = tableOf(readTextFile(file), file, cell, options, all.readings);
     for (const auto& reading : table.readings)
       if (!ids.insert(reading.id).second)
-        throw InputError(fmt::format("{}:{} (id)", file, reading.line), inQuotes(reading.id) + " again",
-                         "an id of its own in all files");
+        throw InputError::saying(fmt::format("{}:{} (id)", file, reading.line),
+                                 "a reading before has the id " + inQuotes(reading.id) + " too",
+                                 "give each an id of its own in all files");
     if (!all.readings.empty()) table.readings.insert(table.readings.begin(), all.readings.begin(), all.readings.end());
     all = std::move(table);
   }
@@ -230,7 +234,7 @@ ReadingsWithChecks parseAndCheck(const std::string& text, const std::string& fil
 std::string nameOf(const ReadingFiles& files) { return fmt::format("{}", fmt::join(files, " + ")); }
 
 ReadingsWithChecks readAndCheck(const ReadingFiles& files, Cell& cell, const MeasurementOptions& options) {
-  if (files.empty()) throw InputError("measurements", "no file", "one file of readings or more");
+  if (files.empty()) throw InputError("measurements", "no file", "one file of measurements or more");
   return checkTable(tableOfAll(files, cell, options), nameOf(files), cell, options);
 }
 
@@ -249,7 +253,7 @@ InputError inputErrorOf(const calibration::ReadingProblem& problem, const std::v
   const std::string where =
       problem.reading < 0 ? file
                           : fmt::format("{}:{}", file, readings.at(static_cast<std::size_t>(problem.reading)).line);
-  return InputError(where, problem.found, problem.expected, problem.advice);
+  return InputError::saying(where, problem.what, problem.advice);
 }
 
 std::vector<std::string> fitWarnings(const Identification& result, const std::vector<Measurement>& readings) {
@@ -267,8 +271,9 @@ InputError refusalOf(const std::optional<calibration::ReadingProblem>& problem, 
                      const CellReadings& input) {
   if (problem) return inputErrorOf(*problem, input.readings, input.file);
   if (input.cell.base_known && freeNumbersOf(input.cell).names.empty())
-    return {input.cell.path, "no free parameter", "a base to be found (base: {known: false}) or a list `identify`", ""};
-  return {input.file, reason, "readings that determine the free parameters", ""};
+    return InputError::saying(input.cell.path, "there is no free parameter",
+                              "write base: {known: false} for a base to be found, or a list `identify`");
+  return InputError::saying(input.file, reason, "check that the readings determine the free parameters");
 }
 
 }  // namespace tubeplan::app

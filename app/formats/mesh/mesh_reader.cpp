@@ -38,7 +38,8 @@ const MeshKind& meshKindOf(const std::string& path) {
   const std::string ending = lowerCase(fs::path(path).extension().string());
   const auto* kind = std::ranges::find(kMeshKinds, ending, &MeshKind::ending);
   if (kind == kMeshKinds.end())
-    throw InputError(path, "a file of another kind", "a mesh: .stl, .obj or .ply", "export the part as STL");
+    throw InputError(path, ending.empty() ? "no ending" : "the ending " + inQuotes(ending),
+                     "that of a mesh: .stl, .obj or .ply", "export the part as STL");
   return *kind;
 }
 
@@ -46,14 +47,17 @@ std::string bytesOf(const std::string& path) {
   std::error_code error;
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found)
-    throw InputError(path, "no such file", "a mesh, named relative to the cell's folder", "check the name");
-  if (!fs::is_regular_file(status)) throw InputError(path, "something that is not a regular file", "a mesh");
+    throw InputError::saying(path, "no such file", "check the name: it is relative to the cell's folder");
+  if (!fs::is_regular_file(status))
+    throw InputError::saying(path, "this is no regular file", "name the file of a mesh");
   if (fs::file_size(path, error) > kLargestMesh)
     throw InputError(path, "more than 256 MB", "a mesh of at most 256 MB", "export it coarser");
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(path, std::strerror(errno), "a file that can be read", "check the file's permissions");
+  if (!stream)
+    throw InputError::saying(path, fmt::format("the file cannot be read ({})", std::strerror(errno)),
+                             "check its permissions");
   std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (bytes.empty()) throw InputError(path, "an empty file", "a mesh", "check that the file was written");
+  if (bytes.empty()) throw InputError::saying(path, "the file is empty", "check that it was written");
   return bytes;
 }
 
@@ -91,13 +95,14 @@ planner::TriangleMesh trianglesOf(PolygonMesh&& polygons, const std::string& pat
     const std::span corners(polygons.corners.data() + begin, polygons.corners.data() + polygons.end[face]);
     begin = polygons.end[face];
     if (std::ranges::any_of(corners, [&](int k) { return k >= std::ssize(mesh.vertices); }))
-      throw InputError(path, fmt::format("a corner of face {} that does not exist", face + 1),
-                       fmt::format("one of {} vertices", mesh.vertices.size()), "export the part again");
+      throw InputError::saying(
+          path, fmt::format("a corner of face {} is beyond the {} vertices", face + 1, mesh.vertices.size()),
+          "export the part again");
     const auto triangles = trianglesOf(mesh.vertices, corners);
     if (triangles.empty())
-      throw InputError(path,
-                       fmt::format("a face of {} corners that cannot be triangulated unambiguously", corners.size()),
-                       "triangles", "export the part as triangles");
+      throw InputError::saying(
+          path, fmt::format("a face of {} corners cannot be divided into triangles unambiguously", corners.size()),
+          "export the part as triangles");
     mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
   }
   return mesh;
@@ -111,7 +116,7 @@ MeshFile readMeshFile(const std::string& path) {
   noteInput(path, bytes);
   MeshFile file{trianglesOf(kind.parse(bytes, path), path), fingerprintOf(bytes)};
   if (const std::string problem = planner::findMeshProblem(file.mesh); !problem.empty())
-    throw InputError(path, problem, "triangles of finite size", "export the part again");
+    throw InputError::saying(path, problem, "export the part again, as triangles of finite size");
   return file;
 }
 

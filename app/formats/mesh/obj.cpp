@@ -17,7 +17,7 @@ void readCorner(const TextWords& words, std::string_view word, PolygonMesh& mesh
 void readFace(TextWords& words, PolygonMesh& mesh) {
   std::string_view word;
   while (!(word = words.nextInLine()).empty() && !word.starts_with('#')) readCorner(words, word, mesh);
-  if (!mesh.endFace()) words.fail(word, "three vertices or more to a face");
+  if (!mesh.endFace()) words.fail(word, "three vertices or more for the face");
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ PolygonMesh parseObj(const std::string& bytes, const std::string& name) {
     } else if (word == "f") {
       readFace(words, mesh);
     } else if (word == "surf") {
-      words.fail(word, "faces: a free-form surface is not read");
+      words.failSaying("free-form surfaces (surf) are not supported, only faces");
     }
   }
   return mesh;

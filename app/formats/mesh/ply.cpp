@@ -73,7 +73,7 @@ PlyEncoding readEncoding(TextWords& words) {
   constexpr std::array<std::string_view, 3> kNames{"ascii", "binary_little_endian", "binary_big_endian"};
   const std::string_view name = words.nextInLine();
   const auto* found = std::ranges::find(kNames, name);
-  if (found == kNames.end()) words.fail(name, "format ascii, binary_little_endian or binary_big_endian");
+  if (found == kNames.end()) words.fail(name, "the format ascii, binary_little_endian or binary_big_endian");
   return static_cast<PlyEncoding>(found - kNames.begin());
 }
 
@@ -82,7 +82,7 @@ PlyElement readElement(TextWords& words) {
   element.name = words.nextInLine();
   const std::string_view count = words.nextInLine();
   const auto number = tubesheets::parseInteger(count);
-  if (!number || *number < 0) words.fail(count, "how many there are of the element");
+  if (!number || *number < 0) words.fail(count, "the number of entries of the element");
   element.count = static_cast<std::size_t>(*number);
   return element;
 }
@@ -109,7 +109,7 @@ PlyHeader readHeader(TextWords& words) {
     } else if (word == "element") {
       header.elements.push_back(readElement(words));
     } else if (word == "property") {
-      if (header.elements.empty()) words.fail(word, "the element that it belongs to before it");
+      if (header.elements.empty()) words.failSaying("the property stands before any element");
       header.elements.back().properties.push_back(readProperty(words));
     } else if (word != "comment" && word != "obj_info") {
       words.fail(word, "element, property, comment or end_header");
@@ -131,8 +131,8 @@ class PlyNumbers {
   int nextIndex(const NumberType& type) {
     const double number = next(type);
     if (number < 0 || number > std::numeric_limits<int>::max() || number != std::floor(number))
-      throw InputError(name_, fmt::format("the number {}", number), "a whole one, not below 0: of corners, or a vertex",
-                       "export the part again");
+      throw InputError(name_, fmt::format("the number {}", number),
+                       "the number of corners or of a vertex, whole and 0 or more", "export the part again");
     return static_cast<int>(number);
   }
 
@@ -146,7 +146,7 @@ class PlyNumbers {
 
   double nextBytes(const NumberType& type) {
     if (bytes_.size() - at_ < type.size)
-      throw InputError(name_, "the end of the file", "all elements of the header", "export the part again");
+      throw InputError::saying(name_, "the file ends before all elements of its header", "export the part again");
     char number[8];
     std::memcpy(number, bytes_.data() + at_, type.size);
     if ((encoding_ == PlyEncoding::kBigEndian) != (std::endian::native == std::endian::big))
@@ -182,8 +182,9 @@ bool areCorners(const PlyProperty& property) {
 
 void requireOnce(const PlyElement& element, const std::string& name, std::string_view what, auto is_it) {
   if (const auto times = std::ranges::count_if(element.properties, is_it); times != 1)
-    throw InputError(name, fmt::format("the property {} of the element {} {} times", what, element.name, times),
-                     "it once", "export the part again");
+    throw InputError::saying(
+        name, fmt::format("the element {} has the property {} {} times, not once", element.name, what, times),
+        "export the part again");
 }
 
 void readVertices(const PlyElement& element, PlyNumbers& numbers, PolygonMesh& mesh) {
@@ -209,8 +210,8 @@ void readFaces(const PlyElement& element, PlyNumbers& numbers, const std::string
         mesh.corners.push_back(numbers.nextIndex(*property.value));
     }
     if (!mesh.endFace())
-      throw InputError(name, fmt::format("fewer than three corners in face {}", k + 1), "three or more",
-                       "export the part again");
+      throw InputError::saying(name, fmt::format("face {} has fewer than three corners", k + 1),
+                               "export the part again");
   }
 }
 

@@ -62,7 +62,7 @@ void readVertex(TextWords& words, PolygonMesh& mesh) {
 
 void endTriangle(const TextWords& words, PolygonMesh& mesh) {
   const bool is_whole = mesh.endFace() && mesh.corners.size() == 3 * mesh.end.size();
-  if (!is_whole) words.fail("endfacet", "it after three vertices");
+  if (!is_whole) words.failSaying("this endfacet does not end three vertices");
 }
 
 /// Parses a text file. The names of solids are any text to the ends of their lines. The end of each solid is required,
@@ -80,7 +80,8 @@ PolygonMesh parseText(const std::string& bytes, const std::string& name) {
     } else if (word == "endfacet") {
       endTriangle(words, mesh);
     } else if (word == "facet") {
-      if (lowerCase(words.nextInLine()) != "normal") words.fail(word, "facet normal and three numbers");
+      if (lowerCase(words.nextInLine()) != "normal")
+        words.failSaying("'normal' and three numbers do not follow this facet");
       for (int k = 0; k < 3; ++k) (void)words.nextInLine();
     } else if (word != "outer" && word != "loop" && word != "endloop") {
       words.fail(word, "facet, outer loop, vertex, endloop, endfacet or endsolid");

@@ -26,8 +26,11 @@ class TextWords {
 
   /// Throws InputError at this line; an empty `found` means the end of the line or the file.
   [[noreturn]] void fail(std::string_view found, const std::string& expected) const;
+  /// Throws InputError::saying() at this line.
+  [[noreturn]] void failSaying(const std::string& what) const;
 
  private:
+  [[nodiscard]] std::string where() const;
   void skipBlanks(bool over_lines);
   std::string_view word();
 

@@ -17,8 +17,8 @@ std::optional<Eigen::VectorXd> postureOf(const std::string& text, const std::str
   if (text.empty()) return std::nullopt;
   if (text != "park") return parseJoints(text, cell.arm, cell.units, option);
   if (!cell.park)
-    throw InputError(cell.path, "no key 'park'", "the park posture that " + option + " asks for",
-                     "add park: [...], one reading for each joint, or write the readings after " + option);
+    throw InputError::saying(cell.path, "there is no key 'park', the park posture that " + option + " asks for",
+                             "add park: [...], one reading for each joint, or write the readings after " + option);
   return cell.park;
 }
 

@@ -30,8 +30,8 @@ using tubesheets::SheetDescription;
   const bool is_scalar = named && named->kind == YamlNode::Kind::kScalar;
   const std::string written =
       is_scalar && problem.found.find(named->scalar) == std::string::npos ? " (written " + named->scalar + ")" : "";
-  (named ? *named : node)
-      .fail((named ? "" : problem.what + ": ") + problem.found + written, problem.expected, problem.advice);
+  throw InputError(named ? named->where() : node.where(node.path + ": " + problem.what), problem.found + written,
+                   problem.expected, problem.advice);
 }
 
 void refuseProblems(const YamlNode& node, const std::vector<Problem>& problems) {
@@ -109,8 +109,9 @@ tubesheets::Sheet readMappedSheet(const YamlNode& node, const Units& units, cons
   auto map = std::make_shared<tubesheets::HoleMap>(tubesheets::parseHoleMap(readTextFile(path)));
   if (map->problem) refuseText(path, *map->problem);
   if (map->leg && *map->leg != description.leg)
-    node.at("leg").fail(fmt::format("the {} leg but a map of the {} leg", legName(description.leg), legName(*map->leg)),
-                        "the same leg in both", "check which map belongs to this cell");
+    node.at("leg").failSaying(
+        fmt::format("the leg is {}, but the map is of the {} leg", legName(description.leg), legName(*map->leg)),
+        "check which map belongs to this cell");
   tubesheets::Sheet sheet = tubesheets::makeSheet(description, map->tubes);
   sheet.map = std::move(map);
   return sheet;

@@ -1,6 +1,7 @@
 #include "app/formats/sheet/touch_input.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <set>
@@ -22,8 +23,8 @@ using calibration::Measurement;
 double sigmaOf(const Measurement& reading, const Cell& cell, const std::string& file) {
   if (std::isfinite(reading.sigma)) return reading.sigma;
   if (cell.tool) return touchSigmaOf(*cell.tool);
-  throw InputError(fmt::format("{}:{}", file, reading.line), "a touch without sigma", "its centring noise",
-                   "add a column sigma_" + std::string(cell.units.length().name));
+  throw InputError::saying(fmt::format("{}:{}", file, reading.line), "the touch has no sigma, its centring noise",
+                           "add a column sigma_" + std::string(cell.units.length().name));
 }
 
 /// Throws InputError for a touch whose hole's name and position mean different holes.
@@ -31,18 +32,25 @@ void requireNamedHole(const Measurement& reading, const Cell& cell, const std::s
   const auto name = tubesheets::parseTubeName(reading.point);
   const auto* tube = name && cell.sheet ? cell.sheet->find(name->row, name->column) : nullptr;
   if (!tube || (*reading.p_W - planner::holeCentre(*tube)).norm() < cell.sheet->pitch / 4) return;
-  throw InputError(fmt::format("{}:{}", file, reading.line), "coordinates that are not those of " + reading.point,
-                   "the hole's position on the sheet", "correct the name or the coordinates");
+  throw InputError::saying(fmt::format("{}:{}", file, reading.line),
+                           "the coordinates are not those of hole " + reading.point + " on the sheet",
+                           "correct the name or the coordinates");
 }
 
 void requireOneSetup(const std::vector<Measurement>& readings, const std::string& file, const std::string& setup) {
   std::set<std::string> setups;
   for (const auto& reading : readings)
     if (isTouch(reading)) setups.insert(reading.setup);
-  if (!setup.empty() && !setups.contains(setup)) throw InputError("--setup", inQuotes(setup), "a set-up of " + file);
+  if (!setup.empty() && !setups.contains(setup)) {
+    std::vector<std::string> known;
+    for (const auto& name : setups) known.push_back(inQuotes(name));
+    throw InputError::saying("--setup", file + " has no touch of the set-up " + inQuotes(setup),
+                             known.empty() ? "" : fmt::format("its set-ups are {}", fmt::join(known, ", ")));
+  }
   if (setup.empty() && setups.size() > 1)
-    throw InputError(file, std::to_string(setups.size()) + " set-ups", "touches with one base pose",
-                     "choose one with --setup");
+    throw InputError::saying(file,
+                             fmt::format("the touches are of {} set-ups, each with its own base pose", setups.size()),
+                             "choose one with --setup");
 }
 
 }  // namespace
@@ -75,14 +83,14 @@ std::vector<Measurement> touchesOf(const std::vector<Measurement>& readings, con
     touches.back().sigma = sigmaOf(reading, cell, file);
   }
   if (touches.empty())
-    throw InputError(file, "no touch of a known hole", "rows of kind touch with a hole's name (R10C20) or x, y, z");
+    throw InputError::saying(file, "no reading is a touch of a known hole",
+                             "add rows of kind touch with a hole's name (R10C20) or x, y, z");
   return touches;
 }
 
 std::vector<calibration::TouchPlan> requireTouches(BestTouches touches) {
   if (!touches.reason.empty())
-    throw InputError("--touches auto", touches.reason, "holes to touch",
-                     "check base, scene and joint limits of the cell");
+    throw InputError::saying("--touches auto", touches.reason, "check base, scene and joint limits of the cell");
   return std::move(touches.plans);
 }
 
@@ -97,14 +105,13 @@ std::vector<Measurement> touchesByTrueArm(const planner::Workcell& model, const 
   options.seed = seed;
   auto simulation = calibration::simulateTouches(truth.arm, truth.X_WB, plans, options);
   if (simulation.status != calibration::TouchSimulationStatus::kDone)
-    throw InputError("--touches auto", simulation.reason, "holes that the true arm can touch",
-                     "give touches in a file");
+    throw InputError::saying("--touches auto", simulation.reason, "give touches in a file");
   return std::move(simulation.touches);
 }
 
 void requireEnoughTouches(const std::vector<Measurement>& touches, const std::string& file) {
   if (const auto problem = calibration::findTouchProblem(touches); !problem.empty())
-    throw InputError(file, problem, "three or more different holes, well spread", "touch another hole");
+    throw InputError::saying(file, problem, "touch three or more different holes, well spread");
 }
 
 std::string touchesCsv(const std::vector<Measurement>& touches, const Cell& cell) {

@@ -37,7 +37,8 @@ void readTouched(const YamlNode& node, Cell& cell) {
       parseMeasurements(table, node.at("readings").where(), cell.arm, cell.sheet ? &*cell.sheet : nullptr), cell.arm};
   for (const auto& touch : cell.placed_by->touches)
     if (!touchesKnownPoint(touch))
-      node.at("readings").fail("a reading that is no touch of a known place", "the touches that placed the base", "");
+      node.at("readings")
+          .failSaying("a reading is no touch of a known place", "list only the touches that placed the base");
   const YamlNode *names = node.find("numbers"), *values = node.find("values");
   if (!names && !values) return;
   const auto& list = node.at("numbers").list();

@@ -82,9 +82,11 @@ void requireSameRows(const Arm& in_file, const Arm& arm, const std::string& file
   const char* advice = "--into takes the URDF file that the arm was imported from, with the same --tip";
   for (std::size_t k = 0; k < std::min(in_file.rows.size(), arm.rows.size()); ++k) {
     if (isSameRow(in_file.rows[k], arm.rows[k])) continue;
-    const bool is_other_ratio = inWords(in_file.rows[k]) == inWords(arm.rows[k]);
-    throw InputError(fmt::format("{} (row {})", file, k + 1), inWords(in_file.rows[k]),
-                     inWords(arm.rows[k]) + (is_other_ratio ? ", moved as the arm says" : ""), advice);
+    const std::string where = fmt::format("{} (row {})", file, k + 1), found = inWords(in_file.rows[k]);
+    if (found == inWords(arm.rows[k]))
+      throw InputError::saying(where, found + " does not move as in the arm: its type or the joints it follows differ",
+                               advice);
+    throw InputError(where, found, inWords(arm.rows[k]), advice);
   }
   if (in_file.rows.size() != arm.rows.size())
     throw InputError(file, fmt::format("{} joints and links that carry the tool", in_file.rows.size()),
@@ -230,8 +232,9 @@ class UrdfEditor {
   }
 
   [[noreturn]] void refuse(const std::string& joint) const {
-    throw InputError(fmt::format("{} (joint {})", file_, nameInLine(joint)), "XML that cannot be changed in place",
-                     "plain elements and attributes", "export without --into");
+    throw InputError::saying(fmt::format("{} (joint {})", file_, nameInLine(joint)),
+                             "the XML of this joint cannot be changed in place",
+                             "write it as plain elements and attributes, or export without --into");
   }
 
   /// Reads the new text and checks that every frame has the arm's pose. Throws InputError otherwise.

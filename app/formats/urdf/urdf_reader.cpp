@@ -43,8 +43,8 @@ Chain chainTo(const UrdfTree& tree, const Link& tip, const std::string& file) {
   Chain chain;
   for (const Link* link = &tip; link->joint; link = link->parent) {
     if (chain.size() == tree.links.size())
-      throw InputError(file, "links that form a closed loop, " + inQuotes(tip.name) + " behind them",
-                       "a tree of links with one root");
+      throw InputError::saying(file, "the links on the way to " + inQuotes(tip.name) + " form a closed loop",
+                               "make them a tree with one root");
     chain.push_back(link);
   }
   std::reverse(chain.begin(), chain.end());
@@ -60,7 +60,9 @@ const Link& findTip(const UrdfTree& tree, const std::string& name, const std::st
   for (const auto& [link_name, link] : tree.links) names.push_back(link_name);
   if (!name.empty()) {
     if (const auto link = tree.links.find(name); link != tree.links.end()) return link->second;
-    throw InputError(file, "no link " + inQuotes(name), "a link of the robot", suggestion(name, names));
+    const std::string near = suggestion(name, names);
+    throw InputError::saying(file, "the robot has no link " + inQuotes(name),
+                             near.empty() ? "name another link by --tip" : near);
   }
   Chain deepest;
   for (const auto& [link_name, link] : tree.links) {
@@ -72,8 +74,8 @@ const Link& findTip(const UrdfTree& tree, const std::string& name, const std::st
   if (deepest.size() == 1) return *deepest.front();
   std::vector<std::string> tips;
   for (const auto& link : deepest) tips.push_back(link->name);
-  throw InputError(file, fmt::format("{} links at the end of equally long chains", tips.size()),
-                   "one, named by --tip: " + alternatives(tips));
+  throw InputError::saying(file, fmt::format("{} links are each at the end of an equally long chain", tips.size()),
+                           "name one by --tip: " + alternatives(tips));
 }
 
 /// Converter of the chain to rows; `X_LK` is the pose of a link's frame K in its row's frame L.
@@ -84,8 +86,8 @@ class ChainReader {
     last_moving_ = links_.size();
     while (last_moving_ > 0 && !isMoving(*links_[last_moving_ - 1]->joint)) --last_moving_;
     if (last_moving_ == 0)
-      throw InputError(file_, "no moving joint between the root and " + inQuotes(tip.name), "one or more",
-                       "another link may be meant by --tip");
+      throw InputError::saying(file_, "there is no moving joint between the root and " + inQuotes(tip.name),
+                               "name another link by --tip");
   }
 
   UrdfArm read() {
@@ -152,9 +154,9 @@ class ChainReader {
     deflection::Joint<double> joint;
     joint.name = from.name;
     if (from.type == "floating" || from.type == "planar")
-      throw InputError(at(from), "a floating or planar joint", "joints that turn about or slide along one axis");
+      throw InputError(at(from), "a " + from.type + " joint", "one that turns about or slides along one axis");
     joint.type = isTurning(from) ? JointType::kRevolute : JointType::kPrismatic;
-    if (from.axis.isZero()) throw InputError(at(from), "an axis of length zero", "a direction");
+    if (from.axis.isZero()) throw InputError(at(from), "an axis of length zero", "an axis that is not zero");
     if (from.limits && from.type != "continuous") setLimits(from, joint);
     if (from.limits && from.limits->velocity > 0) joint.max_speed = from.limits->velocity;
     return joint;
@@ -170,7 +172,8 @@ class ChainReader {
     }
     if (!(lower < upper))
       throw InputError(at(from), fmt::format("limits from {} to {}", formatNumber(lower), formatNumber(upper)),
-                       "lower below upper", "one that is not written is 0; a joint that stands still is of type fixed");
+                       "a lower one below the upper",
+                       "one that is not written is 0; a joint that stands still is of type fixed");
     joint.lower = lower;
     joint.upper = upper;
   }
@@ -191,9 +194,10 @@ class ChainReader {
       found = {static_cast<std::size_t>(leader - links_.begin()), found.ratio * mimic.multiplier,
                found.offset + found.ratio * mimic.offset};
       if (found.leader >= last_moving_ || steps > links_.size())
-        throw InputError(
-            at(from), "a joint that mimics " + inQuotes(mimic.joint),
-            leader == links_.end() ? "a joint on the way to the tip" : "a moving joint of its own reading");
+        throw InputError::saying(at(from),
+                                 fmt::format("the joint mimics {}, which {}", inQuotes(mimic.joint),
+                                             leader == links_.end() ? "is not on the way to the tip"
+                                                                    : "is no moving joint with a reading of its own"));
       at_joint = &*links_[found.leader]->joint;
     }
     return found;
@@ -206,7 +210,9 @@ class ChainReader {
     auto& joint = out_.arm.rows[k].joint;
     const Following following = followingOf(from);
     if (joint.type != JointType::kRevolute || !isTurning(*links_[following.leader]->joint))
-      throw InputError(at(from), "a joint that mimics " + inQuotes(from.mimic->joint), "turning joints");
+      throw InputError::saying(at(from),
+                               fmt::format("the joint mimics {}, but only turning joints can follow one another",
+                                           inQuotes(from.mimic->joint)));
     joint = {.name = joint.name, .type = JointType::kPassive, .offset = following.offset};
     joint.follows = {{static_cast<int>(following.leader), following.ratio}};
   }

@@ -1,6 +1,7 @@
 #include "app/formats/urdf/urdf_tree.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tinyxml2.h>
 
 #include <algorithm>
@@ -62,8 +63,8 @@ const char* adviceOn(std::string_view text) {
 std::string requiredText(const XMLElement* element, const char* attribute, const std::string& where) {
   std::string text = attributeOf(element, attribute);
   if (text.empty())
-    throw InputError(where, fmt::format("a {} without a {}", element->Name(), attribute),
-                     fmt::format("<{} {}=\"...\"/>", element->Name(), attribute));
+    throw InputError::saying(where, fmt::format("the element {} has no {}", element->Name(), attribute),
+                             fmt::format("write <{} {}=\"...\"/>", element->Name(), attribute));
   return text;
 }
 
@@ -71,8 +72,9 @@ std::string requiredText(const XMLElement* element, const char* attribute, const
 void checkAttributes(const XMLElement* element, const std::vector<std::string>& known, const std::string& where) {
   for (const auto* attribute = element ? element->FirstAttribute() : nullptr; attribute; attribute = attribute->Next())
     if (std::ranges::find(known, attribute->Name()) == known.end())
-      throw InputError(where, fmt::format("{} {}", element->Name(), inQuotes(attribute->Name())), alternatives(known),
-                       suggestion(attribute->Name(), known));
+      throw InputError(where,
+                       fmt::format("the unknown attribute {} of {}", inQuotes(attribute->Name()), element->Name()),
+                       alternatives(known), suggestion(attribute->Name(), known));
 }
 
 /// Returns the child elements of this name.
@@ -205,11 +207,11 @@ std::vector<std::string> namesOfKind(const XMLElement& robot, const char* kind, 
   for (const XMLElement* one : childrenOf(robot, kind)) {
     const std::string name = attributeOf(one, "name");
     if (name.empty())
-      throw InputError(fmt::format("{}:{}", file, one->GetLineNum()), fmt::format("a {} without a name", kind),
-                       fmt::format("<{} name=\"...\">", kind));
+      throw InputError::saying(fmt::format("{}:{}", file, one->GetLineNum()), fmt::format("the {} has no name", kind),
+                               fmt::format("write <{} name=\"...\">", kind));
     if (!seen.insert(name).second)
-      throw InputError(placeOf(*one, file), fmt::format("a second {} {}", kind, inQuotes(name)),
-                       "a name of its own for each");
+      throw InputError::saying(placeOf(*one, file), fmt::format("there is a second {} {}", kind, inQuotes(name)),
+                               "give each a name of its own");
     names.push_back(name);
   }
   return names;
@@ -219,26 +221,28 @@ void checkJointWords(const XMLElement& joint, const std::string& file) {
   static const std::vector<std::string> kTypes{"revolute", "continuous", "prismatic", "fixed", "floating", "planar"};
   const std::string type = attributeOf(&joint, "type");
   if (std::ranges::find(kTypes, type) == kTypes.end())
-    throw InputError(placeOf(joint, file), type.empty() ? "a joint without a type" : "the type " + inQuotes(type),
+    throw InputError(placeOf(joint, file), type.empty() ? "no type" : "the type " + inQuotes(type),
                      alternatives(kTypes), suggestion(type, kTypes));
   for (const char* end : {"parent", "child"})
     if (attributeOf(joint.FirstChildElement(end), "link").empty())
-      throw InputError(placeOf(joint, file), fmt::format("no {} link", end), fmt::format("<{} link=\"...\"/>", end));
+      throw InputError::saying(placeOf(joint, file), fmt::format("the joint has no {} link", end),
+                               fmt::format("write <{} link=\"...\"/>", end));
 }
 
 class TreeReader {
  public:
   TreeReader(const std::string& text, const std::string& file) : file_(file) {
     if (document_.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS)
-      throw InputError(
-          fmt::format("{}:{}", file_, std::max(1, document_.ErrorLineNum())),
-          text.find("<robot") == std::string::npos ? "no XML" : "XML that breaks off, or whose tags do not match",
-          "a URDF robot");
+      throw InputError::saying(fmt::format("{}:{}", file_, std::max(1, document_.ErrorLineNum())),
+                               text.find("<robot") == std::string::npos
+                                   ? "the file is not XML, as a URDF robot is"
+                                   : "the XML of the robot breaks off here, or its tags do not match",
+                               "check the file up to this line");
     robot_ = document_.FirstChildElement("robot");
     const XMLElement* root = document_.FirstChildElement();
     if (!robot_)
-      throw InputError(file_, "no robot" + (root ? ", but " + inQuotes(root->Name()) : ""), "a URDF robot",
-                       "a file with another root, as SDF, is to be converted first");
+      throw InputError::saying(file_, "the root is not a URDF robot" + (root ? ", but " + inQuotes(root->Name()) : ""),
+                               "convert a file of another format, such as SDF, to URDF first");
     refuseXacro(*robot_);
     settleAttributes(*robot_, file_);
     checkRobot();
@@ -283,10 +287,12 @@ class TreeReader {
 
   void checkRobot() const {
     const std::string where = fmt::format("{}:{}", file_, robot_->GetLineNum());
-    if (attributeOf(robot_, "name").empty()) throw InputError(where, "a robot without a name", "<robot name=\"...\">");
+    if (attributeOf(robot_, "name").empty())
+      throw InputError::saying(where, "the robot has no name", "write <robot name=\"...\">");
     if (const char* version = robot_->Attribute("version"); version && std::string_view(version) != "1.0")
       throw InputError(where, "the version " + inQuotes(version), "1.0");
-    if (!robot_->FirstChildElement("link")) throw InputError(file_, "a robot without links", "links and joints");
+    if (!robot_->FirstChildElement("link"))
+      throw InputError::saying(file_, "the robot has no links", "check that the file describes links and joints");
   }
 
   /// Throws InputError unless there is one root and every other link has one joint to its parent.
@@ -297,21 +303,25 @@ class TreeReader {
       const std::string name = attributeOf(joint, "name"), child = linkNamedBy(*joint, "child");
       for (const auto& link : {linkNamedBy(*joint, "parent"), child})
         if (!known.contains(link))
-          throw InputError(placeOf(*joint, file_), "no link " + inQuotes(link),
-                           "links of the robot as parent and child", suggestion(link, links));
+          throw InputError::saying(placeOf(*joint, file_),
+                                   fmt::format("the robot has no link {}, which this joint names", inQuotes(link)),
+                                   suggestion(link, links));
       if (const auto [first, is_new] = carrier.emplace(child, name); !is_new)
-        throw InputError(placeOf(*joint, file_),
-                         fmt::format("the link {} behind the joint {} too", inQuotes(child), inQuotes(first->second)),
-                         "a tree: each link behind one joint", "closed chains cannot be taken");
+        throw InputError::saying(
+            placeOf(*joint, file_),
+            fmt::format("the link {} is the child of the joint {} too", inQuotes(child), inQuotes(first->second)),
+            "make each link the child of one joint: closed chains are not supported");
     }
     std::vector<std::string> roots;
     for (const auto& link : links)
       if (!carrier.contains(link)) roots.push_back(link);
     if (roots.empty())
-      throw InputError(file_, "links that form a closed loop, each behind a joint", "a tree of links with one root");
+      throw InputError::saying(file_, "the links form a closed loop: each is the child of a joint",
+                               "make them a tree with one root");
     if (roots.size() > 1)
-      throw InputError(file_, fmt::format("{} links behind no joint: {}", roots.size(), alternatives(roots)),
-                       "one root, with all other links behind it");
+      throw InputError::saying(
+          file_, fmt::format("{} links are the child of no joint: {}", roots.size(), fmt::join(roots, ", ")),
+          "only the root may be the child of none");
   }
 
   void readLink(const XMLElement& element) {
@@ -348,8 +358,8 @@ class TreeReader {
     const std::string mass = attributeOf(inertial.FirstChildElement("mass"), "value");
     const auto number = writtenNumbers(mass);
     if (!number || number->size() != 1 || number->front() < 0)
-      throw InputError(placeOf(link, file_), mass.empty() ? "an inertial without mass" : "the mass " + inQuotes(mass),
-                       "<mass value=\"...\"/>, 0 kg or more");
+      throw InputError(placeOf(link, file_), mass.empty() ? "no mass in the inertial" : "the mass " + inQuotes(mass),
+                       "<mass value=\"...\"/> of 0 kg or more");
     return number->front();
   }
 
@@ -373,8 +383,10 @@ class TreeReader {
       joint.mimic = {requiredText(mimic, "joint", where), numbers.number("mimic", "multiplier", "a number", 1),
                      numbers.number("mimic", "offset", "a number in rad or m", 0)};
     if (!limit && (joint.type == "revolute" || joint.type == "prismatic"))
-      throw InputError(where, "no <limit>", "the limits of a " + joint.type + " joint",
-                       joint.type == "revolute" ? "a joint that turns without end is continuous" : "");
+      throw InputError::saying(where, "the " + joint.type + " joint has no <limit>",
+                               joint.type == "revolute"
+                                   ? "add its limits; a joint that turns without end is of type continuous"
+                                   : "add its limits");
     return joint;
   }
 

@@ -33,12 +33,12 @@ class TreeBuilder : public YAML::EventHandler {
     refuseAnchor(mark, anchor);
     refuseTag(mark, "");
     YamlNode node = makeNode(mark, YamlNode::Kind::kNull);
-    if (expectsKey()) node.fail("no key before the colon", "a word", "");
+    if (expectsKey()) node.failSaying("there is no key before the colon", "write a word before it");
     finish(std::move(node));
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    makeNode(mark, YamlNode::Kind::kNull).fail("an alias (*)", "the value itself", "write it out");
+    makeNode(mark, YamlNode::Kind::kNull).failSaying("aliases (*) are not supported", "write the value itself");
   }
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -98,9 +98,9 @@ class TreeBuilder : public YAML::EventHandler {
     const auto first = std::find(map.keys.begin(), map.keys.end(), key);
     if (first != map.keys.end())
       makeNode(mark, YamlNode::Kind::kNull)
-          .fail("the key " + inQuotes(key) + " a second time", "every key once",
-                fmt::format("it already stands at line {}",
-                            map.items[static_cast<std::size_t>(first - map.keys.begin())].line));
+          .failSaying(fmt::format("the key {} occurs a second time, after line {}", inQuotes(key),
+                                  map.items[static_cast<std::size_t>(first - map.keys.begin())].line),
+                      "remove one of them");
     map.keys.push_back(key);
     key_begin_ = static_cast<std::size_t>(mark.pos);
   }
@@ -110,7 +110,7 @@ class TreeBuilder : public YAML::EventHandler {
     refuseAnchor(mark, anchor);
     refuseTag(mark, tag);
     YamlNode node = makeNode(mark, kind);
-    if (expectsKey()) node.fail("a list or map as a key", "a word", "");
+    if (expectsKey()) node.failSaying("a list or map cannot be a key", "write a word as the key");
     node.is_flow = style == YAML::EmitterStyle::Flow;
     open_.push_back(std::move(node));
   }
@@ -129,7 +129,8 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void refuseAnchor(const YAML::Mark& mark, YAML::anchor_t anchor) const {
-    if (anchor != 0) makeNode(mark, YamlNode::Kind::kNull).fail("an anchor (&)", "the value alone", "");
+    if (anchor != 0)
+      makeNode(mark, YamlNode::Kind::kNull).failSaying("anchors (&) are not supported", "write the value alone");
   }
 
   // Throws InputError for an open quote, which the parser would close at the end of the file.
@@ -137,7 +138,7 @@ class TreeBuilder : public YAML::EventHandler {
     const auto at = static_cast<std::size_t>(mark.pos);
     const bool is_quote = text_[at] == '"' || text_[at] == '\'';  // otherwise a block text (| or >)
     if (is_quote && pastQuoted(text_, at) == std::string::npos)
-      makeNode(mark, YamlNode::Kind::kNull).fail("an unclosed quote", "quotes in pairs", "");
+      makeNode(mark, YamlNode::Kind::kNull).failSaying("the quote is not closed", "write quotes in pairs");
   }
 
   // Throws InputError for a tag. The parser gives "?" for plain values, "!" for quoted ones, and nothing for some
@@ -146,7 +147,8 @@ class TreeBuilder : public YAML::EventHandler {
     const auto at = static_cast<std::size_t>(mark.pos);
     const bool is_written = at < text_.size() && text_[at] == '!';
     if (is_written || (!tag.empty() && tag != "?" && tag != "!"))
-      makeNode(mark, YamlNode::Kind::kNull).fail("the tag " + inQuotes(tag), "the value alone", "");
+      makeNode(mark, YamlNode::Kind::kNull)
+          .failSaying("tags such as " + inQuotes(tag) + " are not supported", "write the value alone");
   }
 
   const std::string& text_;
@@ -180,14 +182,16 @@ YamlNode parseYaml(const std::string& text, const std::string& file) {
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
-    if (!parser.HandleNextDocument(builder)) throw InputError(file, "nothing but comments", "keys and values", "");
+    if (!parser.HandleNextDocument(builder))
+      throw InputError::saying(file, "the file has nothing but comments", "write keys and values");
     TreeBuilder second(text, file);
     if (parser.HandleNextDocument(second))
-      throw InputError(file, "a second document (---)", "one document", "split the file");
+      throw InputError::saying(file, "the file has a second document (---)",
+                               "split the file, with one document in each");
   } catch (const YAML::Exception& error) {
-    throw InputError(fmt::format("{}:{}:{}", file, error.mark.line + 1, error.mark.column + 1),
-                     "text that is not YAML (" + error.msg + ")", "keys and values in YAML",
-                     "check brackets, colons and indentation up to this place");
+    throw InputError::saying(fmt::format("{}:{}:{}", file, error.mark.line + 1, error.mark.column + 1),
+                             "the text is not YAML (" + error.msg + ")",
+                             "check brackets, colons and indentation up to this place");
   }
   YamlNode root = builder.takeRoot();
   if (root.kind != YamlNode::Kind::kMap) root.fail("a map of keys and values");

@@ -53,7 +53,7 @@ const YamlNode* YamlNode::find(std::string_view key) const {
 const YamlNode& YamlNode::at(std::string_view key) const {
   if (kind != Kind::kMap) fail("a map with the key " + inQuotes(key));
   if (const YamlNode* node = find(key)) return *node;
-  fail("no key " + inQuotes(key), "one", "add it");
+  failSaying("there is no key " + inQuotes(key), "add it");
 }
 
 void YamlNode::expectKeys(const std::vector<std::string>& required, const std::vector<std::string>& optional) const {
@@ -128,6 +128,10 @@ void YamlNode::fail(const std::string& expected, const std::string& advice) cons
 
 void YamlNode::fail(const std::string& found, const std::string& expected, const std::string& advice) const {
   throw InputError(where(), found, expected, advice);
+}
+
+void YamlNode::failSaying(const std::string& what, const std::string& advice) const {
+  throw InputError::saying(where(), what, advice);
 }
 
 }  // namespace tubeplan::app

@@ -57,6 +57,9 @@ struct YamlNode {
 
   [[noreturn]] void fail(const std::string& expected, const std::string& advice = "") const;
   [[noreturn]] void fail(const std::string& found, const std::string& expected, const std::string& advice) const;
+
+  /// Throws InputError::saying() at this value.
+  [[noreturn]] void failSaying(const std::string& what, const std::string& advice = "") const;
 };
 
 }  // namespace tubeplan::app

@@ -154,7 +154,7 @@ TEST_F(Program, refusesBadCells) {
   writeMockup("mockup.yaml", "  hole_diameter", "\thole_diameter");
   expectRefused("map mockup.yaml --json -", {"mockup.yaml:9:1", "a tab"});
   writeMockup("mockup.yaml", "  leg: hot\n", "  leg: hot\n  leg: cold\n");
-  expectRefused("map mockup.yaml --json -", {"mockup.yaml:11:3", "'leg' a second time"});
+  expectRefused("map mockup.yaml --json -", {"mockup.yaml:11:3", "'leg' occurs a second time"});
   writeMockup("mockup.yaml", "pitch: 1.0625", "pitch: .nan");
   expectRefused("map mockup.yaml --json -", {"tubesheet.layout.pitch", "finite"});
 }

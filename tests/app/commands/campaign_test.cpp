@@ -200,7 +200,7 @@ TEST_F(CampaignCommand, GoesOnAfterAStopToTheSameBytesAndToMoreRuns) {
 
 TEST_F(CampaignCommand, RefusesDamagedTallies) {
   const std::string question = mockup("--tubes spread:30 --runs 4 --out made");
-  expectRefused(question + " --resume", "no campaign in ");
+  expectRefused(question + " --resume", "no campaign (tally.json) in ");
   expectRefused(question + "1 --design bench", "--kind diagnose");
   expectRefused(mockup("--kind diagnose --runs 1 --holes 4"), "--kind centre");
   ASSERT_EQ(run(question).exit_code, 0);
@@ -212,7 +212,7 @@ TEST_F(CampaignCommand, RefusesDamagedTallies) {
     expectRefused(question, "remove it to start again");
   }
   (void)write("made/tally.json", changed(tally, R"(["seed","1"])", R"(["seed","2"])"));
-  expectRefused(question + " --seed 2 --resume", "a first line that does not match its checksum");
+  expectRefused(question + " --seed 2 --resume", "first line does not match its checksum");
 }
 
 TEST_F(CampaignCommand, RefusesBadInputWithOneMessage) {

@@ -173,11 +173,11 @@ TEST_F(Identify, RefusesReadingsThatTellNothing) {
   const auto readings = maker.readings;
   maker.addTouches(1, {0}, false);
   writeReadings("once.csv");
-  expectRefused(bench + " once.csv" + kFree, {"once.csv:8:", "point P7", "alone", "touch it again", "remove"});
+  expectRefused(bench + " once.csv" + kFree, {"once.csv:8:", "point P7", "touched only once", "remove"});
   maker.readings.assign(5, readings[0]);
   for (std::size_t k = 0; k < 5; ++k) maker.readings[k].id = std::to_string(k);
   writeReadings("same.csv");
-  expectRefused(bench + " same.csv" + kFree, {"same.csv:", "one posture", "measure at other postures"});
+  expectRefused(bench + " same.csv" + kFree, {"same.csv:", "one posture", "several postures"});
   maker.readings = readings;
   for (auto& m : maker.readings) m.is_held_out = true;
   std::string text = readingsCsv(readings);
@@ -199,10 +199,10 @@ TEST_F(Identify, RefusesFilesThatAreBroken) {
   write("empty.csv", "");
   expectRefused(bench + " empty.csv" + kFree, {"empty.csv", "empty"});
   write("header.csv", contentOf(folder / "good.csv").substr(0, contentOf(folder / "good.csv").find('\n') + 1));
-  expectRefused(bench + " header.csv" + kFree, {"header.csv", "a header without readings"});
+  expectRefused(bench + " header.csv" + kFree, {"header.csv", "no readings below the header"});
   expectRefused(bench + " missing.csv" + kFree, {"missing.csv", "no such file"});
   write("nosigma.csv", readingsCsv(maker.readings, false));
-  expectRefused(bench + " nosigma.csv" + kFree, {"nosigma.csv:2", "without sigma", "sigma_in", "--sigma"});
+  expectRefused(bench + " nosigma.csv" + kFree, {"nosigma.csv:2", "no sigma", "sigma_in", "--sigma"});
   for (const char* number : {"nan", "inf", "NaN", "1e999"}) {
     auto lines = readingsCsv(maker.readings);
     const std::size_t end = lines.find_last_of(',');

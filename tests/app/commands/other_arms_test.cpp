@@ -31,7 +31,7 @@ TEST_F(OtherArms, APlanNeedsWhatItsTimesFollowFrom) {
   change("puma-arm.yaml", ", max_speed: 60, max_acceleration: 120", "");
   const Outcome refused = run("plan puma.yaml --tubes spread:12 --out made");
   EXPECT_EQ(refused.exit_code, 2);
-  expectSays(refused.err, "neither max_speed nor max_acceleration of joint 'J1'");
+  expectSays(refused.err, "joint 'J1' has neither max_speed nor max_acceleration");
 }
 
 TEST_F(OtherArms, WithoutBodiesNothingIsSaidToBeClear) {

@@ -100,7 +100,7 @@ TEST_F(Resume, RefusesWhatIsNotThereOrDamaged) {
   const std::string question = mockupPlan("--tubes R20C40,R22C44 --out made");
   const Outcome nothing = run(question + " --resume");
   EXPECT_EQ(nothing.exit_code, 2);
-  expectSays(nothing.err, "no stopped plan in ");
+  expectSays(nothing.err, "no stopped plan (progress.json) in ");
   EXPECT_FALSE(std::filesystem::exists(folder / "made"));
   ASSERT_EQ(run(question).exit_code, 0);
   const std::string memory = contentOf(folder / "made/memory.json"), plan = contentOf(folder / "made/plan.json");

@@ -231,7 +231,7 @@ TEST_F(Simulate, RefusesCampaignsThatCannotBe) {
   expectRefused(bench + " --readings 9 --spread -0.1", {"--spread", "-0.1"});
   expectRefused(shipped("mockup.yaml") + " --design bench --readings 9 --spread 0.1", {"mockup.yaml", "identify"});
   expectRefused(bench + " --readings 9 --held-out 1", {"--held-out", "below 1"});
-  expectRefused(bench + " --readings 3 --held-out 0.5", {"held-out fraction of a single"});
+  expectRefused(bench + " --readings 3 --held-out 0.5", {"a single point or posture cannot be held out"});
   expectRefused(bench + " --readings 9 --base-error 1,1", {"--base-error", "known: false"});
   expectRefused(shipped("bowl.yaml") + " --design bowl --readings 9 --base-error 1", {"--base-error", "two"});
   expectRefused(shipped("bench.yaml") + " --design touch --readings 9 --loads 20", {"touched only once"});

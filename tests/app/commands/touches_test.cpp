@@ -156,7 +156,7 @@ TEST_F(LookAhead, touchesAddsToTheTouchesMadeAlready) {
   const json first = jsonOf("touches " + shipped("mockup.yaml") + " --tubes spread:12 --candidates 14 --csv next.csv");
   const Outcome untouched = run("calibrate " + shipped("mockup.yaml") + " next.csv --out found.yaml");
   EXPECT_EQ(untouched.exit_code, 2);
-  expectSays(untouched.err, "3 readings that are not filled in: T1 in line 2, T2 in line 3, T3 in line 4");
+  expectSays(untouched.err, "3 readings are not filled in: T1 in line 2, T2 in line 3, T3 in line 4");
   EXPECT_FALSE(std::filesystem::exists(folder / "found.yaml"));
   (void)write("next.csv", touchedAsForeseen(contentOf(folder / "next.csv")));
   const json second =
@@ -189,8 +189,8 @@ TEST_F(LookAhead, touchesSharpensTheStiffnessesOfTheBench) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
   const Outcome unfilled = run("identify " + shipped("bench.yaml") + " next.csv");
   EXPECT_EQ(unfilled.exit_code, 2);
-  expectSays(unfilled.err, "6 readings that are not filled in");
-  expectSays(unfilled.err, "fill in x_in, y_in, z_in");
+  expectSays(unfilled.err, "6 readings are not filled in");
+  expectSays(unfilled.err, "fill in what was measured, x_in, y_in, z_in");
 }
 
 TEST_F(LookAhead, touchesOfUnknownPointsCarryEveryLoad) {

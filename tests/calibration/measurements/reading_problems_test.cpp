@@ -16,10 +16,10 @@ std::vector<Unknown> unknownsOf(const std::vector<std::string>& names) {
 }
 
 void expectProblem(const std::vector<Measurement>& readings, const std::vector<Unknown>& unknowns,
-                   const std::string& found, int reading = -1) {
+                   const std::string& words, int reading = -1) {
   const auto problem = findReadingProblem(readings, unknowns);
-  ASSERT_TRUE(problem) << "none, expected: " << found;
-  EXPECT_NE(problem->found.find(found), std::string::npos) << "found " << problem->found;
+  ASSERT_TRUE(problem) << "none, expected: " << words;
+  EXPECT_NE(problem->what.find(words), std::string::npos) << problem->what;
   EXPECT_EQ(problem->reading, reading);
   EXPECT_FALSE(problem->advice.empty());
 }
@@ -39,8 +39,8 @@ TEST(ReadingProblems, AnUnknownPointTouchedOnceIsNamed) {
   maker.addTouches(3, {0, 100}, false);
   const Measurement lonely = maker.readings[2];
   maker.readings.erase(maker.readings.begin() + 3);
-  expectProblem(maker.readings, unknownsOf(kTwo),
-                "point " + lonely.point + " of unknown position is touched by reading " + lonely.id + " alone", 2);
+  expectProblem(maker.readings, unknownsOf(kTwo), "point " + lonely.point + ", whose position is unknown", 2);
+  expectProblem(maker.readings, unknownsOf(kTwo), "(reading " + lonely.id + ")", 2);
   maker.readings[2].p_W = Eigen::Vector3d::Zero();
   EXPECT_FALSE(findReadingProblem(maker.readings, unknownsOf(kTwo))) << "a known point may be touched once";
 }
@@ -62,7 +62,7 @@ TEST(ReadingProblems, FewerNumbersThanAreFree) {
   const auto free = unknownsOf({"tool.joint_stiffness.z", "latch-link.beam.Iz", "forearm.joint_stiffness.z",
                                 "mezzanine-beam.beam.Iz", "tool.tip.x"});
   expectProblem(maker.readings, free, "4 numbers");  // one distance, and six coordinates less the three of the point
-  EXPECT_NE(findReadingProblem(maker.readings, free)->found.find("5 that are free"), std::string::npos);
+  EXPECT_NE(findReadingProblem(maker.readings, free)->what.find("5 that are free"), std::string::npos);
   EXPECT_FALSE(findReadingProblem(maker.readings, unknownsOf(kTwo)));
 }
 

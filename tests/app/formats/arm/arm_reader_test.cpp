@@ -54,8 +54,8 @@ TEST(ArmReader, readsJointsThatFollowOthers) {
   const auto with = [&](const std::string& from, const std::string& to) {
     return refusal(own, changed(linked, from, to));
   };
-  expectSays(with("theta1: 0.5", "theta9: 0.5"), "joints with encoder readings of their own");
-  expectSays(with("theta1: 0.5", "theta3: 0.5"), "joints with encoder readings of their own");
+  expectSays(with("theta1: 0.5", "theta9: 0.5"), "'theta9' is no revolute joint with an encoder reading of its own");
+  expectSays(with("theta1: 0.5", "theta3: 0.5"), "'theta3' is no revolute joint with an encoder reading of its own");
   expectSays(with("theta1: 0.5", "theta1: half"), "number");
   expectSays(with("{theta1: 0.5, theta2: -1}", "{}"), "JOINT: RATIO");
   expectSays(with("offset: 90", "limits: [-1, 1]"), "limits");
@@ -87,7 +87,7 @@ TEST(ArmReader, refusesUnknownMissingAndIllTypedKeys) {
   expectSays(refusal("alpha: 90, a: 0", "alpha: ninety, a: 0"), "'ninety'");
   expectSays(refusal("type: revolute", "type: revolving"), "revolute or prismatic");
   expectSays(refusal("dh: {alpha: 0, a: 26.406, d: 0}", "origin: {position: [0, 0], rpy: [0, 0, 0]}"), "three numbers");
-  expectSays(refusal("{E: 1.0121e7, Iz: 0.394}", "{Iz: 0.394}"), "without E");
+  expectSays(refusal("{E: 1.0121e7, Iz: 0.394}", "{Iz: 0.394}"), "no E");
   expectSays(refusal("a: 0, d: 0, theta: 0}", "a: 0, d: 0}"), "'theta'");
 }
 
@@ -100,7 +100,7 @@ TEST(ArmReader, refusesImpossibleArmsWithTheLine) {
   const std::string reversed = refusal("limits: [0, 180]", "limits: [180, 0]");
   expectSays(reversed, "latch-link.joint.limits");
   expectSays(reversed, "found 180, 0,");
-  expectSays(refusal("name: forearm", "name: tool"), "two rows are named 'tool'");
+  expectSays(refusal("name: forearm", "name: tool"), "another row");
   expectSays(refusal("gravity: [0, 0, -1]", "gravity: [0, 0, 0]"), "length zero");
 }
 

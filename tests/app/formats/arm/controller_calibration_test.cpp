@@ -74,7 +74,7 @@ TEST(ControllerCalibration, anArmThatItIsNotOfIsRefused) {
   } kWrong[] = {
       {"convention: standard\n", "", "not by the standard convention"},
       {"    joint: {name: q4, type: revolute}\n", "", "found 3 joints"},
-      {"joint: {name: q4, type: revolute}", "joint: {name: q4, type: prismatic}", "revolute joints only"},
+      {"joint: {name: q4, type: revolute}", "joint: {name: q4, type: prismatic}", "with a revolute joint"},
   };
   for (const auto& [from, to, says] : kWrong) {
     // A row without a joint states its theta.

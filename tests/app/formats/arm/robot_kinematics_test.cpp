@@ -130,12 +130,12 @@ TEST(RobotKinematics, anArmThatItIsNotOfIsRefused) {
   const struct {
     const char *from, *to, *says;
   } kWrong[] = {
-      {"position: [-243.65, 0, 0]", "position: [-425, 0, 0]", "'f', which would move by 180.9 mm"},
+      {"position: [-243.65, 0, 0]", "position: [-425, 0, 0]", "'f' would move by 180.9 mm"},
       {"position: [0, -85.35, 0], rpy: [90, 0, 0]", "position: [0, -85.35, 0], rpy: [-90, 0, 0]", "'w2'"},
       {"joint: {name: q4, type: revolute}", "joint: {name: q4, type: revolute, offset: 5}", "'w1'"},
       {"joint: {name: q4, type: revolute}", "joint: {name: q4, type: prismatic}", "'w1'"},
       {", joint: {name: q4, type: revolute}", "", "found 5 joints"},
-      {"origin: {position: [0, 92.1, 0], rpy: [90, 180, 180]}", "dh: {alpha: 90, a: 0, d: 92.1}", "'w3' by dh"},
+      {"origin: {position: [0, 92.1, 0], rpy: [90, 180, 180]}", "dh: {alpha: 90, a: 0, d: 92.1}", "'w3' is by dh"},
   };
   for (const auto& [from, to, says] : kWrong)
     expectSays(messageOf([&, &f = from, &t = to] {

@@ -133,7 +133,7 @@ TEST(StandardRows, anAxisOfOtherLinksIsRefused) {
   const std::string second = changed(rows, "joint: {name: q2", axis + "q2");
   const std::string foot = "- {name: foot, origin: {position: [0, 0, 1], rpy: [0, 0, 90]}}\n";
   for (const std::string& text : {fileOf(first), standardFile(second), fileOf(second), standardFile(foot + first)})
-    expectSays(refusal(text), "`axis` belongs to `convention: standard`");
+    expectSays(refusal(text), "`axis` is only for a first link by dh under `convention: standard`");
   expectSays(refusal(standardFile(changed(first, "axis: {a: 0.1}", "axis: {d: 0.1}"))), "the unknown key 'd'");
 }
 
@@ -143,7 +143,7 @@ TEST(StandardRows, whatTheyCannotBeIsRefused) {
   expectSays(refusal(fileOf(rows, "convention: craig\n")), "standard or modified");
   const std::string mixed =
       changed(rows, "dh: {alpha: 0, a: -0.55, d: 0, theta: 0}", "origin: {position: [1, 0, 0], rpy: [0, 0, 0]}");
-  expectSays(refusal(standardFile(mixed)), "a row by origin after one by dh");
+  expectSays(refusal(standardFile(mixed)), "a row by origin follows one by dh");
   const std::string wrong = refusal(standardFile(changed(rows, "a: -0.6", "a: .inf")));
   expectSays(wrong, "arm.yaml:5");
 }

@@ -72,10 +72,10 @@ TEST_F(CampaignReader, ReadsTheRowsThatAreReadAndTheNoiseOfEachCoordinate) {
   EXPECT_NEAR(tracked.sigma, std::sqrt(17e-6) * kInch, 1e-15);
   expectRefused("kind: tilt\nrows: [forarm]\n", {"design.yaml:2", "'forarm'", "latch-link", "did you mean 'forearm'?"});
   expectRefused("kind: tilt\nrows: []\n", {"one row of the arm or more"});
-  expectRefused("kind: tilt\nrows: [forearm, forearm]\n", {"every row once"});
-  expectRefused("kind: position\nrows: [forearm]\n", {"`rows`", "kind: tilt"});
+  expectRefused("kind: tilt\nrows: [forearm, forearm]\n", {"forearm", "listed twice"});
+  expectRefused("kind: position\nrows: [forearm]\n", {"`rows`", "kind tilt"});
   expectRefused("kind: position\nsigmas: [0.001, 0, 0.005]\n", {"sigmas", "above zero"});
-  expectRefused("kind: distance\nanchor: [1, 2, 3]\nsigmas: [1, 1, 1]\n", {"`sigmas`", "no x, y, z"});
+  expectRefused("kind: distance\nanchor: [1, 2, 3]\nsigmas: [1, 1, 1]\n", {"`sigmas`", "for readings of x, y, z"});
   expectRefused("kind: position\ncorrelations: [0, 0, 0]\n", {"`correlations`", "add sigmas"});
   expectRefused("kind: position\nsigmas: [1, 1, 1]\ncorrelations: [0.9, 0.9, -0.9]\n", {"positive definite"});
   expectRefused("kind: position\nsigmas: [1, 1, 1]\ncorrelations: [0.9, 0.9]\n", {"three numbers"});
@@ -101,14 +101,14 @@ TEST_F(CampaignReader, RefusesNumbersThatCannotBe) {
 }
 
 TEST_F(CampaignReader, RefusesKeysThatTheKindDoesNotHave) {
-  expectRefused("kind: position\npoints: known\n", {"`points`", "kind: touch"});
-  expectRefused("kind: deflection\npostures_per_point: 2\n", {"`postures_per_point`", "kind: touch"});
-  expectRefused("kind: position\nanchor: [1, 2, 3]\n", {"anchor", "kind: distance"});
-  expectRefused("kind: distance\n", {"without an anchor", "add anchor"});
-  expectRefused("kind: axis\nanchor: [1, 2, 3]\n", {"without a direction", "add direction"});
-  expectRefused("kind: position\ndirection: [0, 0, 1]\n", {"direction", "kind: axis"});
+  expectRefused("kind: position\npoints: known\n", {"`points`", "kind touch"});
+  expectRefused("kind: deflection\npostures_per_point: 2\n", {"`postures_per_point`", "kind touch"});
+  expectRefused("kind: position\nanchor: [1, 2, 3]\n", {"anchor", "kind distance"});
+  expectRefused("kind: distance\n", {"need an anchor", "add anchor"});
+  expectRefused("kind: axis\nanchor: [1, 2, 3]\n", {"need a direction", "add direction"});
+  expectRefused("kind: position\ndirection: [0, 0, 1]\n", {"direction", "kind axis"});
   expectRefused("kind: axis\nanchor: [1, 2, 3]\ndirection: [0, 0, 0]\n", {"not all zero"});
-  expectRefused("kind: steps\nturn_sigma: 0.1\n", {"turn_sigma", "no angle"});
+  expectRefused("kind: steps\nturn_sigma: 0.1\n", {"turn_sigma", "for readings of angles"});
   expectRefused("kind: tilt\nturn_sigma: -0.1\n", {"turn_sigma", "zero or more"});
 }
 

@@ -15,7 +15,7 @@ class WorkcellRefusals : public ::testing::Test {
   static void expectRefused(const Cell& cell, const std::string& found, const std::string& advice) {
     const std::string message = messageOf([&] { (void)workcellOf(cell, "plan a visit"); });
     expectSays(message, found);
-    expectSays(message, "needed to plan a visit");
+    expectSays(message, "to plan a visit");
     expectSays(message, advice);
   }
 };
@@ -31,7 +31,7 @@ TEST_F(WorkcellRefusals, ASlideWithoutLimits) {
     Cell without = cell;
     auto& slide = without.arm.rows[0].joint;
     (lower ? slide.lower : slide.upper) = (lower ? -1 : 1) * std::numeric_limits<double>::infinity();
-    expectRefused(without, "the slide lift without limits", "add limits: [LOWEST, HIGHEST]");
+    expectRefused(without, "the slide lift has no limits", "add limits: [LOWEST, HIGHEST]");
   }
 }
 
@@ -39,17 +39,17 @@ TEST_F(WorkcellRefusals, AJointThatFollowsOthers) {
   auto& joint = cell.arm.rows[2].joint;
   joint.type = deflection::JointType::kPassive;
   joint.follows = {{1, -1}};
-  expectRefused(cell, "the joint elbow, which follows others", "a reading of its own");
+  expectRefused(cell, "the joint elbow follows others", "an encoder reading of its own");
 }
 
 TEST_F(WorkcellRefusals, ASideChain) {
   cell.arm.side_chains.push_back({1, {cell.arm.rows[2]}});
-  expectRefused(cell, "the side chain at upper-link", "a lump of the link");
+  expectRefused(cell, "a side chain at upper-link", "a lump of the link");
 }
 
 TEST_F(WorkcellRefusals, AToolWithoutADirection) {
   cell.tool_axis_stated = false;
-  expectRefused(cell, "no insertion direction of the tool", "add tool: {axis: [x, y, z]}");
+  expectRefused(cell, "the insertion direction of the tool", "add tool: {axis: [x, y, z]}");
 }
 
 }  // namespace

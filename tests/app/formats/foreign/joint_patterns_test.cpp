@@ -86,7 +86,8 @@ TEST(JointPatterns, RefuseColumnsOfNoJoints) {
   for (const char* columns :
        {"temp_1,temp_2,temp_3,temp_4", "velocity[0],velocity[1],velocity[2],velocity[3]", "data1,data2,data3,data4",
         "arm_J1,arm_J2,arm_J3,leg_J4", "arm_J1,arm_J2,arm_J3,arm_J5", "J1_torque,J2_torque,J3_torque,J4_torque"})
-    expectSays(messageOf([&] { (void)readColumns(kNumbered, columns, "10,45,-35,12"); }), "none for the joint theta1");
+    expectSays(messageOf([&] { (void)readColumns(kNumbered, columns, "10,45,-35,12"); }),
+               "none is recognised as the joint theta1");
 }
 
 }  // namespace

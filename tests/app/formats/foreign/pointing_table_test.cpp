@@ -145,7 +145,7 @@ TEST(PointingTable, refusesWhatItDoesNotUnderstand) {
     const char* said;
   } cases[] = {
       {":EQUAT", ":J2000", "sky.dat:3: found the option 'J2000'"},
-      {": NODA", ":ALTAZ", "sky.dat:3: found both ALTAZ and EQUAT"},
+      {": NODA", ":ALTAZ", "sky.dat:3: both ALTAZ and EQUAT"},
       {"+52 30 00 2026", "latitude 2026", "sky.dat:5"},
       {"+52 30 00", "+95 30 00", "sky.dat:5: found '+95' as number 1"},
       {"10.0 0\n", "283.15 0\n", "a temperature of 283.15"},
@@ -155,9 +155,9 @@ TEST(PointingTable, refusesWhatItDoesNotUnderstand) {
       {"06 00 00.0 +20", "-6 00 00.0 +20", "'-6' hours"},
       {"08 30.000", "08", "sky.dat:7: found 13 numbers"},
       {"+52 30", "-82 30", "below the horizon"},
-      {"08 30.000", "20 30.000", "sky.dat:7: found a direction"},
+      {"08 30.000", "20 30.000", "sky.dat:7: the direction is"},
       {"06 00 00.0 +20 00 00  06", "06 00 00.0 +20 00 00 0 0 2000.0  06", "a mean place of the equinox 2000.0"},
-      {"06 00 00.0 +20 00 00  06 00 04.0 +20 01 00  08 00.000", "30 40 30.1 40.1", "no option ALTAZ"},
+      {"06 00 00.0 +20 00 00  06 00 04.0 +20 01 00  08 00.000", "30 40 30.1 40.1", "no option says ALTAZ"},
       {"06 00 00.0 +20 00 00  06 00 04.0 +20 01 00  08 00.000", "30 40 30 0 40 0 1 2 3", "found 9 numbers"},
   };
   for (const auto& [before, now, said] : cases) {
@@ -169,7 +169,7 @@ TEST(PointingTable, refusesWhatItDoesNotUnderstand) {
 }
 
 TEST(PointingTable, refusesTooFewAndTheFirstOfTwoMistakes) {
-  EXPECT_NE(refusalOf("Scope\n:EQUAT\n").find("nothing behind the options"), std::string::npos);
+  EXPECT_NE(refusalOf("Scope\n:EQUAT\n").find("nothing below the options"), std::string::npos);
   EXPECT_NE(refusalOf("Scope\n:EQUAT\n52 30 00\n").find("no observations"), std::string::npos);
   std::string text = kStars;  // a latitude of the other half of the globe and a minute too many
   text.replace(text.find("+52"), 3, "-82");

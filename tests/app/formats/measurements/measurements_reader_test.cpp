@@ -102,10 +102,10 @@ TEST_F(MeasurementsReader, refusesBadHeaders) {
   expectSays(refusal(changed(kHeader, "x_in", "x_inch")), "unknown unit 'inch'");
   expectSays(refusal(changed(kHeader, "point", "pionts")), "'pionts'");
   expectSays(refusal(changed(kHeader, "kind", "sort")), "no column 'kind'");
-  expectSays(refusal(changed(kHeader, "y_in", "x_mm")), "both 'x_in' and 'x_mm'");
+  expectSays(refusal(changed(kHeader, "y_in", "x_mm")), "both columns 'x_in' and 'x_mm'");
   expectSays(refusal(changed(kHeader, "y_in", "x_in")), "x_in");
   expectSays(refusal(changed(kHeader, "sigma_in", "theta1_dir")), "one for each of the 4 joints");
-  expectSays(refusal(kHeader), "without readings");
+  expectSays(refusal(kHeader), "no readings");
 }
 
 TEST_F(MeasurementsReader, refusesBadRowsWithLineAndColumn) {
@@ -120,15 +120,15 @@ TEST_F(MeasurementsReader, refusesBadRowsWithLineAndColumn) {
   expectSays(with(",90,", ",inf,"), "'inf'");
   expectSays(with(",90,", ",190,"), "between the joint's limits, 0 and 180 deg");
   expectSays(with("touch", "tuoch"), "did you mean 'touch'?");
-  expectSays(with("P1", ""), "without a point");
+  expectSays(with("P1", ""), "the touch has no point");
   expectSays(with("1,2,3", "1,,3"), "some of the coordinates");
-  expectSays(with("touch", "distance"), "without its distance");
+  expectSays(with("touch", "distance"), "kind distance has no distance");
   expectSays(with("0.003", "0"), "sigma");
   expectSays(with("0.003", "0.003,7"), "13 fields");
   expectSays(with("P1", "\"P1"), "quote");
-  expectSays(with("20,10", "-20,10"), "negative load");
-  expectSays(refusal(kHeader + changed(changed(good, "touch", "position"), "1,2,3", ",,")), "without x, y, z");
-  expectSays(refusal(kHeader + good + good), "m.csv:3 (column id): found the id 'a' again");
+  expectSays(with("20,10", "-20,10"), "the load is negative");
+  expectSays(refusal(kHeader + changed(changed(good, "touch", "position"), "1,2,3", ",,")), "no x, y, z");
+  expectSays(refusal(kHeader + good + good), "m.csv:3 (column id): line 2 has the id 'a' too");
 }
 
 TEST_F(MeasurementsReader, readsWhatIsSeenAlongADirection) {
@@ -140,11 +140,11 @@ TEST_F(MeasurementsReader, readsWhatIsSeenAlongADirection) {
   EXPECT_EQ(readings.front().kind, MeasurementKind::kAxis);
   EXPECT_NEAR(readings.front().own[0], -4 * kInch, 1e-15);
   EXPECT_TRUE(readings.front().direction_W->isApprox(Eigen::Vector3d(0, 0.6, -0.8)));
-  expectSays(refusal(header + changed(good, ",0,3,-4,", ",,,,")), "without a direction");
+  expectSays(refusal(header + changed(good, ",0,3,-4,", ",,,,")), "no direction");
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,,-4,")), "some of the direction's");
-  expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,0,0,")), "is not zero");
+  expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,0,0,")), "is zero");
   expectSays(refusal(header + changed(good, ",0,3,-4,", ",0,x,-4,")), "column dy");
-  expectSays(refusal(header + changed(good, "3,-4,0,3", "3,,0,3")), "without its distance");
+  expectSays(refusal(header + changed(good, "3,-4,0,3", "3,,0,3")), "has no distance");
 }
 
 TEST_F(MeasurementsReader, readsTheAnglesOfATool) {
@@ -159,9 +159,9 @@ TEST_F(MeasurementsReader, readsTheAnglesOfATool) {
   EXPECT_NEAR(readings[1].own[0], 2 * kDegree, 1e-15);
   EXPECT_TRUE(std::isnan(readings[1].own[1]) && std::isnan(readings[1].own[2]));
   EXPECT_TRUE(readings[1].direction_W->isApprox(Eigen::Vector3d::UnitZ()));
-  expectSays(refusal(header + changed(turned, ",30,-40,50,", ",30,,50,")), "without its roll, pitch, yaw");
-  expectSays(refusal(header + changed(tilted, ",2,,", ",,,")), "without its tilt_x, tilt_y, tilt_z");
-  expectSays(refusal(header + changed(tilted, "0.01", "-0.01")), "turn_sigma that is not above zero");
+  expectSays(refusal(header + changed(turned, ",30,-40,50,", ",30,,50,")), "has no roll, pitch, yaw");
+  expectSays(refusal(header + changed(tilted, ",2,,", ",,,")), "has no tilt_x, tilt_y, tilt_z");
+  expectSays(refusal(header + changed(tilted, "0.01", "-0.01")), "the turn_sigma is not above zero");
   expectSays(refusal(changed(header, "tilt_x_deg", "tilt_x_in") + tilted), "unknown unit 'in'");
 }
 
@@ -232,13 +232,13 @@ TEST_F(MeasurementsReader, readsTheTiltsOfARow) {
   expectSays(unknown, "mezzanine-beam, mezzanine-platform, base-link, latch-link, forearm");
   expectSays(unknown, "did you mean 'forearm'?");
   const std::string position = "c,position,forearm,10,90,-20,5,1,2,3,,,,,0.003,\n";
-  expectSays(refusal(header + position), "the row 'forearm' for a reading of kind position");
+  expectSays(refusal(header + position), "a reading of kind position cannot be of row 'forearm'");
   expectSays(refusal(header + position), "only readings of kind tilt");
   expectSays(refusal(header + changed(of_row, ",5,,,,,,,2", ",5,,,,1,0,0,2")),
-             "a row or a point of the tool, not both");
-  expectSays(refusal(header + changed(of_row, ",2,,0.01", ",,,0.01")), "without its tilt_x, tilt_y, tilt_z");
+             "both a row of the arm and a point of the tool");
+  expectSays(refusal(header + changed(of_row, ",2,,0.01", ",,,0.01")), "has no tilt_x, tilt_y, tilt_z");
   expectSays(refusal(header + changed(of_row, ",2,,0.01", ",nan,,0.01")), "finite number");
-  expectSays(refusal(header + changed(of_row, "0.01", "-0.01")), "turn_sigma that is not above zero");
+  expectSays(refusal(header + changed(of_row, "0.01", "-0.01")), "the turn_sigma is not above zero");
 }
 
 TEST_F(MeasurementsReader, readsHowTheNoiseOfCoordinatesGoesTogether) {
@@ -252,14 +252,14 @@ TEST_F(MeasurementsReader, readsHowTheNoiseOfCoordinatesGoesTogether) {
   EXPECT_NEAR(calibration::statedCovariance(m)(0, 1), 0.9 * 0.001 * 0.002 * kInch * kInch, 1e-20);
   EXPECT_FALSE(read(header + changed(good, "0.9,-0.1,0,", ",,,")).at(0).correlation_W);
   expectSays(refusal(header + changed(good, "0.9,-0.1,", "0.9,,")),
-             "m.csv:2: found some of the correlations rho_xy, rho_xz, rho_yz, expected all three or none");
+             "m.csv:2: only some of the correlations rho_xy, rho_xz, rho_yz are given; give all three or none");
   for (const char* rho : {"1", "-1", "1.2"})
     expectSays(refusal(header + changed(good, "0.9,", std::string(rho) + ",")),
                std::string("m.csv:2 (column rho_xy): found ") + rho + ", expected a correlation between -1 and 1");
   expectSays(refusal(header + changed(good, "0.9,", "nan,")), "m.csv:2 (column rho_xy): found 'nan'");
   expectSays(refusal(header + changed(good, "0.9,-0.1,0,", "0.9,0.9,-0.9,")), "positive definite");
   const std::string alone = changed(good, "0.001,0.002,0.002,0.9,-0.1,0,", ",,,0.9,-0.1,0,0.002");
-  expectSays(refusal(header + alone), "without the coordinates' own sigmas");
+  expectSays(refusal(header + alone), "need sigma_x, sigma_y, sigma_z");
   expectSays(refusal(header + alone), "add those columns");
   const std::string missing =
       "id,kind,theta1_deg,theta2_deg,theta3_deg,theta4_deg,x_in,y_in,z_in,sigma_x_in,"
@@ -289,8 +289,8 @@ TEST_F(MeasurementsReader, readsWaysFromOtherReadings) {
   expectSays(with(length, ",A,a,", ",A,c,"), "own id");
   expectSays(with(length, ",A,a,", ",B,a,"), "of another set-up");
   expectSays(with(length, ",,,2,", ",,,-2,"), "above zero");
-  expectSays(with(length, ",,,2,", ",,,,"), "without its distance");
-  expectSays(with(length, ",,,,2,", ",1,2,3,2,"), "without its distance");
+  expectSays(with(length, ",,,2,", ",,,,"), "has no distance");
+  expectSays(with(length, ",,,,2,", ",1,2,3,2,"), "has no distance");
 }
 
 TEST_F(MeasurementsReader, readsAnotherPointOfTheTool) {

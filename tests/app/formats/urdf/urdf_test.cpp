@@ -158,7 +158,7 @@ TEST(Urdf, RefusesWhatIsNoArm) {
   expectSays(refusal("<robot name=\"r\"/>"), "p.urdf");
   expectSays(refusal("<robot name=\"r\"><link name=\"only\"/></robot>"), "no moving joint");
   expectSays(refusal(good, "tool1"), "did you mean 'tool0'?");
-  expectSays(refusal(changed(good, "type=\"prismatic\"", "type=\"floating\"")), "floating or planar");
+  expectSays(refusal(changed(good, "type=\"prismatic\"", "type=\"floating\"")), "a floating joint");
   expectSays(refusal(changed(good, "mimic joint=\"upper\"", "mimic joint=\"uper\"")), "mimics 'uper'");
   expectSays(
       refusal("<robot name=\"r\"><link name=\"root\"/><link name=\"a\"/><link name=\"b\"/><link name=\"leaf\"/>"
@@ -343,9 +343,9 @@ TEST(Urdf, WhatIsWrongIsNamedWithItsLine) {
       {changed(good, "xyz=\"0 0 1\"", "xyx=\"0 0 1\""), "did you mean 'xyz'?"},
       {changed(good, "revolute", "revolut"), "did you mean 'revolute'?"},
       {changed(good, "revolute", "spherical"), "the type 'spherical'"},
-      {changed(good, " type=\"revolute\"", ""), "without a type"},
-      {changed(good, " name=\"j\"", ""), "a joint without a name"},
-      {changed(good, "<link name=\"flange\"/>", "<link/>"), "a link without a name"},
+      {changed(good, " type=\"revolute\"", ""), "no type"},
+      {changed(good, " name=\"j\"", ""), "the joint has no name"},
+      {changed(good, "<link name=\"flange\"/>", "<link/>"), "the link has no name"},
       {changed(good, "name=\"f\"", "name=\"j\""), "a second joint 'j'"},
       {changed(good, "name=\"flange\"", "name=\"arm\""), "a second link 'arm'"},
       {changed(good, "<parent link=\"arm\"/>", ""), "no parent link"},
@@ -353,21 +353,21 @@ TEST(Urdf, WhatIsWrongIsNamedWithItsLine) {
       {limit("<limit lower=\"-pi\" upper=\"2\"/>"), "a number in rad or m"},
       {limit("<limit lower=\"-2\" upper=\"2\" velocity=\"-1\"/>"), "0 or more"},
       {limit("<limit lower=\"-2\" upper=\"2\"/><mimic joint=\"k\" multiplier=\"x\"/>"), "mimic multiplier"},
-      {limit("<limit lower=\"-2\" upper=\"2\"/><mimic multiplier=\"2\"/>"), "a mimic without a joint"},
+      {limit("<limit lower=\"-2\" upper=\"2\"/><mimic multiplier=\"2\"/>"), "the element mimic has no joint"},
       {changed(good, "<robot name=\"r\">", "<robot name=\"r\" version=\"2.0\">"), "the version '2.0'"},
       {flangeUrdf("<collision><geometry><cylinder radius=\"-1\" length=\"1\"/></geometry></collision>"), "a length"},
       {flangeUrdf("<inertial><origin rpy=\"0 0\"/><mass value=\"1\"/></inertial>"), "three numbers in rad"},
       {changed(good, "</joint>", "</jont>"), "tags do not match"},
       {good.substr(0, good.size() / 2), "breaks off"},
-      {changed(good, "<robot name=\"r\">", "<robot>"), "a robot without a name"},
+      {changed(good, "<robot name=\"r\">", "<robot>"), "the robot has no name"},
   };
   for (const auto& wrong : wrongs) {
     const std::string message = refusalOf("<?xml version=\"1.0\"?>\n" + wrong.text);
     expectSays(message, wrong.said);
     expectSays(message, "r.urdf:2");
   }
-  expectSays(refusalOf("<sdf version=\"1.6\"/>"), "no robot, but 'sdf'");
-  expectSays(refusalOf("<robot name=\"r\"/>"), "without links");
+  expectSays(refusalOf("<sdf version=\"1.6\"/>"), "not a URDF robot, but 'sdf'");
+  expectSays(refusalOf("<robot name=\"r\"/>"), "no links");
 }
 
 /// What of a file is passed over may be written anyhow.
@@ -379,8 +379,8 @@ TEST(Urdf, NumbersOfAControllerArePassedOver) {
 
 TEST(Urdf, ClosedChainsAreRefused) {
   const std::string second = "<joint name=\"k\" type=\"fixed\"><parent link=\"base\"/><child link=\"flange\"/></joint>";
-  expectSays(refusalOf(flangeUrdf("", second)), "'flange' behind the joint");
-  expectSays(refusalOf(flangeUrdf("", "<link name=\"alone\"/>")), "behind no joint");
+  expectSays(refusalOf(flangeUrdf("", second)), "'flange' is the child of the joint");
+  expectSays(refusalOf(flangeUrdf("", "<link name=\"alone\"/>")), "the child of no joint");
   const std::string ring = "<joint name=\"k\" type=\"fixed\"><parent link=\"flange\"/><child link=\"base\"/></joint>";
   expectSays(refusalOf(flangeUrdf("", ring)), "a closed loop");
 }

@@ -25,9 +25,9 @@ TEST(StrictYaml, keepsPathsLinesAndColumns) {
 TEST(StrictYaml, refusesADoubleKeyWithBothLines) {
   const std::string message = refusal("a: 1\nb: 2\na: 3\n");
   expectSays(message, "f.yaml:3:1");
-  expectSays(message, "'a' a second time");
+  expectSays(message, "'a' occurs a second time");
   expectSays(message, "line 1");
-  expectSays(refusal("m: {x: 1, x: 1}\n"), "'x' a second time");
+  expectSays(refusal("m: {x: 1, x: 1}\n"), "'x' occurs a second time");
 }
 
 TEST(StrictYaml, refusesATabButNotInAComment) {
@@ -44,7 +44,7 @@ TEST(StrictYaml, refusesWhatIsNoPlainData) {
        {" !{tjon: [po, d:' 00]}", "a: ! [1, 2]\n", "a: ! word\n", "a: ! 'word'\n", "a: !\n", "! a: 1\n"})
     expectSays(refusal(text), "tag");
   expectSays(refusal("a: 1\n---\nb: 2\n"), "second document");
-  expectSays(refusal("[1, 2]: 3\n"), "as a key");
+  expectSays(refusal("[1, 2]: 3\n"), "cannot be a key");
   expectSays(refusal("- 1\n- 2\n"), "a list of 2");
   expectSays(refusal("# only a comment\n"), "nothing");
 }
