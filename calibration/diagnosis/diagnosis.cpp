@@ -25,8 +25,9 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kMostClosest = 8;
-constexpr double kBaselineTolerance = 1e-6;  // share of chi-square; every model is fitted again from it
-constexpr double kOutlier = 14.8;  // log odds against a reading being an outlier of 30 sigmas in three coordinates
+constexpr double kBaselineTolerance = 1e-6;  // relative to chi-square; every model is fitted again from the baseline
+// Log odds against an outlier: a reading that is wrong by 30 sigmas in three coordinates.
+constexpr double kOutlier = 14.8;
 
 IdentificationOptions baselineOptions(const DiagnosisOptions& options) {
   IdentificationOptions baseline = options.baseline;
@@ -49,8 +50,8 @@ Identification fitBaseline(const PlacedArm& start, const std::vector<Measurement
   return baseline;
 }
 
-/// Intermediate result with the work behind it. Errors kept out, detectable sizes and views are computed only for the
-/// final one.
+/// Intermediate result with the work data it was computed from. Errors on held-out readings, detectable sizes and views
+/// are computed only for the final result.
 struct Answer {
   explicit Answer(const DiagnosisOptions& options) : work{options, {}, {}, nullptr, nullptr, {}, {}, {}} {}
 
@@ -69,7 +70,7 @@ void describeBaseline(const DiagnosisWork& work, Diagnosis& result) {
   result.before = errorSize(work.basis.readings, work.basis.weights, residual.error);
 }
 
-/// Returns why no verdict is possible; empty if one is.
+/// Returns the reason why no verdict is possible; empty if a verdict is possible.
 std::string inconclusiveSince(const DiagnosisWork& work, const Diagnosis& result) {
   const int numbers = work.basis.weights.degrees_of_freedom - result.degrees_of_freedom;
   auto problem = findLackOfFreedom(work.basis.readings, result.degrees_of_freedom, numbers);
@@ -77,7 +78,7 @@ std::string inconclusiveSince(const DiagnosisWork& work, const Diagnosis& result
   return problem ? problem->what + "; needed: " + problem->needed : "";
 }
 
-/// Compares the models by their linear evidence, if a verdict is possible.
+/// Compares the models by their linear evidence, provided that a verdict is possible.
 void weighModels(Answer& answer) {
   Diagnosis& result = answer.result;
   result.reason = inconclusiveSince(answer.work, result);
@@ -94,7 +95,7 @@ void weighModels(Answer& answer) {
   compareModels(answer.work);
 }
 
-/// Counts scatter that follows nothing as noise if repeated readings scatter as much, whatever noise is stated.
+/// Counts scatter that follows no variable as noise, whatever noise is stated, if repeated readings scatter as much.
 void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model, Diagnosis& result) {
   const Repeats repeats = repeatsBy(work, model);
   const bool is_larger =
@@ -111,8 +112,8 @@ void takeRepeatsForNoise(const DiagnosisWork& work, const CompetingModel& model,
   result.scatter_probability = 0;
 }
 
-/// Withdraws the verdict that nothing is missing if noise alone would hardly leave such residuals. A diagnosis never
-/// gives a better verdict than a comparison with the same chi-square.
+/// Withdraws the verdict that nothing is missing if noise alone would hardly leave such large residuals. A diagnosis
+/// never gives a better verdict than a comparison with the same chi-square.
 void withholdAdequate(const DiagnosisWork& work, Diagnosis& result) {
   if (result.verdict != Verdict::kAdequate || !(result.p_value < kLackOfFit)) return;
   takeRepeatsForNoise(work, modelOfNothing(work), result);
@@ -122,7 +123,7 @@ void withholdAdequate(const DiagnosisWork& work, Diagnosis& result) {
                   "likely; needed: more readings, or a sigma that is known";
 }
 
-/// Sets the verdict from the leading models' fits.
+/// Sets the verdict from the fits of the leading models.
 void conclude(Answer& answer) {
   DiagnosisWork& work = answer.work;
   Diagnosis& result = answer.result;
@@ -144,7 +145,7 @@ void conclude(Answer& answer) {
   if (is_part ? result.remainder.follows.empty() : result.isScatterAlone()) takeRepeatsForNoise(work, named, result);
 }
 
-/// Returns the baseline and its competing models, still without a verdict.
+/// Returns the baseline and the models that compete with it, still without a verdict.
 Answer compareAll(Identification baseline, const std::vector<Measurement>& all, const std::vector<int>& set_aside,
                   const DiagnosisOptions& options) {
   Answer found(options);
@@ -168,7 +169,7 @@ Answer compareAll(Identification baseline, const std::vector<Measurement>& all, 
   return found;
 }
 
-/// Sets the distances between the alternatives' predictions over the arm's range.
+/// Sets the distance of each alternative's predictions from those of the first alternative, over the arm's range.
 void setApart(const DiagnosisWork& work, Diagnosis& result) {
   if (result.alternatives.size() < 2) return;
   const RangeViews views(work.basis, work.options.seed);
@@ -190,12 +191,12 @@ Diagnosis completed(Answer found, const std::vector<Measurement>& all) {
   return std::move(result);
 }
 
-/// Returns the log weight of the best model; readings that were set aside count as outliers, each at its odds.
+/// Returns the log weight of the best model. Readings that were set aside count as outliers with the prior odds of an
+/// outlier.
 double bestWeight(const Answer& found, const std::vector<Measurement>& readings) {
   if (!found.is_found) return -std::numeric_limits<double>::infinity();
   const auto& best = found.work.models.front();
-  // Readings that are set aside have no density in the model. The density of an outlier, relative to noise, is used for
-  // them.
+  // Readings that are set aside have no density in the model, so the density of an outlier relative to noise is used.
   const double outliers = countOutliers(found.result.set_aside, readings);
   const auto set_aside = static_cast<double>(found.result.set_aside.size());
   const auto& weights = found.work.noise.front().weights;
@@ -205,7 +206,7 @@ double bestWeight(const Answer& found, const std::vector<Measurement>& readings)
   return best.logWeight() + set_aside * density - outliers * kOutlier;
 }
 
-/// Returns the log weight within which the linear evidence of the models may be wrong.
+/// Returns the difference in log weight within which the linear evidence of the models may be wrong.
 double windowOf(const Answer& found) {
   if (!found.is_found) return 0;
   return leaderWindow(found.work.models.front().logWeight(), modelOfNothing(found.work).logWeight());

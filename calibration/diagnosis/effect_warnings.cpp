@@ -13,17 +13,18 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kGap = 8;          // least difference of -2 log of the posterior
-constexpr double kLack = 0.003;     // p-value of the lack of fit below which more is missing
-constexpr double kNearNeutral = 2;  // least size that counts as not neutral [sigmas]
-constexpr double kByChance = 0.05;  // p-value from which a fall counts as noise
-constexpr int kRivals = 6;          // number of models that are fitted in place of an effect
-constexpr double kMostWork = 2e4;   // most fitted numbers times readings times effects for which rivals are fitted
+constexpr double kGap = 8;          // least difference of -2 log of the posterior that counts
+constexpr double kLack = 0.003;     // p-value of the lack of fit below which something more is missing
+constexpr double kNearNeutral = 2;  // deviation from neutral above which a size counts as not neutral [sigmas]
+constexpr double kByChance = 0.05;  // p-value above which a decrease of chi-square counts as noise
+constexpr int kRivals = 6;          // number of models that are fitted as replacements of an effect
+// Product of fitted parameters, readings and effects above which no replacements are fitted.
+constexpr double kMostWork = 2e4;
 
-/// Common input of the warnings for an identification and for a diagnosis.
+/// Common input of the warnings for identifications and diagnoses.
 struct Case {
   const PlacedArm& start;
-  const std::vector<Measurement>& readings;  ///< readings without those that were set aside
+  const std::vector<Measurement>& readings;  ///< readings except those that were set aside
   IdentificationOptions options;             ///< options of the fit with all effects, without hooks
   const Identification& with;
   ErrorSize heldout;
@@ -33,12 +34,12 @@ struct Case {
   }
 };
 
-/// Returns the row of the table of effects for a fitted number.
+/// Returns the catalogue's description of a fitted parameter of an effect.
 const deflection::EffectParameter& parameterOf(const deflection::Effect& effect, const IdentifiedNumber& number) {
   return deflection::numbersOf(effect)[static_cast<std::size_t>(number.unknown.path.value)];
 }
 
-/// Returns the fitted numbers of an effect.
+/// Returns the fitted parameters of an effect.
 std::vector<const IdentifiedNumber*> fittedNumbers(const Identification& with, int effect) {
   std::vector<const IdentifiedNumber*> numbers;
   for (const auto& number : with.numbers)
@@ -52,7 +53,7 @@ PlacedArm withoutEffect(PlacedArm placed, int effect) {
   return placed;
 }
 
-/// Returns the free names that do not belong to the effect.
+/// Returns the names of the free parameters that do not belong to the effect.
 std::vector<std::string> namesOfOthers(const deflection::Arm& arm, const std::vector<std::string>& names, int effect) {
   std::vector<std::string> others;
   for (const auto& name : names) {
@@ -99,7 +100,8 @@ bool isAtNeutral(const deflection::Effect& effect, const std::vector<const Ident
   });
 }
 
-/// Returns the probability of a fall by noise alone; halved if a single size is bounded on one side of neutral.
+/// Returns the probability that noise alone causes such a decrease of chi-square. The probability is halved if the
+/// effect has a single size with a bound at neutral.
 double chanceOfFall(const Case& c, double fall, int effect, const std::vector<const IdentifiedNumber*>& numbers) {
   if (numbers.empty() || !(fall > 0)) return 1;
   const double p = chiSquareTail(fall, static_cast<double>(numbers.size()));
@@ -119,7 +121,8 @@ EffectWarning named(const Case& c, int effect, EffectWarningKind kind) {
   return warning;
 }
 
-/// Returns the warning that an effect is not needed, with the criterion's gain by it.
+/// Returns the warning that an effect is not needed. `gain` is the improvement of Explanation::criterion due to the
+/// effect.
 EffectWarning unneeded(const Case& c, int effect, double gain) {
   const Without without = fitWithout(c, effect);
   const auto numbers = fittedNumbers(c.with, effect);
@@ -156,17 +159,17 @@ const FoundEffect* find(const Explanation& explanation, const EffectWarning& war
   return nullptr;
 }
 
-/// Judges an effect that does not compete, such as a user's formula, by the rise of chi-square without it.
+/// Judges an effect that does not compete, such as a user's formula, by the rise of chi-square without the effect.
 void judgeByFit(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
   EffectWarning not_needed = unneeded(c, effect, 0);
   not_needed.is_within_noise = not_needed.p_value > kByChance;
   if (!(not_needed.fall >= kGap)) warnings.push_back(not_needed);
 }
 
-/// Takes the effect out and compares all possible replacements, including the effect itself.
+/// Removes the effect and compares all possible replacements, including the effect itself.
 void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std::vector<EffectWarning>& warnings) {
   DiagnosisOptions bare = options;
-  bare.most_causes = 1;  // most replacements of one effect
+  bare.most_causes = 1;  // at most one replacement of the effect
   bare.most_leaders = kRivals;
   bare.baseline.free.names = namesOfOthers(c.start.arm, options.baseline.free.names, effect);
   EffectWarning warning = named(c, effect, EffectWarningKind::kBetterExplainedBy);
@@ -192,7 +195,7 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   const bool is_beaten = other && other->criterion + kGap < own->criterion;
   if (gain < kGap) {
     const EffectWarning not_needed = unneeded(c, effect, gain);
-    // An effect that lowers the error much, although the evidence does not support it, replaces another one.
+    // An effect that lowers the error much, although the evidence does not support it, stands in for another effect.
     if (!is_beaten || not_needed.p_value > kLack) {
       warnings.push_back(not_needed);
       return;
@@ -206,8 +209,8 @@ void judgeEffect(const Case& c, int effect, const DiagnosisOptions& options, std
   warnings.push_back(warning);
 }
 
-/// Returns the estimated rise of chi-square without the effect from the fit's covariance: Wald's statistic of its
-/// sizes.
+/// Returns an estimate of the rise of chi-square without the effect, from the fit's covariance: Wald's statistic of the
+/// effect's sizes.
 double riseWithout(const Case& c, int effect) {
   std::vector<Eigen::Index> which;
   std::vector<double> sizes;
@@ -221,7 +224,8 @@ double riseWithout(const Case& c, int effect) {
   return x.dot(c.with.covariance(which, which).ldlt().solve(x));
 }
 
-/// Judges an effect by the covariance alone, for models so large that fits in place of every effect would take minutes.
+/// Judges an effect by the covariance alone, for models so large that fits of replacements for every effect would take
+/// minutes.
 void judgeByCovariance(const Case& c, int effect, std::vector<EffectWarning>& warnings) {
   const double gain = riseWithout(c, effect);
   if (!(gain >= kGap)) warnings.push_back(unneeded(c, effect, gain - kGap));
@@ -250,7 +254,7 @@ std::vector<EffectWarning> warningsOf(const Case& c, const std::vector<int>& eff
   return warnings;
 }
 
-/// Returns an empty list if the work was stopped, since warnings have no status.
+/// Returns the result of `work`; an empty list if it was stopped, since warnings have no status.
 template <class Work>
 std::vector<EffectWarning> unlessStopped(Work work) {
   try {

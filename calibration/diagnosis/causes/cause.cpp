@@ -13,13 +13,13 @@ using deflection::EffectKind, deflection::PlaceRule, deflection::Quantity;
 
 namespace {
 
-constexpr int kKneeLevels = 7;   // tried moments of a knee
-constexpr int kTimeLevels = 64;  // tried times of a step
-// Odds of all held stiffnesses together, which drawings seldom state well, and of all zeros of joints that follow
-// others, which no reading states.
+constexpr int kKneeLevels = 7;   // number of tried moments of a knee
+constexpr int kTimeLevels = 64;  // number of tried times of a step
+// Odds of all held stiffnesses together, which drawings seldom state well; also odds of all zeros of joints that follow
+// other joints, which no reading states.
 constexpr double kFreedOdds = 2;
-constexpr double kGeometryOdds = 2;  // odds of the drawing's geometry as a whole
-constexpr double kAlikeShare = 0.3;  // share of a kind's odds for the effect at every joint
+constexpr double kGeometryOdds = 2;  // odds of an error in the drawing's geometry as a whole
+constexpr double kAlikeShare = 0.3;  // fraction of an effect kind's odds for this effect at every joint
 
 bool hasWeights(const deflection::Arm& arm) {
   const auto weighs = [](const auto& row) {
@@ -28,7 +28,7 @@ bool hasWeights(const deflection::Arm& arm) {
   return std::ranges::any_of(arm.rows, weighs) || !arm.side_chains.empty();
 }
 
-/// Returns what the readings and the arm lack for an effect to be visible; empty if nothing.
+/// Returns what the readings or the arm lack for an effect to be visible; empty if nothing is lacking.
 std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings) {
   const deflection::Arm& arm = placed.arm;
   const auto any = [&](auto&& holds) { return std::ranges::any_of(readings, holds); };
@@ -51,7 +51,7 @@ std::string lackOf(const EffectKind& kind, const PlacedArm& placed, const std::v
   return "";
 }
 
-/// Returns evenly spaced quantiles of the inner part of a sample, without repeated values.
+/// Returns up to `count` evenly spaced quantiles of a sample, from probability `from` to `to`, without repeated values.
 std::vector<double> quantiles(std::vector<double> sample, int count, double from, double to) {
   if (sample.empty()) return {};
   std::ranges::sort(sample);
@@ -63,7 +63,7 @@ std::vector<double> quantiles(std::vector<double> sample, int count, double from
   return {levels.begin(), levels.end()};
 }
 
-/// Returns the moments about an axis at readings evenly spaced among all [N m].
+/// Returns the absolute moments [N m] about the axis at `place`, for up to about 200 evenly spaced readings.
 std::vector<double> momentsAt(const PlacedArm& placed, const std::vector<Measurement>& readings,
                               const deflection::Place& place) {
   constexpr std::size_t kMost = 200;
@@ -112,7 +112,8 @@ bool mayActAlike(const EffectKind& kind) {
          kind.parameters.size() == 1;
 }
 
-/// Adds a kind's causes, which share its odds.
+/// Adds a cause for each place of an effect kind, and one for every joint together; the kind's odds are divided among
+/// these causes.
 void addKind(const EffectKind& kind, const PlacedArm& placed, const std::vector<Measurement>& readings,
              CauseList& list) {
   std::vector<Cause> at_places;
@@ -138,8 +139,8 @@ bool isFree(const std::vector<Unknown>& free, const std::string& name) {
   return std::ranges::any_of(free, [&](const Unknown& unknown) { return unknown.name == name; });
 }
 
-/// Adds causes for numbers of the arm's file that the fit holds: each stiffness, each zero of a joint that follows
-/// others, and the drawing's geometry as a whole.
+/// Adds causes for parameters of the arm's file that the fit holds: each stiffness, each zero of a joint that follows
+/// another joint, and the drawing's geometry as a whole.
 void addHeldNumbers(const PlacedArm& placed, const std::vector<Unknown>& free, CauseList& list) {
   std::vector<Cause> stiffnesses;
   Cause geometry{kFreedNumbers, "geometry", {}, {}};
@@ -195,7 +196,7 @@ std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, c
   std::vector<deflection::Effect> effects;
   for (const EffectKind& kind : deflection::effectKinds()) {
     if (kind.name != effect || !mayActAlike(kind)) continue;
-    // If places are axes, only the rotation axis of each joint counts.
+    // If the places of an effect kind are axes, only the rotation axis of each joint counts.
     for (const std::string& at : deflection::placeTexts(arm, kind)) {
       const auto made = deflection::makeEffect(arm, kind.name, at);
       const auto& place = made.effect.place;
@@ -234,7 +235,7 @@ Unknown numberUnknown(const deflection::Arm& arm, int effect, int value) {
   unknown.lower = number.lower - unknown.start;
   unknown.upper = number.upper - unknown.start;
   takeSizePrior(parameter, unknown);
-  if (parameter.is_shape) unknown.prior_mean = 0;  // a shape has no neutral size
+  if (parameter.is_shape) unknown.prior_mean = 0;  // a scanned parameter has no neutral value
   return unknown;
 }
 

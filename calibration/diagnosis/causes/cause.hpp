@@ -1,5 +1,5 @@
-// Possible causes of a lack of fit: effects of the catalogue at their places, one effect at every joint, or numbers of
-// the arm's file that the fit holds at the drawing's values.
+// Possible causes of a lack of fit: effects of the catalogue at their places, one effect at every joint, or parameters
+// of the arm's file that the fit holds at the drawing's values.
 #pragma once
 
 #include <string>
@@ -11,67 +11,69 @@
 
 namespace tubeplan::calibration {
 
-/// Value of Cause::effect for a cause that frees numbers of the arm's file.
+/// Value of Cause::effect for a cause that frees parameters of the arm's file.
 inline constexpr const char* kFreedNumbers = "free";
 
 /// Value of Cause::at for an effect that acts at every joint.
 inline constexpr const char* kAllJoints = "all joints";
 
-/// Returns a neutral effect of this kind for each revolute joint that does not have it already; empty if the kind is
-/// none that may act at every joint.
+/// Returns a neutral effect of the kind named `effect` for each revolute joint that does not have such an effect yet.
+/// Empty if this kind of effect cannot act at every joint.
 [[nodiscard]] std::vector<deflection::Effect> effectsAtAllJoints(const deflection::Arm& arm, const std::string& effect);
 
-/// Returns a description of the cause with this name: an effect of the catalogue, or freed numbers.
+/// Returns a description of the cause named `effect`: an effect of the catalogue, or freed parameters.
 [[nodiscard]] const char* causeWords(const std::string& effect);
 
-/// Returns the names of the variables that the effect's law may depend on, simplest first; empty: it may depend on any.
+/// Returns the names of the variables that the effect's law may depend on, simplest first. Empty: the law may depend on
+/// any variable.
 [[nodiscard]] std::vector<std::string> causeVariables(const std::string& effect);
 
 struct Cause {
   std::string effect, at;  ///< name and place: "backlash", "tool.z"; "free", "latch-link.beam.Iz"
-  /// Effects at neutral values; several of one kind if it acts at every joint.
+  /// Effects at neutral values; several effects of one kind if the cause acts at every joint.
   std::vector<deflection::Effect> effects;
-  std::vector<std::string> frees;  ///< dotted names of freed numbers of the arm's file
-  int shape = -1;                  ///< index of the effect's value that is scanned, -1: none
-  std::vector<double> levels{0};   ///< scanned values of `shape` [internal units]
+  std::vector<std::string> frees;  ///< dotted names of the freed parameters of the arm's file
+  int shape = -1;                  ///< index of the effect's parameter whose value is scanned; -1: none
+  std::vector<double> levels{0};   ///< scanned values of parameter `shape` [internal units]
   double prior = 0;                ///< probability of this cause if exactly one cause is missing
 };
 
-/// Returns true if both are the same kind of effect at the same place, whatever their sizes.
+/// Returns true if both effects are of the same kind and at the same place, whatever their sizes.
 [[nodiscard]] inline bool areOne(const deflection::Effect& a, const deflection::Effect& b) {
   return a.kind == b.kind && a.place == b.place;
 }
 
-/// Returns true if both causes contain the same effect at the same place, or free the same number.
+/// Returns true if both causes contain the same effect at the same place, or free the same parameter.
 [[nodiscard]] bool overlap(const Cause& a, const Cause& b);
 
-/// Returns true if the scanned shape of the cause is the time of a step, before which the effect is zero.
+/// Returns true if the scanned parameter of the cause is the time of a step, before which the effect is zero.
 [[nodiscard]] bool isStep(const Cause& cause);
 
-/// Adds the cause to the arm with its shape at `level`. Returns the unknowns for its numbers, which are zero at the
-/// neutral values. Their typical size is the largest of real machines.
+/// Adds the cause to the arm, with its scanned parameter set to `level`. Returns the unknowns for the cause's other
+/// parameters. The unknowns are zero at the neutral values; the typical size of each is the largest value in real
+/// machines.
 [[nodiscard]] std::vector<Unknown> placeCause(PlacedArm& placed, const Cause& cause, double level);
 
-/// Returns the unknown for number `value` of effect `effect` of the arm; it is zero at the present value. Its typical
-/// size is the largest usual one.
+/// Returns the unknown for parameter `value` of effect `effect` of the arm; the unknown is zero at the parameter's
+/// present value. Its typical size is the largest usual value of the parameter.
 [[nodiscard]] Unknown numberUnknown(const deflection::Arm& arm, int effect, int value);
 
-/// Returns the unknown for a scanned shape that has a derivative (a knee), for a fit that begins at `level`. `effect`
-/// is the index of the cause's effect in the arm.
+/// Returns the unknown for a scanned parameter that has a derivative (a knee), for a fit that starts at `level`.
+/// `effect` is the index in the arm of the cause's effect.
 [[nodiscard]] Unknown shapeUnknown(const deflection::Arm& arm, const Cause& cause, int effect, double level);
 
-/// Returns the midpoints [s] between consecutive times of the readings, ascending. A step has the same effect on the
-/// readings anywhere between two of them.
+/// Returns the midpoints [s] between consecutive times of the readings, ascending. The time of a step between two
+/// consecutive readings does not change their values.
 [[nodiscard]] std::vector<double> timesBetween(const std::vector<Measurement>& readings);
 
 struct CauseList {
   std::vector<Cause> causes;
-  /// Names of causes that were left out, with what each would need: "hysteresis: no column <joint>_dir".
+  /// Names of the causes that were left out, with the data that each would need: "hysteresis: no column <joint>_dir".
   std::vector<std::string> not_tried;
 };
 
-/// Lists every cause that these readings could show, beside the numbers in `free`. Effects that the arm already has at
-/// a place are left out. Throws WorkStopped on a request to stop.
+/// Lists every cause that these readings could show in addition to the unknowns in `free`. An effect that the arm
+/// already has at a place is left out there. Throws WorkStopped on a request to stop.
 [[nodiscard]] CauseList listCauses(const PlacedArm& placed, const std::vector<Measurement>& readings,
                                    const std::vector<Unknown>& free, const WorkHooks& hooks = {});
 

@@ -13,7 +13,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Cause's signature, projected off the fitted numbers, as an orthonormal basis.
+/// Signature of a cause, projected orthogonal to the fitted parameters' Jacobian, as an orthonormal basis.
 struct Signature {
   double kept = 0;
   MatrixXd basis;
@@ -28,7 +28,8 @@ Signature signatureOf(const MatrixXd& own, const MatrixXd& others) {
   return signature;
 }
 
-/// Returns the share of `one` that lies in the span of `other`, in the direction with the smallest share.
+/// Returns the fraction of `one` that lies in the span of `other`, in squared length, in the direction where this
+/// fraction is smallest.
 double shareOf(const MatrixXd& one, const MatrixXd& other) {
   if (one.cols() == 0 || other.cols() < one.cols()) return 0;
   const VectorXd cosines = (other.transpose() * one).jacobiSvd().singularValues();

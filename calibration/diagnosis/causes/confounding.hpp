@@ -1,5 +1,5 @@
-// Causes that these readings can hardly distinguish: the signature of one, projected off the fitted numbers, lies in
-// the span of another's.
+// Causes that these readings can hardly distinguish: after projection orthogonal to the fitted parameters' Jacobian,
+// the signature of one cause lies in the span of another cause's signature.
 #pragma once
 
 #include <string>
@@ -11,22 +11,24 @@ namespace tubeplan::calibration {
 
 struct ConfoundedCause {
   std::string effect, at;
-  double share = 0;  ///< shared part of the signature's squared length, in the direction with the smallest share
+  /// Shared fraction of the signature's squared length, in the direction where this fraction is smallest.
+  double share = 0;
 };
 
 struct Confounding {
   std::string effect, at;
-  double kept = 0;  ///< share of the signature's length that the fitted numbers cannot absorb
-  /// Confounded causes, nearest first; none if hardly any of the signature is kept.
+  double kept = 0;  ///< fraction of the signature's length that the fitted parameters cannot absorb
+  /// Confounded causes, largest shared fraction first; empty if hardly any of the signature is kept.
   std::vector<ConfoundedCause> confounded;
 };
 
-inline constexpr double kConfoundedShare = 0.98;  ///< least share of a cause that counts as confounded with another
+/// Least shared fraction for which a cause counts as confounded with another.
+inline constexpr double kConfoundedShare = 0.98;
 inline constexpr double kHardlyKept = 1e-3;
 
-/// Finds the confounded causes of every cause that the readings could show, linearised at the placed model with the
-/// fitted unknowns `fitted`. Shapes are at the middle of their levels. Returns an empty list if the model cannot be
-/// evaluated.
+/// Finds the confounded causes of every cause that the readings could show. The model is linearised at `placed` with
+/// the unknowns `fitted`; scanned parameters are at the middle of their levels. Returns an empty list if the model
+/// cannot be evaluated.
 [[nodiscard]] std::vector<Confounding> findConfounding(const PlacedArm& placed,
                                                        const std::vector<Measurement>& readings,
                                                        const std::vector<Unknown>& fitted);

@@ -13,7 +13,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kLeastOverlap = 0.05;
-constexpr double kLeastKept = 1e-4;  // kept length of a signature below which it counts as zero
+constexpr double kLeastKept = 1e-4;  // relative length of the kept component below which a signature counts as zero
 
 std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
   std::vector<Unknown> unknowns;
@@ -29,8 +29,8 @@ std::vector<Unknown> numbersOf(const PlacedArm& placed, int effect) {
   return unknowns;
 }
 
-/// Returns the signature of a formula on the readings: one column at its present sizes, or one column per size if all
-/// are zero.
+/// Returns the signature of a formula in the readings: one column for its present sizes, or one column per size if all
+/// sizes are zero.
 MatrixXd signatureOf(const deflection::Effect& effect, const MatrixXd& columns) {
   const auto& parameters = deflection::numbersOf(effect);
   VectorXd sizes = VectorXd::Zero(columns.cols());
@@ -44,7 +44,7 @@ MatrixXd signatureOf(const deflection::Effect& effect, const MatrixXd& columns) 
   return sizes.isZero(0) ? each : MatrixXd((columns * sizes).stableNormalized());
 }
 
-/// Catalogue's causes at the fit, and the readings' weights.
+/// Causes of the catalogue at the fitted model, with the weights of the readings.
 struct Setting {
   const PlacedArm& placed;
   const std::vector<Measurement>& readings;

@@ -1,4 +1,5 @@
-// Signatures of causes: changes of the readings, to first order, per largest size in real machines.
+// Signatures of causes: first-order changes of the readings if a parameter of the cause has the largest value in real
+// machines.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,38 +11,38 @@
 
 namespace tubeplan::calibration {
 
-/// Column for one number of a cause at one level of its shape, in units of Unknown::typical.
+/// Column for one parameter of a cause at one level of its scanned parameter, in units of Unknown::typical.
 struct SignatureColumn {
-  double lower = 0, upper = 0;  ///< bounds of the number, relative to its neutral value, in units
-  double prior_sigma = 1;       ///< prior standard deviation in units; 1 for the size of an effect
+  double lower = 0, upper = 0;  ///< bounds of the parameter, relative to its neutral value [Unknown::typical]
+  double prior_sigma = 1;       ///< prior standard deviation [Unknown::typical]; 1 for the size of an effect
   bool is_of_effect = true;
 };
 
 class Signatures {
  public:
-  /// Lists the columns of the causes at the model `fitted`. Steps are placed by its readings' times.
+  /// Lists the columns of the causes at the model `fitted`, one block of columns for each tried time of a step.
   Signatures(const PlacedArm& fitted, const std::vector<Cause>& causes);
 
   [[nodiscard]] const std::vector<SignatureColumn>& columns() const { return columns_; }
 
-  /// Returns the columns of a cause at a level, in the order of its numbers.
+  /// Returns the column indices of a cause at a level of its scanned parameter, in the order of the cause's parameters.
   [[nodiscard]] const std::vector<int>& columnsOf(int cause, int level) const {
     return of_cause_[static_cast<std::size_t>(cause)][static_cast<std::size_t>(level)];
   }
 
-  /// Returns the whitened columns at these readings (rows of `weights` x columns()), without the part that unknown
+  /// Returns the whitened columns at these readings (rows of `weights` x columns()), without the component that unknown
   /// points absorb. Empty if the model cannot be evaluated. Throws WorkStopped on a request to stop.
   [[nodiscard]] Eigen::MatrixXd columnsAt(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                           const StopQuestion& stop = {}) const;
 
  private:
-  /// Causes that are evaluated in one arm, each at one level. Two shapes at one place would add up, so they are in
-  /// different layers.
+  /// Causes that are evaluated in one arm, each at one level. Two levels of one cause would add up in an arm, so they
+  /// are in different layers.
   struct Layer {
     PlacedArm placed;
     std::vector<Unknown> unknowns;
-    std::vector<int> columns;   ///< column of each unknown
-    std::vector<double> times;  ///< times of a step [s], with one block of columns each
+    std::vector<int> columns;   ///< index of the column of each unknown
+    std::vector<double> times;  ///< times of a step [s], each with a block of columns; empty: no step
   };
 
   int addColumn(const Unknown& unknown);
@@ -50,11 +51,11 @@ class Signatures {
   void shareColumns(const std::vector<Cause>& causes);
 
   std::vector<SignatureColumn> columns_;
-  std::vector<std::vector<std::vector<int>>> of_cause_;  ///< columns by cause, level and number
+  std::vector<std::vector<std::vector<int>>> of_cause_;  ///< column indices by cause, level and parameter
   std::vector<Layer> layers_;
 };
 
-/// Causes that consist of one effect at one place, with their columns at some readings.
+/// Causes that consist of one effect at one place, with their whitened columns at given readings.
 struct SingleCauses {
   std::vector<Cause> causes;
   Signatures signatures;
@@ -65,8 +66,8 @@ struct SingleCauses {
   }
 };
 
-/// Returns the single causes that the readings could show beside the fitted numbers; nothing if the model cannot be
-/// evaluated.
+/// Returns the single causes that the readings could show in addition to the fitted parameters; nullopt if the model
+/// cannot be evaluated.
 [[nodiscard]] std::optional<SingleCauses> singleCauses(const PlacedArm& placed,
                                                        const std::vector<Measurement>& readings,
                                                        const std::vector<Unknown>& fitted,

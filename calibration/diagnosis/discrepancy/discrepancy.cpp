@@ -20,13 +20,13 @@ namespace {
 constexpr int kWaves = 3;
 constexpr int kBumps = 10;
 constexpr int kSlowWaves = 4;
-constexpr int kManyJoints = 5;                  // number of joints above which only neighbouring joints are multiplied
-constexpr std::size_t kReadingsForScale = 300;  // readings for a term's root mean square
-// Amplitudes relative to the first wave of a joint; rough functions are smaller.
+constexpr int kManyJoints = 5;  // number of joints above which only products of neighbouring joints are used
+constexpr std::size_t kReadingsForScale = 300;  // number of readings for a term's root mean square
+// Amplitudes relative to a joint's first wave; rough functions have smaller amplitudes.
 constexpr double kBump = 0.5, kProduct = 0.5, kShift = 0.7, kTurn = 0.5, kMinor = 0.5;
-constexpr std::size_t kWeighingJoints = 3;  // number of joints that move most of the arm's weight
+constexpr std::size_t kWeighingJoints = 3;  // number of joints, from the base, that move most of the arm's weight
 
-/// Function of readings with the name of its variable.
+/// Function of a reading, with the name of the variable that the function depends on.
 struct Feature {
   std::string follows;
   Function function;
@@ -52,7 +52,8 @@ Function product(const Function& a, const Function& b) {
   return [a, b](const Measurement& m) { return a(m) * b(m); };
 }
 
-/// Features of one joint's reading: waves over a turn, or over the range of a slide.
+/// Functions of one joint's reading: waves over a turn of a revolute joint, or over the travelled range of a prismatic
+/// joint.
 class JointFeatures {
  public:
   JointFeatures(const deflection::Joint<double>& joint, Index index, const std::vector<Measurement>& readings)
@@ -82,7 +83,7 @@ class JointFeatures {
     return features;
   }
 
-  /// Returns errors near one angle only, for example from a worn tooth.
+  /// Returns errors that act near one angle only, such as those of a worn gear tooth.
   [[nodiscard]] std::vector<Feature> bumps() const {
     std::vector<Feature> features;
     const double width = (range_.high - range_.low) / kBumps;
@@ -123,7 +124,7 @@ std::vector<Feature> productsOf(const JointFeatures& a, const JointFeatures& b) 
   return features;
 }
 
-/// Load and conditions of the readings, apart from the joints.
+/// Functions of the load and of the conditions stated by the readings, independent of the joints.
 struct Conditions {
   std::vector<Feature> load;
   deflection::OfEachCondition<std::vector<Feature>> stated;
@@ -138,8 +139,8 @@ struct Conditions {
   }
 
  private:
-  /// Returns a linear function from -1 to 1, or waves over the range; zero at a reading that does not state the
-  /// condition.
+  /// Returns a linear function from -1 to 1, or waves over the range of the condition; zero at a reading that does not
+  /// state the condition.
   static std::vector<Feature> featuresOf(const deflection::ConditionKind& kind,
                                          const std::vector<Measurement>& readings) {
     const auto value = [of = kind.condition](const Measurement& m) { return m.conditions[of]; };
@@ -160,7 +161,7 @@ struct Conditions {
   }
 };
 
-/// Builder of a process's terms, channel by channel.
+/// Builds the terms of the process, channel by channel.
 class TermMaker {
  public:
   TermMaker(const deflection::Arm& arm, const std::vector<Measurement>& readings) : conditions_(readings) {
@@ -182,7 +183,7 @@ class TermMaker {
   }
 
  private:
-  /// Adds terms for an error of `place`. Features of one place with the same variable and kind belong to one source.
+  /// Adds terms for an error at `place`. Features with the same place and variable belong to one source.
   void add(const std::string& place, int channel, const std::vector<Feature>& features, double amplitude = 1) {
     for (const Feature& feature : features) {
       const auto source = sources_.try_emplace(place + " " + feature.follows, static_cast<int>(sources_.size())).first;
@@ -230,7 +231,7 @@ class TermMaker {
     addConditions("base", channel, kShift);
   }
 
-  /// Adds the rotation of a compliant support under the arm's weight, which depends on the joints.
+  /// Adds the rotation of a compliant support, which depends on the joints because of the arm's weight.
   void addBaseTurn(int channel) {
     for (std::size_t j = 0; j < std::min(joints_.size(), kWeighingJoints); ++j) {
       if (!joints_[j].moves()) continue;
@@ -248,7 +249,7 @@ class TermMaker {
   std::vector<DiscrepancyTerm> terms_;
 };
 
-/// Returns the change of the reading's rows [m] by a term of size 1.
+/// Returns the change of the reading's rows [m] due to a term of size 1.
 VectorXd columnOf(const std::vector<Motion>& motions, const DiscrepancyTerm& term) {
   VectorXd column = motions.front().displacements.col(term.channel) * term.function(motions.front().at);
   for (std::size_t k = 1; k < motions.size(); ++k)
@@ -256,7 +257,7 @@ VectorXd columnOf(const std::vector<Motion>& motions, const DiscrepancyTerm& ter
   return column;
 }
 
-/// Scales every term to its share of an error of 1 m.
+/// Scales every term to its fraction of a root-mean-square error of 1 m of the whole process.
 void scaleTerms(const PlacedArm& placed, const std::vector<Measurement>& readings,
                 std::vector<DiscrepancyTerm>& terms) {
   std::vector<double> squares(terms.size());

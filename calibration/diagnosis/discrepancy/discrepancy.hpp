@@ -1,11 +1,13 @@
 // Unknown model error outside the catalogue: a smooth function of the joints, the direction of motion, the load and the
-// stated conditions, as a Gaussian process (Kennedy and O'Hagan 2001, "Bayesian calibration of computer models").
+// stated conditions, modelled as a Gaussian process (Kennedy and O'Hagan 2001, "Bayesian calibration of computer
+// models").
 //
-// The process is a sum of functions with independent normal weights. Each is an error of one joint's reading, a shift
-// of the tip in the tool's frame, or a shift or rotation of the base, times a smooth function of what the readings
-// state: waves and local bumps of a joint's angle, products of two, load, direction, conditions. The process competes
-// with named causes and never names one. A displacement, from another reading or from the unloaded tip, has the
-// difference of the functions at both postures.
+// The process is a sum of functions with independent normal weights. Each function is an error of one joint's reading,
+// a shift of the tip in the tool's frame, or a shift or rotation of the base, multiplied by a smooth function of
+// quantities stated by the readings. These smooth functions are waves and local bumps of a joint's angle, products for
+// two joints, load, direction and conditions. The process competes with named causes and never names one. For a
+// displacement from another reading or from the unloaded tip, the difference of the functions at the two postures
+// applies.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,31 +19,32 @@
 
 namespace tubeplan::calibration {
 
-/// One function of the process.
+/// One term of the process: a function with its amplitude.
 struct DiscrepancyTerm {
   std::string follows;  ///< variable that the term follows: "theta3", "direction of theta3", "load", "time"
-  /// Index of a joint's reading, then of the tip along the tool's axes, the base's shift, the base's rotation.
+  /// Index among the channels: error of each joint's reading, then shift of the tip along the tool's axes, shift of the
+  /// base, rotation of the base.
   int channel = 0;
   int source = 0;  ///< index of the term's source, shared by all terms of that source
   std::function<double(const Measurement&)> function;
-  double scale = 1;  ///< factor of the function, for which the whole process has a root-mean-square error of 1 m
-  double share = 0;  ///< share of the process's variance
+  double scale = 1;  ///< factor of the function, such that the whole process has a root-mean-square error of 1 m
+  double share = 0;  ///< fraction of the process's variance due to this term
 };
 
-/// Discrepancy process at the readings of a campaign.
+/// Discrepancy process for the readings of a campaign.
 class Discrepancy {
  public:
-  /// Builds functions over the ranges of the quantities that these readings state. `placed` is the model with the
-  /// errors.
+  /// Builds the terms over the ranges of the quantities that these readings state. `placed` is the model whose errors
+  /// the process describes.
   Discrepancy(const PlacedArm& placed, const std::vector<Measurement>& readings);
 
   [[nodiscard]] const std::vector<DiscrepancyTerm>& terms() const { return terms_; }
 
-  /// Returns the indices of each source's terms.
+  /// Returns the indices into terms() of each source's terms.
   [[nodiscard]] std::vector<std::vector<int>> sources() const;
 
-  /// Returns the whitened columns at these readings (rows of `weights` x terms), without the part that unknown points
-  /// absorb. Empty if the model cannot be evaluated.
+  /// Returns the whitened columns of the terms at these readings (rows of `weights` x terms), without the component
+  /// that unknown points absorb. Empty if the model cannot be evaluated.
   [[nodiscard]] Eigen::MatrixXd columnsAt(const std::vector<Measurement>& readings,
                                           const ReadingWeights& weights) const;
 

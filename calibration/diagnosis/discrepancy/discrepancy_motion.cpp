@@ -9,8 +9,8 @@ using Eigen::Index, Eigen::MatrixXd;
 
 namespace {
 
-/// Returns displacements by shifts of the tool, or of the measured point, and by shifts and rotations of the base. The
-/// joints' columns are not set.
+/// Returns the displacements due to shifts of the tool, or of the measured point, and due to shifts and rotations of
+/// the base. The joints' columns are zero.
 MatrixXd rigidDisplacements(const MeasuredSlope& slope, const ToolPose& tool, const Eigen::Vector3d& base_W,
                             Index joints) {
   MatrixXd displacements = MatrixXd::Zero(slope.by_place.rows(), joints + 9);
@@ -21,8 +21,8 @@ MatrixXd rigidDisplacements(const MeasuredSlope& slope, const ToolPose& tool, co
   return displacements;
 }
 
-/// Returns the motions of a displacement: its own posture, and its reference posture with the opposite sign. An error
-/// at the reference depends on the function's value there.
+/// Returns the motions at the two postures of a displacement: its own posture, and its reference posture with the
+/// opposite sign. An error at the reference posture depends on the value of the term's function at this posture.
 std::vector<Motion> motionsOfDisplacement(ReadingPredictor& predictor, const PlacedArm& placed,
                                           const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                           const Departure& from) {

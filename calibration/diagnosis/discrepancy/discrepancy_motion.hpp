@@ -1,4 +1,4 @@
-// Slopes of a reading by the channels of a discrepancy: joints, tool, base.
+// Derivatives of a reading with respect to the channels of a discrepancy: joints, tool, base.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,15 @@
 
 namespace tubeplan::calibration {
 
-/// Displacements of a reading's rows [m] per unit of each channel at one posture: the joints' readings [rad, m], shifts
-/// along the tool's axes, shifts of the base, rotations of the base [rad].
+/// Derivatives of a reading's rows [m] with respect to each channel at one posture: errors of the joints' readings
+/// [rad, m], shifts along the tool's axes [m], shifts of the base [m], rotations of the base [rad].
 struct Motion {
   Measurement at;                 ///< reading with this posture
-  Eigen::MatrixXd displacements;  ///< rows x (joints + 9)
+  Eigen::MatrixXd displacements;  ///< rows of the reading x (joints + 9) channels
 };
 
-/// Returns the motions of every posture of a reading: its own and, for a displacement, the reference posture with the
-/// opposite sign. Empty if the shape does not converge.
+/// Returns the motions at every posture of a reading: its own posture and, for a displacement, the reference posture
+/// with the opposite sign. Empty if the arm's shape does not converge.
 [[nodiscard]] std::vector<Motion> motionsOf(ReadingPredictor& predictor, const PlacedArm& placed,
                                             const Measurement& reading);
 

@@ -18,9 +18,9 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 namespace {
 
 constexpr std::size_t kMostCandidates = 24;
-constexpr double kTilt = 20 * std::numbers::pi / 180;  // tilt of another set-up [rad]
-constexpr double kUnknownLoad = 0.25;                  // share of the arm's weight, if no load was measured yet
-constexpr double kSigmaStep = 1e-3;                    // share of an unknown's sigma, for a difference quotient
+constexpr double kTilt = 20 * std::numbers::pi / 180;  // tilt of the base in another set-up [rad]
+constexpr double kUnknownLoad = 0.25;                  // load relative to the arm's weight, if no load was measured yet
+constexpr double kSigmaStep = 1e-3;  // step of a difference quotient, relative to the sigma of the unknown
 
 std::vector<ReadingCandidate> thinnedOut(const std::vector<ReadingCandidate>& candidates) {
   std::vector<ReadingCandidate> some;
@@ -30,7 +30,7 @@ std::vector<ReadingCandidate> thinnedOut(const std::vector<ReadingCandidate>& ca
   return some;
 }
 
-/// Returns the least expected criterion after the best choice of such candidates.
+/// Returns the least expected criterion difference after the best choice among these candidates.
 double bestOf(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions,
               const DiscriminationOptions& options) {
   return leastExpected(rivals, predictions,
@@ -44,7 +44,7 @@ std::vector<ReadingCandidate> changed(std::vector<ReadingCandidate> candidates, 
   return candidates;
 }
 
-/// Returns the rivals with an additional, tilted base pose, whose place adds six unknowns.
+/// Returns the rivals with an additional, tilted base pose, which adds six unknowns.
 std::vector<RivalModel> placedAgain(std::vector<RivalModel> rivals) {
   for (RivalModel& rival : rivals) {
     auto& base_poses = rival.model.placed.base_poses;
@@ -69,7 +69,8 @@ std::vector<RivalModel> placedAgain(std::vector<RivalModel> rivals) {
   return rivals;
 }
 
-/// Returns the origins of every row's end frame in the world frame, stacked [m]; empty if the shape does not converge.
+/// Returns the origins of the end frames of all rows, stacked, in the world frame [m]; empty if the shape does not
+/// converge.
 VectorXd frameOrigins(const PlacedArm& placed, const Measurement& reading) {
   const auto& X_WB = placed.base_poses.back().X_WB;
   const auto shape = deflection::solveFlexibleKinematics(placed.arm, postureOf(reading, placed.arm, X_WB));
@@ -83,7 +84,7 @@ VectorXd frameOrigins(const PlacedArm& placed, const Measurement& reading) {
 
 struct FrameForecast {
   VectorXd value;
-  MatrixXd sensitivity;  ///< slopes by the unknowns
+  MatrixXd sensitivity;  ///< derivatives of `value` with respect to the unknowns
 };
 
 FrameForecast forecastFrames(const RivalModel& rival, const Measurement& reading) {
@@ -104,7 +105,8 @@ FrameForecast forecastFrames(const RivalModel& rival, const Measurement& reading
   return forecast;
 }
 
-/// Returns for every row the rivals' predictions of its frame's origin at each reading, as precise as for the tip.
+/// Returns, for every row, the rivals' predictions of the origin of the row's end frame at each reading, with the
+/// precision of the tip's measurement.
 std::vector<std::vector<RivalPrediction>> predictFrames(const std::vector<RivalModel>& rivals,
                                                         const std::vector<ReadingCandidate>& candidates,
                                                         const StopQuestion& stop) {

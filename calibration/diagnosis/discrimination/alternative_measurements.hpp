@@ -1,5 +1,6 @@
-// Other measurements for rival explanations that no posture can separate: another load, temperature or set-up, or a
-// link measured beside the tip. The last ones are direct inspections of the part that each effect acts on.
+// Alternative measurements for rival explanations that no posture can separate: another load, temperature or set-up, or
+// a link measured in addition to the tip. The last alternatives are direct inspections of the component that each
+// effect acts on.
 #pragma once
 
 #include <vector>
@@ -9,8 +10,8 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the measurements with which the least expected criterion passes the needed gap, best first, then the direct
-/// inspections, which have no figure.
+/// Returns the measurements whose least expected criterion exceeds the needed separation, best first. The direct
+/// inspections follow, for which no criterion is computed.
 [[nodiscard]] std::vector<AlternativeMeasurements> findAlternativeMeasurements(
     const std::vector<RivalModel>& rivals, const std::vector<Explanation>& explanations,
     const std::vector<ReadingCandidate>& candidates, const std::vector<Measurement>& readings,

@@ -31,7 +31,7 @@ Explanation nothingMissing(const Diagnosis& diagnosis) {
 /// Returns the standard normal distribution function.
 double below(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
 
-/// Returns the expected outcome for an ordered pair after the choice is measured `times` times.
+/// Returns the expected outcome for an ordered pair after the chosen readings are measured `times` times each.
 DiscriminatedPair pairAfter(const RivalForecast& forecast, int truth, int other, int times, double gap) {
   const ExpectedRise rise = expectedRise(forecast.rivals, forecast.predictions, forecast.steps, truth, other, times);
   DiscriminatedPair pair{truth, other,
@@ -51,8 +51,8 @@ std::vector<DiscriminatedPair> pairsOf(const RivalForecast& forecast, int times,
   return pairs;
 }
 
-/// Returns the probability that the true explanation alone is named, averaged over the explanations by their present
-/// probabilities.
+/// Returns the probability that only the true explanation is named, averaged over the explanations with their present
+/// probabilities as weights.
 double chanceOfNaming(const std::vector<double>& probability, const std::vector<DiscriminatedPair>& pairs) {
   double named = 0;
   for (std::size_t a = 0; a < probability.size(); ++a) {
@@ -68,7 +68,7 @@ bool isSame(const DiscriminatedPair& a, const DiscriminatedPair& b) {
   return std::minmax(a.truth, a.other) == std::minmax(b.truth, b.other);
 }
 
-/// Returns the pairs, in one order each, that are more likely than not left undecided.
+/// Returns the pairs, in one order each, that are more likely to remain undecided than to be decided.
 std::vector<DiscriminatedPair> unlikelyPairs(const std::vector<double>& probability,
                                              const std::vector<DiscriminatedPair>& pairs) {
   std::vector<DiscriminatedPair> unlikely;
@@ -84,7 +84,7 @@ std::vector<DiscriminatedPair> unlikelyPairs(const std::vector<double>& probabil
   return unlikely;
 }
 
-/// Counts the repeats of the choice until every separable pair is decided with the assured probability.
+/// Counts the repeats of the chosen readings until every separable pair is decided with the assured probability.
 void countTimes(const RivalForecast& forecast, const std::vector<double>& probability,
                 const DiscriminationOptions& options, DiscriminatingMeasurements& result) {
   const double gap = separationNeeded(options.sure);
@@ -100,7 +100,8 @@ void countTimes(const RivalForecast& forecast, const std::vector<double>& probab
   }
 }
 
-/// Returns the explanations that no posture separates from another; all if no reading can be made.
+/// Returns the indices of the explanations that no posture separates from some other explanation; all if no reading can
+/// be made.
 std::vector<int> leftTogether(const DiscriminatingMeasurements& result) {
   std::set<int> some;
   for (const auto& pair : result.never) some.insert({pair.truth, pair.other});

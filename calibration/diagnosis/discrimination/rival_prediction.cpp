@@ -15,7 +15,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Returns the covariance of the unknowns from the readings and priors; from the priors alone if the model cannot be
+/// Returns the covariance of the unknowns given the readings and priors; given the priors alone if the model cannot be
 /// evaluated.
 MatrixXd covarianceOf(const FittedBasis& basis, const ExplanationModel& model) {
   const auto residual =
@@ -23,9 +23,9 @@ MatrixXd covarianceOf(const FittedBasis& basis, const ExplanationModel& model) {
   return posteriorCovariance(residual.ok ? residual.jacobian : MatrixXd(), model.unknowns);
 }
 
-/// Returns the expected readings of a candidate in the last set-up; empty if the shape does not converge. Touches of an
-/// unknown place get a name of their own. The choice of the arm matters little: only differences between predictions
-/// are used.
+/// Returns the expected readings of a candidate in the last set-up; empty if the arm's shape does not converge. Touches
+/// of an unknown point get a separate point name for each candidate. Which rival's arm is used matters little, since
+/// only differences between predictions count.
 std::vector<Measurement> readingsOf(const ReadingCandidate& candidate, std::size_t index, const PlacedArm& placed) {
   std::vector<Measurement> readings;
   for (const auto& proposed : candidate.readings) {
@@ -53,7 +53,7 @@ RivalPrediction predictByAll(const std::vector<RivalModel>& rivals, const std::v
   return all;
 }
 
-/// Returns the rows of one candidate.
+/// Returns `count` rows of the predictions, starting at row `first`.
 RivalPrediction someRows(const RivalPrediction& all, Index first, Index count) {
   RivalPrediction part;
   for (std::size_t m = 0; m < all.value.size(); ++m) {
@@ -65,7 +65,8 @@ RivalPrediction someRows(const RivalPrediction& all, Index first, Index count) {
 
 double logDeterminant(const Eigen::LDLT<MatrixXd>& factors) { return factors.vectorD().array().log().sum(); }
 
-/// Returns the rise for rows predicted with covariance S_a by a and S_b by b, with means that differ by d.
+/// Returns the expected rise for rows that rival a predicts with covariance S_a and rival b with S_b; d is the
+/// difference between the two means.
 ExpectedRise riseBetween(const MatrixXd& S_a, const MatrixXd& S_b, const VectorXd& d) {
   const Eigen::LDLT<MatrixXd> a(S_a), b(S_b);
   const MatrixXd excess = b.solve(S_a) - MatrixXd::Identity(d.size(), d.size());
@@ -74,7 +75,8 @@ ExpectedRise riseBetween(const MatrixXd& S_a, const MatrixXd& S_b, const VectorX
           std::sqrt(2 * (excess * excess).trace() + 4 * std::max(0., whitened.dot(S_a * whitened)))};
 }
 
-/// Covariances of the rivals' numbers, and their mean shifts if another rival is true, as readings are chosen.
+/// Covariances of the rivals' parameters, and the mean shifts of these parameters if another rival is true, updated as
+/// readings are chosen.
 class Race {
  public:
   Race(const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions)
@@ -91,8 +93,8 @@ class Race {
       }
   }
 
-  /// Returns the odds of the wrong rivals from their mean logarithms, averaged over the true rival by probability;
-  /// smaller is better.
+  /// Returns the odds of the wrong rivals, computed from mean log odds and averaged over the true rival with its
+  /// probability as weight; smaller is better.
   [[nodiscard]] double scoreWith(std::size_t candidate) const {
     double score = 0;
     forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
@@ -106,7 +108,7 @@ class Race {
     step.candidate = static_cast<int>(candidate);
     double most = -1;
     forPairs(candidate, [&](std::size_t a, std::size_t b, double rise) {
-      // The smaller rise of a pair's two orders counts.
+      // The smaller of the rises for the pair's two orders counts.
       const double both = std::min(rise, riseOf(candidate, b, a));
       if (both <= most) return;
       most = both;
@@ -154,8 +156,8 @@ class Race {
   const std::vector<RivalPrediction>& predictions_;
   std::vector<double> probability_;
   std::vector<MatrixXd> covariance_;
-  std::vector<std::vector<VectorXd>> moved_;  ///< mean shift of the numbers [truth][rival]
-  std::vector<std::vector<double>> rise_;     ///< rise of -2 log of the posterior [truth][rival]
+  std::vector<std::vector<VectorXd>> moved_;  ///< mean shift of a rival's parameters, indexed [truth][rival]
+  std::vector<std::vector<double>> rise_;     ///< expected rise of -2 log of the posterior, indexed [truth][rival]
 };
 
 }  // namespace
@@ -194,7 +196,7 @@ std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& riva
     if (each[k].empty()) continue;
     Index rows = 0;
     for (const auto& reading : each[k]) rows += rowsOf(reading);
-    // Ways from one reading all share its encoders' noise, so each is predicted separately.
+    // Displacements from one reference reading share its encoder noise, so each is predicted separately.
     const bool is_alone = together.value.empty() || referenceOf(each[k].front());
     predictions[k] = is_alone ? predictByAll(rivals, each[k], stop) : someRows(together, first, rows);
     first += rows;

@@ -9,7 +9,7 @@
 
 namespace tubeplan::calibration {
 
-/// Explanation with the uncertainty of its numbers after the readings so far.
+/// Explanation with the covariance of its parameters after the readings so far.
 struct RivalModel {
   ExplanationModel model;
   double criterion = 0;
@@ -22,24 +22,25 @@ struct RivalModel {
 /// Returns the probability of each rival, given that one of them is true.
 [[nodiscard]] std::vector<double> probabilitiesOf(const std::vector<RivalModel>& rivals);
 
-/// Whitened rows predicted by each rival at one candidate, and their sensitivities to its unknowns.
+/// Whitened predictions of each rival at one candidate, and their derivatives with respect to the rival's unknowns.
 struct RivalPrediction {
   std::vector<Eigen::VectorXd> value;
   std::vector<Eigen::MatrixXd> sensitivity;
 };
 
-/// Returns the predictions at each candidate; without entries if a shape does not converge. Throws WorkStopped on a
-/// request to stop.
+/// Returns the predictions at each candidate; an entry is empty if the arm's shape does not converge. Throws
+/// WorkStopped on a request to stop.
 [[nodiscard]] std::vector<RivalPrediction> predictByRivals(const std::vector<RivalModel>& rivals,
                                                            const std::vector<ReadingCandidate>& candidates,
                                                            const StopQuestion& stop = {});
 
-/// Chooses up to `count` candidates greedily, each at most once. The pairs `a`, `b` are indices of rivals.
+/// Chooses up to `count` candidates greedily, each at most once. In the result, `a` and `b` are indices of rivals.
 [[nodiscard]] std::vector<DiscriminatingMeasurement> chooseDiscriminating(
     const std::vector<RivalModel>& rivals, const std::vector<RivalPrediction>& predictions, int count,
     const StopQuestion& stop = {});
 
-/// Rise of -2 log of b's posterior over a's by the chosen candidates, each measured `times` times, if a is true.
+/// Expected rise of -2 log of the posterior of rival b relative to rival a, if a is true and each chosen candidate is
+/// measured `times` times.
 struct ExpectedRise {
   double mean = 0, sigma = 0;
 };
@@ -47,8 +48,8 @@ struct ExpectedRise {
                                         const std::vector<RivalPrediction>& predictions,
                                         const std::vector<DiscriminatingMeasurement>& steps, int a, int b, int times);
 
-/// Returns the least mean difference after these steps of the other's criterion minus that of the true rival, over all
-/// ordered pairs.
+/// Returns the least expected criterion difference after these steps: criterion of the other rival minus that of the
+/// true rival, over all ordered pairs.
 [[nodiscard]] double leastExpected(const std::vector<RivalModel>& rivals,
                                    const std::vector<RivalPrediction>& predictions,
                                    const std::vector<DiscriminatingMeasurement>& steps);

@@ -17,11 +17,12 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr Index kMostAxes = 120;     // most axes of the discrepancy, those with the largest size
-constexpr double kLeastAxis = 1e-5;  // share of the discrepancy's variance that is left out
-constexpr double kLeastLeft = 1e-8;  // squared share of a column's length below which only rounding is left of it
-constexpr Index kPanel = 64;         // columns that are multiplied at once
-constexpr Index kRowsAtOnce = 4096;  // rows that are copied for one multiplication
+constexpr Index kMostAxes = 120;     // most axes of the discrepancy; the axes with the largest size are kept
+constexpr double kLeastAxis = 1e-5;  // fraction of the discrepancy's variance that may be left out
+// Squared fraction of a column's length below which its kept component is only rounding error.
+constexpr double kLeastLeft = 1e-8;
+constexpr Index kPanel = 64;         // number of columns that are multiplied at once
+constexpr Index kRowsAtOnce = 4096;  // number of rows that are copied for one multiplication
 constexpr double kSmallest = 1e-300;
 
 double logOfSum(const std::vector<double>& logs) {
@@ -38,8 +39,8 @@ double logBelow(double x) {
   return std::log(std::max(kSmallest, std::erfc(-x / std::numbers::sqrt2) / 2));
 }
 
-/// Returns L with L L^T close to the positive semidefinite matrix: a pivoted Cholesky factor, until the remainder is
-/// small.
+/// Returns L such that L L^T approximates the positive semidefinite matrix: a pivoted Cholesky factor, truncated when
+/// the residual is small.
 MatrixXd pivotedCholesky(const MatrixXd& matrix) {
   VectorXd left = matrix.diagonal().cwiseMax(0);
   const double whole = left.sum();
@@ -90,7 +91,7 @@ LinearEvidence::LinearEvidence(const EvidenceGram& gram, const std::vector<Unkno
   listLevels();
 }
 
-/// Uses H = J^T J + P^-1 and y minus J times the prior's mean: a^T (I + J P J^T)^-1 b = a^T b - a^T J H^-1 J^T b.
+/// Uses H = J^T J + P^-1 and y minus J times the prior mean: a^T (I + J P J^T)^-1 b = a^T b - a^T J H^-1 J^T b.
 void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector<Unknown>& fitted) {
   MatrixXd K = gram.products.selfadjointView<Eigen::Lower>();
   const Index n = gram.fitted, rest = K.rows() - n;
@@ -119,7 +120,7 @@ void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector
   length_ = gram.products.diagonal().segment(n, s).cwiseSqrt();
   S_y_.resize(s + 1, s + 1);
   S_y_ << K.block(n, n, s, s), K.block(n, n + s + z, s, 1), K.block(n + s + z, n, 1, s), K.bottomRightCorner<1, 1>();
-  // A column that the fitted numbers absorb up to rounding is set to zero.
+  // A column that the fitted parameters absorb up to rounding is set to zero.
   std::vector<Index> absorbed;
   for (Index c = 0; c < s; ++c)
     if (!(S_y_(c, c) > kLeastLeft * length_[c] * length_[c])) absorbed.push_back(c);
@@ -133,9 +134,9 @@ void LinearEvidence::integrateFitted(const EvidenceGram& gram, const std::vector
   findAxes(K.block(n + s, n + s, z, z), Z_S_y);
 }
 
-/// Keeps the discrepancy within the span of a pivoted Cholesky factor L of Z^T Z. With B an orthonormal basis of it,
-/// B^T Z^T Z B = U Lambda U^T, the unit axes in the readings' space are Z B U / sqrt(Lambda). Z B (Z B)^T is then the
-/// sum of Lambda times their squares.
+/// Restricts the discrepancy to the span of a pivoted Cholesky factor L of Z^T Z. Let B be an orthonormal basis of this
+/// span, and B^T Z^T Z B = U Lambda U^T. The unit axes in the readings' space are then u_k, the columns of
+/// Z B U / sqrt(Lambda), and Z B (Z B)^T is the sum of Lambda_k u_k u_k^T.
 void LinearEvidence::findAxes(const MatrixXd& Z_Z, const MatrixXd& Z_S_y) {
   along_.resize(0, Z_S_y.cols());
   axes_.resize(Z_Z.rows(), 0);
@@ -164,7 +165,7 @@ void LinearEvidence::listLevels() {
   }
 }
 
-/// Returns the level of a size without its prior.
+/// Returns the level for a size of the discrepancy, without its prior.
 LinearEvidence::Level LinearEvidence::levelOf(double size) const {
   Level level;
   level.size = size;

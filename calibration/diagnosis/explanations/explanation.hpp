@@ -1,4 +1,4 @@
-// Explanation of a lack of fit: the effects found, their numbers, and the errors that remain with them.
+// Explanation of a lack of fit: the effects found, their parameters, and the errors that remain with these effects.
 #pragma once
 
 #include <string>
@@ -13,38 +13,42 @@ struct FoundNumber {
   std::string name;
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double value = 0;
-  double sigma = kNotKnown;      ///< NaN for a scanned shape
-  bool is_beyond_usual = false;  ///< true: larger than in real machines, by more than its uncertainty
-  /// Range of a size over all sizes that explain the readings, if several do; otherwise NaN.
+  double sigma = kNotKnown;      ///< standard deviation of `value`; NaN for a scanned parameter
+  bool is_beyond_usual = false;  ///< true: larger than in real machines, by more than the uncertainty
+  /// Range of a size over all values that explain the readings equally well; NaN if only one value does.
   double lower = kNotKnown, upper = kNotKnown;
 };
 
 struct FoundEffect {
   std::string effect, at;
-  deflection::Effect fitted;       ///< kind -1 for freed numbers
-  std::vector<std::string> frees;  ///< numbers of the arm's file that are freed instead of an effect
+  deflection::Effect fitted;       ///< effect at its fitted values; kind -1 for freed parameters
+  std::vector<std::string> frees;  ///< parameters of the arm's file that are freed instead of an effect
   std::vector<FoundNumber> numbers;
-  /// Effect and place of others that no reading could distinguish from this one.
+  /// Effect and place of each other cause that no reading could distinguish from this effect.
   std::vector<std::pair<std::string, std::string>> also;
-  /// Values of its numbers that explain the readings equally well, the found ones first; empty if only these do.
+  /// Sets of values of the effect's parameters that explain the readings equally well, the fitted set first; empty if
+  /// there is only one set.
   std::vector<std::vector<double>> modes;
-  std::vector<MeasurementKind> decided_by;  ///< kinds of measurement, one of which would decide between these modes
+  std::vector<MeasurementKind> decided_by;  ///< kinds of measurement, any of which would decide between the modes
 };
 
-/// Model with added causes, fitted with everything that is free.
+/// Model with added causes, fitted together with all free parameters.
 struct Explanation {
   std::vector<FoundEffect> effects;
   PlacedArm fitted;
-  double probability = 0;            ///< probability of these causes and no others, with or without a remainder
-  double chi2 = kNotKnown;           ///< chi-square for the stated noise
-  double p_value = kNotKnown;        ///< p-value of `chi2`
-  double criterion = kNotKnown;      ///< -2 log of prior times evidence; only differences are meaningful
+  double probability = 0;        ///< probability of exactly these causes, with or without an unexplained discrepancy
+  double chi2 = kNotKnown;       ///< chi-square relative to the stated noise
+  double p_value = kNotKnown;    ///< p-value of `chi2`
+  double criterion = kNotKnown;  ///< -2 log(prior x evidence); only differences are meaningful
   double remainder_probability = 0;  ///< probability that something unnamed is missing as well
-  /// Error of each coordinate beyond the stated noise that no function of the readings follows [m].
+  /// Root-mean-square error of each coordinate [m] that exceeds the stated noise and follows no function of the
+  /// readings.
   double model_error = 0;
   ErrorSize after, heldout;
-  ErrorSize farthest;  ///< error at the quarter of the poses with the farthest reach, by a fit to the others
-  /// Rms distance of the predicted tips from those of the first alternative over the arm's range [m].
+  /// Error at the quarter of the poses with the farthest reach, predicted by a fit to the other poses.
+  ErrorSize farthest;
+  /// Root-mean-square distance [m] between the tips predicted by this explanation and by the first alternative, over
+  /// the arm's range.
   double apart = kNotKnown;
 };
 

@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kRefitIterations = 6;
 
-/// Adds unknowns for the numbers of an added effect in its fitted arm; they are zero at the present values.
+/// Adds unknowns for the parameters of an effect that the explanation adds. The unknowns are zero at the parameters'
+/// present values.
 void addEffectNumbers(const FoundEffect& found, int effect, ExplanationModel& model) {
   for (std::size_t v = 0; v < found.numbers.size(); ++v) {
     if (std::isnan(found.numbers[v].sigma)) continue;

@@ -1,4 +1,4 @@
-// Model with added causes: its unknowns for further fits, and its errors on readings kept out.
+// Model with added causes: its unknowns for further fits, and its errors on held-out readings.
 #pragma once
 
 #include "calibration/diagnosis/explanations/explanation.hpp"
@@ -6,18 +6,18 @@
 
 namespace tubeplan::calibration {
 
-/// State and unknowns of a model with causes; the unknowns are zero at the state.
+/// Fitted state and unknowns of a model with causes; the unknowns are zero at this state.
 struct ExplanationModel {
   PlacedArm placed;
   std::vector<Unknown> unknowns;
 };
 
-/// Returns the index in the fitted arm of the first effect that the explanation adds.
+/// Returns the index, among the effects of the fitted arm, of the first effect that the explanation adds.
 [[nodiscard]] int firstAdded(const Explanation& explanation);
 
 [[nodiscard]] ExplanationModel modelOf(const FittedBasis& basis, const Explanation& explanation);
 
-/// Returns the errors on readings kept out, fold by fold.
+/// Returns the errors on held-out readings, from fits without one fold at a time.
 [[nodiscard]] ErrorSize judgeOnFolds(const FittedBasis& basis, const ExplanationModel& model,
                                      const std::vector<int>& folds, double model_error);
 

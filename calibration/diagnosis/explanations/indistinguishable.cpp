@@ -17,7 +17,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kPostures = 48;
-constexpr double kHardly = 9;  // fall of chi-square, by all these readings together
+// Rise of chi-square over all virtual readings below which two explanations can hardly be distinguished.
+constexpr double kHardly = 9;
 
 double medianSigma(const std::vector<Measurement>& readings) {
   std::vector<double> sigmas;
@@ -25,7 +26,8 @@ double medianSigma(const std::vector<Measurement>& readings) {
   return median(std::move(sigmas));
 }
 
-/// Returns readings of the tip all over the arm's range, under the loads and conditions of the given readings.
+/// Returns virtual readings of the tip at random postures over the arm's range, under the loads and conditions of the
+/// given readings.
 std::vector<Measurement> readingsOverRange(const FittedBasis& basis, std::uint64_t seed) {
   RandomStream random(seed);
   const auto& arm = basis.fitted.arm;

@@ -1,5 +1,5 @@
-// Causes that no reading could distinguish: their predictions agree over the whole range of the arm, so they are one
-// cause with several names.
+// Causes that no reading could distinguish: their predictions agree over the whole range of the arm, so they count as
+// one cause with several names.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,20 @@ namespace tubeplan::calibration {
 /// Predictions of an explanation over the arm's range.
 struct RangeView {
   bool ok = false;
-  Eigen::VectorXd value;        ///< whitened values
-  Eigen::MatrixXd sensitivity;  ///< slopes by its unknowns, in typical sizes
+  Eigen::VectorXd value;  ///< whitened residuals of virtual readings over the range
+  /// Derivatives of `value` with respect to the explanation's unknowns, in units of their typical sizes.
+  Eigen::MatrixXd sensitivity;
   Eigen::MatrixXd information;  ///< information on the unknowns from the readings so far and from priors
 };
 
-/// Predicts by explanations of one diagnosis over the arm's range.
+/// Virtual readings over the arm's range, with predictions for the explanations of one diagnosis.
 class RangeViews {
  public:
   RangeViews(const FittedBasis& basis, std::uint64_t seed);
   [[nodiscard]] RangeView of(const Explanation& explanation) const;
 
-  /// Returns the positions of the tip [m] by the fitted explanation, reading after reading; empty if they cannot be
-  /// computed.
+  /// Returns the tip positions [m] predicted by the fitted explanation, stacked for all virtual readings; empty if they
+  /// cannot be computed.
   [[nodiscard]] Eigen::VectorXd tipsBy(const Explanation& explanation) const;
 
  private:
@@ -32,8 +33,8 @@ class RangeViews {
   ReadingWeights weights_;
 };
 
-/// Returns true if even readings all over the range could hardly distinguish the two, each with its numbers fitted to
-/// them.
+/// Returns true if readings over the whole range could hardly distinguish the two explanations, even if the parameters
+/// of each are refitted.
 [[nodiscard]] bool areTheSame(const RangeView& a, const RangeView& b);
 
 }  // namespace tubeplan::calibration

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWider = 1.2;  // least width of a range that is stated, in units of four standard deviations
 
-/// Returns the model of an explanation with all numbers of one of its effects free, at the end of the unknowns.
+/// Returns the model of an explanation with all sizes of one of its effects free, as the last of the unknowns.
 ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& explanation, int effect) {
   ExplanationModel model = modelOf(basis, explanation);
   std::erase_if(model.unknowns, [&](const Unknown& unknown) { return unknown.path.effect == effect; });
@@ -25,12 +25,13 @@ ExplanationModel withEverySize(const FittedBasis& basis, const Explanation& expl
   return model;
 }
 
-/// Takes one size from the modes: its value from the first one, and its range over all of them if there are several or
-/// if it is wider than its standard deviation suggests.
+/// Sets one size from the modes. The value comes from the first mode. The range over all modes is set if there are
+/// several, or if it is wider than the standard deviation suggests.
 void takeSize(const std::vector<SizeMode>& modes, Index k, FoundNumber& number) {
   double lower = std::numeric_limits<double>::infinity(), upper = -lower;
   for (const SizeMode& mode : modes) {
-    if (mode.sigma[k] > 0 && std::abs(mode.values[k]) <= 2 * mode.sigma[k]) continue;  // zero, beside another size
+    // Zero in this mode, nonzero in another mode.
+    if (mode.sigma[k] > 0 && std::abs(mode.values[k]) <= 2 * mode.sigma[k]) continue;
     lower = std::min(lower, mode.lower[k]);
     upper = std::max(upper, mode.upper[k]);
   }

@@ -5,20 +5,21 @@
 
 namespace tubeplan::calibration {
 
-/// Claim of one model, or its claim if one of its terms is only similar to an unknown effect.
+/// Claim of one model, or the claim that remains if one term of the model is only similar to an unknown effect.
 struct Claim {
   std::vector<int> causes;
   double probability = 0;
   double remainder_probability = 0;
-  double scatter_probability = 0;         ///< probability that the noise is larger than stated and nothing else remains
-  const CompetingModel* model = nullptr;  ///< null for a similarity; the most probable of several models
+  double scatter_probability = 0;  ///< probability that the noise is larger than stated and nothing else remains
+  /// Most probable model with this claim; null if one term is only similar to an unknown effect.
+  const CompetingModel* model = nullptr;
 };
 
-/// Adds the probability of claim `one` to claim `to`.
+/// Merges claim `one` into claim `to`: adds the probability and averages the conditional probabilities.
 void mixIn(const Claim& one, Claim& to);
 
 /// Returns all claims of the models, with probabilities that sum to one. Models without a fit are penalised by the
-/// median loss of the fitted ones.
+/// median loss of evidence of the fitted models.
 [[nodiscard]] std::vector<Claim> claimsOf(const DiagnosisWork& work);
 
 }  // namespace tubeplan::calibration

@@ -7,11 +7,12 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kMostAlternatives = 8;
-constexpr double kCredible = 0.95;  // probability that the alternatives hold together, given that something is missing
+// Probability that the alternatives cover together, relative to that of all named classes.
+constexpr double kCredible = 0.95;
 constexpr double kRemains = 0.5;
 
-/// Returns the classes without those that only add causes to a more probable class; their probability is added to that
-/// class.
+/// Returns the classes except those that only add causes to a more probable class; the probability of an omitted class
+/// is added to this more probable class.
 std::vector<ModelClass> withoutUnsureAdditions(const Posterior& posterior) {
   std::vector<ModelClass> kept, all = posterior.classes;
   all.insert(all.end(), posterior.others.begin(), posterior.others.end());
@@ -23,7 +24,7 @@ std::vector<ModelClass> withoutUnsureAdditions(const Posterior& posterior) {
       if (one.model) kept.push_back(one);
       continue;
     }
-    // The additional cause's effect is a remainder for the class without it.
+    // For the class without the additional cause, the effect of this cause remains unexplained.
     Claim further = one;
     further.remainder_probability = 1;
     further.scatter_probability = 0;
@@ -65,7 +66,7 @@ void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnos
     together += one.probability / missing;
   }
   const bool is_ambiguous = result.alternatives.size() > 1 || named < options.sure;
-  // If only something unknown competes, the second best class is named beside the best.
+  // If a single class competes only with something unknown, the second best class is named as well.
   if (is_ambiguous && result.alternatives.size() == 1 && classes.size() > 1)
     result.alternatives.push_back(classes[1].explanation);
   if (is_ambiguous)

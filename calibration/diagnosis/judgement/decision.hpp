@@ -6,7 +6,7 @@
 
 namespace tubeplan::calibration {
 
-/// Sets the verdict, the alternatives and the causes that they agree on.
+/// Sets the verdict, the alternatives and the causes on which the alternatives agree.
 void decide(const DiagnosisOptions& options, const Posterior& posterior, Diagnosis& result);
 
 }  // namespace tubeplan::calibration

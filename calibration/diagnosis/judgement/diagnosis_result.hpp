@@ -1,4 +1,4 @@
-// Result of a diagnosis: the verdict with its explanations, the ranking of single causes, and the remainder.
+// Result of a diagnosis: the verdict with its explanations, the ranking of single causes, and the unexplained errors.
 #pragma once
 
 #include <optional>
@@ -16,61 +16,65 @@ namespace tubeplan::calibration {
 /// Evidence of the readings for one cause.
 struct RankedEffect {
   std::string effect, at;
-  std::vector<deflection::Effect> effects;  ///< effects at their most probable sizes, alone; empty for freed numbers
-  double probability = 0;                   ///< probability of all models that contain the cause
-  double p_value = 1;                       ///< p-value of the cause's fall of chi-square by noise, alone
-  double fall = 0;                          ///< fall of chi-square, to first order or as fitted
-  FoundNumber size;                         ///< first or largest number of the cause
-  double kept_fraction = 0;                 ///< share of its signature that the free numbers do not absorb
+  /// Effects at their most probable sizes if no other cause is present; empty for freed parameters.
+  std::vector<deflection::Effect> effects;
+  double probability = 0;    ///< probability of all models that contain the cause
+  double p_value = 1;        ///< probability that noise alone lowers chi-square as much as the cause does on its own
+  double fall = 0;           ///< decrease of chi-square, to first order or as fitted
+  FoundNumber size;          ///< first or largest parameter of the cause
+  double kept_fraction = 0;  ///< fraction of the cause's signature that the free parameters do not absorb
   ErrorSize heldout_before, heldout_after;
 };
 
-/// Least size of an effect that these readings would show (in four of five cases).
+/// Least size of an effect that these readings would show in four of five cases.
 struct DetectableEffect {
   std::string effect, at, number;
   deflection::Quantity quantity = deflection::Quantity::kNone;
   double size = 0;
-  bool is_beyond_plausible = false;  ///< true: no machine has one that large, so the readings cannot show it
+  bool is_beyond_plausible = false;  ///< true: no real machine has such a large effect, so the readings cannot show it
 };
 
-/// Errors that remain with the sure causes in the model.
+/// Errors that remain with the certain causes in the model.
 struct Remainder {
-  double probability = 0;    ///< probability of a remainder
-  double size = kNotKnown;   ///< root mean square over the readings [m]
-  double floor = kNotKnown;  ///< root mean square of noise and of errors that follow nothing [m]
-  std::vector<std::pair<std::string, double>> follows;  ///< variables that it follows, with their shares; largest first
+  double probability = 0;    ///< probability that errors remain unexplained
+  double size = kNotKnown;   ///< root mean square of the remaining errors over the readings [m]
+  double floor = kNotKnown;  ///< root mean square of noise and of errors that follow no variable [m]
+  /// Variables that the errors follow, with their fractions; largest first.
+  std::vector<std::pair<std::string, double>> follows;
 };
 
 struct Diagnosis {
   Verdict verdict = Verdict::kNotRun;
-  std::string reason;                     ///< reason for no run or no verdict, and what would be needed
-  Identification baseline;                ///< fit of the present model with what is free
+  std::string reason;                     ///< reason for no run or no verdict, and the data needed
+  Identification baseline;                ///< fit of the present model with its free parameters
   std::vector<Explanation> alternatives;  ///< explanations that the verdict names, most probable first
-  std::optional<Explanation> agreed;      ///< if ambiguous: the sure causes, if the alternatives add to them
-  std::vector<Explanation> closest;       ///< most probable fitted models, whatever the verdict
+  std::optional<Explanation> agreed;  ///< if ambiguous: the certain causes, if the alternatives contain further causes
+  std::vector<Explanation> closest;   ///< most probable fitted models, whatever the verdict
   std::vector<RankedEffect> ranking;
   std::vector<DetectableEffect> detectable;
   std::vector<std::string> not_tried;
-  std::vector<int> set_aside;  ///< readings left out as outliers
+  std::vector<int> set_aside;  ///< indices of the readings left out as outliers
   Remainder remainder;
-  /// Repeated readings, if their scatter above the stated noise is all that remains; it counts as noise.
+  /// Analysis of repeated readings, if scatter above the stated noise is all that remains; such scatter counts as
+  /// noise.
   Repeats repeats;
   ErrorSize before, after, heldout_before, heldout_after, farthest_before;
-  double noise_floor = kNotKnown;  ///< rms of the stated noise [m]
-  /// Error of each coordinate beyond the stated noise that no function of the readings follows [m].
+  double noise_floor = kNotKnown;  ///< root mean square of the stated noise [m]
+  /// Root-mean-square error of each coordinate [m] that exceeds the stated noise and follows no function of the
+  /// readings.
   double model_error = 0;
-  double chi2 = 0;  ///< chi-square of the baseline, for the stated noise
+  double chi2 = 0;  ///< chi-square of the baseline relative to the stated noise
   double p_value = kNotKnown;
   int degrees_of_freedom = 0;
   double nothing_probability = kNotKnown;  ///< probability that nothing is missing
-  double nothing_criterion = kNotKnown;    ///< Explanation::criterion of nothing missing
+  double nothing_criterion = kNotKnown;    ///< Explanation::criterion of the model with nothing missing
   double unknown_probability = kNotKnown;  ///< probability that something is missing without any named cause
-  /// Probability that something is missing and follows nothing that the readings state.
+  /// Probability that something is missing and follows no quantity that the readings state.
   double scatter_probability = kNotKnown;
   DiagnosisViews views;
 
-  /// Returns true if the missing part follows nothing that the readings state, and so cannot be distinguished from a
-  /// larger noise.
+  /// Returns true if the missing effect follows no quantity that the readings state, and so cannot be distinguished
+  /// from a larger noise.
   [[nodiscard]] bool isScatterAlone() const {
     return verdict == Verdict::kUnexplained && scatter_probability > 0.5 && remainder.follows.empty();
   }

@@ -62,7 +62,8 @@ std::vector<ReadingView> readingViews(const FittedBasis& basis, const std::vecto
   return views;
 }
 
-/// Returns the change of the whitened readings by an effect at its found size, for the model without any effect.
+/// Returns the change of the whitened residuals due to an effect at its fitted size, added to the model without
+/// effects.
 VectorXd signatureOf(const FittedBasis& basis, const FoundEffect& found, const PlacedArm& fitted) {
   PlacedArm with = basis.fitted;
   if (found.frees.empty()) with.arm.effects.push_back(found.fitted);
@@ -73,8 +74,8 @@ VectorXd signatureOf(const FittedBasis& basis, const FoundEffect& found, const P
   return residual.ok ? VectorXd(residual.r - basis.residual.r) : VectorXd();
 }
 
-/// Returns true if a reading is kept when only a share of them is: evenly spaced, out of step with patterns of the
-/// readings.
+/// Returns true if reading `k` is kept when only the fraction `share` of all readings is kept. The kept readings are
+/// evenly spaced, with a golden-ratio step that is not in phase with patterns in the readings.
 bool isKept(std::size_t k, double share) {
   constexpr double kGolden = 0.6180339887498949;
   const double turn = kGolden * static_cast<double>(k);
@@ -83,7 +84,7 @@ bool isKept(std::size_t k, double share) {
 
 std::vector<AddedVariablePoint> addedPointsOf(const FittedBasis& basis, const std::vector<int>& given,
                                               const VectorXd& signature, const VectorXd& left, int most_points) {
-  // The even spacing is exact only to a few readings, so slightly fewer than the limit are kept.
+  // The number of kept readings is only approximate, so slightly fewer than the limit are requested.
   const bool is_thinned = signature.size() > most_points;
   const double share = is_thinned ? 0.99 * most_points / static_cast<double>(signature.size()) : 1;
   std::vector<AddedVariablePoint> points;

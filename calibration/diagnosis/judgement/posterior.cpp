@@ -13,9 +13,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kMostCompared = 12;  // classes that are compared for equal predictions
+constexpr std::size_t kMostCompared = 12;  // number of classes that are compared for equal predictions
 
-/// Returns the one cause that each set has alone; nothing if they differ in more.
+/// Returns the single cause that each set contains and the other does not; nullopt if the sets differ in more causes.
 std::optional<std::pair<int, int>> difference(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> only_a, only_b;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only_a));
@@ -24,7 +24,7 @@ std::optional<std::pair<int, int>> difference(const std::vector<int>& a, const s
   return std::pair{only_a.front(), only_b.front()};
 }
 
-/// Adds the other name of a cause to that in its class.
+/// Adds the name of cause `same` as another name of `cause` in the explanation.
 void addName(const DiagnosisWork& work, int cause, int same, Explanation& explanation) {
   const Cause& known = work.cause(cause);
   const Cause& other = work.cause(same);
@@ -36,7 +36,7 @@ void addName(const DiagnosisWork& work, int cause, int same, Explanation& explan
   }
 }
 
-/// Joins classes that differ in one cause and predict the same over the arm's range.
+/// Merges classes that differ in one cause and predict the same over the arm's range.
 void joinSame(const DiagnosisWork& work, std::vector<ModelClass>& classes) {
   if (classes.size() < 2) return;
   const RangeViews views(work.basis, work.options.seed);
@@ -64,7 +64,8 @@ bool holds(const std::vector<int>& all, const std::vector<int>& some) {
   return std::includes(all.begin(), all.end(), some.begin(), some.end());
 }
 
-/// Returns the causes of a class, with those at each joint for an effect at every joint.
+/// Returns the causes of a class. For an effect at every joint, the causes with this effect at a single joint are
+/// included.
 std::set<int> impliedBy(const DiagnosisWork& work, const std::vector<int>& causes) {
   std::set<int> implied(causes.begin(), causes.end());
   for (const int all : causes) {
@@ -75,8 +76,7 @@ std::set<int> impliedBy(const DiagnosisWork& work, const std::vector<int>& cause
   return implied;
 }
 
-/// Returns the causes with a sure probability, given that something is missing, without those that others of them
-/// imply.
+/// Returns the causes that are certain, given that something is missing, except those implied by another certain cause.
 std::vector<int> sureCauses(const DiagnosisWork& work, const Posterior& posterior) {
   std::map<int, double> probability;
   for (const auto* classes : {&posterior.classes, &posterior.others})
@@ -94,8 +94,8 @@ std::vector<int> sureCauses(const DiagnosisWork& work, const Posterior& posterio
   return own;
 }
 
-/// Returns the model of these causes alone: one of the competing models, or the first that contains them with its other
-/// causes removed.
+/// Returns the fitted model with exactly these causes: a competing model, or the first model that contains these
+/// causes, with its other causes removed.
 CompetingModel competingModelOf(const DiagnosisWork& work, const std::vector<int>& causes) {
   const CompetingModel* found = nullptr;
   for (const CompetingModel& model : work.models) {

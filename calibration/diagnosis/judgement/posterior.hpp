@@ -1,5 +1,5 @@
-// Posterior probabilities of competing models: classes of models with the same causes, under whatever names, and the
-// causes that are sure.
+// Posterior probabilities of competing models: classes of models with the same or indistinguishable causes, and the
+// causes that are certain.
 #pragma once
 
 #include "calibration/diagnosis/judgement/claims.hpp"
@@ -12,20 +12,21 @@ struct ModelClass : Claim {
   Explanation explanation;  ///< explanation of the class's most probable model
 };
 
-/// Share of the best class's probability below which a class counts for little.
+/// Fraction of the best class's probability below which another class is neglected.
 inline constexpr double kLeastLikely = 0.02;
 
 struct Posterior {
   double nothing = 0;  ///< probability that nothing is missing
-  double unknown = 0;  ///< probability that something is missing which follows the readings, without any named cause
-  double scatter = 0;  ///< probability that something is missing which follows nothing that the readings state
+  double unknown = 0;  ///< probability that an unnamed effect is missing that follows quantities stated by the readings
+  /// Probability that an unnamed effect is missing that follows no quantity stated by the readings.
+  double scatter = 0;
   std::vector<ModelClass> classes;  ///< fitted classes with causes, most probable first
-  std::vector<ModelClass> others;   ///< less probable classes that were not fitted
-  ModelClass sure;                  ///< sure causes, whatever else is missing; empty: none
-  CompetingModel sure_model;        ///< model of `sure`
+  std::vector<ModelClass> others;   ///< classes without a fitted model
+  ModelClass sure;                  ///< certain causes, whatever else is missing; empty: none
+  CompetingModel sure_model;        ///< model with the causes of `sure`
 };
 
-/// Computes the posterior from the complete list `work.models` and fits the model of the sure causes. Throws
+/// Computes the posterior from the complete list `work.models` and fits the model of the certain causes. Throws
 /// WorkStopped on a request to stop.
 [[nodiscard]] Posterior posteriorOf(const DiagnosisWork& work);
 

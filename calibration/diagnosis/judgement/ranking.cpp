@@ -14,16 +14,17 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kNeverSeen = 1e-6;  // least visibility of a cause at the largest usual size [noise sigmas]
+constexpr double kNeverSeen = 1e-6;  // least visibility of a cause at its largest usual size [noise sigmas]
 
-/// Returns the gain of log evidence that makes a cause sure (19 to 1), including its prior and its freedom.
+/// Returns the gain of log evidence that makes a cause certain (odds of 19 to 1) in spite of its prior and its Occam
+/// factor.
 double logLeastGain(const Cause& cause, double visibility) {
   const double occam = std::log(std::max(1., 0.5 * visibility));
   const double odds = std::log(0.5 / 0.35) - std::log(std::max(1e-12, cause.prior)) + std::log(19.);
   return std::max(0., odds + occam + std::log(static_cast<double>(cause.levels.size())));
 }
 
-/// Returns the effects of a term at these sizes.
+/// Returns the effects of a term at these sizes, which are in units of the typical sizes.
 std::vector<deflection::Effect> effectsAt(const PlacedArm& placed, const ModelTerm& term,
                                           const std::vector<Unknown>& numbers, const VectorXd& sizes,
                                           std::size_t before) {

@@ -1,4 +1,4 @@
-// Ranking of single causes: the probability of each, and the least size that these readings would have shown.
+// Ranking of single causes: the probability of each cause, and the least size that these readings would have shown.
 #pragma once
 
 #include "calibration/diagnosis/judgement/diagnosis_result.hpp"

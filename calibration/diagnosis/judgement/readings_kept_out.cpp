@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::size_t kMostJudged = 3;
 
-/// Drops alternatives that do not lower the error on readings kept out.
+/// Drops alternatives that do not lower the error on held-out readings.
 void dropWhatDoesNotHelp(Diagnosis& result) {
   const std::size_t before = result.alternatives.size();
   std::erase_if(result.alternatives, [&](const Explanation& explanation) {
     return std::isfinite(explanation.heldout.rms) && explanation.heldout.rms >= result.heldout_before.rms;
   });
   if (result.alternatives.empty() && result.verdict == Verdict::kPartlyExplained) {
-    result.verdict = Verdict::kUnexplained;  // something is missing all the same
+    result.verdict = Verdict::kUnexplained;  // something is missing nevertheless
   } else if (result.alternatives.empty()) {
     result.verdict = Verdict::kInconclusive;
     result.reason =
@@ -30,7 +30,7 @@ void dropWhatDoesNotHelp(Diagnosis& result) {
   }
 }
 
-/// Sets the errors of single causes in the ranking.
+/// Sets the held-out errors of single causes in the ranking.
 void tellRanking(const std::vector<Explanation>& explanations, Diagnosis& result) {
   for (auto& entry : result.ranking) {
     entry.heldout_before = result.heldout_before;

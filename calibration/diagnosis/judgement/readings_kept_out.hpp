@@ -1,4 +1,4 @@
-// Errors of explanations on readings that they were not fitted to.
+// Errors of explanations on readings to which they were not fitted.
 #pragma once
 
 #include "calibration/diagnosis/judgement/diagnosis_result.hpp"
@@ -6,8 +6,9 @@
 
 namespace tubeplan::calibration {
 
-/// Sets the errors before and after, from the readings kept out; without any, fold by fold and from the farthest
-/// quarter of the poses. Drops explanations that do not lower the error.
+/// Sets the errors before and after adding each explanation, evaluated on the held-out readings. Without held-out
+/// readings, the errors are evaluated fold by fold. The errors at the farthest quarter of the poses are set as well.
+/// Drops explanations that do not lower the error.
 void judgeByReadingsKeptOut(const DiagnosisWork& work, const std::vector<Measurement>& kept_out, Diagnosis& result);
 
 }  // namespace tubeplan::calibration

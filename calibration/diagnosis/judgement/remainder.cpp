@@ -17,7 +17,7 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-/// Errors of a model, with the columns of all fitted numbers.
+/// Errors of a model, with the Jacobian for all fitted parameters.
 struct Left {
   PlacedArm placed;
   WhitenedResidual residual;
@@ -37,7 +37,8 @@ std::optional<Left> leftBy(const DiagnosisWork& work, const CompetingModel& mode
   return left;
 }
 
-/// Returns the variables that the model's errors follow by a pattern search, with their shares of chi-square.
+/// Returns the variables that the model's errors follow according to a pattern search, with their fractions of
+/// chi-square.
 std::vector<std::pair<std::string, double>> patternsLeftBy(const DiagnosisWork& work, const CompetingModel& model) {
   const auto left = leftBy(work, model);
   if (!left) return {};
@@ -51,8 +52,8 @@ std::vector<std::pair<std::string, double>> patternsLeftBy(const DiagnosisWork& 
   return followed;
 }
 
-/// Replaces the followed variables by patterns if the first two take less than half: many small terms do not show a
-/// variable.
+/// Replaces the followed variables by the results of a pattern search if the first two variables account for less than
+/// half. Many small terms do not indicate a variable.
 void preferPatterns(const DiagnosisWork& work, const CompetingModel& model, Remainder& remainder) {
   double first_two = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(2, remainder.follows.size()); ++k)
@@ -82,7 +83,7 @@ Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model) {
   remainder.probability = model.discrepancy_probability + model.scatter_probability;
   const double noise_floor = noiseFloor(work.basis.readings, work.basis.weights);
   const double scatter = lengthOfRows(work.basis.readings) * model.model_error;
-  if (model.remainder.size() == 0) {  // all errors follow nothing
+  if (model.remainder.size() == 0) {  // the errors follow no variable of the discrepancy
     remainder.floor = noise_floor;
     if (scatter > 0) remainder.size = scatter;
     if (const SamePosture same = samePostureBy(work, model); same.isSure())

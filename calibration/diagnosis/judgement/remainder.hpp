@@ -1,4 +1,4 @@
-// Errors that remain beside the causes of a model.
+// Errors that remain unexplained by the causes of a model.
 #pragma once
 
 #include "calibration/diagnosis/judgement/diagnosis_result.hpp"
@@ -8,13 +8,13 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the errors that remain beside a model's causes, and the variables that they follow.
+/// Returns the errors that remain unexplained by a model's causes, and the variables that these errors follow.
 [[nodiscard]] Remainder remainderOf(const DiagnosisWork& work, const CompetingModel& model);
 
 /// Compares the errors of a model with the scatter of repeated readings.
 [[nodiscard]] Repeats repeatsBy(const DiagnosisWork& work, const CompetingModel& model);
 
-/// Judges the errors of a model at equal postures; of the baseline if it has no causes or no fit.
+/// Analyses the errors of a model at equal postures; the errors of the baseline if the model has no causes or no fit.
 [[nodiscard]] SamePosture samePostureBy(const DiagnosisWork& work, const CompetingModel& model);
 
 }  // namespace tubeplan::calibration

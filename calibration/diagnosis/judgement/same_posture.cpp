@@ -13,7 +13,8 @@ using Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// Returns the reading without load and approach directions, so that only its posture distinguishes it from others.
+/// Returns the reading without load, wrench, approach directions and point, so that only its posture distinguishes it
+/// from other readings.
 Measurement byPostureAlone(Measurement reading) {
   reading.load = 0;
   reading.wrench = {};

@@ -1,5 +1,6 @@
-// Errors that repeat at equal joint readings, under other loads, from other directions or at other times. Their cause
-// follows the joints, though by no smooth function of a few (discrepancy.hpp): they are not scatter.
+// Errors that repeat at equal joint readings, under other loads, from other approach directions or at other times. The
+// cause of such errors follows the joints, though not as a smooth function of a few joints (discrepancy.hpp): the
+// errors are not scatter.
 #pragma once
 
 #include "calibration/estimation/whitened_residual.hpp"
@@ -9,14 +10,14 @@ namespace tubeplan::calibration {
 /// One-way analysis of variance of the errors over postures (Fisher 1925; Searle, Casella and McCulloch 1992).
 struct SamePosture {
   int postures = 0;            ///< number of postures with two or more readings
-  double share = 0;            ///< share of the errors' variance that is common to a posture
-  double p_value = kNotKnown;  ///< probability of such a share by chance; NaN: no posture was repeated
+  double share = 0;            ///< fraction of the errors' variance that is common to all readings of a posture
+  double p_value = kNotKnown;  ///< probability of such a fraction by chance; NaN: fewer than two postures were repeated
 
-  /// Returns true if chance is no explanation (p < 1e-4).
+  /// Returns true if chance cannot explain the common fraction (p < 1e-4).
   [[nodiscard]] bool isSure() const { return p_value < 1e-4; }
 };
 
-/// Judges the errors of positions read in the world frame; `whitened` is the residual of a model.
+/// Analyses the errors of positions measured in the world frame; `whitened` is the residual of a model.
 [[nodiscard]] SamePosture judgeSamePosture(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                            const Eigen::VectorXd& whitened);
 

@@ -1,4 +1,4 @@
-// Verdict of a diagnosis, with its name in files and its description for readers.
+// Verdict of a diagnosis, with its name in files and its description for users.
 #pragma once
 
 namespace tubeplan::calibration {
@@ -6,18 +6,18 @@ namespace tubeplan::calibration {
 enum class Verdict {
   kNotRun,
   kAdequate,         ///< nothing is missing
-  kExplained,        ///< one cause, or one set of them
-  kPartlyExplained,  ///< sure causes, and a remainder that no cause explains
-  kAmbiguous,        ///< one of several, or one or something unknown: these readings cannot distinguish them
-  kUnexplained,      ///< something is missing, and no cause is sure
-  kInconclusive,     ///< too few readings, or too weak a hint
+  kExplained,        ///< one cause, or one set of causes, explains the errors
+  kPartlyExplained,  ///< some causes are certain, and errors remain that no cause explains
+  kAmbiguous,        ///< these readings cannot distinguish several causes, or a cause from something unknown
+  kUnexplained,      ///< something is missing, and no cause is certain
+  kInconclusive,     ///< too few readings, or too weak evidence
   kStopped,
 };
 
-/// Returns the name in files: "adequate", "explained", ...
+/// Returns the verdict's name in files: "adequate", "explained", ...
 [[nodiscard]] const char* nameOf(Verdict verdict);
 
-/// Returns the description for readers: "Adequate: nothing is missing", ...
+/// Returns the verdict's description for users: "Adequate: nothing is missing", ...
 [[nodiscard]] const char* wordsOf(Verdict verdict);
 
 }  // namespace tubeplan::calibration

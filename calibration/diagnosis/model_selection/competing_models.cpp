@@ -8,7 +8,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-// Prior probability of so many causes.
+// Prior probability of each number of causes, starting at zero.
 constexpr std::array<double, 5> kCount{0.5, 0.35, 0.11, 0.03, 0.01};
 
 }  // namespace

@@ -16,13 +16,14 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr std::size_t kFitsAtOnce = 6;  // models that are fitted in parallel
-constexpr int kManyRows = 20000;        // rows above which fewer leaders are fitted
-constexpr double kLeaderWindow = 8;     // log weight behind the best model within which models are fitted
-// The same as a share of the best model's gain, with which the error of linear evidence grows.
+constexpr std::size_t kFitsAtOnce = 6;  // number of models that are fitted in parallel
+constexpr int kManyRows = 20000;        // number of rows above which fewer leading models are fitted
+constexpr double kLeaderWindow = 8;     // distance in log weight from the best model within which models are fitted
+// Distance in log weight within which models are fitted, relative to the best model's gain. The error of linear
+// evidence grows with this gain.
 constexpr double kLeaderShare = 0.075;
 
-/// Returns the terms with a significant size in the fit.
+/// Returns the terms that have at least one significant size in the fit.
 std::vector<ModelTerm> significantTerms(const CompetingModel& model) {
   std::vector<ModelTerm> significant;
   Index first = 0;
@@ -35,7 +36,7 @@ std::vector<ModelTerm> significantTerms(const CompetingModel& model) {
   return significant;
 }
 
-/// Returns the best term of each cause beside the terms of the others.
+/// Returns the best term of each cause, given the best terms of the other causes.
 std::vector<ModelTerm> bestTerms(const DiagnosisWork& work, const std::vector<int>& causes) {
   CompetingModel seed = work.models.front();
   std::vector<ModelTerm> terms;
@@ -49,7 +50,8 @@ std::vector<ModelTerm> bestTerms(const DiagnosisWork& work, const std::vector<in
   return terms;
 }
 
-/// Returns the sizes of the terms' numbers in these effects, in units; empty if all are neutral.
+/// Returns the values that these effects have for the terms' parameters, in units of the typical sizes; empty if all
+/// values are neutral.
 VectorXd sizesIn(const DiagnosisWork& work, const std::vector<ModelTerm>& terms,
                  const std::vector<deflection::Effect>& effects) {
   std::vector<double> sizes;
@@ -69,9 +71,9 @@ VectorXd sizesIn(const DiagnosisWork& work, const std::vector<ModelTerm>& terms,
   return all.isZero(0) ? VectorXd() : all;
 }
 
-/// Returns an unfitted variant of the best fitted model, or null. One variant lacks the causes without a significant
-/// size: linear evidence adds a cause if the time or shape of another one was coarse. The other has all numbers of the
-/// causes: linear evidence omits a number that a strong error elsewhere conceals.
+/// Returns an unfitted variant of the best fitted model, or null. One variant omits the causes without a significant
+/// size: linear evidence adds a cause if the tried time or knee of another cause was too coarse. The other variant has
+/// all parameters of the causes: linear evidence omits a parameter that is masked by a large error elsewhere.
 CompetingModel* unfittedVariant(DiagnosisWork& work) {
   const CompetingModel& best = work.models.front();
   if (best.terms.empty() || !best.hasFit()) return nullptr;
@@ -87,14 +89,15 @@ CompetingModel* unfittedVariant(DiagnosisWork& work) {
   return nullptr;
 }
 
-/// Fits the model of nothing missing, and leaders until no other is close to the best of them.
+/// Fits the model with nothing missing, then the leading models until no unfitted model is close to the best fitted
+/// one.
 void fitNearest(DiagnosisWork& work) {
   auto& models = work.models;
   CompetingModel& of_nothing =
       *std::ranges::find_if(models, [](const CompetingModel& model) { return model.terms.empty(); });
   const double nothing = of_nothing.logWeight();
   fitModel(work, of_nothing);
-  // So many readings separate the models by far more than the error of linear evidence, and each fit takes seconds.
+  // With so many readings, models differ by far more than the error of linear evidence, and each fit takes seconds.
   const bool are_many = work.noise.front().weights.rows > kManyRows;
   const auto limit = static_cast<std::size_t>(are_many ? work.options.most_leaders / 3 : work.options.most_leaders);
   const std::size_t most = are_many ? limit : 2 * limit;

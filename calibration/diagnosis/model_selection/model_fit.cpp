@@ -22,18 +22,19 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kIterations = 20;
-constexpr double kSmallFall = 0.03;  // fall of chi-square by a step after which the fit ends
-constexpr double kFarSize = 4;       // prior sigma of a size during the fit, in units of the largest usual one
-// Bound of a size, in units of the largest usual one: no machine has more, and an arm may not shrink to a point.
+constexpr double kSmallFall = 0.03;  // decrease of chi-square in one step below which the fit ends
+constexpr double kFarSize = 4;       // prior sigma of a size during the fit, in units of the largest usual size
+// Bound of a size, in units of the largest usual size. No machine exceeds it, and an arm may not shrink to a point.
 constexpr double kMostSize = 10;
-// Length that an unknown effect shares with the most similar known one, relative to its remaining length, in noise
-// sigmas.
+// Length of the component of an unknown effect that resembles the most similar known effect, relative to the length of
+// the unexplained component; both lengths are in noise sigmas.
 constexpr double kLikeness = 0.7;
-constexpr double kOrders = 4.6;          // log of a hundred: the range of orders for the size of an independent cause
-constexpr double kUnknownScatter = 0.5;  // probability that scatter is an unknown effect and not an understated noise
-constexpr double kHardlyLeft = 1e-3;     // least probability of a remainder
+constexpr double kOrders = 4.6;  // log of a hundred: range of magnitudes for the size of an independent cause
+// Probability that scatter is due to an unknown effect and not to an understated noise.
+constexpr double kUnknownScatter = 0.5;
+constexpr double kHardlyLeft = 1e-3;  // least probability of an unexplained discrepancy that is considered
 
-/// Returns the unknowns of a model's fit: those of the basis, sizes, shapes.
+/// Returns the unknowns of a model's fit, in this order: unknowns of the basis, sizes, scanned parameters.
 std::vector<Unknown> unknownsOf(const DiagnosisWork& work, const PlacedModel& placed) {
   std::vector<Unknown> unknowns = work.basis.unknowns;
   for (Unknown size : placed.sizes) {
@@ -48,7 +49,7 @@ std::vector<Unknown> unknownsOf(const DiagnosisWork& work, const PlacedModel& pl
   return unknowns;
 }
 
-/// Returns the start of a fit, with the sizes of the linear evidence.
+/// Returns the start values of a fit, with the sizes from the linear evidence.
 VectorXd startOfFit(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed,
                     const std::vector<Unknown>& unknowns) {
   const auto fitted = static_cast<Index>(work.basis.unknowns.size());
@@ -61,7 +62,7 @@ VectorXd startOfFit(const DiagnosisWork& work, const CompetingModel& model, cons
   return x;
 }
 
-/// Returns the most probable state for one noise.
+/// Returns the most probable state for one noise assumption.
 LeastSquaresResult minimize(const DiagnosisWork& work, std::size_t by, const PlacedModel& placed,
                             const std::vector<Unknown>& unknowns, const VectorXd& x) {
   const NoiseHypothesis& noise = work.noise[by];
@@ -71,7 +72,7 @@ LeastSquaresResult minimize(const DiagnosisWork& work, std::size_t by, const Pla
                           solver);
 }
 
-/// Returns true if a size ended beyond that of any machine.
+/// Returns true if a fitted size exceeds that of any machine.
 bool isImpossible(const PlacedModel& placed, const VectorXd& x, std::size_t fitted) {
   for (std::size_t k = 0; k < placed.sizes.size(); ++k) {
     const Unknown& size = placed.sizes[k];
@@ -81,16 +82,17 @@ bool isImpossible(const PlacedModel& placed, const VectorXd& x, std::size_t fitt
   return false;
 }
 
-/// Model linearised about its optimum, for one noise.
+/// Model linearised about its optimum, for one noise assumption.
 struct AtOptimum {
   WhitenedResidual residual;
   std::unique_ptr<LinearEvidence> evidence;
   SourceView sources;
-  VectorXd scale, information;  ///< units and prior information of the fitted numbers and shapes, then of the sizes
+  /// Units and prior information: first fitted parameters and scanned parameters, then sizes.
+  VectorXd scale, information;
 };
 
-/// Sets the view of single sources: columns of all numbers in units of their typical size, those of sizes in units of
-/// their prior.
+/// Sets the view for single sources. The columns of all parameters are in units of their typical size; the columns of
+/// sizes are scaled by their priors later.
 void viewSources(const MatrixXd& J, const MatrixXd& S, const VectorXd& y, const std::vector<Unknown>& others,
                  const NoiseHypothesis& noise, AtOptimum& at) {
   if (!noise.sources) return;
@@ -105,8 +107,8 @@ void viewSources(const MatrixXd& J, const MatrixXd& S, const VectorXd& y, const 
   at.sources = noise.sources->viewOf(W_y);
 }
 
-/// Linearises the model at `x` with sizes relative to zero, so that y is the error of the model without them. Returns
-/// false if it cannot be evaluated.
+/// Linearises the model at `x` with the sizes relative to zero, so that y is the error of the model without these
+/// effects. Returns false if the model cannot be evaluated.
 bool linearizeAt(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<Unknown>& unknowns,
                  const VectorXd& x, const NoiseHypothesis& noise, AtOptimum& at) {
   at.residual = whitenedResidual(placed.arm, unknowns, work.basis.readings, noise.weights, x, true, work.basis.stop);
@@ -154,7 +156,7 @@ WeighedDiscrepancy evidenceAt(const AtOptimum& at, const NoiseHypothesis& noise,
   return withSources(evidence, single, noise.options);
 }
 
-/// Sets the most probable errors of the discrepancy.
+/// Sets the most probable errors due to the discrepancy.
 void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std::vector<PriorSize>& sizes,
                    CompetingModel& model) {
   if (model.source.source >= 0) {
@@ -169,8 +171,8 @@ void keepRemainder(const NoiseHypothesis& noise, const AtOptimum& at, const std:
   if (model.remainder.size() > 0) model.remainder_left = leftBeside(at.residual.jacobian, model.remainder);
 }
 
-/// Returns the length of the errors that the model leaves, in noise sigmas: those of the discrepancy, or, without one,
-/// all errors beyond the stated noise; 0 if none.
+/// Returns the length of the errors that the model leaves unexplained, in noise sigmas: the errors due to the
+/// discrepancy, or, without a discrepancy, all errors beyond the stated noise. 0 if there are none.
 double lengthLeft(const DiagnosisWork& work, const AtOptimum& stated, std::size_t numbers,
                   const CompetingModel& model) {
   if (model.remainder.size() > 0) return model.remainder.norm();
@@ -180,8 +182,8 @@ double lengthLeft(const DiagnosisWork& work, const AtOptimum& stated, std::size_
   return std::sqrt(std::max(0., stated.evidence->chi2() - stated.evidence->fall(columns) - expected));
 }
 
-/// Returns the length of a term beside the others, in noise sigmas: the root of its fall of chi-square minus the
-/// expected fall by noise.
+/// Returns the length of a term in addition to the other terms, in noise sigmas: the square root of the term's decrease
+/// of chi-square minus the decrease expected from noise.
 double lengthOf(const LinearEvidence& evidence, std::size_t first, std::size_t count, std::size_t all) {
   std::vector<int> columns(all);
   std::iota(columns.begin(), columns.end(), 0);
@@ -193,17 +195,17 @@ double lengthOf(const LinearEvidence& evidence, std::size_t first, std::size_t c
 }
 
 /// Returns the log odds of a length for a term that is only similar to an unknown effect, against an independent cause.
-/// For the first, the prior is normal about zero, on the scale of the remaining length; for the second, it spans two
-/// orders of magnitude.
+/// If the term is only similar, the prior of its length is normal about zero with the scale of the unexplained length.
+/// For an independent cause, the prior spans two orders of magnitude.
 double logOddsOfLikeness(double length, double left) {
   const double ratio = length / (kLikeness * left);
   if (!(ratio > 0)) return -std::numeric_limits<double>::infinity();
   return 0.5 * std::log(2 / std::numbers::pi) + std::log(ratio * kOrders) - 0.5 * ratio * ratio;
 }
 
-/// Weighs for each term of a model with a remainder that it is only similar to an unknown effect. Such an effect partly
-/// resembles known ones, and the most similar one would be found, with a remainder. The size of that term is then of
-/// the order of the remainder, not of the order of an independent cause.
+/// Weighs, for each term of a model with a discrepancy, the hypothesis that the term is only similar to an unknown
+/// effect. An unknown effect partly resembles known effects; the most similar known effect would be found, with a
+/// discrepancy. The size of the term is then of the order of the discrepancy, not of the order of an independent cause.
 void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<AtOptimum>& at,
                      CompetingModel& model) {
   const double remains = model.discrepancy_probability + kUnknownScatter * model.scatter_probability;
@@ -222,8 +224,8 @@ void weighLikenesses(const DiagnosisWork& work, const PlacedModel& placed, const
   }
 }
 
-/// Returns true if the fit that ended at `x` found only one size of an effect at every joint; the effect at that joint
-/// alone is then an equivalent cause.
+/// Returns true if the fit that ended at `x` found at most one nonzero size for an effect at every joint. The effect at
+/// this joint alone is then an equivalent cause.
 bool saysOneOnly(const DiagnosisWork& work, const CompetingModel& model, const PlacedModel& placed, const VectorXd& x) {
   const std::size_t fitted = work.basis.unknowns.size();
   std::size_t k = 0;
@@ -237,7 +239,7 @@ bool saysOneOnly(const DiagnosisWork& work, const CompetingModel& model, const P
   return false;
 }
 
-/// Sets the explanation from the fit that ended at `x`; the model's evidence must be known.
+/// Sets the explanation from the fit that ended at `x`; the model's evidence must already be set.
 void describeFit(const DiagnosisWork& work, const PlacedModel& placed, const std::vector<Unknown>& unknowns,
                  const VectorXd& x, const std::vector<AtOptimum>& at, CompetingModel& model) {
   const std::size_t likely = likelyNoise(work, model);
@@ -247,7 +249,7 @@ void describeFit(const DiagnosisWork& work, const PlacedModel& placed, const std
   fit.after = errorSize(work.basis.readings, work.basis.weights, at.front().residual.error);
   const auto numbers = static_cast<double>(placed.sizes.size() + placed.shapes.size());
   fit.p_value = chiSquareTail(fit.chi2, work.noise.front().options.noise_rows - numbers);
-  // Sizes remain at the fitted values, so their deviations are those for the prior of the fit.
+  // The sizes stay at their fitted values, so their standard deviations are computed with the prior of the fit.
   const VectorXd sigma = evidenceAt(at[likely], work.noise[likely], priorsOf(placed, kFarSize)).sigma;
   std::size_t first = 0;
   for (std::size_t t = 0; t < model.terms.size(); ++t) {
@@ -259,8 +261,8 @@ void describeFit(const DiagnosisWork& work, const PlacedModel& placed, const std
   fit.criterion = -2 * model.logWeight();
 }
 
-/// Fits the model from `x` for one noise and computes its evidence there for all. Returns false if that is not
-/// possible.
+/// Fits the model from `x` for the noise assumption with index `by` and computes the evidence about this fit for all
+/// noise assumptions. Returns false if the fit fails.
 bool fitByNoise(const DiagnosisWork& work, std::size_t by, const PlacedModel& placed,
                 const std::vector<Unknown>& unknowns, VectorXd& x, std::vector<AtOptimum>& at, CompetingModel& model) {
   const auto solution = minimize(work, by, placed, unknowns, x);
@@ -289,8 +291,8 @@ void fitModel(const DiagnosisWork& work, CompetingModel& model) {
   VectorXd x = startOfFit(work, model, placed, unknowns);
   std::vector<AtOptimum> at(work.noise.size());
   const auto giveUp = [&] { model.log_evidence = -std::numeric_limits<double>::infinity(); };
-  // An error that counted as noise before the fit may be explained after it, so sizes are fitted again for the
-  // remaining noise.
+  // An error that counted as noise before the fit may be explained after it, so the sizes are fitted again if another
+  // noise assumption has become more probable.
   constexpr int kPasses = 2;
   for (int pass = 0; pass < kPasses; ++pass) {
     const std::size_t by = likelyNoise(work, model);

@@ -17,12 +17,13 @@ namespace tubeplan::calibration {
 
 namespace {
 
-// Log weight below that of nothing missing, from which a cause is not extended to pairs.
+// The search ends if the best model with one cause is this far below nothing missing in log weight.
 constexpr double kHopeless = 5;
-constexpr std::size_t kMostSeeds = 20;   // models that are extended by another cause
-constexpr std::size_t kMostLooked = 40;  // extensions that remain after the quick estimate
+constexpr std::size_t kMostSeeds = 20;   // most models that are extended by another cause
+constexpr std::size_t kMostLooked = 40;  // most extensions that are kept after the quick estimate
 
-/// Returns quick estimates of every cause's best term beside each seed; seed by seed, all causes of each.
+/// Returns quick estimates of every cause's best term added to each seed: for each seed in turn, one estimate per
+/// cause.
 std::vector<Looked> lookBeside(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
   const std::size_t causes = work.causes.causes.size();
   std::vector<Looked> looked(seeds.size() * causes);
@@ -41,8 +42,9 @@ std::vector<Looked> lookBeside(const DiagnosisWork& work, const std::vector<Comp
   return looked;
 }
 
-/// Returns indices of the most probable estimates, in descending order, with each set of causes once. Up to `most` of
-/// single causes and up to `most` of collective ones are kept, so that neither kind excludes the other.
+/// Returns indices of the most probable estimates, in descending order, without repeated sets of causes. At most `most`
+/// estimates with only single causes and at most `most` with collective causes are kept, so that neither kind excludes
+/// the other.
 std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vector<Looked>& looked, std::size_t most) {
   std::vector<std::size_t> order(looked.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -58,7 +60,7 @@ std::vector<std::size_t> mostProbable(const DiagnosisWork& work, const std::vect
   return chosen;
 }
 
-/// Returns the models with one more cause, most probable first: the best term of every cause beside each seed.
+/// Returns the models extended by one cause, most probable first: the best term of every cause added to each seed.
 std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vector<CompetingModel>& seeds) {
   const std::size_t causes = work.causes.causes.size();
   auto looked = lookBeside(work, seeds);
@@ -77,9 +79,9 @@ std::vector<CompetingModel> extended(const DiagnosisWork& work, const std::vecto
   return found;
 }
 
-/// Returns the models to extend. A cause far behind the best alone may be one of the best few together. A collective
-/// cause gains as much as a few single ones together, but none of them alone. So single causes are compared with single
-/// causes.
+/// Returns the models to extend. A cause that is improbable on its own may belong to the best set of several causes. A
+/// collective cause gains as much as several single causes together, but more than any of them alone. Single causes are
+/// therefore compared only with single causes.
 std::vector<CompetingModel> leadersOf(const DiagnosisWork& work, const std::vector<CompetingModel>& models,
                                       std::size_t most) {
   std::vector<CompetingModel> leaders;
@@ -110,7 +112,7 @@ void compareModels(DiagnosisWork& work) {
   const CompetingModel nothing = weigh(work, {}, 0);
   work.models = {nothing};
   std::vector<CompetingModel> level{nothing};
-  // A collective cause leaves little to gain beside it, but a few single ones may still be better.
+  // With a collective cause, a further cause gains little, but a few single causes may still be better.
   std::array<double, 2> best{nothing.logWeight(), nothing.logWeight()};
   for (int depth = 1; depth <= work.options.most_causes; ++depth) {
     reportProgress(work.options.hooks, "causes", static_cast<std::size_t>(depth),

@@ -1,4 +1,5 @@
-// Search for competing models: from nothing missing, with one more cause at a time, about the linearisation.
+// Search for competing models about the baseline's linearisation: starts with nothing missing and adds one cause at a
+// time.
 #pragma once
 
 #include <limits>
@@ -7,17 +8,18 @@
 
 namespace tubeplan::calibration {
 
-/// Finds the models that compete about the linearisation and sets `work.models`. Throws WorkStopped on a request to
-/// stop.
+/// Finds the competing models about the baseline's linearisation and sets `work.models`. Throws WorkStopped on a
+/// request to stop.
 void compareModels(DiagnosisWork& work);
 
-/// Model with one more cause, with its estimated weight.
+/// Model extended by one cause, with its estimated weight.
 struct Looked {
   std::vector<ModelTerm> terms;
   double log_share = 0, log_weight = -std::numeric_limits<double>::infinity();
 };
 
-/// Returns the best term of a cause beside those of the seed, out of all its terms or only some of them.
+/// Returns the terms of `seed` extended by the best term of `cause`, with the estimated weight. If `of_all` is true,
+/// all terms of the cause are tried, otherwise only some.
 [[nodiscard]] Looked bestBeside(const DiagnosisWork& work, const CompetingModel& seed, int cause, bool of_all);
 
 }  // namespace tubeplan::calibration

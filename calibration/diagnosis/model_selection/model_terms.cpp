@@ -8,11 +8,12 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kLeastVisible = 1;  // least visibility of a cause at the largest usual size [noise sigmas]
-constexpr int kMostNumbers = 8;      // most numbers of a cause for which subsets are tried
+constexpr double kLeastVisible = 1;  // least visibility of a cause at its largest usual size [noise sigmas]
+constexpr int kMostNumbers = 8;      // most parameters of a cause for which subsets are tried
 
-/// Returns the tried subsets of a cause's numbers: all subsets of up to four numbers, otherwise each alone and all
-/// together. A cause of several effects, or with more than kMostNumbers, has only all together.
+/// Returns the tried subsets of a cause's parameters. For up to four parameters: all subsets. For more: each parameter
+/// alone, and all together. For a cause of several effects, or with more than kMostNumbers parameters: only all
+/// together.
 std::vector<std::vector<int>> choicesOf(const Cause& cause, int numbers) {
   std::vector<int> all(static_cast<std::size_t>(numbers));
   std::iota(all.begin(), all.end(), 0);

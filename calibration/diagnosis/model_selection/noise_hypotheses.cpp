@@ -17,15 +17,15 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Prior probabilities of an unknown discrepancy of all terms together, of one of a single source, and of more noise
-// than stated.
+// Prior probabilities of an unknown discrepancy of all terms together, of a discrepancy of a single source, and of a
+// larger noise than stated.
 constexpr double kDiscrepancy = 0.05;
 constexpr double kSingleSource = 0.05;
 constexpr double kMoreNoise = 0.1;
-constexpr std::size_t kReadingsInMemory = 1024;  // readings whose columns are in memory at once
-constexpr Eigen::Index kPrincipalTerms = 80;     // principal terms of the discrepancy, in the evidence of a fit
-constexpr double kMostKept = 5e7;                // most numbers of the causes' columns that stay in memory
-constexpr double kMostForSources = 2e6;          // most rows times terms for which single sources are weighed
+constexpr std::size_t kReadingsInMemory = 1024;  // most readings whose columns are in memory at once
+constexpr Eigen::Index kPrincipalTerms = 80;  // number of principal terms of the discrepancy in the evidence of a fit
+constexpr double kMostKept = 5e7;             // most elements of the causes' columns that are kept in memory
+constexpr double kMostForSources = 2e6;       // product of rows and terms above which single sources are not weighed
 
 std::vector<double> discrepancySizes(double noise) {
   std::vector<double> sizes;
@@ -33,7 +33,7 @@ std::vector<double> discrepancySizes(double noise) {
   return sizes;
 }
 
-/// Returns blocks of readings; those of one unknown place stay together.
+/// Returns blocks of reading indices; all readings of an unknown point are in one block.
 std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& readings) {
   std::vector<std::vector<int>> blocks;
   for (const auto& group : groupsByPlace(readings)) {
@@ -43,7 +43,7 @@ std::vector<std::vector<int>> blocksOf(const std::vector<Measurement>& readings)
   return blocks;
 }
 
-/// Converts rows whitened with the weights `from` to the weights `to`.
+/// Converts rows that were whitened with the weights `from` to rows whitened with the weights `to`.
 void whitenAnew(const std::vector<Measurement>& readings, const ReadingWeights& from, const ReadingWeights& to,
                 MatrixXd& columns) {
   for (std::size_t k = 0; k < readings.size(); ++k) {
@@ -52,7 +52,8 @@ void whitenAnew(const std::vector<Measurement>& readings, const ReadingWeights& 
   }
 }
 
-/// Columns of one block, whitened with the stated noise, including the parts that touched points absorb.
+/// Columns of one block of readings, whitened with the stated noise, including the components that touched points
+/// absorb.
 struct Block {
   std::vector<Measurement> readings;
   ReadingWeights weights;  ///< weights including the touched points
@@ -60,8 +61,8 @@ struct Block {
   VectorXd y;
 };
 
-/// Returns the causes' columns of one block under the stated noise; they are computed once and kept if they fit into
-/// memory.
+/// Returns the causes' columns of one block for the stated noise. The columns are computed once and kept if they fit
+/// into memory.
 MatrixXd signaturesOf(DiagnosisWork& work, const std::vector<int>& which, const Block& block,
                       const ReadingWeights& apart) {
   const std::vector<int>& first_row = work.basis.weights.first_row;
@@ -102,7 +103,7 @@ bool fillBlock(DiagnosisWork& work, const std::vector<int>& which, Block& block)
   return block.S.rows() == block.y.size() && block.Z.rows() == block.y.size();
 }
 
-/// Adds the columns under the noise with this model error, without the parts that points absorb.
+/// Adds the block's columns for the noise with this model error, without the components that points absorb.
 void addTo(EvidenceGram& gram, const Block& block, double model_error) {
   const ReadingWeights weights = reweighted(block.weights, block.readings, model_error);
   gram.log_density += logDensityOf(weights);
@@ -119,8 +120,7 @@ double degreesLeft(const DiagnosisWork& work) {
          numbersDetermined(posteriorCovariance(work.basis.residual.jacobian, work.basis.unknowns), work.basis.unknowns);
 }
 
-/// Stores the discrepancy at all readings for the evidence of separate fits: the principal terms, and the single
-/// sources.
+/// Stores the discrepancy at all readings for the evidence of separate fits: principal terms and single sources.
 void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
   const auto& terms = work.discrepancy->terms();
   noise.principal_terms = noise.evidence->principalTerms(kPrincipalTerms);
@@ -147,19 +147,21 @@ void keepDiscrepancy(const DiagnosisWork& work, NoiseHypothesis& noise) {
   noise.sources = std::make_unique<SingleSources>(std::move(all), work.discrepancy->sources(), shares);
 }
 
-/// Returns the stated noise of a coordinate [m].
+/// Returns the stated noise of one coordinate [m].
 double noiseOfCoordinate(const DiagnosisWork& work) {
   return noiseFloor(work.basis.readings, work.basis.weights) / lengthOfRows(work.basis.readings);
 }
 
-/// Returns the error of a coordinate beyond the stated noise for this chi-square [m]; 0 if the noise suffices.
+/// Returns the error of a coordinate beyond the stated noise [m] that explains this chi-square; 0 if the noise
+/// suffices.
 double errorBeyondNoise(const DiagnosisWork& work, double chi2, double freedom) {
   if (freedom < 3 || !(chiSquareTail(chi2, freedom) < kLackOfFit)) return 0;
   return noiseOfCoordinate(work) * std::sqrt(std::max(0.1, chi2 / freedom - 1));
 }
 
-/// Returns factors of the noise with this model error, from smaller ones up to the error of the model alone. With few
-/// readings an unknown function absorbs much of any noise, so its remaining error is too small.
+/// Returns scale factors for the noise with this model error, from below 1 up to the error of the model without any
+/// discrepancy. With few readings an unknown function absorbs much of any noise, so the model error estimated with such
+/// a function is too small.
 std::vector<double> noiseScales(const DiagnosisWork& work, double model_error) {
   constexpr double kLeast = 0.7, kMost = 1.5, kFarthest = 6, kStep = 1.08;
   const double per_coordinate = noiseOfCoordinate(work);
@@ -170,7 +172,7 @@ std::vector<double> noiseScales(const DiagnosisWork& work, double model_error) {
   return scales;
 }
 
-/// Adds evidence under a noise. Returns false if the model cannot be evaluated.
+/// Adds a noise assumption with its evidence. Returns false if the model cannot be evaluated.
 bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
   NoiseHypothesis noise;
   noise.model_error = model_error;
@@ -195,7 +197,8 @@ bool addNoise(DiagnosisWork& work, double model_error, double log_prior) {
   return true;
 }
 
-/// Returns the error of a coordinate [m] that remains even with an unknown function of the readings.
+/// Returns the error of a coordinate [m] beyond the stated noise that remains even with the largest unknown
+/// discrepancy.
 double errorBeyondRichest(const DiagnosisWork& work) {
   const RichestFit richest = work.noise.front().evidence->richest();
   return errorBeyondNoise(work, richest.chi2, work.noise.front().options.noise_rows - richest.numbers);
@@ -220,7 +223,7 @@ bool linearize(DiagnosisWork& work) {
 }
 
 double errorBeyondBest(const DiagnosisWork& work) {
-  // The model of nothing missing is always among them.
+  // `work.models` always includes the model with nothing missing.
   const auto best = std::ranges::find_if(work.models, &CompetingModel::hasFit);
   if (best == work.models.end()) return 0;
   double numbers = 0;

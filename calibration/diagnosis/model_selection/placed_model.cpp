@@ -10,9 +10,9 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kBeyondUsual = 2;      // sigmas above the largest usual size
+constexpr double kBeyondUsual = 2;      // margin above the largest usual size [sigmas of the size]
 constexpr double kShapePrior = 3;       // prior sigma of a knee, in units of its typical step
-constexpr std::size_t kMostTimes = 12;  // tried times of a step at once
+constexpr std::size_t kMostTimes = 12;  // most times of a step that are tried at once
 
 FoundNumber foundNumber(const Unknown& unknown, const std::string& name, double value, double sigma) {
   FoundNumber number{name, unknown.quantity, value, sigma};
@@ -21,7 +21,7 @@ FoundNumber foundNumber(const Unknown& unknown, const std::string& name, double 
   return number;
 }
 
-/// Returns the index of the time of a step that lowers chi-square most.
+/// Returns the index of the step time that lowers chi-square most.
 std::size_t bestTime(const DiagnosisWork& work, Cause cause, const ModelTerm& term, const std::vector<double>& times) {
   cause.levels = times;
   const Signatures signatures(work.basis.fitted, {cause});
@@ -39,9 +39,9 @@ std::size_t bestTime(const DiagnosisWork& work, Cause cause, const ModelTerm& te
   return best;
 }
 
-/// Returns the time of a step as precisely as the readings' times allow, since its place between two readings has no
-/// effect. The gaps near the level are tried; if there are very many, some first, then all between the neighbours of
-/// the best.
+/// Returns the time of a step as precisely as the readings' times allow: any time between two consecutive readings has
+/// the same effect. The gaps near the time of the term's level are tried. If there are very many gaps, a subset is
+/// tried first, then all gaps between the neighbours of the best.
 double refinedTime(const DiagnosisWork& work, const CompetingModel& model, std::size_t index) {
   const ModelTerm& term = model.terms[index];
   const Cause& cause = work.cause(term.cause);
