@@ -1,4 +1,5 @@
-// Mistake of joint readings in radians under columns in degrees, or the reverse. Readings of slides are not affected.
+// Mistake: joint readings are in radians although their columns state degrees, or the reverse. Readings of prismatic
+// joints are not affected.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"

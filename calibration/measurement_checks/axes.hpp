@@ -1,5 +1,6 @@
-// Mistake of coordinates with exchanged or reversed axes: all signed orders of x, y and z except that of the file and
-// those with a single changed sign (see mirror.hpp). For "-yxz" the file's three numbers are -y, x and z of the world.
+// Mistake: coordinates with exchanged or reversed axes. All signed orders of x, y and z are tried, except the order of
+// the file and orders with a single changed sign (see mirror.hpp). For the value "-yxz", the three coordinates in the
+// file are -y, x and z of the world.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 
 namespace tubeplan::calibration::mistakes::axes {
 
-/// Returns the rotation or reflection from the file's three numbers to world coordinates; nothing if the text is no
-/// signed order.
+/// Returns the rotation or reflection from the file's three coordinates to world coordinates; nullopt if `value` is not
+/// a signed order.
 inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
   Eigen::Matrix3d to_world = Eigen::Matrix3d::Zero();
   int column = 0;
@@ -28,14 +29,15 @@ inline std::optional<Eigen::Matrix3d> matrixOf(const std::string& value) {
   return to_world;
 }
 
-/// Returns true if some reading has written coordinates. Coordinates of the sheet's holes have a mistake of their own
-/// (sheet_mirrored.hpp).
+/// Returns true if at least one reading has coordinates written in the file. Coordinates taken from the sheet's holes
+/// have a separate mistake (sheet_mirrored.hpp).
 inline bool areWritten(const CheckedReadings& checked) {
   return std::ranges::any_of(
       checked.readings, [&](const Measurement& reading) { return reading.p_W && !isPlacedBySheet(checked, reading); });
 }
 
-/// Applies `to_world` to all measured places, whether written or from the sheet, with their sigmas and correlations.
+/// Applies `to_world` to all measured positions, whether written or from the sheet, and to their sigmas and
+/// correlations.
 inline void turn(const Eigen::Matrix3d& to_world, std::vector<Measurement>& readings) {
   for (auto& reading : readings) {
     if (reading.p_W) *reading.p_W = to_world * *reading.p_W;
@@ -65,7 +67,7 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   if (!areWritten(checked)) return {};
   std::vector<std::string> texts = signedOrders();
   std::erase_if(texts, [](const std::string& text) {
-    // The file's own order, and mirrored ones.
+    // Excludes the file's own order and its mirrored variants.
     return text == "xyz" || text == "-xyz" || text == "x-yz" || text == "xy-z";
   });
   return texts;

@@ -1,4 +1,4 @@
-// Mistake of a base that is stated as known but stands elsewhere.
+// Mistake: the base pose is stated as known, but the base stands elsewhere.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return is_known ? std::vector<std::string>{"unknown"} : std::vector<std::string>{};
 }
 
-/// Returns the correction that treats the readings of a set-up from `from` on as a new set-up.
+/// Returns the correction that assigns the readings of a set-up from reading `from` on to a new set-up.
 inline std::optional<Mend> mendFrom(const CheckedReadings& checked, const std::string& from) {
   const auto first = std::ranges::find(checked.readings, from, &Measurement::id);
   if (first == checked.readings.end()) return std::nullopt;
@@ -37,7 +37,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-/// Returns one step for each set-up. If all readings state a time, a single slip of the base is also an effect of the
+/// Returns one step form for each set-up. If all readings state a time, a slip of the base is also an effect of the
 /// catalogue.
 inline std::vector<StepForm> steps(const CheckedReadings& checked) {
   const bool are_timed =

@@ -15,12 +15,13 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kFewestTimes = 8;  // least number of times that show how readings follow one another
-constexpr double kMostBack = 0.05;       // share of readings above which rows are not ordered by time
-constexpr double kSlow = 3;              // longest time of a reading, in usual gaps
-constexpr double kHour = 3600;           // [s]
-constexpr double kMostHours = 14;        // most hours by which a clock is reset: time zones and summer time
-constexpr double kNearHour = 120;        // greatest deviation from whole hours, within the usual gap [s]
+constexpr std::size_t kFewestTimes = 8;  // least number of times needed to see whether the rows are ordered by time
+// Fraction of readings with a time that goes back, above which rows are not ordered by time.
+constexpr double kMostBack = 0.05;
+constexpr double kSlow = 3;        // longest time between readings, relative to the usual gap
+constexpr double kHour = 3600;     // [s]
+constexpr double kMostHours = 14;  // most hours by which a clock is reset: time zones and daylight-saving time
+constexpr double kNearHour = 120;  // greatest deviation from whole hours [s]; also limited to the usual gap
 constexpr double kMonth = 30 * 24 * kHour;
 
 double timeOf(const Measurement& reading) { return reading.conditions[deflection::Condition::kTime]; }
@@ -42,7 +43,7 @@ std::string durationText(double seconds) {
   return fmt::format("{:.3g} s", size);
 }
 
-/// Search for times that do not follow one another.
+/// Search for jumps in the times of readings.
 class Clock {
  public:
   explicit Clock(const std::vector<Measurement>& readings) : timed_(timedAmong(readings)) {
@@ -78,7 +79,7 @@ class Clock {
   [[nodiscard]] double time(std::size_t k) const { return timeOf(*timed_[k]); }
   [[nodiscard]] double gap(std::size_t k) const { return time(k) - time(k - 1); }
 
-  /// Returns the excess of a gap over the usual one [s], rounded to hours if near whole ones.
+  /// Returns the excess of gap `k` over the usual gap [s], rounded to whole hours if it is close to them.
   [[nodiscard]] double jumpAt(std::size_t k) const {
     const double jump = gap(k) - usual_, whole = std::round(jump / kHour) * kHour;
     const bool is_whole =
@@ -86,8 +87,8 @@ class Clock {
     return is_whole ? whole : jump;
   }
 
-  /// Returns the only gap longer than any reading takes, if it is by whole hours or by months. Among several such gaps
-  /// some are pauses.
+  /// Returns the index of the only gap longer than any reading takes, if its excess is whole hours or the gap exceeds a
+  /// month; nullopt otherwise. If there are several such gaps, some are pauses.
   [[nodiscard]] std::optional<std::size_t> forward() const {
     std::vector<std::size_t> longest;
     for (std::size_t k = 1; k < timed_.size(); ++k)
@@ -118,8 +119,8 @@ class Clock {
   }
 
   std::vector<const Measurement*> timed_;
-  std::vector<std::size_t> back_;  ///< indices whose time is before that of the preceding reading
-  double usual_ = 0;               ///< usual gap between readings [s]
+  std::vector<std::size_t> back_;  ///< indices of readings whose time is before that of the preceding reading
+  double usual_ = 0;               ///< usual (median) gap between readings [s]
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Mistake of coordinates and measured distances in another unit than stated by their columns. Places from the sheet are
-// not affected.
+// Mistake: coordinates and measured distances are in another unit than their columns state. Positions from the sheet
+// are not affected.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"

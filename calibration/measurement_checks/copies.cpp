@@ -12,7 +12,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Returns all numbers that are equal in two rows of one reading.
+/// Returns all values that must be equal in two rows that state the same reading.
 auto contentOf(const Measurement& m) {
   const Eigen::Vector3d p = m.p_W.value_or(Eigen::Vector3d::Zero());
   const Eigen::Vector3d tool = m.p_TQ.value_or(Eigen::Vector3d::Zero());
@@ -39,7 +39,7 @@ auto contentOf(const Measurement& m) {
                     conditions};
 }
 
-/// Reading with the same numbers as an earlier one.
+/// Index of a reading, and index of the earlier reading with the same values.
 struct Copy {
   std::size_t reading = 0, of = 0;
 };
@@ -52,8 +52,8 @@ std::vector<Copy> copiesIn(const std::vector<Measurement>& readings) {
   return copies;
 }
 
-/// Returns the step of the written coordinates [m]: the largest power of ten of their unit of which all are whole
-/// multiples.
+/// Returns the resolution of the written coordinates [m]: the largest power of ten of their unit of which all
+/// coordinates are whole multiples.
 double stepOfCoordinates(const CheckedReadings& checked) {
   constexpr double kCoarsest = 1, kFinest = 1e-7;
   for (double step = kCoarsest; step > kFinest; step /= 10) {
@@ -90,7 +90,8 @@ std::optional<MeasurementCheck> duplicates(const CheckedReadings& checked) {
 }
 
 std::optional<MeasurementCheck> takeCopiesOut(CheckedReadings& checked) {
-  // Step in sigmas below which equal coordinates are copies; two readings agree in all three in one of 10^4 cases.
+  // Resolution in sigmas below which equal coordinates indicate a copy; two separate readings agree in all three
+  // coordinates in one of 10^4 cases.
   constexpr double kFine = 0.1;
   const double step = stepOfCoordinates(checked);
   auto copies = copiesIn(checked.readings);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kTo = "..";
 
-/// Returns the index of a reading; the number of readings if there is none with this id.
+/// Returns the index of the reading with this id; the number of readings if there is none.
 std::size_t placeOf(const std::vector<Measurement>& readings, const std::string& id) {
   return static_cast<std::size_t>(std::ranges::find(readings, id, &Measurement::id) - readings.begin());
 }

@@ -1,4 +1,5 @@
-// Mistakes of some of the readings: from one of them on, "VALUE@READING", or of a run, "FIRST..LAST".
+// Mistakes of some of the readings: from one reading on, written "VALUE@READING", or of consecutive readings, written
+// "FIRST..LAST".
 #pragma once
 
 #include <functional>
@@ -12,33 +13,35 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the value, and the reading from which on it holds; no reading if it holds for all.
+/// Splits "VALUE@READING" into the value and the id of the reading from which on it applies; nullopt instead of the id
+/// if the value applies to all readings.
 [[nodiscard]] std::pair<std::string, std::optional<std::string>> partedAtReading(const std::string& value);
 
-/// Returns the ids of a reading and of all following ones; empty if there is no such reading.
+/// Returns the ids of reading `id` and of all following readings; empty if there is no such reading.
 [[nodiscard]] std::set<std::string> idsFrom(const std::vector<Measurement>& readings, const std::string& id);
 
-/// Consecutive readings, by their indices.
+/// Consecutive readings, given by the indices of the first and the last.
 struct Run {
   std::size_t first = 0, last = 0;
 };
 
-/// Returns the run named by "FIRST..LAST"; nothing if one is no reading, or if the last comes before the first.
+/// Returns the run named by "FIRST..LAST"; nullopt if one of the two ids does not exist, or if LAST precedes FIRST.
 [[nodiscard]] std::optional<Run> runNamed(const std::vector<Measurement>& readings, const std::string& text);
 
-/// Returns the name "FIRST..LAST" of a run.
+/// Returns the text "FIRST..LAST" for a run of readings.
 [[nodiscard]] std::string textOf(const Run& run, const std::vector<Measurement>& readings);
 
 [[nodiscard]] std::set<std::string> idsOf(const Run& run, const std::vector<Measurement>& readings);
 
-/// Returns the id itself if it is a reading, or the ids of the run "FIRST..LAST"; empty if there is neither.
+/// Returns the set with `text` alone if `text` is the id of a reading, or the ids of the run "FIRST..LAST"; empty if
+/// neither applies.
 [[nodiscard]] std::set<std::string> idsNamed(const std::vector<Measurement>& readings, const std::string& text);
 
-/// Returns the change limited to the readings of these ids. The change must not remove readings.
+/// Returns a change that applies `change` only to the readings with these ids. `change` must not remove readings.
 [[nodiscard]] std::function<void(std::vector<Measurement>&)> changeOf(
     std::set<std::string> ids, std::function<void(std::vector<Measurement>&)> change);
 
-/// Returns the correction `whole` limited to the readings from `id` on; nothing if there is no such reading.
+/// Returns the correction `whole`, limited to the readings from `id` on; nullopt if there is no such reading.
 [[nodiscard]] std::optional<Mend> fromReading(const CheckedReadings& checked, Mend whole, const std::string& id);
 
 }  // namespace tubeplan::calibration

@@ -14,18 +14,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFallByGravity = 5;    // least fall of the error that another direction must explain
-constexpr double kAboveNoise = 5;       // least ratio of the error to the noise
-constexpr double kSameDirection = 0.9;  // cosine above which a direction counts as the stated one
-// Fall of the error at the best of the first directions, above which the search continues.
+constexpr double kFallByGravity = 5;    // least factor by which another direction must reduce the error
+constexpr double kAboveNoise = 5;       // least ratio of the error to the noise for a search
+constexpr double kSameDirection = 0.9;  // cosine above which two directions count as equal
+// Factor of error reduction by the best of the first directions above which the search continues.
 constexpr double kPromisingFall = 1.3;
-constexpr double kClear = 2;       // least ratio of the errors a fifth of a right angle away to the least error
-constexpr double kNearAxis = 1.5;  // greatest ratio of the error along a world axis to the least error
-constexpr double kFirstLean = 0.35, kLastLean = 0.004, kAway = 0.3;  // [rad]
+constexpr double kClear = 2;  // least ratio of the error at an angle of kAway to the least error
+// Greatest ratio of the error along a world axis to the least error, for which the axis is chosen.
+constexpr double kNearAxis = 1.5;
+// First and last step of the search, and angle of the comparison with other directions [rad].
+constexpr double kFirstLean = 0.35, kLastLean = 0.004, kAway = 0.3;
 
 struct TriedDirection {
   Vector3d gravity_W = Vector3d::Zero();
-  double error = std::numeric_limits<double>::infinity();  // [m]
+  double error = std::numeric_limits<double>::infinity();  // error with this direction [m]
   Trial trial = {};
 };
 
@@ -42,7 +44,7 @@ bool isWritten(const MistakeTrials& trials, const Vector3d& gravity_W) {
   return gravity_W.dot(trials.checked().start.arm.gravity_W) > kSameDirection;
 }
 
-/// Returns the best direction along the axes of the world and between two or three of them.
+/// Returns the best direction among the world's axes and their diagonals, except those near the stated direction.
 TriedDirection bestOfFew(const MistakeTrials& trials) {
   TriedDirection best;
   for (int x = -1; x <= 1; ++x)
@@ -55,7 +57,7 @@ TriedDirection bestOfFew(const MistakeTrials& trials) {
   return best;
 }
 
-/// Returns the directions at this angle to four sides [rad].
+/// Returns the four directions at this angle [rad] to `gravity_W`, on four sides of it, with their fits.
 std::vector<TriedDirection> around(const MistakeTrials& trials, const Vector3d& gravity_W, double angle) {
   const Vector3d across = gravity_W.unitOrthogonal(), other = gravity_W.cross(across);
   std::vector<TriedDirection> tried;
@@ -68,8 +70,8 @@ TriedDirection leastAround(const MistakeTrials& trials, const TriedDirection& fr
   return std::ranges::min(around(trials, from.gravity_W, angle), {}, &TriedDirection::error);
 }
 
-/// Moves to a better side as long as there is one, with steps that are halved otherwise; then to the nearest axis of
-/// the world if it is as good.
+/// Moves to a better neighbouring direction as long as there is one, and halves the step otherwise. Finally chooses the
+/// nearest axis of the world if it fits about as well.
 TriedDirection settled(const MistakeTrials& trials, TriedDirection best) {
   for (double step = kFirstLean; step > kLastLean;)
     if (const auto next = leastAround(trials, best, step); next.error < best.error)

@@ -22,17 +22,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kLooked = 20;        // readings in the quick comparison
-constexpr std::size_t kMostTogether = 16;  // hypotheses that are returned
-constexpr int kMostSigns = 8;              // joints for which all sets of signs are tried
-constexpr int kMostOrdered = 7;            // joints for which all orders are tried
-constexpr double kNearer = 0.25;           // least fall of the mean logarithm of the errors by each correction
-constexpr double kByWeights = 0.5;         // part of the same that weights may contribute
-constexpr std::size_t kMostSettled = 100;  // hypotheses whose zeros are refined between the tried ones
-constexpr double kZerosApart = std::numbers::pi / 12;  // [rad] range on either side of a tried zero
-constexpr int kZeroSteps = 10;                         // golden-section steps
+constexpr std::size_t kLooked = 20;        // most readings in the quick comparison
+constexpr std::size_t kMostTogether = 16;  // most hypotheses that are returned
+constexpr int kMostSigns = 8;              // most joints for which all sets of signs are tried
+constexpr int kMostOrdered = 7;            // most joints for which all orders are tried
+constexpr double kNearer = 0.25;           // least decrease of the mean log error due to each correction
+constexpr double kByWeights = 0.5;         // further decrease of the mean log error that robust weights may contribute
+constexpr std::size_t kMostSettled = 100;  // most hypotheses whose zeros are refined between the tried values
+constexpr double kZerosApart = std::numbers::pi / 12;  // range on either side of a tried zero [rad]
+constexpr int kZeroSteps = 10;                         // number of golden-section steps
 
-/// One mistake, or several joints with a reversed sign, with the corrected readings.
+/// Corrections for one mistake, or for a set of joints, with the readings corrected for them.
 struct TriedQuickly {
   JoinedMends mends;
   std::vector<Measurement> readings;
@@ -41,11 +41,12 @@ struct TriedQuickly {
   bool turns_joints = false;
 };
 
-/// One of the tried mistakes, or two.
+/// One of the tried corrections alone, or two of them in sequence.
 struct Likely {
   const TriedQuickly *first = nullptr, *then = nullptr;
   double score = 0;
-  JoinedMends settled = {};  ///< corrections with the zeros that bring the readings nearest
+  /// Corrections with refined zeros that bring the readings closest to the drawing; empty: not refined.
+  JoinedMends settled = {};
 
   [[nodiscard]] JoinedMends mends() const {
     if (!settled.empty()) return settled;
@@ -65,7 +66,8 @@ bool freeBase(const JoinedMends& mends) {
   return std::ranges::any_of(mends, [](const Mend& mend) { return mend.frees_base; });
 }
 
-/// Returns "joint-zero:3" for a zero, whose value is refined later, and the assumption for others.
+/// Returns a key that identifies the corrections: "joint-zero=3," for a zero, whose value is refined later, and the
+/// full assumption for other corrections.
 std::string keyOf(const JoinedMends& mends) {
   std::string key;
   for (const Mend& mend : mends)
@@ -81,7 +83,8 @@ class JoinedSearch {
     for (const auto& reading : pool.readings)
       if (statesPlace(reading) && pool.counted_quickly.contains(reading.id) && ids_.size() < kLooked)
         ids_.insert(reading.id);
-    // Neighbours are kept until the first correction is applied, since it may move measured values between rows.
+    // Neighbouring readings are kept until the first correction is applied, since it may move measured values between
+    // rows.
     for (std::size_t k = 0; k < pool.readings.size(); ++k) {
       const auto is_looked = [&](std::size_t near) {
         return near < pool.readings.size() && ids_.contains(pool.readings[near].id);
@@ -109,7 +112,7 @@ class JoinedSearch {
   }
 
  private:
-  /// Applies the corrections to the readings and all their neighbours, and scores the result.
+  /// Applies the corrections to the readings and all their neighbours, and scores the compared readings.
   TriedQuickly looked(JoinedMends mends) {
     TriedQuickly one{std::move(mends), near_, {}, 0, false};
     for (const Mend& mend : one.mends) mend.change(one.readings);
@@ -133,7 +136,7 @@ class JoinedSearch {
     lookAtSigns();
   }
 
-  /// Tries all sets of two or more joints with a reversed sign.
+  /// Tries all sets of two or more joints with reversed signs.
   void lookAtSigns() {
     const CheckedReadings& checked = trials_.checked();
     const auto joints = mistakes::joint_sign::values(checked);
@@ -147,7 +150,7 @@ class JoinedSearch {
     for (const TriedQuickly& signs : sets_of_signs_) found_.push_back({&signs, nullptr, signs.score});
   }
 
-  /// Tries the scales of several joints that read farther than any joint turns.
+  /// Tries scales for all joints whose readings exceed the range of any real joint, if there are at least two.
   void lookAtScales() {
     const CheckedReadings& checked = trials_.checked();
     const auto joints = mistakes::joint_scale::jointsBeyondTurns(checked);
@@ -160,7 +163,7 @@ class JoinedSearch {
     for (const TriedQuickly& scales : scales_) found_.push_back({&scales, nullptr, scales.score});
   }
 
-  /// Tries all orders of the joints' columns except two exchanged alone, which is a single mistake.
+  /// Tries all permutations of the joints' columns, except an exchange of only two columns, which is a single mistake.
   void lookAtOrders() {
     const CheckedReadings& checked = trials_.checked();
     const auto& arm = checked.start.arm;
@@ -223,8 +226,8 @@ class JoinedSearch {
     found_.resize(kKept);
   }
 
-  /// Refines the zeros of the most promising hypotheses to where the readings are nearest, since tried zeros are far
-  /// between.
+  /// Refines the zeros of the most promising hypotheses to the values that bring the readings closest to the drawing,
+  /// since tried zeros are widely spaced.
   void settleZeros() {
     std::ranges::stable_sort(found_, {}, &Likely::score);
     std::set<std::string> keys;
@@ -256,7 +259,7 @@ class JoinedSearch {
     return alignment_.score(tried.readings, alignment_.tips(tried.readings), {.frees_base = freeBase(tried.mends)});
   }
 
-  /// Returns the best additional offset of a joint's zero by golden-section search [rad].
+  /// Returns the best additional offset of a joint's zero [rad], by golden-section search.
   double bestShift(const TriedQuickly& tried, int joint) {
     const auto scoreAt = [&](double shift) {
       TriedQuickly shifted = tried;

@@ -1,5 +1,5 @@
-// Mistake of a joint whose reading contains another joint's, as on controllers that show the elbow relative to the
-// horizontal, or with a parallel linkage. The arm file's theta3 is then theta3 - theta2 of the readings.
+// Mistake: the reading of a joint contains the angle of another joint, as on controllers that show the elbow relative
+// to the horizontal, or with a parallel linkage. The arm file's theta3 is then theta3 - theta2 of the readings.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,8 @@
 
 namespace tubeplan::calibration::mistakes::joint_coupling {
 
-/// Returns the sum and the difference with every other revolute joint, neighbours first.
+/// Returns the sum and the difference of every revolute joint with every other revolute joint, neighbouring joints
+/// first.
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   const auto& arm = checked.start.arm;
   std::vector<std::string> texts;

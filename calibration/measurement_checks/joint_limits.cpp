@@ -17,22 +17,22 @@ namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
 
-/// Returns the unit of a joint's column, as far as it is known.
+/// Returns the unit of a joint's column; the common unit of angles or coordinates if no unit is known for the column.
 NamedUnit columnUnitOf(const CheckedReadings& checked, int joint) {
   const auto& units = checked.units;
   if (static_cast<std::size_t>(joint) < units.joints.size()) return units.joints[static_cast<std::size_t>(joint)];
   return checked.start.arm.joint(joint).type == deflection::JointType::kRevolute ? units.angles : units.coordinates;
 }
 
-/// Returns the distance of a reading beyond a limit [rad or m]; negative within both.
+/// Returns the distance of a reading beyond the nearer limit [rad or m]; negative within both limits.
 double pastLimit(const deflection::Joint<double>& joint, double q) {
   return std::max(joint.lower - q, q - joint.upper);
 }
 
-/// Returns the distance that a joint's noise explains [rad or m].
+/// Returns the distance beyond a limit that a joint's noise explains [rad or m].
 double usualNoiseOf(const deflection::Joint<double>& joint) { return 1e-9 + 5 * joint.encoder_sigma; }
 
-/// Returns the indices of readings beyond a joint's limits; empty unless a turn brings all of them within.
+/// Returns the indices of readings beyond a joint's limits; empty unless a turn brings all of them within the limits.
 std::vector<std::size_t> readingsToUnwind(const CheckedReadings& checked, int j) {
   const auto& joint = checked.start.arm.joint(j);
   std::vector<std::size_t> past;
@@ -48,7 +48,7 @@ std::vector<std::size_t> readingsToUnwind(const CheckedReadings& checked, int j)
 }  // namespace
 
 bool isPastLimit(const deflection::Joint<double>& joint, double q) {
-  constexpr double kHair = 1e-3;  // share of the range
+  constexpr double kHair = 1e-3;  // fraction of the joint's range
   const double range = joint.upper - joint.lower;
   return !(pastLimit(joint, q) <= std::max(usualNoiseOf(joint), std::isfinite(range) ? kHair * range : 0));
 }

@@ -1,4 +1,4 @@
-// Joint readings beyond their limits: by whole turns, which change no pose, or by a very small amount.
+// Joint readings beyond their limits: by whole turns, which do not change the pose, or by a very small amount.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,20 @@
 
 namespace tubeplan::calibration {
 
-/// Returns true if a joint's reading [rad or m] is beyond a limit by more than its noise and a thousandth of the range.
-/// Limits are rounded, and a joint at its stop may read slightly more.
+/// Returns true if a joint's reading `q` [rad or m] is beyond a limit by more than its noise and a thousandth of the
+/// range. Limits are rounded, and a joint at its stop may read slightly more.
 [[nodiscard]] bool isPastLimit(const deflection::Joint<double>& joint, double q);
 
-/// Returns the reading moved by a whole turn into both limits [rad]; nothing if it is still outside or the joint is a
-/// slide.
+/// Returns the reading [rad] moved by one whole turn, if it is then within both limits; nullopt otherwise, and for a
+/// prismatic joint.
 [[nodiscard]] std::optional<double> oneTurnBack(const deflection::Joint<double>& joint, double q);
 
 /// Returns a remark on readings that are beyond a limit by more than their noise but accepted by isPastLimit().
 [[nodiscard]] std::optional<MeasurementCheck> hairPastLimits(const CheckedReadings& checked);
 
-/// Moves readings beyond their limits by a turn, for joints where this brings all of them within: encoders read 0 to
-/// 360 deg, while the limits are -180 and 180. Returns nothing if there is no such joint.
+/// Moves readings beyond the limits of a joint by one turn, if this brings all of these readings within the limits. An
+/// example is an encoder that reads 0 to 360 deg with limits of -180 and 180 deg. Returns nullopt if there is no such
+/// joint.
 std::optional<MeasurementCheck> unwindJoints(CheckedReadings& checked);
 
 }  // namespace tubeplan::calibration

@@ -1,5 +1,5 @@
-// Mistake of two exchanged joint columns, or of several in a ring: the column of each contains the readings of the next
-// one, that of the last those of the first.
+// Mistake: two joint columns are exchanged, or several are permuted cyclically. The column of each joint of the cycle
+// contains the readings of the next joint; the last column contains the readings of the first joint.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace tubeplan::calibration::mistakes::joint_order {
 
-/// Returns all pairs of joints; larger rings are tried in joined_mistakes.cpp.
+/// Returns all pairs of joints of the same type; longer cycles are tried in joined_mistakes.cpp.
 inline std::vector<std::string> values(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   const auto& arm = checked.start.arm;
@@ -20,7 +20,8 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Returns the joints between colons; empty if one is unknown or repeated, or if there are fewer than two.
+/// Returns the indices of the joints named between colons; empty if a joint is unknown or repeated, or if there are
+/// fewer than two.
 inline std::vector<int> ringOf(const deflection::Arm& arm, const std::string& value) {
   std::vector<int> ring;
   for (const std::string& name : partedAt(':', value)) {
@@ -57,7 +58,7 @@ inline std::optional<Mend> mend(const CheckedReadings& checked, const std::strin
   return mend;
 }
 
-/// Returns the rings of an order of all joints, in which each column contains the readings of joint `order[column]`.
+/// Returns the cycles of a permutation of all joints, in which column `k` contains the readings of joint `order[k]`.
 inline std::vector<Mend> ringsOf(const CheckedReadings& checked, const std::vector<int>& order) {
   std::vector<Mend> rings;
   std::vector<bool> is_seen(order.size(), false);

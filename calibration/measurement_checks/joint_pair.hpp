@@ -1,5 +1,5 @@
-// Mistake of a differential's motors logged in place of two joints: each column is a mixture of both joints, as their
-// sum and difference.
+// Mistake: the motors of a differential were logged instead of two joints. Each column then contains a mixture of both
+// joints, such as their sum and difference.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,13 +12,13 @@
 
 namespace tubeplan::calibration::mistakes::joint_pair {
 
-/// Two joints whose readings are `shares` times those of their columns.
+/// Two joints whose readings are the matrix `shares` times the values in their columns.
 struct Pair {
   int first = -1, second = -1;
   Eigen::Matrix2d shares = Eigen::Matrix2d::Zero();
 };
 
-/// Returns the joints and the four shares between colons, row by row; nothing if the text has another form.
+/// Returns the two joints and the four coefficients between colons, row by row; nullopt if the text has another form.
 inline std::optional<Pair> pairOf(const deflection::Arm& arm, const std::string& value) {
   std::size_t names = value.size();
   for (int k = 0; k < 4 && names > 0 && names != std::string::npos; ++k) names = value.rfind(':', names - 1);
@@ -33,9 +33,9 @@ inline std::optional<Pair> pairOf(const deflection::Arm& arm, const std::string&
   return is_pair && std::abs(pair.shares.determinant()) > 1e-9 ? std::optional(pair) : std::nullopt;
 }
 
-/// Returns values for neighbouring revolute joints as sum and difference. Either joint may be the sum, and either motor
-/// may come first in the difference. `sizes` are the tried shares: halves if the motors turn by the sum of the joints,
-/// ones if they turn by half of it.
+/// Returns values for neighbouring revolute joints as sum and difference. Each joint may be the sum, and each motor may
+/// come first in the difference. `sizes` are the tried magnitudes of the coefficients: one half if the motors turn by
+/// the sum of the joints, one if they turn by half of this sum.
 inline std::vector<std::string> valuesOf(const CheckedReadings& checked, const std::vector<double>& sizes) {
   static constexpr std::array<std::array<int, 4>, 4> kSigns{
       {{1, 1, 1, -1}, {1, 1, -1, 1}, {1, -1, 1, 1}, {-1, 1, 1, 1}}};
@@ -53,7 +53,7 @@ inline std::vector<std::string> valuesOf(const CheckedReadings& checked, const s
 inline std::vector<std::string> values(const CheckedReadings& checked) { return valuesOf(checked, {0.5, 1}); }
 inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) { return valuesOf(checked, {0.5}); }
 
-/// Returns a mixture as text: "0.5 J5 - 0.5 J6", "J5 - J6".
+/// Returns a mixture of two joints as text, such as "0.5 J5 - 0.5 J6" or "J5 - J6".
 inline std::string mixtureText(const Eigen::RowVector2d& shares, const std::string& first, const std::string& second) {
   const auto term = [](double size, const std::string& name) {
     return size == 1 ? name : fmt::format("{:g} {}", size, name);
@@ -62,7 +62,8 @@ inline std::string mixtureText(const Eigen::RowVector2d& shares, const std::stri
          term(std::abs(shares[1]), second);
 }
 
-/// Returns the direction of a mixture's last motion; 0 if its parts move it in different directions.
+/// Returns the direction of a mixture's last motion, from the directions of both joints; 0 if their
+/// contributions disagree in direction.
 inline int senseOf(const Eigen::RowVector2d& shares, int first, int second) {
   const auto sign = [](double number) { return (number > 0) - (number < 0); };
   const int a = sign(shares[0]) * first, b = sign(shares[1]) * second;

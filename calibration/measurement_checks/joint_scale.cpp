@@ -14,14 +14,15 @@ namespace tubeplan::calibration::mistakes::joint_scale {
 
 namespace {
 
-constexpr double kTurns = 2.5;               // most turns of a joint without a mistake, if its limits do not allow more
-constexpr double kLeastMotion = 0.2;         // least motion of a usable joint among readings [rad]
-constexpr int kScales = 400;                 // scales tried of each sign, in equal ratios
-constexpr int kFiner = 40;                   // golden-section steps
-constexpr std::size_t kMostScaled = 60;      // readings in the comparison
-constexpr double kCoarse = 1, kFine = 0.01;  // shares of the error that counts as zero
+constexpr double kTurns = 2.5;           // most turns of a real joint, if its limits do not allow more
+constexpr double kLeastMotion = 0.2;     // least range of motion of a usable joint among the readings [rad]
+constexpr int kScales = 400;             // number of scales tried for each sign, in a geometric series
+constexpr int kFiner = 40;               // number of golden-section steps
+constexpr std::size_t kMostScaled = 60;  // most readings in the comparison
+// Values of QuickAlignmentOptions::share: in the series, and in its refinement.
+constexpr double kCoarse = 1, kFine = 0.01;
 
-/// Returns the best of a range of factors of one sign, refined near it.
+/// Returns the best of a series of factors of one sign, refined between its neighbours.
 double bestFactor(ScaledReadings& scaled, double from, double to) {
   const double ratio = std::pow(to / from, 1. / kScales);
   double best = from, least_score = std::numeric_limits<double>::infinity();
@@ -34,7 +35,7 @@ double bestFactor(ScaledReadings& scaled, double from, double to) {
 std::vector<std::string> valuesOf(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   const auto joints = jointsBeyondTurns(checked);
-  if (joints.size() != 1) return texts;  // likelyScales() finds those of several joints together
+  if (joints.size() != 1) return texts;  // likelyScales() finds the scales of several joints together
   const int joint = joints.front();
   const JointRange range = rangeOf(checked, joint);
   const auto& limits = checked.start.arm.joint(joint);

@@ -1,4 +1,4 @@
-// Mistake of a joint with the reversed sign.
+// Mistake: a joint is read with reversed sign.
 #pragma once
 
 #include "calibration/measurement_checks/mistake.hpp"

@@ -1,11 +1,11 @@
-// Mistake of one joint in another unit than stated by its column: one column in radians among those in degrees.
+// Mistake: one joint is in another unit than its column states, such as one column in radians among columns in degrees.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"
 
 namespace tubeplan::calibration::mistakes::joint_unit {
 
-/// Returns the possible units of a joint's column.
+/// Returns the units that a joint's column may have.
 inline const std::vector<NamedUnit>& unitsOf(const CheckedReadings& checked, int joint) {
   const bool turns = checked.start.arm.joint(joint).type == deflection::JointType::kRevolute;
   return turns ? checked.units.angle_units : checked.units.lengths;

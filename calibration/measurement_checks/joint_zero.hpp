@@ -1,5 +1,5 @@
-// Mistake of a joint whose zero differs from the drawing by more than any misadjustment: homed to another mark, or a
-// quarter turn off.
+// Mistake: the zero of a joint differs from the drawing by more than any misadjustment, since the joint was homed to
+// another mark or is a quarter turn off.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,15 +14,15 @@
 
 namespace tubeplan::calibration::mistakes::joint_zero {
 
-/// Least error of a zero that is a mistake and not a misadjustment [rad]: five times the prior sigma of a joint's
-/// offset.
+/// Least error of a zero that counts as a mistake and not as a misadjustment [rad]: five times the prior sigma of a
+/// joint's offset.
 inline constexpr double kLeast = 0.1;
 
 inline std::string textOf(const CheckedReadings& checked, int joint, double offset) {
   return fmt::format("{}:{:.6g}", checked.start.arm.joint(joint).name, offset / checked.units.angles.factor);
 }
 
-/// Returns the offset that a value adds to its joint's readings [rad].
+/// Returns the offset [rad] that the value "JOINT:ANGLE" adds to the joint's readings.
 inline double zeroOf(const CheckedReadings& checked, const std::string& value) {
   return tubesheets::parseNumber(partedAtColon(value).second).value_or(0) * checked.units.angles.factor;
 }
@@ -36,7 +36,8 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Returns offsets in steps of 30 deg, with 15 deg as well; the actual zero is found from the nearest of them.
+/// Returns offsets at multiples of 30 deg and at 15 deg, both signs. The actual zero is refined from the nearest
+/// offset.
 inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
   std::vector<std::string> texts;
   for (const int j : turningJoints(checked.start.arm))
@@ -45,7 +46,8 @@ inline std::vector<std::string> valuesBeside(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Returns a reading beyond its joint's limits moved by whole turns into both [rad]; unchanged if that is not possible.
+/// Returns a reading [rad] moved by whole turns to within its joint's limits; unchanged if that is not possible or not
+/// necessary.
 inline double wound(const deflection::Joint<double>& joint, double q) {
   if (!isPastLimit(joint, q)) return q;
   constexpr double kTurn = 2 * std::numbers::pi;

@@ -1,4 +1,4 @@
-// Mistake of hung loads in another unit than stated by their column: newtons, kilograms or pounds.
+// Mistake: hung loads are in another unit than their column states: newtons, kilograms or pounds.
 #pragma once
 
 #include <algorithm>

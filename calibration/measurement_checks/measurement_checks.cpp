@@ -23,7 +23,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Possible unit of sigma with chi-square nearest to that of noise alone.
+/// Unit of sigma for which chi-square is closest to that of noise alone.
 struct SigmaUnit {
   Mend mend;
   double chi2_per_freedom = kNoFigure;
@@ -47,11 +47,13 @@ std::optional<SigmaUnit> likeliestSigma(const MistakeTrials& trials, bool is_sma
 void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& checks) {
   const CheckedReadings& checked = trials.checked();
   const Trial& as_is = trials.asIs();
-  // Chi-square per degree of freedom below which the readings agree more than five times better.
+  // Chi-square per degree of freedom below which the readings agree more than five times better than their noise
+  // allows.
   constexpr double kFarBelow = 1. / 30;
-  // Factor of agreement for chi-square per degree of freedom, as precise as sigmas are known.
+  // Factor within which chi-square per degree of freedom agrees with noise, given the usual precision of sigmas.
   constexpr double kAgrees = 5;
-  constexpr double kFinest = 2e-7;  // share of the arm's reach: interferometers measure a machine to 0.5 um in a metre
+  // Least credible sigma relative to the arm's reach: interferometers measure a machine to 0.5 um in a metre.
+  constexpr double kFinest = 2e-7;
   constexpr std::size_t kFew = 6;
   std::vector<double> sigmas;
   for (const auto& reading : checked.readings) sigmas.push_back(reading.sigma);
@@ -76,18 +78,18 @@ void checkSigma(const MistakeTrials& trials, std::vector<MeasurementCheck>& chec
   checks.push_back(std::move(check));
 }
 
-/// Returns true if the fitted base is far from any mounting in a cell with a sheet. Without a sheet the nominal place
-/// is only a start.
+/// Returns true if the fitted base is farther than any mounting from its nominal place, in a cell with a sheet. Without
+/// a sheet the nominal place is only a start value.
 bool isElsewhere(const MistakeTrials& trials) {
-  constexpr double kTurned = 0.8;  // [rad] a base with this rotation, and a shift, faces another way
+  constexpr double kTurned = 0.8;  // least rotation [rad] of a base that, if also shifted far, faces another way
   const Trial& as_is = trials.asIs();
   return trials.checked().sheet && trials.hasPlaces() &&
          (as_is.base_shift > trials.reach() ||
           (as_is.base_turn > kTurned && as_is.base_shift > kFarShift * trials.reach()));
 }
 
-/// Adds a remark on the distance of the base from its nominal place, if it is far or if a miscounted row or column
-/// explains it.
+/// Adds a remark on the base's distance from its nominal place, if this distance is large or if a miscounted row or
+/// column of holes explains it.
 void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& checks) {
   const CheckedReadings& checked = trials.checked();
   const Trial& as_is = trials.asIs();
@@ -118,15 +120,15 @@ void checkBase(const MistakeTrials& trials, std::vector<MeasurementCheck>& check
   checks.push_back(std::move(check));
 }
 
-/// Returns true if the mistake leaves no more than a few times the noise, with the base near its stated place.
+/// Returns true if the mistake leaves no more than a few times the noise, with the base near its nominal place.
 bool leavesNothing(const MistakeTrials& trials, const FoundMistake& mistake) {
   constexpr double kAboveNoise = 5;
   return mistake.drawn.error < kAboveNoise * trials.noise({}) && !trials.isBaseFar(mistake.drawn);
 }
 
 /// Returns the mistake or the gravity direction, whichever fits the readings better. Both may fit: exchanged axes
-/// rotate an unknown base, and gravity with it in the base frame. Then the one with the base near its nominal place is
-/// named, with the other in its sentence.
+/// rotate an unknown base, and gravity with it in the base frame. In this case the finding whose base is near the
+/// nominal place is named; its sentence mentions the other finding.
 MeasurementCheck likelier(const MistakeTrials& trials, FoundMistake mistake, FoundMistake gravity) {
   constexpr double kClearly = 2;
   if (mistake.drawn.error > kClearly * gravity.drawn.error) return std::move(gravity.check);
@@ -141,7 +143,7 @@ MeasurementCheck likelier(const MistakeTrials& trials, FoundMistake mistake, Fou
   return std::move(named.check);
 }
 
-/// Returns the mistake that concerns all readings, or another direction of gravity; nothing if there is neither.
+/// Returns a mistake that concerns all readings, or another direction of gravity; nullopt if neither is found.
 std::optional<MeasurementCheck> mistakeOrGravity(const MistakeTrials& trials) {
   auto found = findMistake(trials);
   const bool is_mistake = found && found->check.severity == CheckSeverity::kMistake;

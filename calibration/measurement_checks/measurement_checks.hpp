@@ -1,18 +1,18 @@
-// Checks of readings before any physical effect is considered: common mistakes (mistake.hpp), tried one by one.
+// Checks of readings before any physical effect is considered: common mistakes (mistake.hpp) are tried one by one.
 //
 // Method. Readings are fitted twice, as stated and as corrected for the mistake. One fit uses the drawing alone, with
-// the base if unknown and the tip free; it gives the error in metres. The other frees all that the drawing leaves open
-// and every stiffness within its priors, with a prior of the base about its nominal place; it gives the probability
-// (robust_fit.hpp). A mistake is suspected if both support it:
-// - The error by the drawing falls to a third or less. A physical effect follows its own law and is not removed by
-//   another unit, sign or order. A wrong hypothesis may remove some of its error by chance, but not two thirds in all
-//   rows and directions.
-// - The odds by the fit with priors, of mistake against none, are above a million to one. This outweighs that mistakes
-//   are rare and that a hundred are tried. Anything that the priors allow (5 mm, 20 mrad, softer or stiffer parts) is
-//   thereby no mistake.
+// the tip free, and the base as well if it is unknown; this fit gives the error in metres. The other fit frees all
+// parameters that the drawing leaves open, and every stiffness, within their priors, with a prior of the base about its
+// nominal place; this fit gives the probability (robust_fit.hpp). A mistake is suspected if both fits support it:
+// - The error relative to the drawing falls to a third or less. A physical effect follows its own law and is not
+//   removed by another unit, sign or order. A wrong hypothesis may remove some of the error by chance, but not two
+//   thirds of it in all rows and directions.
+// - The odds of the mistake against no mistake, from the fit with priors, are above a million to one. Such odds allow
+//   for the facts that mistakes are rare and that a hundred are tried. An error that the priors allow (5 mm, 20 mrad,
+//   softer or stiffer members) is therefore not a mistake.
 //
 // A mistake is also reported if the fitted base is far from its nominal place (20 deg, a quarter of the reach) and the
-// mistake brings it back without a larger error. It is then a remark: the readings' errors do not require it.
+// mistake brings the base back without a larger error. This report is a remark: the readings' errors do not require it.
 #pragma once
 
 #include <cstdint>
@@ -38,9 +38,9 @@ struct MeasurementCheck {
   CheckSeverity severity = CheckSeverity::kRemark;
   std::string sentence;
   double error_as_is = kNoFigure;      ///< error of the readings as stated [m]; NaN: the check does not concern errors
-  double error_if_mended = kNoFigure;  ///< error of the corrected readings [m]
-  std::string assume;                  ///< corresponding value of `--assume`; empty: none
-  std::vector<std::string> equally;    ///< further values of `--assume` that explain the readings as well
+  double error_if_mended = kNoFigure;  ///< error of the corrected readings [m]; NaN: the check does not concern errors
+  std::string assume;                  ///< value of `--assume` that corrects the mistake; empty: none
+  std::vector<std::string> equally;    ///< further values of `--assume` that explain the readings equally well
 };
 
 /// Returns a remark that does not concern errors.
@@ -48,21 +48,22 @@ struct MeasurementCheck {
   return {std::move(name), CheckSeverity::kRemark, std::move(sentence), kNoFigure, kNoFigure, std::move(assume), {}};
 }
 
-/// Missing column, with the effects that it would show.
+/// Missing column, with a sentence about the effects that it would show.
 struct MissingColumn {
   std::string column, sentence;
 };
 
 struct MeasurementChecks {
-  std::vector<MeasurementCheck> checks;  ///< mistakes first
+  std::vector<MeasurementCheck> checks;  ///< findings, mistakes before remarks
   std::vector<MissingColumn> missing;
   bool is_overruled = false;  ///< true: the user has stated that all readings count as they are
-  /// Shift [m] and rotation [rad] of the fitted base from the nominal one, the largest of all set-ups.
+  /// Shift [m] and rotation [rad] of the fitted base relative to its nominal pose; largest values over all set-ups.
   double base_shift = 0, base_turn = 0;
 };
 
 struct CheckOptions {
-  std::size_t most_readings = 100;  ///< number of readings that are used, drawn by the seed if there are more
+  /// Largest number of readings used; if there are more, a subset is drawn randomly with `seed`.
+  std::size_t most_readings = 100;
   std::uint64_t seed = 1;
   StopQuestion stop = {};
 };
@@ -70,7 +71,7 @@ struct CheckOptions {
 /// Checks the readings without changing them. Throws WorkStopped on a request to stop.
 [[nodiscard]] MeasurementChecks checkMeasurements(const CheckedReadings& checked, const CheckOptions& options = {});
 
-/// Returns the mistake that prevents any conclusion on the model; null if there is none.
+/// Returns the first mistake, which prevents any conclusion on the model; null if there is none.
 [[nodiscard]] const MeasurementCheck* grossMistake(const MeasurementChecks& checks);
 
 }  // namespace tubeplan::calibration

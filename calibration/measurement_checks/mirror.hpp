@@ -1,4 +1,4 @@
-// Mistake of coordinates with the sign of one axis reversed.
+// Mistake: the sign of one coordinate axis is reversed.
 #pragma once
 
 #include "calibration/measurement_checks/axes.hpp"

@@ -12,9 +12,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kFarOff = 0.02;       // share of the reach: an error beyond any tolerance of a drawing
-constexpr double kFallByRows = 5;      // least fall of the error that other rows must explain
-constexpr double kLeastTwist = 0.017;  // [rad] twist below which the sign cannot be judged
+constexpr double kFarOff = 0.02;       // error beyond any tolerance of a drawing, relative to the reach
+constexpr double kFallByRows = 5;      // least factor by which other rows must reduce the error
+constexpr double kLeastTwist = 0.017;  // twist [rad] below which its sign cannot be determined
 
 using Rows = std::vector<deflection::Row<double>>;
 
@@ -26,7 +26,8 @@ double errorAsIs(const MistakeTrials& trials) {
   return trials.asIs().ok ? trials.asIs().error : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the error of the counted readings with other rows, base and tip free [m]; infinite if they cannot be fitted.
+/// Returns the error of the counted readings with these rows, with base and tip free [m]; infinite if the readings
+/// cannot be fitted.
 double errorBy(const MistakeTrials& trials, Rows rows) {
   PlacedArm start = trials.checked().start;
   start.arm.rows = std::move(rows);

@@ -1,5 +1,5 @@
-// Mistakes in the transfer of Denavit-Hartenberg numbers into the arm's file: a standard table under the keys of the
-// modified one, or a twist with the reversed sign.
+// Mistakes in the transfer of Denavit-Hartenberg parameters into the arm's file: a standard table under the keys of the
+// modified convention, or a twist with reversed sign.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,13 @@
 
 namespace tubeplan::calibration {
 
-/// Returns a mistake if the readings are far off with the arm's rows but fit if these are read as standard rows.
-/// Returns nothing otherwise, or if the rows are standard already. The correction belongs into the arm's file.
+/// Returns a mistake if the readings are far off with the arm's rows but fit if the rows are read in the standard
+/// convention. Returns nullopt otherwise, or if the rows are in the standard convention already. The correction has to
+/// be made in the arm's file.
 [[nodiscard]] std::optional<MeasurementCheck> standardRows(const MistakeTrials& trials);
 
-/// Returns a mistake if the readings fit with the twist of one row, or of all rows, reversed in sign: the best one of
-/// these.
+/// Returns a mistake if the readings fit with the sign of one row's twist, or of all rows' twists, reversed: the
+/// variant with the least error. Returns nullopt if no variant fits.
 [[nodiscard]] std::optional<MeasurementCheck> negatedTwists(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

@@ -16,8 +16,8 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr std::size_t kFinalists = 8;
-constexpr double kLimitSlack = 0.05;    // distance beyond a joint's limit that is accepted [rad or m]
-constexpr double kShareOutside = 0.02;  // most readings beyond limits in a hypothesis, as a share
+constexpr double kLimitSlack = 0.05;    // accepted distance beyond a joint's limit [rad or m]
+constexpr double kShareOutside = 0.02;  // accepted fraction of readings beyond limits in a hypothesis
 
 class MistakeSearch {
  public:
@@ -40,7 +40,7 @@ class MistakeSearch {
   }
 
  private:
-  /// Returns the suspects with their fits of all that is open, without those that cannot be fitted.
+  /// Returns the suspects with fits of all open parameters, except suspects that cannot be fitted.
   std::vector<Suspect> examined(std::vector<Suspect> suspects) const {
     for (auto& suspect : suspects) {
       const double held_error = suspect.drawn.error;
@@ -52,13 +52,14 @@ class MistakeSearch {
     return suspects;
   }
 
-  /// Adds combinations of mistakes that explain the error, if each mistake is needed.
+  /// Adds those combinations of mistakes that explain the error and in which each mistake is needed.
   void addExplaining(std::vector<Suspect> several, std::vector<Suspect>& suspects) const {
     for (Suspect& suspect : several)
       if (judgement_.explainsError(suspect) && judgement_.isAllNeeded(suspect)) suspects.push_back(std::move(suspect));
   }
 
-  /// Returns steps in the readings as stated and, if `beside`, steps in the readings corrected for each suspect.
+  /// Returns steps in the readings as stated and, if `beside` is true, also steps in the readings corrected for each
+  /// suspect.
   std::vector<Suspect> withSteps(const std::vector<Suspect>& suspects, bool beside) const {
     std::vector<Suspect> begun;
     const auto add = [&](const JoinedMends& parts, const Mend& before, const Trial& open) {
@@ -77,7 +78,7 @@ class MistakeSearch {
     return begun;
   }
 
-  /// Returns the best suspect, with those that explain the readings as well.
+  /// Returns the best suspect as a finding, with the values of other suspects that explain the readings equally well.
   FoundMistake checkOf(std::vector<Suspect> suspects) const {
     Suspect& best = suspects.front();
     MeasurementCheck check;
@@ -96,8 +97,8 @@ class MistakeSearch {
     return {std::move(check), std::move(best.drawn)};
   }
 
-  /// Decides whether noise with the same wrong unit in its column is corrected as well. It is not if the readings agree
-  /// better with the stated noise, which may have been written separately.
+  /// Decides whether the noise is corrected as well if its column states the same wrong unit. The noise is not
+  /// corrected if the readings agree better with the stated noise, which may have been written separately.
   void settleSigma(Suspect& best, MeasurementCheck& check) const {
     if (!best.mend.change_sigma) return;
     Mend apart = best.mend;
@@ -111,7 +112,7 @@ class MistakeSearch {
     best.open = trial;
   }
 
-  /// Returns the number of readings with a joint beyond its limits.
+  /// Returns the number of readings with at least one joint beyond its limits.
   [[nodiscard]] std::size_t countOutside(const std::vector<Measurement>& readings) const {
     const auto& arm = trials_.checked().start.arm;
     return static_cast<std::size_t>(std::ranges::count_if(readings, [&](const Measurement& reading) {
@@ -122,8 +123,8 @@ class MistakeSearch {
     }));
   }
 
-  /// Returns true if the corrected readings have their joints within limits, or if the correction has no zeros and does
-  /// not move more readings beyond them.
+  /// Returns true if the corrected readings are within the joints' limits, or if the correction has no zeros and does
+  /// not move more readings beyond the limits.
   [[nodiscard]] bool isWithinLimits(const Mend& mend) const {
     auto readings = trials_.pool().readings;
     mend.apply(readings);
@@ -154,7 +155,7 @@ class MistakeSearch {
     return foremost(std::move(suspects));
   }
 
-  /// Adds a hypothesis with its fit by the drawing, unless it is invalid or already tried.
+  /// Adds a hypothesis with its fit relative to the drawing, unless it is invalid or already tried.
   void screen(JoinedMends tried, std::vector<Suspect>& suspects) const {
     auto parts = withZerosFound(trials_, std::move(tried));
     if (!parts) return;
@@ -168,7 +169,7 @@ class MistakeSearch {
     if (trial.ok) suspects.push_back({std::move(*parts), std::move(mend), std::move(trial), {}});
   }
 
-  /// Returns the suspects with the best fit by the drawing.
+  /// Returns the suspects that fit best relative to the drawing.
   std::vector<Suspect> foremost(std::vector<Suspect> suspects) const {
     const std::size_t kept = std::min(kFinalists, suspects.size());
     std::partial_sort(suspects.begin(), suspects.begin() + static_cast<std::ptrdiff_t>(kept), suspects.end(),
@@ -184,9 +185,10 @@ class MistakeSearch {
     return -3 * static_cast<double>(trials_.pool().counted_quickly.size()) * std::log(trials_.shrinkage(trial));
   }
 
-  /// Sets the two errors with the greatest fall: by the drawing, with the tip as drawn, or with all that is open. If a
-  /// part of the readings is corrected, those of all readings count as well, since the others may omit this part. A fit
-  /// with as many numbers as the readings have gives no error, and no error is stated below the noise.
+  /// Sets the errors as stated and as corrected at the depth where they differ most: relative to the drawing, with the
+  /// tip as drawn, or with all open parameters free. If only some readings are corrected, the errors of all readings
+  /// are considered as well, since the best nine tenths may not include the corrected readings. A fit with as many
+  /// parameters as measured values yields no error, and no error is stated below the noise.
   void stateErrors(const Suspect& best, MeasurementCheck& check) const {
     struct Fall {
       TrialDepth depth;

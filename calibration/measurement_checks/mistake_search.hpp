@@ -1,5 +1,5 @@
-// Search for the common mistake that explains the error of readings, or the place of a base: every form of every kind
-// is tried quickly, and the best few with all that the drawing leaves open.
+// Search for the common mistake that explains the readings' error or the base's displacement. Every value of every kind
+// of mistake is tried quickly; the best few are then fitted with all parameters free that the drawing leaves open.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,17 @@
 
 namespace tubeplan::calibration {
 
-/// Mistake, with the fit of the corrected readings by the drawing.
+/// Mistake, with the fit of the corrected readings relative to the drawing.
 struct FoundMistake {
   MeasurementCheck check;
   Trial drawn;
 };
 
-/// Returns the mistake that explains most, with those that explain as much; nothing if there is no error to explain, or
-/// none explains it. Throws WorkStopped on a request to stop.
+/// Returns the mistake that explains most, with the values of mistakes that explain as much. Returns nullopt if there
+/// is no error to explain, or if no mistake explains it. Throws WorkStopped on a request to stop.
 [[nodiscard]] std::optional<FoundMistake> findMistake(const MistakeTrials& trials);
 
-/// Returns the distance of the base from its nominal place: "12 in (8.0 pitches) and 3 deg".
+/// Returns the distance of the base from its nominal place as text, such as "12 in (8.0 pitches) and 3 deg".
 [[nodiscard]] std::string baseText(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

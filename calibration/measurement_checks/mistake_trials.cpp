@@ -13,10 +13,10 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr double kUsualTurn = 0.05;   // usual rotation of a base from its nominal place [rad]
-constexpr double kUsualShift = 0.05;  // usual shift of a base, as a share of the reach
+constexpr double kUsualShift = 0.05;  // usual shift of a base from its nominal place, relative to the reach
 constexpr std::size_t kQuickReadings = 40;
 
-/// Returns the indices of the readings to use: all, or whole groups drawn by the seed. Readings of one unknown place
+/// Returns the indices of the readings to use: all, or groups drawn randomly with `seed`. Readings of one unknown point
 /// form a group.
 std::vector<std::size_t> drawReadings(const std::vector<Measurement>& readings, std::size_t most, std::uint64_t seed) {
   auto groups = groupsByPlace(readings);
@@ -55,11 +55,11 @@ std::vector<Measurement> only(std::vector<Measurement> readings, const std::set<
   return readings;
 }
 
-/// Returns everything that the drawing leaves open: the cell's free numbers, all geometry, and every stiffness by one
-/// number.
+/// Returns everything that the drawing leaves open: the cell's free parameters, the geometry, and every stiffness as
+/// one parameter.
 FreeChoice allThatIsOpen(const CheckedReadings& checked) {
   FreeChoice open = checked.free;
-  open.base = true;  // base poses that are not known
+  open.base = true;  // frees base poses that are not known
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
@@ -89,8 +89,8 @@ double turnOf(const PlacedArm& found, const PlacedArm& nominal, std::size_t p) {
   return Eigen::AngleAxisd(turn).angle();
 }
 
-/// Returns the spread of tips that touched unknown points [m], 0 if there are none. A mistake that contracts them
-/// lowers their error without being right.
+/// Returns the root-mean-square spread of tips that touched unknown points [m]; 0 if there are fewer than two. A
+/// mistake that contracts these tips lowers their error without being right.
 double extentOfTips(const PlacedArm& placed, const std::vector<Measurement>& readings) {
   std::vector<Eigen::Vector3d> tips;
   for (const auto& reading : readings)
@@ -122,8 +122,9 @@ MistakeTrials::MistakeTrials(const CheckedReadings& checked, const CheckOptions&
   as_is_.error = drawn.error;
   const Trial held = tried({}, TrialDepth::kHeld);
   as_is_.held_error = held.error;
-  // With all that is open, other numbers share the base's displacement, and with few readings the tip does too. By the
-  // drawing alone the base has all of it. A wrong tip displaces the base, so the nearer of the two fits is used.
+  // With all open parameters free, other parameters absorb part of the base's displacement; with few readings the tip
+  // does so too. Relative to the drawing alone, the base has the full displacement. A wrong tip displaces the base, so
+  // the fit with the smaller displacement is used.
   const Trial& nearer = held.ok && (!drawn.ok || held.base_shift < drawn.base_shift) ? held : drawn;
   as_is_.base_shift = nearer.base_shift;
   as_is_.base_turn = nearer.base_turn;
@@ -133,7 +134,7 @@ const FreeChoice& MistakeTrials::freeAt(TrialDepth depth) const {
   return depth == TrialDepth::kOpen ? open_ : depth == TrialDepth::kDrawn ? drawn_ : held_;
 }
 
-/// Fits the drawing with an unknown base free, with the tip as well, or with all that is open.
+/// Fits the readings with the parameters of this depth free: an unknown base, the tip as well, or all open parameters.
 RobustFit MistakeTrials::fit(PlacedArm start, const std::vector<Measurement>& readings, TrialDepth depth,
                              const std::vector<std::string>& zeros) const {
   RobustFitOptions options;
@@ -187,7 +188,7 @@ Trial MistakeTrials::judged(const RobustFit& fit, const PlacedArm& nominal,
   return trial;
 }
 
-/// Fits each set-up separately, with its own tip.
+/// Fits each set-up separately, with a separate tip.
 Trial MistakeTrials::triedApart(TrialDepth depth) const {
   Trial whole;
   whole.ok = true;

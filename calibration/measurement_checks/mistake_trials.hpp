@@ -1,5 +1,5 @@
-// Fits of the readings, as stated or corrected for one mistake, at three depths: by the drawing with the tip as drawn,
-// with the tip free, and with all that the drawing leaves open.
+// Fits of the readings, as stated or as corrected for one mistake, at three depths: relative to the drawing with the
+// tip as drawn, with the tip free, and with all parameters free that the drawing leaves open.
 #pragma once
 
 #include <limits>
@@ -14,31 +14,32 @@ namespace tubeplan::calibration {
 
 /// Least rotation of the base from its nominal place that counts as far [rad].
 inline constexpr double kFarTurn = 0.35;
-/// Least shift of the base that counts as far, as a share of the arm's reach.
+/// Least shift of the base from its nominal place that counts as far, relative to the arm's reach.
 inline constexpr double kFarShift = 0.25;
 
-/// Fit of the readings, as stated or corrected for one mistake. `error` is by the drawing with base and tip free; the
-/// lack of fit includes the base's prior.
+/// Fit of the readings, as stated or as corrected for one mistake. The lack of fit includes the base's prior. In the
+/// fit of the readings as stated, `error` is relative to the drawing with base and tip free.
 struct Trial : RobustFit {
-  double held_error = std::numeric_limits<double>::infinity();  // error with the tip as drawn [m]
-  double open_error = std::numeric_limits<double>::infinity();  // error with all that the drawing leaves open [m]
+  double held_error = std::numeric_limits<double>::infinity();  // error with base free, tip as drawn [m]
+  double open_error = std::numeric_limits<double>::infinity();  // error with all open parameters free [m]
   double base_shift = 0, base_turn = 0;  // largest displacement of the base from its nominal place [m, rad]
-  double extent = 0;                     // spread of the predicted tips that touched unknown points [m]
+  double extent = 0;  // root-mean-square spread of the predicted tips that touched unknown points [m]
 };
 
 enum class TrialDepth {
-  kHeld,   ///< base free if it is unknown
-  kDrawn,  ///< tip free as well
-  kOpen,   ///< all that the drawing leaves open free as well
+  kHeld,   ///< only the base free, if it is unknown
+  kDrawn,  ///< base and tip free
+  kOpen,   ///< all parameters free that the drawing leaves open
 };
 
-/// Drawn readings with their neighbours, for mistakes of the order; the ids name those that are counted.
+/// Drawn subset of the readings together with neighbouring readings, for mistakes in the order of rows. The ids name
+/// the readings that count, in the full and in the quick fits.
 struct ReadingPool {
   std::vector<Measurement> readings;
   std::set<std::string> counted, counted_quickly;
 };
 
-/// Fits of corrected readings. Both `checked` and `options` must outlive the object.
+/// Fits of corrected readings at several depths. Both `checked` and `options` must outlive the object.
 class MistakeTrials {
  public:
   MistakeTrials(const CheckedReadings& checked, const CheckOptions& options);
@@ -46,37 +47,39 @@ class MistakeTrials {
   /// Returns the fit of the readings as stated, with the errors at all three depths.
   [[nodiscard]] const Trial& asIs() const { return as_is_; }
   [[nodiscard]] Trial tried(const Mend& mend, TrialDepth depth) const;
-  /// Returns the fit by the drawing with some joints' zeros free as well.
+  /// Returns the fit relative to the drawing with the parameters named in `zeros` (joint offsets) free as well.
   [[nodiscard]] RobustFit fitZeros(const Mend& mend, PlacedArm start, const std::vector<std::string>& zeros) const;
-  /// Returns the cell's arm, with its base as known as the mistake leaves it.
+  /// Returns the cell's arm; its base poses count as unknown if the mistake frees the base, and a new set-up is added
+  /// if the mistake begins one.
   [[nodiscard]] PlacedArm startOf(const Mend& mend) const;
-  /// Returns the counted readings, corrected for a mistake; fewer of them except at the greatest depth.
+  /// Returns the counted readings, corrected for a mistake. At depths other than kOpen, only the subset for quick fits
+  /// is returned.
   [[nodiscard]] std::vector<Measurement> mended(const Mend& mend, TrialDepth depth) const;
-  /// Returns the fit of the readings as stated by an arm of another drawing, with base and tip free.
+  /// Returns the fit of the readings as stated with the arm of another drawing, with base and tip free.
   [[nodiscard]] Trial triedBy(PlacedArm drawing) const;
-  /// Returns the names of all that the drawing leaves open.
+  /// Returns the names of all parameters that the drawing leaves open.
   [[nodiscard]] const FreeChoice& open() const { return open_; }
 
-  /// Returns the excess of numbers in the readings over those that a fit of this depth determines; not positive if it
-  /// may fit anything.
+  /// Returns the number of measured values minus the number of parameters that a fit of this depth determines. If the
+  /// difference is not positive, the fit can reproduce any readings.
   [[nodiscard]] int freedom(const Mend& mend, TrialDepth depth) const;
-  /// Returns the length of the errors by the stated noise alone [m].
+  /// Returns the root-mean-square length of the errors that the stated noise alone causes [m].
   [[nodiscard]] double noise(const Mend& mend) const;
 
-  /// Returns the ratio by which a mistake contracts the touched tips; above 1 if they are closer together.
+  /// Returns the ratio by which a mistake contracts the spread of the touched tips; at least 1.
   [[nodiscard]] double shrinkage(const Trial& trial) const;
-  /// Returns the fall of the lack of fit by a mistake, without the part due to contracted tips; large if the readings
-  /// as stated cannot be fitted.
+  /// Returns the decrease of the lack of fit due to a mistake, without the decrease due to contracted tips; very large
+  /// if the readings as stated cannot be fitted.
   [[nodiscard]] double gain(const Trial& trial) const;
-  /// Returns true if a trial has the base far from its nominal place. Touches of unknown points alone give no
-  /// information on it.
+  /// Returns true if the base of a trial is far from its nominal place. Returns false if there are only touches of
+  /// unknown points, which give no information on the base.
   [[nodiscard]] bool isBaseFar(const Trial& trial) const;
 
   [[nodiscard]] const CheckedReadings& checked() const { return checked_; }
   [[nodiscard]] const CheckOptions& options() const { return options_; }
   [[nodiscard]] const ReadingPool& pool() const { return pool_; }
   [[nodiscard]] double reach() const { return reach_; }
-  /// Returns true if any reading states the position of its point.
+  /// Returns true if at least one reading states the position of its point.
   [[nodiscard]] bool hasPlaces() const { return has_places_; }
 
  private:

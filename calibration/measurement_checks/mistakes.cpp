@@ -120,7 +120,7 @@ bool isPlacedBySheet(const CheckedReadings& checked, const Measurement& reading)
   if (!checked.sheet || !touchesKnownPoint(reading)) return false;
   const auto hole = tubesheets::parseTubeName(reading.point);
   const auto* tube = hole ? checked.sheet->find(hole->row, hole->column) : nullptr;
-  constexpr double kRounding = 5e-5;  // rounding of coordinates written with the hole's name [m]
+  constexpr double kRounding = 5e-5;  // rounding of coordinates that are written in addition to the hole's name [m]
   return tube && (*reading.p_W - Eigen::Vector3d(tube->x, tube->y, 0)).norm() < kRounding;
 }
 

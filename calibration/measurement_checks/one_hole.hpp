@@ -1,4 +1,4 @@
-// Mistake of one touch that names another hole than the touched one. It is searched for reading by reading
+// Mistake: one reading names another hole than the touched one. This mistake is searched for reading by reading
 // (measurement_checks.cpp).
 #pragma once
 

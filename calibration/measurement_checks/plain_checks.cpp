@@ -20,8 +20,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-/// Returns a remark on joint readings that are all as small as angles in radians, and within the joints' limits if they
-/// were radians. Touches of unmeasured points fit either way, so no error shows it.
+/// Returns a remark on joint readings that are all as small as angles in radians, and that would be within the joints'
+/// limits as radians. Touches of unmeasured points fit in both units, so no error shows this mistake.
 std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
   constexpr double kTurn = 2 * std::numbers::pi;
   constexpr std::size_t kFew = 4;
@@ -44,8 +44,8 @@ std::optional<MeasurementCheck> smallAngles(const CheckedReadings& checked) {
       "angles=rad");
 }
 
-/// Returns a remark on joints that read farther than any joint turns. Their scales must be stated, or are fitted if
-/// there is only one.
+/// Returns a remark on joints whose readings exceed the range of any real joint. The scales of such joints must be
+/// stated; a single scale can be fitted.
 std::optional<MeasurementCheck> pulses(const CheckedReadings& checked) {
   const auto joints = mistakes::joint_scale::jointsBeyondTurns(checked);
   if (joints.empty()) return std::nullopt;
@@ -74,8 +74,8 @@ std::optional<MeasurementCheck> heavyLoad(const CheckedReadings& checked) {
                   heaviest / unit.factor, unit.name, weight / unit.factor, unit.name));
 }
 
-/// Returns a remark on beams with too few segments for their bending under these readings: the error exceeds half the
-/// readings' noise. The heaviest loads and some others are evaluated.
+/// Returns a remark on beams with too few segments for their bending under these readings: the discretisation error
+/// exceeds half the readings' noise. The reading with the heaviest load and several others are evaluated.
 std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
   constexpr std::size_t kMostSolved = 8;
   constexpr double kOfNoise = 0.5;
@@ -106,7 +106,7 @@ std::optional<MeasurementCheck> fewSegments(const CheckedReadings& checked) {
   return remarkOf("segments", std::move(sentence));
 }
 
-/// Returns a remark on too few readings for their errors to show a mistake.
+/// Returns a remark if there are too few readings for their errors to show a mistake.
 std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
   constexpr int kLeastFreedom = 6;
   PlacedArm placed = checked.start;
@@ -121,7 +121,7 @@ std::optional<MeasurementCheck> fewReadings(const CheckedReadings& checked) {
                                       " free parameters: a model error would hardly show; measure more, or free fewer");
 }
 
-/// Returns the effects that vary with a condition: "base-slip or base-drift".
+/// Returns the effects that vary with a condition, such as "base-slip or base-drift"; empty if there are none.
 std::string effectsOf(Condition condition) {
   std::string names;
   for (const auto& kind : deflection::effectKinds())
@@ -161,12 +161,12 @@ std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,
 }
 
 std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked, const PlacedArm& found) {
-  constexpr double kSlack = 1.02;  // share of the reach: an arm may sag slightly beyond its length
+  constexpr double kSlack = 1.02;  // accepted distance relative to the reach: an arm may sag slightly beyond its length
   for (int j = 0; j < checked.start.arm.jointCount(); ++j) {
     const auto& joint = checked.start.arm.joint(j);
     const bool is_endless =
         joint.type == deflection::JointType::kPrismatic && !std::isfinite(joint.upper - joint.lower);
-    if (is_endless) return std::nullopt;  // a slide without limits reaches everywhere
+    if (is_endless) return std::nullopt;  // a prismatic joint without limits reaches everywhere
   }
   const double reach = kSlack * deflection::reachOf(checked.start.arm);
   std::vector<std::string> ids;
@@ -210,7 +210,7 @@ std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, cons
          "hole=" + reading.id + ":" + name,
          {}});
   }
-  // If most touches are off, the cause is not a single wrong name.
+  // If many touches are off, the cause is not a single wrong name.
   return mistaken.size() * 3 > tried ? std::vector<MeasurementCheck>{} : mistaken;
 }
 

@@ -1,5 +1,5 @@
-// Checks of readings without a fit: joints that look like radians, loads beyond the arm's own weight, fewer numbers
-// than are free, missing columns.
+// Checks of readings without a fit: joints that look like radians, loads much heavier than the arm, fewer measured
+// values than free parameters, missing columns.
 #pragma once
 
 #include "calibration/measurement_checks/measurement_checks.hpp"
@@ -8,14 +8,15 @@ namespace tubeplan::calibration {
 
 [[nodiscard]] std::vector<MissingColumn> missingColumns(const std::vector<Measurement>& readings);
 
-/// Returns the checks without those of a kind that is suspected already.
+/// Returns the findings of the checks, except findings whose name is already among those in `suspected`.
 [[nodiscard]] std::vector<MeasurementCheck> plainChecks(const CheckedReadings& checked,
                                                         const std::vector<MeasurementCheck>& suspected);
 
-/// Returns a check of readings whose place is farther from the fitted base than the arm reaches.
+/// Returns a remark on readings whose position is farther from the fitted base than the arm reaches; nullopt if there
+/// are none.
 [[nodiscard]] std::optional<MeasurementCheck> placesOutOfReach(const CheckedReadings& checked, const PlacedArm& found);
 
-/// Returns one check for each touch that names one hole but lies at another, by the fitted model.
+/// Returns one remark for each touch that names one hole but, according to the fitted model, lies at another hole.
 [[nodiscard]] std::vector<MeasurementCheck> mistakenHoles(const CheckedReadings& checked, const PlacedArm& found);
 
 }  // namespace tubeplan::calibration

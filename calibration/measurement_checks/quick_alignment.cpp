@@ -12,14 +12,14 @@ using Eigen::Matrix3d, Eigen::Matrix4d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kBlindShare = 0.01;  // share of the reach: usual error of a rigid drawing
-constexpr double kRows = 3;           // rows of a reading
-// Usual displacement of a base [rad, share of the reach].
+constexpr double kBlindShare = 0.01;  // usual error of a rigid drawing, relative to the reach
+constexpr double kRows = 3;           // number of rows of a reading
+// Usual displacement of a base: rotation [rad], and shift relative to the reach.
 constexpr double kUsualTurnOfBase = 0.05, kUsualShiftOfBase = 0.05;
 constexpr int kReweighings = 3;
 constexpr std::size_t kLeastPlaces = 6;
 
-/// Tips and their measured places [m], of one set-up.
+/// Tips in the base frame and their measured positions in the world frame [m], of one set-up.
 struct Cloud {
   std::vector<Vector3d> tips, places;
 };
@@ -35,8 +35,8 @@ void squaresOf(const Cloud& cloud, const Placing& X, std::vector<double>& square
     squares[k] = (X.R * cloud.tips[k] + X.p - cloud.places[k]).squaredNorm();
 }
 
-/// Returns the largest eigenvalue of the symmetric matrix K of zero trace, from an upper bound, by Newton's method on
-/// the characteristic polynomial.
+/// Returns the largest eigenvalue of the symmetric matrix K with zero trace, found with Newton's method on the
+/// characteristic polynomial, starting at an upper bound.
 double largestEigenvalue(const Matrix4d& K, const Matrix3d& H, double bound) {
   constexpr int kMostSteps = 30;
   const double c2 = -2 * H.squaredNorm(), c1 = -8 * H.determinant(), c0 = K.determinant();
@@ -52,8 +52,9 @@ double largestEigenvalue(const Matrix4d& K, const Matrix3d& H, double bound) {
   return value;
 }
 
-/// Returns the rotation from a to b for H, the sum of a b^T: Horn 1987 by unit quaternions, the eigenvector as in
-/// Theobald 2005 and in Liu, Agrafiotis and Theobald 2010. `bound`: half the sum of the squares of all a and b.
+/// Returns the rotation from vectors a to vectors b, where H is the sum of a b^T: Horn 1987 with unit quaternions, the
+/// eigenvector as in Theobald 2005 and in Liu, Agrafiotis and Theobald 2010. `bound` is half the sum of the squared
+/// lengths of all a and b.
 Matrix3d turnBetween(const Matrix3d& H, double bound) {
   Matrix4d K;
   K << H(0, 0) + H(1, 1) + H(2, 2), H(1, 2) - H(2, 1), H(2, 0) - H(0, 2), H(0, 1) - H(1, 0),  //
@@ -80,7 +81,7 @@ Matrix3d turnBetween(const Matrix3d& H, double bound) {
   return Eigen::Quaterniond(best[0], best[1], best[2], best[3]).toRotationMatrix();
 }
 
-/// Returns the pose with the least squares for these weights.
+/// Returns the pose with the least weighted sum of squares.
 Placing aligned(const Cloud& cloud, const std::vector<double>& weights) {
   double sum = 0, squares = 0;
   Vector3d tip = Vector3d::Zero(), place = Vector3d::Zero();
@@ -99,7 +100,7 @@ Placing aligned(const Cloud& cloud, const std::vector<double>& weights) {
   return {R, place - R * tip};
 }
 
-/// Returns the log of the prior odds against a base at this distance from its nominal place (the same as in
+/// Returns the log of the prior odds against a base at this distance from its nominal place (the same formula as in
 /// mistake_trials.cpp).
 double oddsAgainst(const Placing& X, const Eigen::Isometry3d& nominal, double reach) {
   const double shift = (X.p - nominal.translation()).norm() / (kUsualShiftOfBase * reach);
@@ -107,15 +108,15 @@ double oddsAgainst(const Placing& X, const Eigen::Isometry3d& nominal, double re
   return 3.5 * std::log1p(shift * shift + turn * turn);
 }
 
-/// Returns the sum of half the logarithms of one plus each square over the square of `blind`.
+/// Returns the sum of log(1 + square / blind^2) / 2 over all squares.
 double sumOf(const std::vector<double>& squares, double blind) {
   double sum = 0;
   for (const double square : squares) sum += std::log1p(square / (blind * blind)) / 2;
   return sum;
 }
 
-/// Returns the same sum after the best alignment, with the prior odds against the base. If the sum is promising, the
-/// alignment has Cauchy weights about the typical square.
+/// Returns sumOf() after the best alignment of the base, plus the log prior odds against this base. If the sum is below
+/// `promising`, the alignment uses Cauchy weights about the typical squared error.
 double alignedSum(const Cloud& cloud, const Eigen::Isometry3d& nominal, double blind, double promising) {
   std::vector<double> weights(cloud.tips.size(), 1), squares;
   Placing X = aligned(cloud, weights);

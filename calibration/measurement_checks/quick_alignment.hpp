@@ -1,5 +1,5 @@
-// Distance of readings from the rigid drawing with the base at its best place. It takes microseconds, so that thousands
-// of corrections can be compared and only a few are fitted.
+// Distance of readings from the rigid drawing with the base at its best pose. The computation takes microseconds, so
+// that thousands of corrections can be compared and only a few are fitted.
 #pragma once
 
 #include <limits>
@@ -12,23 +12,24 @@ namespace tubeplan::calibration {
 
 struct QuickAlignmentOptions {
   bool frees_base = false;
-  double share = 1;  ///< share of a hundredth of the reach, below which errors count as zero
-  /// Score above which no greater accuracy is needed.
+  double share = 1;  ///< scale of the error that counts as zero, relative to a hundredth of the reach
+  /// Score above which greater accuracy is not needed.
   double promising = std::numeric_limits<double>::infinity();
 };
 
-/// Alignment of rigid tips with measured places. Each thread needs its own object.
+/// Alignment of rigid tips with measured positions. Each thread needs a separate object.
 class QuickAlignment {
  public:
   /// Prepares the alignment for an arm with this `reach` [m].
   QuickAlignment(const PlacedArm& start, double reach);
 
-  /// Returns the tips in the base frame [m], one for each reading; undefined for readings that state no place.
+  /// Returns the tip positions in the base frame [m], one for each reading; NaN for readings that state no position.
   [[nodiscard]] std::vector<Eigen::Vector3d> tips(const std::vector<Measurement>& readings);
 
-  /// Returns the mean of half the logarithm of one plus the squared error over the square of what counts as zero;
-  /// infinite if too few readings state a place. An unknown base is placed in closed form, with weights that decrease
-  /// with the error if the score is promising; a penalty for its distance from the nominal place is included.
+  /// Returns the mean over all readings of log(1 + e^2 / b^2) / 2, where e is the error and b the error that counts as
+  /// zero. Infinite if too few readings state a position. An unknown base is placed in closed form, with weights that
+  /// decrease with the error if the score is promising; the score then includes a penalty for the base's distance from
+  /// its nominal place.
   [[nodiscard]] double score(const std::vector<Measurement>& readings, const std::vector<Eigen::Vector3d>& tips,
                              const QuickAlignmentOptions& options = {}) const;
 

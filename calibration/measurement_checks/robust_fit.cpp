@@ -17,13 +17,13 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kBest = 0.9;  // share of the readings that an error is stated for
+constexpr double kBest = 0.9;  // fraction of the readings, those with the smallest errors, for which an error is stated
 constexpr int kScaleSteps = 40;
-constexpr double kTellingFreedom = 12;  // least degrees of freedom for which chi-square informs on the noise
-constexpr double kConverged = 0.05;     // fall of the lack of fit by a step after which the fit ends
-constexpr int kMostTrials = 6;          // tries of a step, each shorter than the one before
+constexpr double kTellingFreedom = 12;  // least degrees of freedom for which chi-square is informative on the noise
+constexpr double kConverged = 0.05;     // decrease of the lack of fit in one step below which the fit ends
+constexpr int kMostTrials = 6;          // most attempts at a step, each shorter than the one before
 
-/// Returns the sum of the least values, up to this share of all, and their number.
+/// Returns the sum of the smallest values, up to the fraction `share` of all values, and the number of summed values.
 std::pair<double, std::size_t> sumOfLeast(std::vector<double> values, double share) {
   std::ranges::sort(values);
   const auto kept = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
@@ -32,13 +32,13 @@ std::pair<double, std::size_t> sumOfLeast(std::vector<double> values, double sha
   return {sum, kept};
 }
 
-/// Student's t about a common scale, for the whitened residuals of readings.
+/// Likelihood of the whitened residuals under Student's t distribution with a common scale.
 class StudentLoss {
  public:
   StudentLoss(const std::vector<Measurement>& readings, const ReadingWeights& weights)
       : readings_(readings), weights_(weights), square_(readings.size()), weight_(readings.size()) {}
 
-  /// Sets the best scale and the weights, and returns the -log likelihood.
+  /// Sets the best scale and the weights, and returns the negative log likelihood.
   double settle(const VectorXd& r) {
     for (std::size_t k = 0; k < square_.size(); ++k)
       square_[k] = r.segment(weights_.first_row[k], rowsOf(readings_[k])).squaredNorm();
@@ -65,7 +65,7 @@ class StudentLoss {
     return value;
   }
 
-  /// Returns the root of each row's weight, divided by the scale.
+  /// Returns the square root of each row's weight, divided by the scale.
   [[nodiscard]] VectorXd rowWeights() const {
     VectorXd rows(weights_.rows);
     for (std::size_t k = 0; k < weight_.size(); ++k)
@@ -73,9 +73,10 @@ class StudentLoss {
     return rows;
   }
 
-  /// Returns chi-square of the best readings relative to its expectation for so many degrees of freedom of all.
+  /// Returns chi-square of the best readings relative to its expectation, if all readings have `degrees_of_freedom`.
   [[nodiscard]] double chi2PerFreedom(double degrees_of_freedom) const {
-    constexpr double kShareOfBest = 0.74;  // the worst tenth has a quarter of the chi-square of three rows
+    // The worst tenth of readings with three rows has a quarter of the chi-square.
+    constexpr double kShareOfBest = 0.74;
     return sumOfLeast(square_, kBest).first / (degrees_of_freedom * kShareOfBest);
   }
 
@@ -96,7 +97,7 @@ double priorLackOfFit(const std::vector<Unknown>& unknowns, const VectorXd& x) {
   return priorResiduals(unknowns, x).squaredNorm() / 2;
 }
 
-/// Iteration of the fit.
+/// Iteration of the fit: damped Gauss-Newton steps within bounds.
 class Descent {
  public:
   Descent(const PlacedArm& start, const std::vector<Unknown>& unknowns, const std::vector<Measurement>& readings,
@@ -125,8 +126,8 @@ class Descent {
   [[nodiscard]] const VectorXd& residual() const { return r_; }
 
  private:
-  /// Returns the minimum of g s + s A s / 2 with every number within its bounds. A number that would exceed one is held
-  /// there, and the others are solved again.
+  /// Returns the step s that minimises g^T s + s^T A s / 2 with every unknown within its bounds. An unknown that would
+  /// exceed a bound is held there, and the other unknowns are solved again.
   [[nodiscard]] VectorXd boundedStep(const MatrixXd& A, const VectorXd& g) const {
     VectorXd step = VectorXd::Zero(g.size());
     std::vector<Index> free(static_cast<std::size_t>(g.size())), inside;

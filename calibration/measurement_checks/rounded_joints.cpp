@@ -14,18 +14,19 @@ namespace tubeplan::calibration {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kDisplayDegrees[] = {1, 0.5, 0.1, 0.05, 0.01};                // steps of displays [deg]
-constexpr double kDisplayRadians[] = {0.1, 0.05, 0.01, 0.005, 0.001, 0.0005};  // steps of displays [rad]
-constexpr double kNearStep = 0.02;  // share of a step: a number written with few digits
+constexpr double kDisplayDegrees[] = {1, 0.5, 0.1, 0.05, 0.01};                // display resolutions [deg]
+constexpr double kDisplayRadians[] = {0.1, 0.05, 0.01, 0.005, 0.001, 0.0005};  // display resolutions [rad]
+constexpr double kNearStep = 0.02;  // tolerance for a value written with few digits, relative to the step
 constexpr std::size_t kLeastReadings = 8, kLeastStops = 4;
-constexpr double kShareOfError = 1. / 3;  // least ratio of the errors to those of the rounding, and the reverse
+// Least ratio between the errors and those that rounding causes, in both directions.
+constexpr double kShareOfError = 1. / 3;
 
 struct DisplayStep {
-  double size = 0;  ///< [rad]
+  double size = 0;  ///< resolution [rad]; 0: not rounded
   std::string text;
 };
 
-/// Returns the steps, largest first.
+/// Returns all display resolutions, largest first.
 std::vector<DisplayStep> displaySteps() {
   std::vector<DisplayStep> steps;
   for (const double degrees : kDisplayDegrees) steps.push_back({degrees * kDegree, fmt::format("{} deg", degrees)});
@@ -34,8 +35,8 @@ std::vector<DisplayStep> displaySteps() {
   return steps;
 }
 
-/// Returns true if a joint's readings are whole multiples of a step, with several different values; a joint at rest may
-/// have any.
+/// Returns true if a joint's readings are whole multiples of a step and have several different values. A joint at rest
+/// may have any value.
 bool areMultiples(const std::vector<Measurement>& readings, int joint, double step) {
   std::set<double> places;
   for (const auto& reading : readings) {
@@ -46,7 +47,8 @@ bool areMultiples(const std::vector<Measurement>& readings, int joint, double st
   return places.size() >= kLeastStops;
 }
 
-/// Returns the step of each joint that is rounded to one coarser than its encoder; without a size for the other joints.
+/// Returns for each joint the largest display resolution to which it is rounded, if coarser than the encoder; size 0
+/// for other joints.
 std::vector<DisplayStep> stepsOf(const CheckedReadings& checked) {
   const auto& arm = checked.start.arm;
   const auto steps = displaySteps();
@@ -60,7 +62,7 @@ std::vector<DisplayStep> stepsOf(const CheckedReadings& checked) {
   return of_joints;
 }
 
-/// Returns the root-mean-square motion of the tips by the rounding [m].
+/// Returns the root-mean-square motion of the tips due to the rounding [m].
 double motionOfRounding(const std::vector<DisplayStep>& steps, const MistakeTrials& trials) {
   const PlacedArm& placed = trials.asIs().placed;
   double squares = 0;
@@ -77,8 +79,8 @@ double motionOfRounding(const std::vector<DisplayStep>& steps, const MistakeTria
   return std::sqrt(squares / std::max(1, count));
 }
 
-/// Returns the share of the squares of any scatter that remains after a fit of all that is open; with few readings it
-/// is small.
+/// Returns the fraction of the sum of squares of random scatter that remains after a fit of all open parameters; small
+/// if there are few readings.
 double shareLeft(const MistakeTrials& trials) {
   double rows = 0;
   for (const auto& reading : trials.pool().readings)
@@ -86,8 +88,8 @@ double shareLeft(const MistakeTrials& trials) {
   return std::clamp(trials.freedom({}, TrialDepth::kOpen) / std::max(1., rows), 0., 1.);
 }
 
-/// Returns "all joint readings are multiples of 0.1 deg", or "the readings of q1 and q2 are multiples of 0.1 deg, of q3
-/// of 0.001 rad".
+/// Returns a text such as "all joint readings are multiples of 0.1 deg", or "the readings of q1 and q2 are multiples of
+/// 0.1 deg, of q3 of 0.001 rad".
 std::string stepsText(const CheckedReadings& checked, const std::vector<DisplayStep>& steps) {
   const auto is_alike = [&](const DisplayStep& step) { return step.text == steps.front().text; };
   if (std::ranges::all_of(steps, is_alike)) return "all joint readings are multiples of " + steps.front().text;
@@ -108,7 +110,7 @@ std::string stepsText(const CheckedReadings& checked, const std::vector<DisplayS
 std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials) {
   const CheckedReadings& checked = trials.checked();
   const Trial& as_is = trials.asIs();
-  constexpr double kMisfit = 2;  // least chi-square per degree of freedom
+  constexpr double kMisfit = 2;  // least chi-square per degree of freedom that counts as a misfit
   if (checked.readings.size() < kLeastReadings || !(as_is.chi2_per_freedom > kMisfit)) return std::nullopt;
   const auto steps = stepsOf(checked);
   if (std::ranges::none_of(steps, [](const DisplayStep& step) { return step.size > 0; })) return std::nullopt;

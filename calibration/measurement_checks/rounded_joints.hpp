@@ -1,4 +1,4 @@
-// Mistake of rounded joint readings, as copied from a pendant's display.
+// Mistake: joint readings are rounded, as if copied from a pendant's display.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,9 @@
 
 namespace tubeplan::calibration {
 
-/// Returns a remark if revolute joints read whole multiples of a round angle, each with its own. Their rounding must
-/// move the tip by more than the readings' noise and by about the size of the errors. Returns nothing otherwise, since
-/// postures may be both round and exact.
+/// Returns a remark if the readings of revolute joints are whole multiples of a round angle, which may differ between
+/// joints. The rounding must move the tip by more than the readings' noise and by about the size of the errors. Returns
+/// nullopt otherwise, since postures may be both round and exact.
 [[nodiscard]] std::optional<MeasurementCheck> roundedJoints(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

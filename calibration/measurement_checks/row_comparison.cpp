@@ -9,8 +9,8 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kBlind = 0.01;   // share of the reach: errors below it count as zero
-constexpr double kMostOfRow = 3;  // most evidence of a single row, as the log of a ratio of errors
+constexpr double kBlind = 0.01;   // error below which errors count as zero, relative to the reach
+constexpr double kMostOfRow = 3;  // most evidence from a single row, as the log of a ratio of errors
 constexpr std::size_t kEndRows = 20;
 
 }  // namespace

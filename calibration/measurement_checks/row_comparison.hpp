@@ -1,4 +1,4 @@
-// Row-by-row comparison of two versions of the readings with an arm, which finds the row where a mistake begins.
+// Row-by-row comparison of two versions of the readings with an arm, in order to find the row where a mistake begins.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,19 @@
 
 namespace tubeplan::calibration {
 
-/// Returns possible bases: the nominal ones and, for unknown ones, those fitted to the first and to the last readings,
-/// which precede or follow a mistake in the middle.
+/// Returns arms with possible base poses: the nominal poses and, if a base is unknown, poses fitted to the first and to
+/// the last readings. A mistake that begins or ends in the middle leaves at least one of these
+/// two fits correct.
 [[nodiscard]] std::vector<PlacedArm> likelyPlacings(const CheckedReadings& checked);
 
-/// Distances of readings from an arm, each computed on first use. Arm and readings must outlive the object.
+/// Distances between readings and an arm's predictions, each computed on first use. Arm and readings must outlive the
+/// object.
 class RowErrors {
  public:
   RowErrors(const PlacedArm& placed, const std::vector<Measurement>& readings)
       : placed_(placed), readings_(readings), predictor_(placed.arm), known_(readings.size()) {}
 
-  /// Returns the error of row `k` [m]; NaN for readings that state no place.
+  /// Returns the error of row `k` [m]; NaN if the reading states no position.
   double at(std::size_t k);
 
  private:
@@ -31,16 +33,16 @@ class RowErrors {
   std::vector<std::optional<double>> known_;
 };
 
-/// Comparison of the rows as stated with the corrected ones.
+/// Comparison of the rows as stated with the corrected rows.
 class RowComparison {
  public:
-  /// Least mean over a run that a mistake explains; a mistake changes numbers by more.
+  /// Least mean of at() over a run that a mistake explains; a mistake changes values by a larger factor.
   static constexpr double kLeastMean = 1;
 
   RowComparison(RowErrors& as_is, RowErrors& mended, double reach);
 
-  /// Returns the logarithm of the ratio of the errors of row `k`, limited to 3 in size. It is positive if the corrected
-  /// row fits better, and 0 if the row gives no information.
+  /// Returns the log ratio of the errors of row `k`, as stated to corrected, limited to +-3. The value is positive if
+  /// the corrected row fits better, and 0 if the row gives no information.
   double at(std::size_t k);
 
  private:

@@ -14,13 +14,14 @@ namespace tubeplan::calibration {
 
 namespace {
 
-// Shares of a joint's limit that its largest reading may have.
+// Tried ratios of a joint's largest reading to its limit.
 constexpr double kSharesOfLimit[] = {0.95, 0.7, 0.5, 0.36};
-constexpr double kHalfTurn = 3.2;                     // [rad] in place of limits that are farther
-constexpr double kPastByScale = 0.05;                 // most excess over a limit [rad]
-constexpr std::size_t kMostTried = 5000;              // most combinations that are tried
-constexpr std::size_t kMostLookedAt = 20;             // readings in the comparison
-constexpr std::size_t kBettered = 16, kProposed = 2;  // numbers of combinations
+constexpr double kHalfTurn = 3.2;          // limit that is assumed if the joint's limit is farther away [rad]
+constexpr double kPastByScale = 0.05;      // largest accepted excess over a limit [rad]
+constexpr std::size_t kMostTried = 5000;   // most combinations that are tried
+constexpr std::size_t kMostLookedAt = 20;  // most readings in the comparison
+// Numbers of combinations that are improved, and that are proposed.
+constexpr std::size_t kBettered = 16, kProposed = 2;
 constexpr int kScaleTurns = 3, kSectionSteps = 8, kFitRepeats = 3;
 
 struct Scales {
@@ -44,7 +45,7 @@ class ScalesTogether {
   }
 
  private:
-  /// Returns scales of either sign with which a joint's readings are within its limits and cover much of them.
+  /// Returns scales of both signs for which a joint's readings are within its limits and cover much of the range.
   [[nodiscard]] std::vector<double> worthTrying(int j) const {
     const auto& joint = checked_.start.arm.joint(j);
     const auto [lowest, highest] = mistakes::joint_scale::rangeOf(checked_, j);
@@ -62,7 +63,7 @@ class ScalesTogether {
     return factors;
   }
 
-  /// Returns the best of all combinations of the tried factors.
+  /// Returns the best combinations of the tried factors; empty if there are too many combinations.
   std::vector<Scales> tried() {
     std::vector<Scales> all{{{}, 0}};
     for (const int j : joints_) {
@@ -85,10 +86,10 @@ class ScalesTogether {
     if (all.size() > most) all.resize(most);
   }
 
-  /// Improves the scales joint by joint, with the range halved each time.
+  /// Improves the scales joint by joint; the search range is halved after each pass.
   void better(Scales& scales, double share) {
     scales.score = scaled_.score(scales.factors, share);
-    double apart = 0.3;  // share of the scale
+    double apart = 0.3;  // search range relative to the scale
     for (int turn = 0; turn < kScaleTurns; ++turn, apart /= 2)
       for (double& factor : scales.factors) {
         const double before = factor;
@@ -104,7 +105,7 @@ class ScalesTogether {
       }
   }
 
-  /// Fits the factors by the drawing, with the base if it is unknown.
+  /// Fits the factors relative to the drawing, together with the base if it is unknown.
   void fit(Scales& scales) const {
     for (int repeat = 0; repeat < kFitRepeats; ++repeat) {
       auto readings = checked_.readings;

@@ -1,5 +1,5 @@
-// Mistake of a tip that was mounted again between set-ups: each set-up has its own tip, so they cannot be fitted
-// together.
+// Mistake: the tip was mounted again between set-ups. Each set-up then has a different tip, so the set-ups cannot be
+// fitted together.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Mistake of holes counted from the other side: rows or columns of every named hole are reversed, as on a sheet seen
+// Mistake: holes were counted from the other side. Rows or columns of every named hole are reversed, as on a sheet seen
 // from its other face.
 #pragma once
 

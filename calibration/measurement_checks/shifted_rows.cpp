@@ -14,11 +14,11 @@ namespace tubeplan::calibration::mistakes::shifted_rows {
 namespace {
 
 constexpr std::size_t kMostRowsLooked = 2000;
-constexpr std::size_t kFewest = 3;  // rows before and after a lost point
-constexpr int kTried[] = {-1, 1};   // shifts in rows, from one row on
-constexpr double kFits = 0.03;      // share of the reach: usual error of a row that is not shifted
+constexpr std::size_t kFewest = 3;  // least number of rows before and after a lost point
+constexpr int kTried[] = {-1, 1};   // tried shifts, in rows, from some row on
+constexpr double kFits = 0.03;      // usual error of a row that is not shifted, relative to the reach
 
-/// Copies the measured part of a reading.
+/// Copies the measured values of a reading, but not its joints and loads.
 void takeMeasured(const Measurement& from, Measurement& to) {
   to.kind = from.kind;
   to.point = from.point;
@@ -34,7 +34,7 @@ void takeMeasured(const Measurement& from, Measurement& to) {
   to.turn_sigma = from.turn_sigma;
 }
 
-/// Shift "-1" or "-1@P37": the number of rows, and the first shifted reading; none for the whole table.
+/// Shift "-1" or "-1@P37": the number of rows, and the id of the first shifted reading; nullopt: whole table.
 struct Shift {
   int by = 0;
   std::optional<std::string> from;
@@ -47,8 +47,8 @@ std::optional<Shift> shiftNamed(const std::string& value) {
   return Shift{*by, from};
 }
 
-/// Returns every reading with the measured values from `by` rows further down, in the same rows; without a place if
-/// there is no such row.
+/// Returns every reading with the measured values from `by` rows further down, without removing rows. A reading without
+/// such a row has no position.
 std::vector<Measurement> inPlace(int by, const std::vector<Measurement>& readings) {
   auto moved = readings;
   const auto count = static_cast<int>(readings.size());
@@ -62,8 +62,8 @@ std::vector<Measurement> inPlace(int by, const std::vector<Measurement>& reading
   return moved;
 }
 
-/// Returns the row from which on the corrected rows fit better, by the largest sum up to the end, moved to the first
-/// row there with an error above `fits` [m]; nothing if there is none.
+/// Returns the row from which on the corrected rows fit better: the row with the largest sum of evidence up to the end,
+/// moved to the nearest row at which errors above `fits` [m] begin. Returns nullopt if there is none.
 std::optional<std::size_t> startOf(RowComparison& comparison, RowErrors& as_is, std::size_t count, double fits) {
   const std::size_t stride = (count + kMostRowsLooked - 1) / kMostRowsLooked;
   double sum = 0, best = 0;

@@ -1,6 +1,5 @@
-// Mistake of the stated noise in another unit than stated by its column. No error shows it, only the small size of the
-// error relative to the noise. It is searched for separately (measurement_checks.cpp), so none of its forms is tried
-// here.
+// Mistake: the noise is in another unit than its column states. Errors do not show this mistake; only their size
+// relative to the noise does. It is searched for separately (measurement_checks.cpp), so no values are tried here.
 #pragma once
 
 #include "calibration/measurement_checks/units_of_columns.hpp"

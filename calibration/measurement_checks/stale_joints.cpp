@@ -19,17 +19,17 @@ namespace tubeplan::calibration {
 
 namespace {
 
-// Factor over the usual error and the noise; no physical law leaves a single reading so far off.
+// Ratio of a gross error to the usual error or to the noise; no physical law leaves a single reading so far off.
 constexpr double kGross = 10;
-constexpr std::size_t kLeast = 6;  // least number of readings that show the usual error
-// Share of readings above which the joints are not the cause, unless they are consecutive.
+constexpr std::size_t kLeast = 6;  // least number of readings from which the usual error is known
+// Fraction of stale readings above which the joints are not the cause, unless the readings are consecutive.
 constexpr double kMostOfThem = 0.2;
-constexpr double kMostOfRun = 0.4;  // largest share of consecutive readings
+constexpr double kMostOfRun = 0.4;  // largest accepted fraction of stale readings if these are consecutive
 
-/// Numbers that two readings have in common, and their set-up.
+/// Values that are compared between two readings, and the set-up.
 using Station = std::pair<std::vector<double>, std::string>;
 
-/// Returns the joints and load, which are equal in two readings of one posture.
+/// Returns the joint values and the load, which are equal in two readings of one posture.
 std::optional<Station> jointsOf(const Measurement& reading) {
   std::vector<double> numbers(reading.q.begin(), reading.q.end());
   numbers.insert(numbers.end(), reading.side_q.begin(), reading.side_q.end());
@@ -37,14 +37,14 @@ std::optional<Station> jointsOf(const Measurement& reading) {
   return Station{std::move(numbers), reading.setup};
 }
 
-/// Returns the place that an instrument measured; nothing for touched places, which may be the same.
+/// Returns the position that an instrument measured; nullopt for touched points, which may be touched repeatedly.
 std::optional<Station> placeMeasured(const Measurement& reading) {
   const auto& kind = kindOf(reading);
   if (!reading.p_W || !kind.is_place || kind.is_touch || kind.has_anchor) return std::nullopt;
   return Station{{reading.p_W->begin(), reading.p_W->end()}, reading.setup};
 }
 
-/// Part of a reading that may belong to another one.
+/// Group of values of a reading that may belong to another reading, with its texts for messages.
 struct Side {
   const char *name, *one, *several, *cause;
   std::optional<Station> (*of)(const Measurement&);
@@ -58,15 +58,15 @@ constexpr Side kSides[] = {
      "readings state the place of another reading, to the last digit, and the arm is not there",
      "the tracker stood still while the arm moved on, or the place was copied", placeMeasured}};
 
-/// Returns the length of a reading's error by the model [m], as defined by its kind. NaN for touches of unknown places,
-/// and if the model cannot be evaluated.
+/// Returns the length of a reading's error relative to the model [m], as defined by the kind of reading. NaN for
+/// touches of unknown points, and if the model cannot be evaluated.
 double errorOf(const PlacedArm& placed, const Measurement& reading) {
   if (hasUnknownPlace(reading)) return kNotKnown;
   const Prediction predicted = predictReading(placed, reading);
   return predicted.ok ? (predicted.value - kindOf(reading).measured(reading)).norm() : kNotKnown;
 }
 
-/// Reading, and the one whose joints it states.
+/// Index of a stale reading, and index of the reading whose values it states.
 struct Stale {
   std::size_t reading = 0, of = 0;
 };
@@ -101,7 +101,7 @@ std::string distanceText(const CheckedReadings& checked, const Stale& stale) {
   return fmt::format(", {:.3g} {} from there", (*reading.p_W - *of.p_W).norm() / unit.factor, unit.name);
 }
 
-/// Returns the root mean square of the known errors [m], without those of the given stale readings.
+/// Returns the root mean square of the finite errors [m], except those of the given stale readings.
 double rmsOf(const std::vector<double>& errors, const std::vector<Stale>& without) {
   double sum = 0;
   int count = 0;

@@ -1,5 +1,5 @@
-// Mistake of readings with the joints of another reading, logged too early or copied from the row above, or with the
-// place of another one, from a tracker that stood still: single readings, and runs.
+// Mistake: readings have the joints of another reading, logged too early or copied from the row above, or the position
+// of another reading, from a tracker that stood still. Both occur in single readings and in consecutive ones.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace tubeplan::calibration {
 
-/// Returns checks of readings whose joint columns, or whose measured place, equal those of another reading exactly.
-/// Their measured values are far from an arm at these joints, while those of the other reading are near. `found` is the
-/// model of a robust fit.
+/// Returns mistakes for readings whose joint columns, or whose measured position, equal those of another reading
+/// exactly. The arm at these joints is far from the measured values of such a reading, but close to those of the other
+/// reading. `found` is the model of a robust fit.
 [[nodiscard]] std::vector<MeasurementCheck> staleReadings(const CheckedReadings& checked, const PlacedArm& found);
 
 }  // namespace tubeplan::calibration

@@ -16,7 +16,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Weights of Student's t about the scale of most readings, at least that of the noise, as roots for each row.
+/// Weights under Student's t distribution about the scale of most readings, which is at least that of the noise;
+/// `roots` are their square roots, one per row.
 struct RowWeights {
   VectorXd roots;
   double variance = 1;
@@ -82,7 +83,7 @@ bool StepScan::linearize(PlacedArm fitted, const FreeChoice& open) {
   const PredictionRequest request = slopesOfSteps(fitted.arm);
   for (const StepForm& form : forms_) by_step_.emplace_back(MatrixXd::Zero(residual_.size(), form.numbers));
   for (std::size_t k = 0; k < readings_.size(); ++k) {
-    if (hasUnknownPlace(readings_[k])) continue;  // the unknown place absorbs any step
+    if (hasUnknownPlace(readings_[k])) continue;  // the unknown point absorbs any step
     const auto& X_WB = basePoseAt(fitted, readings_[k]);
     const Prediction predicted = predictor.predict(X_WB, readings_[k], request);
     if (!predicted.ok) return false;
@@ -102,7 +103,7 @@ bool StepScan::isOf(const StepForm& form, std::size_t reading) const {
 
 std::optional<StepScan::Explained> StepScan::explained(const Sums& sums) const {
   MatrixXd left = sums.by_step - sums.by_fit.transpose() * sums.by_fit;
-  constexpr double kTold = 1e-6;  // least share of a number's square that the fit must leave
+  constexpr double kTold = 1e-6;  // least fraction of a column's squared length that the fit must leave
   for (Index k = 0; k < left.rows(); ++k)
     if (!(left(k, k) > kTold * sums.by_step(k, k))) return std::nullopt;
   const VectorXd scale = left.diagonal().cwiseSqrt().cwiseInverse();
@@ -123,7 +124,7 @@ double StepScan::gainOf(double fall) const {
   const double before = residual_.squaredNorm() - residual_by_fit_.squaredNorm();
   const double rows = static_cast<double>(residual_.size());
   const double after = std::max(before - 2 * fall, 0.);
-  // -log likelihood about the best scale of at least one.
+  // Negative log likelihood with the best scale that is at least one.
   const auto cost = [&](double squares) {
     const double variance = std::max(1., squares / rows);
     return rows / 2 * std::log(variance) + squares / (2 * variance);
@@ -184,7 +185,7 @@ MatrixXd StepScan::creeping(std::size_t form, const std::vector<VectorXd>& along
   return columns;
 }
 
-/// Returns the courses that a creep may follow, each with as many columns as it has numbers of its own.
+/// Returns the functions that a creep may follow, each with one column per parameter.
 std::vector<std::vector<VectorXd>> StepScan::courses(const StepForm& form) const {
   const auto count = static_cast<Index>(readings_.size());
   const auto by = [&](auto number) {
@@ -210,7 +211,7 @@ std::vector<std::vector<VectorXd>> StepScan::courses(const StepForm& form) const
     add(by([&](const auto& m, Index) { return m.conditions[kind.condition]; }),
         kind.course == deflection::Course::kSlow);
   add(by([](const auto& m, Index) { return m.load; }), true);
-  for (const double share : {0.25, 0.1})  // warm-up
+  for (const double share : {0.25, 0.1})  // exponential warm-up
     add(by([&](const auto&, Index k) {
           return std::exp(-static_cast<double>(k) / (share * static_cast<double>(count)));
         }),

@@ -1,4 +1,4 @@
-// Share of a fit's errors that a step at each reading, or a creep, would explain.
+// Fraction of a fit's errors that a step at each reading, or a gradual change (creep), would explain.
 #pragma once
 
 #include <Eigen/Dense>
@@ -12,29 +12,29 @@ namespace tubeplan::calibration {
 
 inline constexpr std::size_t kFewestOfStep = 4;  ///< least number of readings before and after a step
 
-/// Best step of one form.
+/// Best step of one form: its reading and size.
 struct FoundStep {
-  std::size_t form = 0, reading = 0;  ///< `reading` is the first one after the step
-  double merit = 0;                   ///< log odds gained, minus the step's penalty
+  std::size_t form = 0, reading = 0;  ///< `reading` is the first reading after the step
+  double merit = 0;                   ///< log odds gained, minus the penalty of the step
   Eigen::VectorXd size;
 };
 
-/// Returns the penalty of a step of so many numbers at one of the readings, in log odds.
+/// Returns the penalty, in log odds, of a step with `numbers` parameters that may begin at any of the readings.
 [[nodiscard]] double priceOfStep(int numbers, const std::vector<Measurement>& readings);
 
 class StepScan {
  public:
-  /// Scans at the state of a fit; `readings` and `forms` must outlive the object. Not ok if the model cannot be
-  /// evaluated.
+  /// Linearises the model at the state of a fit. `readings` and `forms` must outlive the object. ok() is false if the
+  /// model cannot be evaluated.
   StepScan(PlacedArm fitted, const FreeChoice& open, const std::vector<Measurement>& readings,
            const std::vector<StepForm>& forms);
 
   [[nodiscard]] bool ok() const { return ok_; }
-  /// Returns the best step of each form, best first.
+  /// Returns the best step of each form, most probable first.
   [[nodiscard]] std::vector<FoundStep> steps() const;
-  /// Returns the best size of a step at this reading.
+  /// Returns the best size of a step of this form at this reading.
   [[nodiscard]] Eigen::VectorXd sizeAt(std::size_t form, std::size_t reading) const;
-  /// Returns the gain of the best creep minus its penalty, comparable with a step's merit.
+  /// Returns the log odds gained by the best creep minus its penalty, comparable with FoundStep::merit.
   [[nodiscard]] double bestCreep() const;
 
  private:
@@ -43,7 +43,7 @@ class StepScan {
     Eigen::VectorXd residual;
   };
   struct Explained {
-    double gain = 0;  ///< fall of half of chi-square
+    double gain = 0;  ///< decrease of half of chi-square
     Eigen::VectorXd size;
   };
 
@@ -54,7 +54,8 @@ class StepScan {
   [[nodiscard]] std::vector<std::vector<Eigen::VectorXd>> courses(const StepForm& form) const;
   [[nodiscard]] bool isOf(const StepForm& form, std::size_t reading) const;
   [[nodiscard]] std::optional<FoundStep> bestStep(std::size_t form) const;
-  /// Returns the log odds gained by a fall of half of chi-square, about an unknown scale of at least the noise.
+  /// Returns the log odds gained by a decrease `fall` of half of chi-square, for an unknown error scale that is at
+  /// least that of the noise.
   [[nodiscard]] double gainOf(double fall) const;
 
   const std::vector<Measurement>& readings_;
@@ -62,9 +63,10 @@ class StepScan {
   bool ok_ = false;
   std::vector<int> first_row_;
   Eigen::VectorXd residual_, residual_by_fit_;
-  /// Fitted numbers x rows, scaled so that the squares of products are the fall of chi-square by the fit.
+  /// Transformed Jacobian of the fit (parameters x rows), such that the squared length of its product with a residual
+  /// is the decrease of chi-square due to the fit.
   Eigen::MatrixXd by_fit_;
-  std::vector<Eigen::MatrixXd> by_step_;  ///< columns of each form, rows x numbers
+  std::vector<Eigen::MatrixXd> by_step_;  ///< columns of each form (rows x parameters)
 };
 
 }  // namespace tubeplan::calibration

@@ -16,10 +16,10 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr std::size_t kMostSteps = 3;  // forms that are fitted, for the readings as stated
-constexpr int kTurns = 4;              // alternations between fitting the size and searching the reading
+constexpr std::size_t kMostSteps = 3;  // most steps that are fitted, for the readings as stated
+constexpr int kTurns = 4;              // most alternations between fitting the size and searching for the reading
 constexpr double kBeyondCreep = 5;     // least log odds of a step relative to a creep
-constexpr double kDrasticFall = 8;     // least fall of the error that no creep causes
+constexpr double kDrasticFall = 8;     // least factor of error reduction that no creep causes
 
 class StepSearch {
  public:
@@ -68,7 +68,8 @@ class StepSearch {
     return mend;
   }
 
-  /// Alternates between fitting the size and searching the reading.
+  /// Refines the size and the first reading of a step by alternating between a fit of the size and a search for the
+  /// reading; nullopt if a fit fails.
   [[nodiscard]] std::optional<Mend> refined(const FoundStep& step, std::string from) const {
     VectorXd size = step.size;
     auto mend = mendOf(step.form, size, from);
@@ -88,7 +89,7 @@ class StepSearch {
     return mend;
   }
 
-  /// Returns the change of the size by a linear fit with all that is open.
+  /// Returns the change of the step's size from a linear fit together with all open parameters.
   [[nodiscard]] VectorXd change(std::size_t form, const VectorXd& size, const PlacedArm& placed,
                                 const std::vector<Measurement>& readings, const std::string& from) const {
     const auto ids = idsFrom(all_, from);
@@ -99,7 +100,7 @@ class StepSearch {
     return scan.sizeAt(0, static_cast<std::size_t>(first - readings.begin()));
   }
 
-  /// Returns the reading that minimises the errors with the step from it on, and without the step before it.
+  /// Returns the id of the reading that minimises the errors, if the step applies from this reading on and not before.
   [[nodiscard]] std::string beginning(std::size_t form, const VectorXd& size, const std::string& from,
                                       const Trial& fit) const {
     std::vector<std::size_t> members;
@@ -111,7 +112,7 @@ class StepSearch {
     PlacedArm placed = fit.placed;
     if (whole) {
       whole->change(stepped);
-      // The set-up that begins with the step has the same base under another name.
+      // The set-up that begins with the step has the same base as the fitted set-up, under another name.
       if (whole->new_setup && !placed.base_poses.empty()) placed.base_poses.back().setup = whole->new_setup->name;
     }
     RowErrors without(placed, all_), with(placed, stepped);

@@ -9,18 +9,20 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kLeastFall = 3;      // least fall of the error by the drawing that a mistake must explain
-constexpr double kOdds = 14;          // log of a million
-constexpr double kDrastic = 8;        // fall of the error by the drawing that no fitted drawing explains
-constexpr double kAsGood = 3;         // log odds within which another mistake explains the readings as well
-constexpr double kAsGoodError = 1.5;  // ratio of errors for the same
-constexpr double kNoisePerRow = 0.6;  // lack of fit of a row by noise alone
-constexpr double kFits = 0.05;        // share of the reach: largest error of readings that count as corrected
-constexpr double kLeftOver = 0.001;   // share of the reach: error after one mistake above which several are tried
-constexpr double kBent = 0.005;       // share of the reach: error by the drawing beyond its sag
-constexpr double kMostAtNoise = 2;    // most chi-square per degree of freedom by noise alone
+constexpr double kLeastFall = 3;  // least factor by which a mistake must reduce the error relative to the drawing
+constexpr double kOdds = 14;      // required log odds: log of a million
+// Factor of error reduction relative to the drawing that no fit of the drawing's parameters achieves.
+constexpr double kDrastic = 8;
+constexpr double kAsGood = 3;         // log odds within which another mistake explains the readings equally well
+constexpr double kAsGoodError = 1.5;  // ratio of errors within which another mistake explains the readings equally well
+constexpr double kNoisePerRow = 0.6;  // lack of fit per row due to noise alone
+constexpr double kFits = 0.05;        // largest error of readings that count as corrected, relative to the reach
+// Error, relative to the reach, above which several mistakes are tried after one is corrected.
+constexpr double kLeftOver = 0.001;
+constexpr double kBent = 0.005;     // error with the tip as drawn that exceeds the arm's sag, relative to the reach
+constexpr double kMostAtNoise = 2;  // largest chi-square per degree of freedom due to noise alone
 
-/// Returns true if a correction has fitted numbers; without them, no fall of the error is due to a fit.
+/// Returns true if a correction has fitted parameters; without them, no reduction of the error is due to a fit.
 bool hasNumbers(const Mend& mend) { return mend.frees_base || mend.parts_setups || mend.numbers_fitted > 0; }
 
 }  // namespace
@@ -59,15 +61,16 @@ bool SuspectJudgement::isAllNeeded(const Suspect& suspect) const {
 bool SuspectJudgement::asksForMistakes() const {
   if (!trials_.asIs().ok) return true;
   const double noise = trials_.noise({});
-  if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // mistake of a part of the readings
+  if (trials_.asIs().whole_error > kFits * trials_.reach()) return true;  // mistake in some of the readings
   const bool is_bent =
-      trials_.asIs().held_error > kDrastic * trials_.asIs().open_error;  // Fits only with a bent drawing.
+      // The readings fit only with a distorted drawing.
+      trials_.asIs().held_error > kDrastic * trials_.asIs().open_error;
   return trials_.isBaseFar(trials_.asIs()) ||
          (trials_.asIs().held_error > kLeastFall * noise && (isLackOfFit() || is_bent));
 }
 
 bool SuspectJudgement::asksForSteps() const {
-  constexpr double kMoreThanNoise = 1.5;  // chi-square per degree of freedom
+  constexpr double kMoreThanNoise = 1.5;  // chi-square per degree of freedom that exceeds noise alone
   return isLackOfFit() || trials_.asIs().chi2_per_freedom > kMoreThanNoise;
 }
 
@@ -94,14 +97,14 @@ bool SuspectJudgement::explainsError(const Suspect& suspect) const {
   if (!trials_.asIs().ok) return suspect.drawn.error < kFits * trials_.reach();
   const double shrinks = trials_.shrinkage(suspect.drawn);
   const auto falls = [&](double as_is, double mended) { return as_is >= kLeastFall * mended * shrinks; };
-  // A step that leaves only noise, and that no creep explains (step_search.hpp), may be smaller.
+  // A step that leaves only noise, and that no creep explains (step_search.hpp), may reduce the error less.
   if (suspect.mend.against > 0 && isAtNoise(suspect) && gainOf(suspect) >= kOdds) return true;
-  // A base is common to all readings; after a slip it does not apply to the readings before.
+  // A base is common to all readings; after a slip it does not apply to earlier readings.
   if (suspect.mend.frees_base && !falls(trials_.asIs().whole_error, suspect.open.whole_error)) return false;
   if (!hasNumbers(suspect.mend) && trials_.gain(suspect.open) > 0 &&
       trials_.asIs().held_error >= kDrastic * suspect.drawn.held_error * shrinks)
     return true;
-  // A corrected part must fit as well as the other readings, otherwise the mistake is another one.
+  // The corrected readings must fit as well as the other readings; otherwise the mistake is a different one.
   if (suspect.mend.is_of_part && trials_.gain(suspect.open) >= kOdds &&
       trials_.asIs().whole_error >= kDrastic * suspect.open.whole_error * shrinks &&
       suspect.open.whole_error < kLeastFall * suspect.open.error)
@@ -112,7 +115,7 @@ bool SuspectJudgement::explainsError(const Suspect& suspect) const {
 }
 
 bool SuspectJudgement::bringsBack(const Trial& before, const Trial& after) const {
-  constexpr double kBack = 4;  // ratio of distances
+  constexpr double kBack = 4;  // least ratio of distances before and after
   const double far_shift = kFarShift * trials_.reach();
   const bool turns_back = before.base_turn > kFarTurn && before.base_turn >= kBack * after.base_turn;
   const bool shifts_back = before.base_shift > far_shift && before.base_shift >= kBack * after.base_shift;

@@ -1,4 +1,4 @@
-// Judgement of mistakes by the criteria of measurement_checks.hpp, for one mistake or for several together.
+// Assessment of mistakes with the criteria of measurement_checks.hpp, for one mistake or for several together.
 #pragma once
 
 #include <vector>
@@ -7,52 +7,55 @@
 
 namespace tubeplan::calibration {
 
-/// One mistake, or several together, with its trials by the drawing and with all that is open.
+/// One mistake, or several together, with the trials relative to the drawing and with all open parameters free.
 struct Suspect {
   JoinedMends parts;
   Mend mend;
   Trial drawn, open;
 };
 
-/// Criteria for suspects. `trials` must outlive the object.
+/// Criteria for suspected mistakes. `trials` must outlive the object.
 class SuspectJudgement {
  public:
   explicit SuspectJudgement(const MistakeTrials& trials) : trials_(trials) {}
 
-  /// Returns true if there is an error that a mistake could explain, or a base that one could have moved.
+  /// Returns true if there is an error that a mistake could explain, or a displacement of the base that a mistake could
+  /// have caused.
   [[nodiscard]] bool asksForMistakes() const;
   /// Returns true if there is an error that a step of a few sigmas could cause.
   [[nodiscard]] bool asksForSteps() const;
-  /// Returns true if no single mistake brings the error near the usual error of a model.
+  /// Returns true if no single mistake reduces the error to about the usual error of a model.
   [[nodiscard]] bool isLeftOver(const std::vector<Suspect>& suspects) const;
 
-  /// Returns true if an error remains, or if each suspect has the base far from its nominal place or a bent drawing.
+  /// Returns true if an error remains, or if every suspect has its base far from the nominal place or a distorted
+  /// drawing.
   [[nodiscard]] bool asksForSeveral(const std::vector<Suspect>& suspects) const;
 
-  /// Returns true if a suspect lowers the error as much as a mistake must.
+  /// Returns true if a suspect lowers the error as much as required of a mistake.
   [[nodiscard]] bool explainsError(const Suspect& suspect) const;
   /// Returns true if a suspect brings the base back to its nominal place without a larger error.
   [[nodiscard]] bool explainsBase(const Suspect& suspect) const;
-  /// Returns true if each of several mistakes meets the criteria of a single one, beside the others.
+  /// Returns true if each of several mistakes meets the criteria of a single mistake, given the other mistakes.
   [[nodiscard]] bool isAllNeeded(const Suspect& suspect) const;
-  /// Returns true if a suspect leaves no more than the noise.
+  /// Returns true if a suspect leaves no more error than the noise.
   [[nodiscard]] static bool isAtNoise(const Suspect& suspect);
-  /// Returns true if the readings are enough to contradict a correction that is fitted to them, or that leaves some of
-  /// them out.
+  /// Returns true if there are enough readings to contradict a correction that is fitted to them or leaves some of them
+  /// out.
   [[nodiscard]] bool isDetermined(const Mend& mend) const;
 
-  /// Returns the log odds that a suspect gains, minus the penalty for a choice among many readings.
+  /// Returns the log odds that a suspect gains, minus the penalty for its choice among many readings.
   [[nodiscard]] double gainOf(const Suspect& suspect) const;
-  /// Returns the same minus the prior log odds against each further mistake.
+  /// Returns gainOf(suspect) minus the prior log odds against each further mistake.
   [[nodiscard]] double merit(const Suspect& suspect) const;
-  /// Returns true if another suspect explains the readings as well as the best.
+  /// Returns true if suspect `other` explains the readings as well as `best`.
   [[nodiscard]] bool isAsGood(const Suspect& other, const Suspect& best) const;
 
  private:
   [[nodiscard]] bool isLackOfFit() const;
-  /// Returns true if the readings fit only a drawing that is bent to them, by as much as its priors allow and more.
+  /// Returns true if the readings fit only with a drawing that is distorted to match them, to the limits of its priors
+  /// and beyond.
   [[nodiscard]] bool isBent(const Suspect& suspect) const;
-  /// Returns true if a base that was far from its nominal place is near it afterwards.
+  /// Returns true if a base that was far from its nominal place before is near it after the correction.
   [[nodiscard]] bool bringsBack(const Trial& before, const Trial& after) const;
 
   const MistakeTrials& trials_;

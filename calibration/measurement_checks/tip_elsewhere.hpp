@@ -1,5 +1,5 @@
-// Mistake of a tool or target that was changed within a set-up: the measured point is elsewhere on the tool from a
-// reading on.
+// Mistake: a tool or target was changed within a set-up, so the measured point is elsewhere on the tool from a reading
+// on.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
-// Mistake of rotations of another frame than the arm file's tool frame. "yzx": another convention of the flange, whose
-// x, y and z are the tool's y, z and x. "90:0:35": a tracked body that is mounted on the tool with this roll, pitch and
-// yaw.
+// Mistake: rotations are those of another frame than the arm file's tool frame. Value "yzx": another convention of the
+// flange, whose x, y and z are the tool's y, z and x. Value "90:0:35": a tracked body that is mounted on the tool with
+// this roll, pitch and yaw.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,8 +16,8 @@ namespace tubeplan::calibration::mistakes::tool_frame {
 
 inline double angleOf(const Eigen::Matrix3d& R) { return Eigen::AngleAxisd(R).angle(); }
 
-/// Returns the rotation R_TM of the measured frame: from an order of axes, or from roll, pitch and yaw between colons
-/// in the unit of the file's angles. Nothing if the text has neither form.
+/// Returns the rotation R_TM of the measured frame M relative to the tool T, from an order of axes, or from roll, pitch
+/// and yaw between colons in the unit of the file's angles. Returns nullopt if the text has neither form.
 inline std::optional<Eigen::Matrix3d> turnOf(const CheckedReadings& checked, const std::string& value) {
   if (const auto R_TM = axes::matrixOf(value)) return R_TM->determinant() > 0 ? R_TM : std::nullopt;
   const auto rpy = numbersAtColons(value, 3);
@@ -25,13 +25,13 @@ inline std::optional<Eigen::Matrix3d> turnOf(const CheckedReadings& checked, con
   return deflection::rotationFromFixedAngles<double>(Eigen::Vector3d(rpy->data()) * checked.units.angles.factor);
 }
 
-/// Returns roll, pitch and yaw in the unit of the file's angles.
+/// Returns roll, pitch and yaw of a rotation in the unit of the file's angles.
 inline Eigen::Vector3d fixedAngles(const CheckedReadings& checked, const Eigen::Matrix3d& R) {
   return deflection::fixedAnglesOf(R) / checked.units.angles.factor + Eigen::Vector3d::Zero();
 }
 
-/// Returns the mean rotation R_TM of the measured frame, from a fit of the positions alone; nothing if too few readings
-/// have both.
+/// Returns the mean rotation R_TM of the measured frame relative to the tool, with the tool's pose from a fit of the
+/// positions alone. Returns nullopt if too few readings state both a position and a rotation.
 inline std::optional<Eigen::Matrix3d> meanTurn(const CheckedReadings& checked) {
   constexpr std::size_t kLeast = 6;
   std::vector<Measurement> places;
@@ -47,13 +47,13 @@ inline std::optional<Eigen::Matrix3d> meanTurn(const CheckedReadings& checked) {
   for (const Measurement& reading : places)
     if (const auto tool = toolAt(fit.placed, reading))
       sum += tool->R_WT.transpose() * deflection::rotationFromFixedAngles<double>(reading.own);
-  if (!(sum.determinant() > 0)) return std::nullopt;  // rotations in all directions
+  if (!(sum.determinant() > 0)) return std::nullopt;  // rotations in all directions have no mean
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose());
 }
 
 inline std::vector<std::string> values(const CheckedReadings& checked) {
-  constexpr double kSmall = 0.1;  // [rad] prior sigma of a mounting (`tool.turn`), which the fit can find
+  constexpr double kSmall = 0.1;  // prior sigma of a mounting (`tool.turn`) [rad], which the fit can find
   std::vector<std::string> texts;
   if (std::ranges::none_of(checked.readings, statesFrame)) return texts;
   const auto mean = meanTurn(checked);
@@ -69,7 +69,7 @@ inline std::vector<std::string> values(const CheckedReadings& checked) {
   return texts;
 }
 
-/// Returns the tool's `rpy` with which the arm file would have that frame.
+/// Returns, as text, the tool's `rpy` with which the arm file's tool frame would be the measured frame.
 inline std::string rpyText(const CheckedReadings& checked, const Eigen::Matrix3d& R_TM) {
   const Eigen::Vector3d rpy = fixedAngles(checked, checked.start.arm.R_LT * R_TM);
   return fmt::format("[{:.6g}, {:.6g}, {:.6g}] {}", rpy.x(), rpy.y(), rpy.z(), checked.units.angles.name);

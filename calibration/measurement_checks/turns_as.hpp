@@ -1,5 +1,5 @@
-// Mistake of rotations under roll, pitch, yaw that have another form: Euler angles of a controller, or a rotation
-// vector.
+// Mistake: rotations in the roll, pitch and yaw columns have another form, such as Euler angles of a controller or a
+// rotation vector.
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kFewestPoses = 6;
 
-/// Returns the readings that state a position and a rotation of the tool, as positions.
+/// Returns the readings that state both a position and a rotation of the tool, converted to position readings.
 std::vector<Measurement> placesOfPoses(const std::vector<Measurement>& readings) {
   std::vector<Measurement> places;
   for (Measurement reading : readings)
@@ -23,8 +23,8 @@ std::vector<Measurement> placesOfPoses(const std::vector<Measurement>& readings)
   return places;
 }
 
-/// Returns the corrections of a text such as "joint-sign=q1,joint-sign=q4", without those of the noise; empty if one
-/// does not apply to these readings.
+/// Returns the corrections of a text such as "joint-sign=q1,joint-sign=q4", except corrections of the noise; empty if
+/// one of them does not apply to these readings.
 JoinedMends mendsOf(const CheckedReadings& checked, const std::string& assume) {
   JoinedMends mends;
   for (const std::string& text : partedAssumptions(assume)) {
@@ -43,8 +43,8 @@ CheckedReadings takenBy(CheckedReadings checked, const JoinedMends& mends) {
   return checked;
 }
 
-/// Returns each form of a mistake in rotations, for readings corrected by `before`; without those that must be
-/// corrected before its last one.
+/// Returns `before` combined with each value of a mistake in rotations, for readings corrected by `before`. Mistakes
+/// that must be corrected before the last correction of `before` are excluded.
 std::vector<JoinedMends> withTurns(const CheckedReadings& checked, const JoinedMends& before) {
   std::vector<JoinedMends> all;
   const CheckedReadings mended = takenBy(checked, before);

@@ -1,5 +1,5 @@
-// Choice of mistakes in the rotations of a measured frame, together with others that positions show, that are worth a
-// fit.
+// Choice of combinations that are worth a fit: mistakes in the rotations of a measured frame, together with mistakes
+// that positions show.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the mistake that the positions of pose readings show alone, combined with each form of a mistake in their
-/// rotations. Without such a mistake, returns pairs of mistakes in the rotations. Empty if too few readings state both.
+/// Returns the mistake that the positions of pose readings alone show, combined with each value of a mistake in their
+/// rotations. If positions show no mistake, returns pairs of mistakes in the rotations. Empty if too few readings state
+/// both a position and a rotation.
 [[nodiscard]] std::vector<JoinedMends> likelyBesideTurns(const MistakeTrials& trials);
 
 }  // namespace tubeplan::calibration

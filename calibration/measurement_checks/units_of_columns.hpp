@@ -1,4 +1,4 @@
-// Common functions of the unit mistakes: names of other units, and the factor from the stated unit.
+// Common functions for mistakes of units: names of other units, and the factor from the stated unit.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,8 @@ inline std::vector<std::string> otherNames(const std::vector<NamedUnit>& units, 
   return names;
 }
 
-/// Returns the factor from numbers read as `own` to numbers in the named unit; nothing if there is no such unit.
+/// Returns the factor that converts values read in unit `own` to values read in the named unit; nullopt if there is no
+/// such unit.
 inline std::optional<double> factorOf(const std::vector<NamedUnit>& units, const NamedUnit& own,
                                       const std::string& name) {
   for (const auto& unit : units)
@@ -24,8 +25,9 @@ inline std::optional<double> factorOf(const std::vector<NamedUnit>& units, const
   return std::nullopt;
 }
 
-/// Returns the correction of noise whose columns state the same unit as the coordinates' columns, by the same factor.
-/// It applies to all axes, or to one axis, for which a common sigma is not changed. Empty if no such column exists.
+/// Returns the correction, by the same factor, of noise whose columns state the same unit as the coordinates' columns.
+/// The correction applies to all axes or, if `axis` is given, to this axis only; a common sigma is then not changed.
+/// Empty if there is no such noise column.
 inline std::function<void(std::vector<Measurement>&)> sigmaAlong(const CheckedReadings& checked, double factor,
                                                                  std::optional<Eigen::Index> axis = {}) {
   const auto& units = checked.units;

@@ -1,5 +1,5 @@
-// Mistake of readings to be left out: duplicates, readings beyond the arm's reach, or a run logged from something that
-// stood still.
+// Correction that leaves out readings: duplicates, readings beyond the arm's reach, or consecutive readings of a point
+// that stood still.
 #pragma once
 
 #include "calibration/measurement_checks/from_reading.hpp"

@@ -1,4 +1,4 @@
-// Fit of the joint zeros that a mistake displaces.
+// Fit of the joint zeros of a suspected mistake.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,9 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the corrections with zeros fitted from the tried values; nothing if one is no mistake. The first joint's
-/// zero and an unknown base have the same effect on the readings, so this zero is fitted with the base at its nominal
-/// place.
+/// Returns the corrections with the zeros fitted, starting from the tried values; nullopt if a fitted zero is too small
+/// to be a mistake. The zero of the first joint and an unknown base have the same effect on the readings, so this zero
+/// is fitted with the base at its nominal pose.
 [[nodiscard]] std::optional<JoinedMends> withZerosFound(const MistakeTrials& trials, JoinedMends parts);
 
 }  // namespace tubeplan::calibration
