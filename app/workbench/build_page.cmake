@@ -18,15 +18,17 @@ if(NOT EXISTS "${stamp}" OR "${lock}" IS_NEWER_THAN "${stamp}")
   file(TOUCH "${stamp}")
 endif()
 
-# Copies the sources, so that nothing is built among them, and the modules of app/drawing next to them, as in the source
-# tree. Copies of an earlier page are removed first, with its tests, which would be checked with the new sources.
+# Copies the sources, so that nothing is built in the source tree, with the modules of app/drawing next to them as in
+# the source tree. Removes copies of an earlier page first, including its tests, which would be type-checked with the
+# new sources.
 cmake_path(GET TO PARENT_PATH beside)
 file(REMOVE_RECURSE "${TO}/source" "${TO}/public" "${TO}/tests" "${TO}/dist" "${TO}/dist-report" "${beside}/drawing")
 file(COPY "${DRAWING}" DESTINATION "${beside}")
 file(COPY "${FROM}/" DESTINATION "${TO}" PATTERN node_modules EXCLUDE PATTERN dist* EXCLUDE PATTERN tests EXCLUDE)
 execute_process(COMMAND ${NPM} run --silent build WORKING_DIRECTORY "${TO}" COMMAND_ERROR_IS_FATAL ANY)
 
-# Script and style are in blocks of every report, so nothing in them may end a block or request anything from a server.
+# Every report contains the script and the style in blocks of its HTML, so they must not close a block or request
+# anything from a server.
 file(READ "${TO}/dist-report/report.js" script)
 file(READ "${TO}/dist-report/report.css" style)
 if("${script}${style}" MATCHES "</(script|style)|<!--|/api/|[^\t\r\n -~]")

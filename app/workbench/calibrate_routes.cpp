@@ -55,7 +55,8 @@ Answer propose(Workbench& workbench, const Request& request) {
                         });
 }
 
-/// Returns a posture under the hole, by the model.
+/// Returns the first posture of the model whose tip is under the hole. Throws InputError if the arm does not reach the
+/// hole.
 Eigen::VectorXd postureUnder(const Cell& cell, int hole) {
   planner::CompensationOptions options;
   options.with_approach = false;
@@ -69,7 +70,7 @@ Eigen::VectorXd postureUnder(const Cell& cell, int hole) {
                            "choose another hole");
 }
 
-/// Returns the reading of the true arm, or if there is none of the cell's own, at a touch.
+/// Returns a simulated touch: a reading of the true arm, or of the opened cell's arm if no true arm is known.
 calibration::Measurement simulatedTouch(const Session& now, const calibration::TouchPlan& plan, double load) {
   const Cell& model = currentModel(now).cell;
   const Cell truth = now.truth.empty() ? now.models.front()->cell : readCell(now.truth);
@@ -138,8 +139,8 @@ Answer touches(Workbench& workbench, const Request&) {
   return answerOf({{"units", unitsJson(cell.units)}, {"touches", list}});
 }
 
-/// Returns the touches of the list; if that is empty, the readings of touches that are not set aside. They pass through
-/// the text of a measurement file, as the command reads them.
+/// Returns the listed touches, or if there are none, the loaded touch readings that are not set aside. The touches are
+/// written as a measurement file and read again, to agree with the command.
 std::vector<calibration::Measurement> touchesToUse(const Session& session, const Cell& cell) {
   if (session.touches.empty() && session.readings)
     return touchesOf(readingsInUse(*session.readings), cell, session.readings->name);
@@ -149,7 +150,8 @@ std::vector<calibration::Measurement> touchesToUse(const Session& session, const
   return touchesOf(parseReadings(touchesCsv(made, cell), "touches.csv", cell), cell, "touches.csv");
 }
 
-/// Calibrates the base. Touches that place no base leave the model unchanged, and a document gives the reason.
+/// Calibrates the base from the touches. If the touches do not determine the base, the model stays unchanged and the
+/// result document gives the reason.
 Answer calibrate(Workbench& workbench, const Request& request) {
   (void)objectOf(request);
   return beginJob(workbench, "calibrate", "where the base stands", [&workbench](JobContext& context) {

@@ -17,15 +17,16 @@ struct ConnectionLimits {
   int most_requests = 1000;                       ///< maximum number of requests on one connection
 };
 
-/// Stream from which the library reads requests and to which it writes answers. Exceeding a limit ends it.
+/// Stream from which the HTTP library reads requests and to which it writes answers. A connection that exceeds a limit
+/// is closed.
 class Connection : public httplib::Stream {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Takes over a socket. `is_closing` returns true if the server is about to end.
+  /// Takes over an open socket. `is_closing` returns true once the server is shutting down.
   Connection(int socket, const ConnectionLimits& limits, std::function<bool()> is_closing);
 
-  /// Waits for the next request; returns false if none comes.
+  /// Waits for the next request. Returns false if none comes in time or the server is shutting down.
   [[nodiscard]] bool waitForRequest();
 
   [[nodiscard]] bool is_readable() const override;
@@ -36,7 +37,7 @@ class Connection : public httplib::Stream {
   void get_local_ip_and_port(std::string&, int&) const override {}
   [[nodiscard]] int socket() const override { return socket_; }
 
-  /// Closes the socket, after reading what the peer still sends for a moment, so that the peer sees the answer.
+  /// Closes the socket after reading remaining input of the peer for a moment, so that the peer receives the answer.
   void close();
 
  private:

@@ -24,7 +24,7 @@ bool isNumericAddress(std::string host) {
   return ::inet_pton(AF_INET, host.c_str(), address) == 1 || ::inet_pton(AF_INET6, host.c_str(), address) == 1;
 }
 
-/// Returns true if the Host header "name:port" is allowed; a missing port is 80.
+/// Returns true if the value "name:port" of a Host header is allowed; a missing port means 80.
 bool hostAllowed(const DoorRules& rules, const std::string& header) {
   const std::string text = lowerCase(header);
   const std::size_t bracket = text.rfind(']'), colon = text.rfind(':');
@@ -33,7 +33,7 @@ bool hostAllowed(const DoorRules& rules, const std::string& header) {
   if ((has_port ? text.substr(colon + 1) : "80") != std::to_string(rules.port)) return false;
   if (name == "localhost" || name == "127.0.0.1" || name == "[::1]" || name == lowerCase(inBrackets(rules.host)))
     return true;
-  // A server that listens on all addresses is reached by number only, because anyone can make a name point here.
+  // A server that listens on all addresses accepts only numeric hosts, because anyone can point a name at this machine.
   return isAnyAddress(rules.host) && isNumericAddress(name);
 }
 
@@ -46,7 +46,7 @@ bool originAllowed(const DoorRules& rules, const Visitor& visitor) {
   return visitor.fetch_site.empty() || visitor.fetch_site == "same-origin" || visitor.fetch_site == "none";
 }
 
-/// Returns the value of the cookie; empty if it is missing.
+/// Returns the token in the Cookie header; empty if there is none.
 std::string cookieOf(const std::string& header) {
   for (std::size_t from = 0; from < header.size();) {
     const std::size_t to = std::min(header.find(';', from), header.size());

@@ -1,4 +1,4 @@
-// Rules on the headers of a request that decide on its admission, checked before anything else.
+// Admission rules on the headers of a request, checked before the request is handled.
 #pragma once
 
 #include <string>
@@ -12,23 +12,23 @@ struct DoorRules {
   std::string token;  ///< empty: no token is required
 };
 
-/// Headers that the rules check; empty if the request has none.
+/// Parts of a request that the rules check; a missing header is empty.
 struct Visitor {
   std::string method, path;
   std::string host, origin, fetch_site, authorization, cookie;
 };
 
-/// Returns 0 for an admitted request, else the HTTP status: 401 for a missing or wrong token, 403 for another Host,
-/// another Origin, or a request sent by a page of another site.
+/// Returns 0 for an admitted request, otherwise the HTTP status: 401 for a missing or wrong token; 403 for a wrong
+/// Host, a wrong Origin, or a request sent by a page of another site.
 [[nodiscard]] int refuseAtDoor(const DoorRules& rules, const Visitor& visitor);
 
-/// Returns true if that is a name or address of this machine alone.
+/// Returns true if `host` is the name or an address of the loopback interface.
 [[nodiscard]] bool isLoopback(const std::string& host);
 
 /// Returns the Set-Cookie value for the token.
 [[nodiscard]] std::string tokenCookie(const std::string& token);
 
-/// Returns true if the texts are equal, in a time that depends on their lengths alone.
+/// Returns true if the texts are equal, in a time that depends only on their lengths.
 [[nodiscard]] bool equalInConstantTime(const std::string& a, const std::string& b);
 
 }  // namespace tubeplan::app

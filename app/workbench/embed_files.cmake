@@ -7,7 +7,7 @@ set(symbols "")
 set(functions "")
 set(number 0)
 
-# Writes a function that returns the files of a folder, one of which must exist.
+# Writes a function that returns the files of a folder. The folder must contain the file `needed`.
 function(embed_folder folder needed name)
   file(GLOB_RECURSE files LIST_DIRECTORIES false RELATIVE "${folder}" "${folder}/*")
   list(SORT files)

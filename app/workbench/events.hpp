@@ -1,6 +1,6 @@
-// Events sent to all browsers: changes of the state, the progress of jobs, and the posture of a running arm. Each
-// listener asks for events newer than those it has seen, so that a slow listener delays nobody and nothing is queued
-// for it.
+// Events sent to all browsers: changes of the state, progress of jobs, and the posture of a running arm. Each listener
+// asks for events newer than those that it has seen, so that a slow listener delays no other listener and no events are
+// queued.
 #pragma once
 
 #include <atomic>
@@ -24,15 +24,15 @@ class Events {
   struct News {
     bool state_changed = false;
     std::vector<std::string> jobs;  ///< newest progress of each changed job, as JSON
-    std::string live;               ///< newest posture of a running arm, as JSON; empty: nothing new
+    std::string live;               ///< newest posture of a running arm, as JSON; empty if there is none
     bool closed = false;
   };
 
-  /// Allows this many listeners at a time.
+  /// Accepts at most `most_listeners` listeners at a time.
   explicit Events(int most_listeners) : most_listeners_(most_listeners) {}
 
   /// Returns the number of the newest change. A state read after this call contains all changes up to that number. Of
-  /// two answers over different connections, the one with the greater number is the newer.
+  /// two answers received over different connections, the answer with the greater number is newer.
   [[nodiscard]] std::uint64_t moment() const { return moment_; }
   std::uint64_t nextMoment() { return ++moment_; }
 
@@ -43,7 +43,7 @@ class Events {
   /// Wakes every listener permanently.
   void close();
 
-  /// Waits for events, at most for this time; without events the result is empty, and a heartbeat is due.
+  /// Waits for new events, at most for the time `most`. Returns empty news on a timeout.
   [[nodiscard]] News wait(Seen& seen, std::chrono::milliseconds most);
 
   [[nodiscard]] bool tryEnter();

@@ -11,11 +11,11 @@ namespace tubeplan::app {
 
 class InputError;
 
-/// Request as received, with bounded size and depth.
+/// Received request; size and depth of the body are limited.
 struct Request {
   std::string method;                        ///< GET, POST, DELETE
-  std::vector<std::string> words;            ///< words of the path after "api": {"jobs", "3", "cancel"}
-  std::map<std::string, std::string> query;  ///< decoded
+  std::vector<std::string> words;            ///< segments of the path after "/api/": {"jobs", "3", "cancel"}
+  std::map<std::string, std::string> query;  ///< decoded parameters
   std::string content_type, body;
 
   /// Returns the value of a query parameter; empty if it is missing.
@@ -32,14 +32,14 @@ struct Answer {
   std::vector<std::pair<std::string, std::string>> headers;
 };
 
-/// Returns a document as an answer; numbers that are not finite become null, bytes that are not UTF-8 become U+FFFD.
+/// Returns a document as an answer. Non-finite numbers become null; bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] Answer answerOf(const nlohmann::json& json, int status = 200);
 
 /// Returns {"error": {where, found, expected, advice, message}} as an answer with this status.
 [[nodiscard]] Answer refusal(int status, const InputError& error);
 [[nodiscard]] nlohmann::json errorJson(const InputError& error);
 
-/// Returns a file as an answer that the browser saves.
+/// Returns an answer that the browser saves as a file.
 [[nodiscard]] Answer downloadOf(const std::string& name, const std::string& content_type, std::string content);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Exports in the form that the commands write: downloads, and the model into the opened folder.
+// Exports with the contents that the commands write: downloads, and saving the model in the opened folder.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -39,7 +39,7 @@ nlohmann::json figuresOf(const Session& session, const std::string& name) {
   return result->document;
 }
 
-/// Returns the model that a result belongs to, with the readings.
+/// Returns the readings with the model for which the named result was computed.
 CellReadings inputOfResult(const Session& session, const std::string& name) {
   CellReadings input = inputOf(session);
   const int id = findResult(session, name)->model;
@@ -48,7 +48,7 @@ CellReadings inputOfResult(const Session& session, const std::string& name) {
   return input;
 }
 
-/// Returns the files of the cell and its arm, which name each other.
+/// Returns the cell file and, if the cell has one, the arm file, which refer to each other.
 std::vector<TextFile> exportedFiles(const Session& s) {
   const Cell& cell = currentModel(s).cell;
   return cellFiles(cell, std::filesystem::path(cell.path).replace_filename("cell.yaml"));
@@ -65,7 +65,7 @@ std::string exportedReadings(const Session& s) {
   const CellReadings input = inputOf(s);  // throws without readings
   return measurementsCsv(s.readings->readings, input.cell.arm, input.cell.units);
 }
-/// Returns the touches, with a comment above the header if some were simulated.
+/// Returns the touches as CSV; a comment above the header lists the simulated touches.
 std::string touchesText(const Session& s) {
   std::vector<calibration::Measurement> touches;
   std::vector<std::string> simulated;
@@ -77,12 +77,12 @@ std::string touchesText(const Session& s) {
       simulated.empty() ? "" : fmt::format("# simulated, not touched: {}\n", fmt::join(simulated, ", "));
   return note + touchesCsv(touches, currentModel(s).cell);
 }
-/// Returns a measurement table without readings.
+/// Returns an empty measurement table: only the header.
 std::string exportedTemplate(const Session& s) {
   const Cell& cell = currentModel(s).cell;
   return measurementsCsv({}, cell.arm, cell.units);
 }
-/// Returns the readings that the diagnosis proposes, to be filled in.
+/// Returns the readings proposed by the diagnosis as a table with fields to fill in.
 std::string exportedRunSheet(const Session& s) {
   const auto figures = figuresOf(s, "diagnose");
   const auto sheet = figures.find("run_sheet");
@@ -100,7 +100,7 @@ std::string comparisonReport(const Session& s) {
   const auto figures = figuresOf(s, "compare");
   return comparisonPage(inputOfResult(s, "compare"), 1, figures);
 }
-/// Returns the pattern search of a model's errors; empty if the model was not compared.
+/// Returns the results of the pattern search in a model's errors; empty if there is no comparison of that model.
 nlohmann::json testedOf(const Session& s, int model) {
   const auto none = nlohmann::json::array();
   const auto compared = s.results.find("compare");
@@ -148,7 +148,7 @@ Answer download(Workbench& workbench, const Request& request) {
   }
 }
 
-/// Writes the current model, and its arm next to it, into the opened folder, for {"file", "overwrite"?}.
+/// Writes the current model and its arm file into the opened folder, for the request {"file", "overwrite"?}.
 Answer saveCell(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const std::string name = textOf(body, "file");

@@ -1,4 +1,4 @@
-// Files of the opened folder: opening and saving of cells and projects.
+// Routes for files of the opened folder: opening and saving of cells and projects.
 #include "app/formats/cell/cell_places.hpp"
 #include "app/storage/atomic_file.hpp"
 #include "app/storage/input_error.hpp"
@@ -11,7 +11,8 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Returns the folder's YAML files that name an arm. A faulty cell is included; opening it reports the fault.
+/// Returns the names of the folder's YAML files that name an arm. Faulty cell files are included; opening them reports
+/// the fault.
 std::vector<std::string> cellNames(const OpenedFolder& folder) {
   auto names = folder.names(".yaml");
   std::erase_if(names, [&](const std::string& name) { return !isCellFile(folder.path() / name); });
@@ -27,7 +28,7 @@ Answer files(Workbench& workbench, const Request&) {
                    {"recent", workbench.keeper().recent()}});
 }
 
-/// Replaces the session by another cell or project; refuses to drop unsaved work without confirmation.
+/// Replaces the session by that of another cell or project. Refuses to discard unsaved work without confirmation.
 Answer openInstead(Workbench& workbench, const nlohmann::json& body, const std::filesystem::path& path) {
   if (isUnsaved(workbench.session()) && !booleanOf(body, "discard", false))
     return refusal(409, InputError::saying("cell", "the work is not saved as a project",
@@ -44,7 +45,7 @@ Answer openCellFile(Workbench& workbench, const Request& request) {
   return openInstead(workbench, body, workbench.folder().fileToRead(textOf(body, "file")));
 }
 
-/// Opens {"file"} of the opened folder, or {"recent"} of the kept sessions.
+/// Opens the project {"file"} in the opened folder, or the kept session {"recent"} in the state folder.
 Answer openProject(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const auto& keeper = workbench.keeper();

@@ -19,7 +19,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMostDrawnTriangles = 20000;
 
-/// Returns the sign of x on the map: seen from below, +x points left.
+/// Returns the sign of x in the drawing: -1 if the sheet is seen from below, where +x points left.
 double signAsDrawn(const tubesheets::Sheet& sheet) {
   return sheet.viewed_from == tubesheets::ViewedFrom::kBelow ? -1 : 1;
 }
@@ -46,7 +46,7 @@ json holesJson(const tubesheets::Sheet& sheet, const Units& units) {
           {"u", u},     {"v", y},           {"state", state}, {"states", states}, {"state_words", state_words}};
 }
 
-/// Returns the manway with u and v as for the holes: its place on the map, relative to the sheet's middle.
+/// Returns the manway with u and v: the components of its direction from the sheet's middle in drawing coordinates.
 json manwayOnMap(const tubesheets::Sheet& sheet, const Units& units) {
   json manway = manwayJson(sheet, units);
   if (!sheet.manway) return manway;
@@ -56,14 +56,15 @@ json manwayOnMap(const tubesheets::Sheet& sheet, const Units& units) {
   return manway;
 }
 
-/// Returns the value under a key of the table, in which dots separate the keys of nested maps; null if there is none.
+/// Returns the value under a key path of the shape table, in which dots separate the keys of nested maps; null if it is
+/// missing.
 const YamlNode* findKeys(const YamlNode& node, std::string_view keys) {
   const std::size_t dot = keys.find('.');
   const YamlNode* found = node.find(keys.substr(0, dot));
   return found && dot != std::string_view::npos ? findKeys(*found, keys.substr(dot + 1)) : found;
 }
 
-/// Returns a field of a shape as in the file.
+/// Returns a field of a shape with its value from the cell file.
 json fieldJson(const YamlNode* value, const planner::ShapeField& field) {
   if (field.count == 0) return value ? json(value->text()) : json(nullptr);
   json numbers = json::array();
@@ -72,8 +73,8 @@ json fieldJson(const YamlNode* value, const planner::ShapeField& field) {
   return field.count == 1 ? numbers.front() : numbers;
 }
 
-/// Returns the shape of an entry of the file, by the planner's table: {kind, fields}; the file's numbers are in the
-/// cell's units already.
+/// Returns the shape of an entry of the cell file, as {kind, fields}; the numbers are already in the cell's units. The
+/// kind is found in the planner's table of shapes.
 json shapeJson(const YamlNode& node) {
   for (const auto& row : planner::sceneShapes()) {
     const YamlNode* fields = findKeys(node, row.key);
@@ -94,8 +95,8 @@ json namedShape(const YamlNode& node, const std::string& otherwise) {
   return shape;
 }
 
-/// Adds a mesh as its bounding box. Its description is under "mesh", with the corners of its triangles, one after
-/// another in the world, if these are few enough to draw.
+/// Replaces the shape of a mesh by its bounding box. The key "mesh" describes the mesh, with the corners of all
+/// triangles in the world frame if there are few enough triangles to draw.
 void addMesh(const SceneMesh& mesh, const Units& units, json& shape) {
   const auto& box = mesh.shape->tree().bounds();
   json description = shape;

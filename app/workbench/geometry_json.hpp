@@ -1,4 +1,5 @@
-// Sheet and scene of a cell in the form that a page draws, in the cell's units, in the world (the sheet's frame).
+// Sheet and scene of a cell in the form that the page draws, in the cell's units and the world frame (the sheet's
+// frame).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,13 +8,14 @@
 
 namespace tubeplan::app {
 
-/// Returns {name, units, pitch, hole_diameter, rows, columns, leg, viewing_side, X_WS, fingerprint, tool, holes}. The
-/// holes are a table by columns, in the order of the sheet; u, v: place in a picture drawn from the viewing side.
+/// Returns {name, units, pitch, hole_diameter, rows, columns, leg, viewing_side, X_WS, fingerprint, tool, holes}.
+/// `holes` has one array per column, with the holes in the order of the sheet; u, v are drawing coordinates seen from
+/// the viewing side.
 [[nodiscard]] nlohmann::json sheetDrawing(const Cell& cell, const tubesheets::Sheet& sheet);
 
-/// Returns {units, clearance, shapes: [{name, kind, allow, and the fields of its kind as in a cell file}], warnings,
+/// Returns {units, clearance, shapes: [{name, kind, allow, and the fields of the kind as in a cell file}], warnings,
 /// arm: [{row, name, moves, bodies: [{name, kind, fields, in the row's frame}]}], tip: [3] in the last row's frame}. A
-/// mesh is its bounding box, with mesh: {file, solid, triangles, positions if they are few}.
+/// mesh appears as its bounding box, with mesh: {file, solid, triangles, positions if they are few}.
 [[nodiscard]] nlohmann::json sceneDrawing(const Cell& cell);
 
 }  // namespace tubeplan::app

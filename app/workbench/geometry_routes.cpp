@@ -1,4 +1,4 @@
-// Sheet, scene, postures and the catalogue: requests that are answered at once.
+// Routes answered without a job: sheet, scene, postures, catalogue, confounding, tube selection and signatures.
 #include "app/documents/effect_catalogue.hpp"
 #include "app/documents/signature_json.hpp"
 #include "app/storage/input_error.hpp"
@@ -41,9 +41,9 @@ Answer catalogue(Workbench& workbench, const Request&) {
   return answerOf(catalogueJson(currentModel(workbench.session()).cell));
 }
 
-/// Returns the displacement of the tip by an effect, for ?effect=hysteresis&at=theta4.
+/// Returns the displacement of the tip by an effect, for the query ?effect=hysteresis&at=theta4.
 Answer signature(Workbench& workbench, const Request& request) {
-  constexpr double kOfWeight = 0.2;  // swept load as a share of the weight if no reading had a load
+  constexpr double kOfWeight = 0.2;  // maximum load as a fraction of the arm's weight if no reading has a load
   const Session session = workbench.session();
   const Cell& cell = currentModel(session).cell;
   double most_load = kOfWeight * deflection::weightOf(cell.arm);
@@ -53,9 +53,9 @@ Answer signature(Workbench& workbench, const Request& request) {
 }
 
 constexpr std::size_t kMostForConfounding =
-    300;  // readings spread over all: the confounding depends little on their number
+    300;  // evenly spaced subset of the readings, because the confounding depends little on their number
 
-/// Returns the confounding of the causes, by the readings in use and the fitted numbers.
+/// Returns the confounding of the causes at the readings in use, given the parameters that are fitted.
 Answer confounding(Workbench& workbench, const Request&) {
   const Session session = workbench.session();
   if (!session.readings) return refusal(404, withoutReadings());

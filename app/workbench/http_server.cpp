@@ -19,16 +19,16 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr std::size_t kConnectionsAtOnce = 256;  // one thread each; further connections wait
+constexpr std::size_t kConnectionsAtOnce = 256;  // one thread per connection; further connections wait
 constexpr std::size_t kLargestBody = 8u << 20;
 constexpr std::size_t kLongestTarget = 2048;
 constexpr auto kHeartbeat = std::chrono::seconds(10);
-constexpr auto kGlanceAtListener = std::chrono::seconds(1);  // interval of checks for a closed listener
+constexpr auto kGlanceAtListener = std::chrono::seconds(1);  // interval at which a closed listener is detected
 constexpr const char* kPolicy =
     "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'";
 
-/// True if the connection may serve another request, because the whole body of this one was read and cannot be taken
-/// for a request.
+/// True if the connection may serve another request: the whole body of the present request was read, so that its rest
+/// cannot be taken for a request.
 thread_local bool is_read_whole = false;
 
 bool hasBody(const httplib::Request& request) {
@@ -106,7 +106,7 @@ class HttpServer::Implementation : public httplib::Server {
       : workbench_(workbench), door_(std::move(door)), page_(page_folder) {
     new_task_queue = [] { return new httplib::ThreadPool(kConnectionsAtOnce); };
     set_payload_max_length(kLargestBody);
-    // Prevents sharing the port with another program.
+    // Without SO_REUSEPORT, so that no other program can listen on the same port.
     set_socket_options([](socket_t socket) {
       const int yes = 1;
       ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -137,7 +137,7 @@ class HttpServer::Implementation : public httplib::Server {
   void stopAll() {
     is_closing_ = true;
     workbench_.events().close();
-    // The library ignores a stop that comes before it listens.
+    // stop() has no effect before the library listens.
     while (!is_running() && !has_ended_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (is_running()) stop();
   }
@@ -154,7 +154,7 @@ class HttpServer::Implementation : public httplib::Server {
                                fmt::format("the server cannot listen at port {} of {}", door_.port, door_.host),
                                "give a free port of this machine; --port 0 takes any free one");
     ::listen(svr_sock_,
-             SOMAXCONN);  // the library's own backlog is five, and refused clients retry after a second or more
+             SOMAXCONN);  // the library's backlog is five, and refused clients retry only after a second or more
   }
 
   bool process_and_close_socket(socket_t socket) override {
@@ -171,8 +171,8 @@ class HttpServer::Implementation : public httplib::Server {
       is_read_whole = false;
       bool is_closed = false;
       ok = process_request(connection, k + 1 == most_requests, is_closed, [](httplib::Request& request) {
-        // Compression is off, because it would take longer than it saves. Decompression is off, because a small body
-        // could become a huge one.
+        // Compression is disabled, because it would take longer than it saves. Decompression is disabled, because a
+        // small body could expand to a huge one.
         for (const char* header : {"Accept-Encoding", "Content-Encoding", "Range"}) request.headers.erase(header);
         request.ranges.clear();
       });
@@ -251,7 +251,8 @@ class HttpServer::Implementation : public httplib::Server {
         [&events](bool) { events.leave(); });
   }
 
-  /// Sends the news since the last call, or a heartbeat after a longer pause.
+  /// Sends the events since the last call, or a heartbeat if nothing was sent for a while. Returns false if the
+  /// connection ends.
   bool sendNews(Events::Seen& seen, std::chrono::steady_clock::time_point& spoken, httplib::DataSink& sink) {
     const auto news = workbench_.events().wait(seen, kGlanceAtListener);
     if (news.closed || !sink.is_writable()) return false;

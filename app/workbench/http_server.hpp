@@ -1,4 +1,4 @@
-// Server of the workbench on a port: admission, the page's files, the events, and the routes for all other requests.
+// HTTP server of the workbench: admission, files of the page, events, and the routes for all other requests.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace tubeplan::app {
 
 class HttpServer {
  public:
-  /// Starts to listen at once; port 0: any free port. Throws InputError if it cannot listen there.
+  /// Starts to listen; port 0 selects any free port. Throws InputError if it cannot listen there.
   HttpServer(Workbench& workbench, DoorRules door, const std::string& page_folder);
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
@@ -19,13 +19,13 @@ class HttpServer {
 
   [[nodiscard]] int port() const;
 
-  /// Returns the address, including the token if there is one.
+  /// Returns the URL of the server, including the token if there is one.
   [[nodiscard]] std::string address() const;
 
   /// Answers requests until stop().
   void run();
 
-  /// Ends run() and all connections. Called from a thread other than that of run(), also shortly before run() begins.
+  /// Ends run() and all connections. May be called only from another thread than run(), also just before run() begins.
   void stop();
 
  private:

@@ -1,4 +1,4 @@
-// Common parts of the routes that begin a job.
+// Functions shared by the routes that begin a job.
 #pragma once
 
 #include <functional>
@@ -17,42 +17,43 @@
 
 namespace tubeplan::app {
 
-/// Begins a job. Returns 202 with the job, or 409 if it is refused.
+/// Begins a job. Returns status 202 with the job, or 409 if the queue refuses the job.
 [[nodiscard]] Answer beginJob(Workbench& workbench, const std::string& kind, const std::string& label, JobWork work);
 
-/// Inputs of a job; its answer is discarded if they have changed meanwhile.
+/// Inputs of a job. The result of the job is discarded if these inputs have changed since the job began.
 enum class JobInput { kModel, kModelAndReadings };
 
-/// Work whose document becomes the result of the job's kind, for the model at its beginning.
+/// Work of a job that returns the result document for the model that was current when the job began.
 using ResultWork = std::function<nlohmann::json(const Session& began, JobContext&)>;
 [[nodiscard]] Answer beginResultJob(Workbench& workbench, const std::string& kind, const std::string& label,
                                     JobInput input, ResultWork work);
 
-/// Begins the comparison of the current model with the readings. `with_ladder` adds the ladder over the stack, which
-/// reuses the fit of the current model; the comparison is sent first.
+/// Begins the comparison of the current model with the readings. `with_ladder` also computes the ladder over the stack
+/// of models, reusing the fit of the comparison.
 [[nodiscard]] Answer beginComparison(Workbench& workbench, const ComparisonRequest& asked, bool with_ladder);
 
 /// Begins the diagnosis of the current model.
 [[nodiscard]] Answer beginDiagnosis(Workbench& workbench, const DiagnosisRequest& asked);
 
-/// Returns hooks that report progress as the job's stages and stop the work on request.
+/// Returns hooks that report progress as stages of the job, and that stop the work when the job is cancelled.
 [[nodiscard]] WorkHooks hooksOf(JobContext& context);
 
-/// Returns such hooks for the planner.
+/// Returns planner hooks that report progress and stop the work as hooksOf() does.
 [[nodiscard]] planner::PlanHooks planHooksOf(JobContext& context);
 
-/// Returns the error of a request that needs readings where none are loaded.
+/// Returns the error for a request that needs readings when none are loaded.
 [[nodiscard]] InputError withoutReadings();
 
-/// Returns the current model with the readings, checked against its formulas. Throws InputError without readings.
+/// Returns the current model with the readings in use. Throws InputError without readings, and for readings at which a
+/// formula of the model has no value.
 [[nodiscard]] CellReadings inputOf(const Session& session);
 
-/// Changes the session at the end of a job. Throws InputError if the current model is not that of the job's beginning;
-/// JobStopped if the readings have been replaced, so that the answer is obsolete.
+/// Applies the result of a job to the session. Throws InputError if the current model is no longer the model at the
+/// beginning of the job, and JobStopped if the readings have been replaced, so that the result is obsolete.
 void finishJob(Workbench& workbench, const Session& began, JobInput input, const std::function<void(Session&)>& step);
 
-/// Returns the cell as an export after a fit, or with other effects, would write it: written and read again, so that
-/// later results agree with the commands on the files.
+/// Return the cell after a fit, or with the given text, as read from exported files, so that later results agree with
+/// those of the commands.
 [[nodiscard]] Cell fittedCell(const Cell& cell, const IdentificationOutcome& outcome);
 [[nodiscard]] Cell rereadCell(const Cell& cell, const std::string& text);
 

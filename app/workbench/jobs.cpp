@@ -25,14 +25,14 @@ struct Jobs::Job {
   int id = 0;
   std::string kind, label, status = "running", stage = "waiting", result;
   std::size_t done = 0, total = 0;
-  std::uint64_t moment = 0;  ///< number of its newest change
+  std::uint64_t moment = 0;  ///< number of the job's newest change, see Events::moment()
   Clock::time_point stage_began = Clock::now(), reported;
   nlohmann::json error;
   JobWork work;
   std::atomic<bool> stop = false;
 };
 
-/// Context that the job's thread calls.
+/// Context passed to the work of a job on the job thread.
 class Jobs::Context : public JobContext {
  public:
   Context(Jobs& jobs, Job& job) : jobs_(jobs), job_(job) {}

@@ -1,4 +1,4 @@
-// Queue of long computations that run one after another on a separate thread, each with progress, an outcome and
+// Queue of long computations, run one after another on a separate thread, each with progress, a result and
 // cancellation.
 #pragma once
 
@@ -22,7 +22,7 @@
 
 namespace tubeplan::app {
 
-/// Interface of a job for its work: reports progress and asks if the job shall continue.
+/// Interface through which the work of a job reports progress and asks whether to stop.
 class JobContext {
  public:
   virtual ~JobContext() = default;
@@ -30,10 +30,10 @@ class JobContext {
   [[nodiscard]] virtual bool stopRequested() const = 0;
 };
 
-/// Reports the beginning of a stage. Throws JobStopped if the job is cancelled.
+/// Reports the beginning of a stage. Throws JobStopped if the job was cancelled.
 void beginStage(JobContext& context, std::string_view stage, std::size_t done = 0, std::size_t total = 0);
 
-/// Work of a job; returns the name of the result that it has put into the state. Throws InputError, JobStopped.
+/// Work of a job. Returns the name of the result that it stored in the session. Throws InputError, JobStopped.
 using JobWork = std::function<std::string(JobContext&)>;
 
 class Jobs {
@@ -48,13 +48,14 @@ class Jobs {
     nlohmann::json job;
   };
 
-  /// Puts a job in the queue. Refuses it if a job of that kind is waiting or running, or if too many wait.
+  /// Adds a job to the queue. Refuses the job if another job of this kind is waiting or running, or if too many jobs
+  /// wait.
   [[nodiscard]] Begun begin(const std::string& kind, const std::string& label, JobWork work);
 
-  /// Asks a job to stop; nullopt for an unknown id. A finished job stays unchanged.
+  /// Asks a job to stop. Returns the job, or nullopt for an unknown id. A finished job keeps its status.
   [[nodiscard]] std::optional<nlohmann::json> cancel(int id);
 
-  /// Returns the latest jobs, newest last.
+  /// Returns the most recent jobs, newest last.
   [[nodiscard]] nlohmann::json list() const;
 
   /// Returns true if any job waits or runs.

@@ -63,8 +63,8 @@ std::string answerTo(Workbench& workbench, const std::string& line) {
   }
 }
 
-/// Connection of one client: a line is read, answered, and only then the next one read, so that a slow client delays
-/// only itself.
+/// Connection of one client. The next line is read only after the previous line is answered, so that a slow client
+/// delays only itself.
 class LineClient : public std::enable_shared_from_this<LineClient> {
  public:
   LineClient(tcp::socket socket, Workbench& workbench, int& open)
@@ -134,7 +134,7 @@ class LineServer::Implementation {
   }
 
   Workbench& workbench_;
-  int open_ = 0;  ///< used by the context's thread only; outlives its connections
+  int open_ = 0;  ///< used only by the thread of the context; outlives all connections
   boost::asio::io_context context_;
   tcp::acceptor acceptor_;
   std::thread thread_;

@@ -1,8 +1,8 @@
-// Server for postures of a running arm as lines of text over TCP, for controllers without HTTP.
+// TCP server that shows postures of a running arm, received as lines of text, for controllers without HTTP.
 //
-// Each line has the joints' readings in the arm's order and, optionally, the load after them, in the cell's units,
-// separated by blanks, commas or semicolons. The answer is one line: the deflected tip in the world, "x y z", or
-// "error: " with the reason. The server accepts connections from this machine only.
+// Each line contains the joint readings in the arm's order, optionally followed by the load, in the cell's units.
+// Blanks, commas or semicolons separate the numbers. The answer is one line: the coordinates "x y z" of the deflected
+// tip in the world frame, or "error: " with the reason. The server accepts connections from this machine only.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 class LineServer {
  public:
-  /// Starts to listen at once; port 0: any free port. Throws InputError if it cannot listen there.
+  /// Starts to listen; port 0 selects any free port. Throws InputError if it cannot listen there.
   LineServer(Workbench& workbench, int port);
 
   /// Ends all connections.

@@ -24,7 +24,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostTail = 64u << 10;  // bytes at the end of a log of encoders that contain its last row
+constexpr std::size_t kMostTail = 64u << 10;  // bytes read at the end of an encoder log, enough for the last row
 
 void publish(Workbench& workbench, json news) {
   workbench.events().liveMoved(news.dump(-1, ' ', false, json::error_handler_t::replace));
@@ -48,7 +48,7 @@ std::string firstLine(const std::filesystem::path& file) {
   return line;
 }
 
-/// Returns the complete lines only, because the last row may be half written.
+/// Returns the complete lines of the text, because the last line may be half written.
 std::string wholeLines(std::string text) {
   text.erase(text.find_last_of('\n') == std::string::npos ? 0 : text.find_last_of('\n') + 1);
   return text;
@@ -62,8 +62,8 @@ std::string textFrom(const std::filesystem::path& file, std::uintmax_t begin) {
   return wholeLines(text.str());
 }
 
-/// Returns the last row of a table of joints, read as a touch of a point without a name, because its columns have the
-/// same units. Returns nullopt if there is only the header yet.
+/// Returns the last row of a table of encoder readings; nullopt if the table has only a header. The row is parsed as a
+/// touch of an unnamed point, because the joint and load columns have the same units there.
 std::optional<calibration::Measurement> lastRow(const std::filesystem::path& file, const std::string& header,
                                                 const Cell& cell) {
   const auto size = std::filesystem::file_size(file);
@@ -113,7 +113,7 @@ void joinArrived(Workbench& workbench) {
   if (workbench.arrivals().isEmpty() || workbench.jobs().isBusy()) return;
   bool was_diagnosed = false;
   const auto arrived = workbench.arrivals().hand();
-  for (bool is_done = false; !is_done;) {  // repeated if the readings were changed meanwhile
+  for (bool is_done = false; !is_done;) {  // repeated if the readings have changed meanwhile
     const Session before = workbench.session();
     const auto joined = joinedSet(before.readings.get(), arrived, currentModel(before).cell);
     is_done = workbench.change([&](Session& session) {

@@ -1,4 +1,4 @@
-// Data of a running arm: its encoders, shown to all browsers, and its new readings, which join the existing ones.
+// Data from a running arm: encoder readings, shown in all browsers, and new measurements, added to the loaded readings.
 #pragma once
 
 #include <filesystem>
@@ -11,28 +11,29 @@ namespace tubeplan::app {
 
 class InputError;
 
-/// Shows a posture (rad, m) and load [N] to all browsers, without storing it; `source` names its origin. Returns
-/// {joints, load, source, tip: deflected tip of the current model in the world}, in the cell's units. Throws InputError
-/// if the arm has no static equilibrium.
+/// Shows a posture `q` [rad, m] and a load [N] in all browsers without storing them; `source` names the sender. Returns
+/// {joints, load, source, tip: deflected tip of the current model in the world frame}, in the cell's units. Throws
+/// InputError if the arm has no static equilibrium.
 nlohmann::json showEncoders(Workbench& workbench, const Eigen::VectorXd& q, double load, const std::string& source);
 
-/// Reports an error in the received data to all browsers.
+/// Reports an error in received data to all browsers.
 void showLiveProblem(Workbench& workbench, const InputError& error, const std::string& source);
 
-/// Queues readings, given as the text of a measurement file, until joinArrived(). Returns the number queued. Known ids
-/// are skipped if `passes_known`, else refused. Throws InputError for these and for a bad file.
+/// Queues readings, given as the text of a measurement file, until joinArrived(). Returns the number of queued
+/// readings. Readings with known ids are skipped if `passes_known`, otherwise refused. Throws InputError for refused
+/// ids and for a faulty file.
 std::size_t takeArrived(Workbench& workbench, const std::string& text, const std::string& name, bool passes_known);
 
-/// Adds the queued readings to the others if no job uses the readings, and begins the comparison of all.
+/// Adds the queued readings to the loaded readings unless a job is running, and begins the comparison of all.
 void joinArrived(Workbench& workbench);
 
-/// File that another program writes: a growing measurement table, or a table of joint columns (and a load), one row for
-/// each reading of the encoders.
+/// File that another program writes: a growing measurement table, or a table of encoder readings with one row per
+/// reading and columns for the joints and, optionally, the load.
 class WatchedFile {
  public:
   explicit WatchedFile(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// Reads new rows; reports an error in them to all browsers once.
+  /// Reads the file if it has changed. Reports an error in the file to all browsers once per change.
   void look(Workbench& workbench);
 
  private:

@@ -1,4 +1,4 @@
-// Routes for data of a running arm: its encoders, and single readings.
+// Routes for data from a running arm: encoder readings and new measurements.
 #include "app/workbench/live.hpp"
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
@@ -7,7 +7,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Shows {"joints", "load"?}, in the cell's units.
+/// Shows the posture {"joints", "load"?}, in the cell's units, in all browsers.
 Answer encoders(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const Session session = workbench.session();
@@ -15,7 +15,7 @@ Answer encoders(Workbench& workbench, const Request& request) {
   return answerOf(showEncoders(workbench, jointsOf(body, cell), loadOf(body, cell), "POST"));
 }
 
-/// Takes the text of a measurement file with readings of new ids.
+/// Queues the readings in the text of a measurement file; their ids must be new.
 Answer takeReadings(Workbench& workbench, const Request& request) {
   const std::size_t waiting = takeArrived(workbench, request.body, "request", false);
   joinArrived(workbench);

@@ -1,5 +1,5 @@
-// Routes of the calibration loop: compare, diagnose, identify, add, ladder, improve, and simulated readings for
-// practice. Each begins a job.
+// Routes of the calibration loop: compare, diagnose, identify, add, remove, ladder, improve, and simulate readings for
+// practice. Each route begins a job.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -42,7 +42,8 @@ struct NamedCell {
   Cell cell;
 };
 
-/// Returns the models from the first to the current one, preceded by the rigid form of the first if that is flexible.
+/// Returns the models from the first to the current one, preceded by a rigid version of the first model if the first
+/// model is flexible.
 std::vector<NamedCell> stackOf(const Session& session) {
   std::vector<NamedCell> stack;
   const auto& models = session.models;
@@ -52,8 +53,8 @@ std::vector<NamedCell> stackOf(const Session& session) {
   return stack;
 }
 
-/// Returns the ladder of the models. `set_aside`: known outliers; `top`: the fit of the last model without them, if it
-/// exists already.
+/// Returns the ladder of the models. `set_aside`: ids of known outliers; `top`: existing fit of the last model without
+/// these outliers, or null.
 nlohmann::json ladderOver(const std::vector<NamedCell>& stack, const Session& began, std::uint64_t seed,
                           const WorkHooks& hooks, std::vector<std::string> set_aside = {},
                           const calibration::Identification* top = nullptr) {
@@ -81,7 +82,7 @@ Answer ladder(Workbench& workbench, const Request& request) {
                         });
 }
 
-/// Stores the ladder of the models, on the readings of the last model's comparison.
+/// Computes and stores the ladder of the stack, on the readings used by the comparison of the current model.
 void putLadder(Workbench& workbench, const Session& began, std::uint64_t seed, const RefitOfReadings& refit,
                JobContext& context) {
   const auto climbed = ladderOver(stackOf(began), began, seed, hooksOf(context), refit.set_aside, &refit.fit);
@@ -89,7 +90,7 @@ void putLadder(Workbench& workbench, const Session& began, std::uint64_t seed, c
             [&](Session& session) { putResult(session, "ladder", currentModel(began).id, climbed); });
 }
 
-/// Compares, for {"folds"?, "ladder"?: true}.
+/// Begins a comparison, for the request {"folds"?, "ladder"?: true}.
 Answer compare(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   return beginComparison(workbench, {integerOf(body, "folds", 5, 0, 100), seedOf(body)},
@@ -104,14 +105,14 @@ void requireFitted(const IdentificationOutcome& outcome, const CellReadings& inp
                              "fit fewer numbers, or add readings that determine them");
 }
 
-/// Job that fits the current model, with the model that it puts on the stack.
+/// Job that fits the current model and puts the fitted model on the stack under `name`.
 struct FitJob {
   std::string kind, label, name, origin;
   IdentificationRequest asked;
-  std::function<std::string(const Cell&)> changed = {};  ///< text of the cell to fit; empty: unchanged
+  std::function<std::string(const Cell&)> changed = {};  ///< text of the changed cell to fit; empty: unchanged cell
 };
 
-/// Begins a fit that puts the model on the stack with its figures, and the ladder over the stack.
+/// Begins a fit that puts the fitted model on the stack, with its results and the ladder over the stack.
 Answer beginFit(Workbench& workbench, const FitJob& fit) {
   return beginJob(workbench, fit.kind, fit.label, [fit, &workbench](JobContext& context) {
     const Session began = workbench.session();
@@ -142,7 +143,8 @@ Answer identify(Workbench& workbench, const Request& request) {
   return beginFit(workbench, {"identify", "the numbers of the model", "fitted", "fit", asked});
 }
 
-/// Returns the request {"causes": ["base-slip@base:time=90", ...]} or {"formula"}, in the notation of AdditionRequest.
+/// Returns the causes of {"causes": ["base-slip@base:time=90", ...]} or the formula of {"formula"}, in the notation of
+/// AdditionRequest.
 AdditionRequest additionAsked(const nlohmann::json& body) {
   constexpr std::size_t kMostAtOnce = 8;
   AdditionRequest asked{textsOf(body, "causes"), textOf(body, "formula")};
@@ -166,8 +168,8 @@ Answer add(Workbench& workbench, const Request& request) {
                    [asked](const Cell& cell) { return cellTextWith(cell, addToCell(cell, asked), cell.path); }});
 }
 
-/// Fits a model without these effects and with these numbers held, for {"causes": ["hysteresis@theta4",
-/// "free@tool.tip"]}.
+/// Fits the model without the listed effects and with the listed parameters held fixed, for the request {"causes":
+/// ["hysteresis@theta4", "free@tool.tip"]}.
 Answer remove(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const auto causes = textsOf(body, "causes");
@@ -196,7 +198,7 @@ Answer improve(Workbench& workbench, const Request& request) {
                               (outcome.steps.empty() ? outcome.models.front().fit.reason
                                                      : reasonText(outcome.steps.back(), input.cell.units)),
                           "mend the readings, or add more");
-                    std::vector<NamedCell> improved;  // one model per step, so that each step can be undone
+                    std::vector<NamedCell> improved;  // one model for each step, so that each step can be undone
                     for (const auto& model : outcome.models)
                       improved.push_back(
                           {model.name == "as given" ? "fitted" : model.name,
@@ -216,7 +218,7 @@ Answer improve(Workbench& workbench, const Request& request) {
 SimulationRequest simulationAsked(const nlohmann::json& body) {
   SimulationRequest asked;
   asked.design = textOf(body, "design", "bench");
-  if (!calibration::findCampaignDesign(asked.design)) {  // a name only: no file is opened
+  if (!calibration::findCampaignDesign(asked.design)) {  // only a name: a request opens no file
     std::vector<std::string> names;
     for (const auto& design : calibration::campaignDesigns()) names.emplace_back(design.name);
     throw InputError("design", inQuotes(asked.design), alternatives(names), suggestion(asked.design, names));
@@ -229,7 +231,7 @@ SimulationRequest simulationAsked(const nlohmann::json& body) {
   return asked;
 }
 
-/// Returns the readings as read from the file that the command writes.
+/// Returns the simulated readings as a reader of the written measurement file would see them.
 std::shared_ptr<ReadingSet> readingsOf(const calibration::SimulatedCampaign& campaign, const Cell& cell,
                                        const std::string& name) {
   auto set = std::make_shared<ReadingSet>();

@@ -1,4 +1,4 @@
-// Empty replacement for the generated files of the workbench and of reports if they were not built.
+// Empty substitutes for the generated files of the workbench page and of reports, used if the page was not built.
 #include "app/report/page_sources.hpp"
 #include "app/workbench/page_files.hpp"
 

@@ -28,7 +28,8 @@ std::vector<planner::PathRow> samplesOf(const PlanOutcome& outcome) {
 
 double forPlaying(double value) { return std::round(value * 1e6) / 1e6; }
 
-/// Returns the clearance from the margin of a motion or a posture beyond the scene's requirement; null without objects.
+/// Returns the clearance of a motion or a posture: its margin plus the scene's required clearance; null without
+/// objects.
 json clearanceJson(const PlanOutcome& outcome, double margin) {
   if (!std::isfinite(margin)) return nullptr;
   return forPlaying(lengthOf(margin + outcome.model.scene.clearance, outcome.cell.units));

@@ -1,4 +1,4 @@
-// Planning routes: reach, fields, postures under a hole, the plan and its path.
+// Planning routes: reach, fields, postures under a hole, work lists, the plan and its path.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Answer reach(Workbench& workbench, const Request& request) {
       [](const Session& began, JobContext& context) { return reachOfAll(currentModel(began).cell, context); });
 }
 
-/// Returns the session with that model as the current one. Throws InputError for an unknown id.
+/// Returns the session with model `id` as its current model. Throws InputError for an unknown id.
 Session atModel(Session session, int id) {
   const auto at = findModel(session, id);
   if (!at) throw InputError("request (model)", std::to_string(id), "the number of a model");
@@ -46,7 +46,8 @@ Session atModel(Session session, int id) {
   return session;
 }
 
-/// Computes a field for {"of", "model"?}; the default is the current model.
+/// Begins the computation of a field over the holes, for the request {"of", "model"?}; the default is the current
+/// model.
 Answer field(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const std::string of = textOf(body, "of", "centring");
@@ -74,8 +75,8 @@ json branchJson(const planner::TubeBranch& branch, const Model& model, double lo
           {"clearance", is_found ? clearanceOf(model, branch.q, load) : json()}};
 }
 
-/// Finds the postures under a hole, for {"hole", "branch"?, "load"?}. Without "branch" the found one with the largest
-/// margin of clearance is chosen.
+/// Finds the postures under a hole, for the request {"hole", "branch"?, "load"?}. Without "branch", the posture with
+/// the largest clearance margin is chosen.
 Answer inverse(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const Session now = workbench.session();
@@ -107,7 +108,7 @@ Answer inverse(Workbench& workbench, const Request& request) {
   return answerOf(answer);
 }
 
-/// Throws InputError with the reason if there is no plan.
+/// Throws InputError with the reason if planning failed, and JobStopped if it was stopped.
 void requirePlanned(const PlanOutcome& outcome) {
   if (outcome.plan.status == planner::VisitPlanStatus::kStopped) throw JobStopped{};
   if (outcome.plan.status == planner::VisitPlanStatus::kPlanned) return;
@@ -115,7 +116,7 @@ void requirePlanned(const PlanOutcome& outcome) {
   throw InputError::saying("tubes", outcome.plan.reason + first, "choose tubes that the arm can visit");
 }
 
-/// Throws InputError for a file, because a request selects tubes in words only.
+/// Throws InputError for the name of a file, because a request may select tubes only by their names.
 void requireNoFile(const std::string& tubes) {
   if (tubes.ends_with(".csv"))
     throw InputError::saying("request (first)", inQuotes(tubes) + " is the name of a file, which a request cannot give",
@@ -163,7 +164,8 @@ Answer plan(Workbench& workbench, const Request& request) {
   });
 }
 
-/// Returns the tubes that a work list's selection leaves out or includes in spite of their state, one sentence each.
+/// Returns one sentence for each note on a work list: tubes left out, and tubes included although their state is
+/// doubtful.
 std::vector<std::string> listWords(const tubesheets::Sheet& sheet, const tubesheets::Selection& selection) {
   std::vector<std::string> words = listNotes(selection);
   if (const std::string left = leftOutText(selection); !left.empty()) words.push_back("left out: " + left);
@@ -175,15 +177,15 @@ struct ListText {
   std::string name, text;
 };
 
-/// Returns the work list of {"name", "text"}.
+/// Returns the name and the text of a work list, from {"name", "text"}.
 ListText listTextOf(const json& list) {
   ListText given{textOf(list, "name", "list.csv").substr(0, 200), textOf(list, "text")};
   checkText(given.name, given.text);
   return given;
 }
 
-/// Returns the tubes of a work list and the stays at them [s], as `plan --tubes LIST.csv` reads it, for {"name",
-/// "text", "columns"?: ["row=Reihe"]}; `columns` states the meaning of headings that are not recognized.
+/// Returns the tubes of a work list and their dwell times [s], read like `plan --tubes LIST.csv`, for the request
+/// {"name", "text", "columns"?: ["row=Reihe"]}. `columns` gives the meaning of unrecognized headings.
 Answer workList(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const auto& sheet = requireSheet(currentModel(workbench.session()).cell, "read a work list");
@@ -195,7 +197,7 @@ Answer workList(Workbench& workbench, const Request& request) {
       {{"name", name}, {"tubes", selection.tube_indices}, {"stays", stays}, {"notes", listWords(sheet, selection)}});
 }
 
-/// Returns the likely meanings of one table's columns as a work list, for {"tables": [{"name", "text"}]}.
+/// Returns the likely meanings of the columns of a work list, for the request {"tables": [{"name", "text"}]}.
 Answer listColumns(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const auto& tables = requiredOf(body, "tables", "one table of text");
@@ -215,7 +217,7 @@ Answer path(Workbench& workbench, const Request&) {
   return now.plan ? answerOf(pathAnswer(*now.plan)) : noPlan();
 }
 
-/// Returns a whole number of the query.
+/// Returns a query parameter, a whole number of at least 0; `otherwise` if it is missing.
 std::size_t countOf(const Request& request, const std::string& key, std::size_t otherwise) {
   const auto found = request.query.find(key);
   if (found == request.query.end()) return otherwise;

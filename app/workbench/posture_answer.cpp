@@ -41,8 +41,8 @@ std::vector<Isometry3d> rigidFrames(const deflection::FlexibleKinematics& shape,
   return frames;
 }
 
-/// Returns the point of a shape nearest to a point outside it: a step along the negative gradient of the distance, as
-/// long as the distance.
+/// Returns the point of a shape nearest to a point outside the shape: a step of length equal to the distance, along the
+/// negative gradient of the distance.
 Vector3d nearestOn(const planner::Shape& shape, const Vector3d& p) {
   constexpr double kStep = 1e-5;  // [m]
   Vector3d slope;
@@ -53,13 +53,13 @@ Vector3d nearestOn(const planner::Shape& shape, const Vector3d& p) {
   return slope.norm() > 0.1 ? Vector3d(p - shape.pointDistance(p) * slope.normalized()) : p;
 }
 
-/// Returns the nearest point of the other object of the pair: an obstacle, or a body in its row's frame.
+/// Returns the nearest point, in the world frame, on the second object of a pair: an obstacle or a body.
 std::optional<Vector3d> otherPoint(const planner::Scene& scene, const planner::Clearance& clearance,
                                    const deflection::PlacedRows& placed) {
   for (const auto& obstacle : scene.obstacles)
     if (obstacle.name == clearance.other) return nearestOn(*obstacle.shape, clearance.point_W);
   std::optional<Vector3d> nearest;
-  for (const auto& body : scene.bodies) {  // several bodies may share a label
+  for (const auto& body : scene.bodies) {  // several bodies may have the same label
     if (planner::bodyLabel(body) != clearance.other) continue;
     const Isometry3d X = placed.X_WL(body.frame_index, 0);
     const Vector3d point = X * nearestOn(*body.shape, X.inverse() * clearance.point_W);
@@ -68,8 +68,8 @@ std::optional<Vector3d> otherPoint(const planner::Scene& scene, const planner::C
   return nearest;
 }
 
-/// Returns the clearance as a plan computes it: reduced by the bow of bent members, and by the motion within gaps of
-/// joints.
+/// Returns the clearance as a plan computes it: reduced by the bow of deflected members and by the motion within joint
+/// gaps.
 json clearanceJson(const Model& model, const planner::Workcell& posed, const Eigen::VectorXd& q) {
   if (!model.pairs) return nullptr;
   const Units& units = model.cell.units;

@@ -27,7 +27,7 @@ using nlohmann::json;
 
 constexpr CheckpointFormat kProjectFormat = {"tubeplan project 1", "a project saved by tubeplan serve",
                                              "open the cell and its readings anew"};
-/// Name of the result that is not kept: it belongs to objects of the planner in memory, and is computed again.
+/// Name of the result that is not stored, because it refers to planner objects in memory; it is computed again.
 constexpr const char* kNotKept = "plan";
 
 std::string allReadingsText(const Session& session) {
@@ -125,7 +125,7 @@ std::vector<TouchMade> touchesMade(const json& entry, const Cell& cell, const st
   return made;
 }
 
-/// Keys of results in files of earlier programs, and their present names.
+/// Pairs of keys of result documents: the name in files of earlier versions, and the present name.
 constexpr std::pair<const char*, const char*> kRenamedKeys[] = {
     {"rungs", "models"}, {"told", "identifiable"}, {"probability_told", "probability_distinguished"}};
 
@@ -141,7 +141,7 @@ void renameKeys(json& document) {
     for (auto& part : document) renameKeys(part);
 }
 
-/// Changes the sign of a comparison's errors, which earlier programs wrote as predicted less measured.
+/// Reverses the sign of a comparison's errors, which earlier versions wrote as predicted minus measured.
 void turnErrors(json& comparison) {
   if (comparison.contains("errors") || !comparison.contains("readings")) return;
   for (auto& reading : comparison.at("readings"))

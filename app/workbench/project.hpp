@@ -1,5 +1,5 @@
-// Project file of a session: the cell, every model in the form of its files, readings with those set aside, touches,
-// and results. Plans are excluded and are computed again.
+// Project file of a session: the cell, all models as texts of their files, the readings including those set aside,
+// touches, and results. Plans are not stored; they are computed again.
 #pragma once
 
 #include <filesystem>
@@ -12,23 +12,23 @@ namespace tubeplan::app {
 
 inline constexpr const char* kProjectExtension = ".tubeplan";
 
-/// Returns the text of a project file, as readProject() reads it.
+/// Returns the text of a project file for readProject().
 [[nodiscard]] std::string projectText(const Session& session);
 
-/// Returns the session of a project file. Files that the cell names besides its arm (hole maps, meshes) are read at
-/// their original places. Throws InputError for a file that is no project, is damaged, or names missing files.
+/// Reads the session in a project file. Hole maps and meshes that the cell names are read from their original paths.
+/// Throws InputError if the file is no project, is damaged, or names missing files.
 [[nodiscard]] Session readProject(const std::filesystem::path& file);
 
-/// Returns {file, cell, readings, models, saved} from the first line alone; null for a file that is no project.
+/// Returns {file, cell, readings, models, saved}, read from the first line of the file; null if the file is no project.
 [[nodiscard]] nlohmann::json projectSummary(const std::filesystem::path& file);
 
-/// Returns true if two sessions begin with the same text of the cell and have the same readings.
+/// Returns true if two sessions have the same text of the first cell and the same readings.
 [[nodiscard]] bool hasSameInputs(const Session& one, const Session& other);
 
-/// Returns true if the session contains anything that its inputs alone do not give.
+/// Returns true if the session contains results of work, which its inputs alone do not determine.
 [[nodiscard]] bool hasWork(const Session& session);
 
-/// Returns true if the session has work that is not saved in a project.
+/// Returns true if the session has work that is not saved in a project file.
 [[nodiscard]] bool isUnsaved(const Session& session);
 
 }  // namespace tubeplan::app

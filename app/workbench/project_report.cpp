@@ -33,7 +33,7 @@ json inputJson(const std::string& what, const std::string& name, const std::stri
   return {{"what", what}, {"name", name}, {"bytes", text.size()}, {"sha256", sha256Of(text)}};
 }
 
-/// Returns the inputs with checksums of the files of projectFiles(), equal to those of `sha256sum`.
+/// Returns the inputs with the checksums of the files of projectFiles(), as `sha256sum` computes them.
 json inputsJson(const Session& session) {
   json inputs = json::array();
   const auto of_cell = cellFiles(session.models.front()->cell, modelFile(0));
@@ -45,7 +45,7 @@ json inputsJson(const Session& session) {
   return inputs;
 }
 
-/// Returns the figures of a model's own comparison.
+/// Returns the results of the comparison of a model; empty if the model was not compared.
 json figuresOf(const Session& session, int model) {
   const auto compared = findResult(session, "compare", model);
   if (!compared) return json::object();
@@ -76,7 +76,7 @@ json modelsOfLadder(const Session& session) {
   return ladder ? ladderModels(ladder->document["models"]) : json::array();
 }
 
-/// Returns a path quoted as one word of a shell.
+/// Returns the path as a single shell word, quoted if necessary.
 std::string inShell(const std::filesystem::path& path) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+:@,";
   const std::string word = path.string();
@@ -86,7 +86,7 @@ std::string inShell(const std::filesystem::path& path) {
   return quoted + "'";
 }
 
-/// Returns the command lines on the files of projectFiles(), in order of execution.
+/// Returns the command lines that reproduce the results from the files of projectFiles(), in order of execution.
 json commandsJson(const Session& session, const ProjectReportRequest& request) {
   const auto in = [&](const std::string& name) { return inShell(std::filesystem::path(request.files) / name); };
   json commands = {fmt::format("tubeplan report {} --files {}", inShell(request.project), inShell(request.files))};
@@ -104,7 +104,7 @@ json commandsJson(const Session& session, const ProjectReportRequest& request) {
   return commands;
 }
 
-/// Returns [[name, value], ...].
+/// Returns the facts of the report as [[name, value], ...].
 json factsJson(const Session& session, const ProjectReportRequest& request) {
   const auto fact = [](const std::string& name, const std::string& value) { return json::array({name, value}); };
   json facts = json::array({fact("Report made", request.made),
@@ -118,7 +118,7 @@ json factsJson(const Session& session, const ProjectReportRequest& request) {
   return facts;
 }
 
-/// Adds the latest verdict on the current model: its diagnosis, else its comparison.
+/// Adds the verdict on the current model to the report: from its diagnosis, otherwise from its comparison.
 void addVerdict(const Session& session, json& report) {
   for (const char* name : {"diagnose", "compare"}) {
     const auto found = findResult(session, name, currentModel(session).id);
@@ -127,12 +127,12 @@ void addVerdict(const Session& session, json& report) {
     report["verdict_words"] = found->document.value("verdict_words", "");
     report["sentence"] = found->document["sentence"];
     for (const char* key :
-         {"sentences", "splitting", "error_unit", "error_budget"})  // absent in files of earlier programs
+         {"sentences", "splitting", "error_unit", "error_budget"})  // absent in files of earlier versions
       if (found->document.contains(key)) report[key] = found->document[key];
     report["rms"] = found->document["rms"];
     report["chi2_per_dof"] = found->document["chi2_per_dof"];
     report["p_value"] = found->document["p_value"];
-    // The figures before are those of the first model, not of the current one before its refit.
+    // "Before" refers to the first model, not to the current model before its refit.
     if (const json first = figuresOf(session, session.models.front()->id); first.contains("heldout_rms"))
       report["rms"]["heldout_before"] = first["heldout_rms"];
     return;

@@ -1,5 +1,5 @@
-// Report of a saved project: its inputs, its models with their origin and figures, and the commands that reproduce
-// them.
+// Report on a saved project: its inputs, its models with their origin and results, and the commands that reproduce the
+// results.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,13 @@
 
 namespace tubeplan::app {
 
-/// Returns the inputs and all models as files of that folder: measurements.csv (without those set aside), model-0.yaml
+/// Returns the inputs and all models as files in `folder`: measurements.csv (without readings set aside), model-0.yaml
 /// and so on.
 [[nodiscard]] std::vector<TextFile> projectFiles(const Session& session, const std::filesystem::path& folder);
 
 struct ProjectReportRequest {
-  std::string project;  ///< file
-  std::string files;    ///< folder of projectFiles(), as in the command lines
+  std::string project;  ///< project file
+  std::string files;    ///< folder of projectFiles(), as written in the command lines
   std::string made;     ///< date of the report
 };
 

@@ -23,7 +23,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Runs the work for every hole; each thread checks for a stop at its next hole.
+/// Calls `work` for every hole in parallel. Each thread checks for cancellation before its next hole.
 void forAllHoles(std::size_t count, const char* stage, JobContext& context,
                  const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> done = 0;
@@ -36,7 +36,7 @@ void forAllHoles(std::size_t count, const char* stage, JobContext& context,
   if (context.stopRequested()) throw JobStopped{};
 }
 
-/// Returns the first posture that brings the tip under a hole.
+/// Returns the first posture that brings the tip under a hole; nullopt if there is none.
 std::optional<Eigen::VectorXd> postureUnder(const planner::Workcell& work, std::size_t hole,
                                             planner::Compensation mode) {
   planner::CompensationOptions options;
@@ -55,7 +55,7 @@ double sagOf(const planner::Workcell& work, std::size_t hole) {
   return (shape.X_BD.p - shape.X_BT.p).norm();
 }
 
-/// Returns the lateral distance at the height of the face.
+/// Returns the lateral distance of the tip from the hole's centre; NaN if the arm does not reach the hole.
 double centringOf(const planner::Workcell& model, const std::optional<planner::Workcell>& truth, std::size_t hole) {
   const auto mode = truth ? planner::Compensation::kGoalPoint : planner::Compensation::kNone;
   const auto q = postureUnder(model, hole, mode);

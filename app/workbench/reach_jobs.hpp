@@ -1,4 +1,4 @@
-// Computations for every hole of a sheet, in parallel.
+// Parallel computations for every hole of a sheet.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,13 +9,14 @@
 
 namespace tubeplan::app {
 
-/// Returns {reachable: [0 or 1], reason: [text], branches: [count]}, by hole. Throws JobStopped.
+/// Returns {reachable: [0 or 1], reason: [text], branches: [count]}, with one entry for each hole. Throws JobStopped.
 [[nodiscard]] nlohmann::json reachOfAll(const Cell& cell, JobContext& context);
 
-/// Returns {of, meaning, unit, values: [number or null], steps: [0.. or -1]} by hole. `sag`: distance of the tip below
-/// that of a rigid arm. `centring`: distance of the tip from the hole's centre, by the true arm if one is named, else
-/// by this model at joint angles of rigid kinematics. `residual`: remaining error at the holes that the readings
-/// touched. Throws InputError for another word, JobStopped.
+/// Returns {of, meaning, unit, values: [number or null], steps: [number, -1 if unknown]}, with one entry for each hole.
+/// `of` selects the field. `sag`: distance between the tips of the deflected and the rigid arm. `centring`: lateral
+/// distance of the tip from the hole's centre, for the true arm if one is named, otherwise for this model at joint
+/// angles from rigid kinematics. `residual`: residual of the model at touched holes. Throws InputError for an unknown
+/// field, JobStopped.
 [[nodiscard]] nlohmann::json fieldOf(const Session& session, const std::string& of, JobContext& context);
 
 void requireField(const std::string& of);

@@ -1,4 +1,4 @@
-// Reading routes: opening, upload, import of other programs' tables, assumptions, marks, and removal of joined
+// Routes for readings: opening, upload, import of tables from other programs, assumptions, marks, and removal of added
 // readings.
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ namespace tubeplan::app {
 namespace {
 
 constexpr std::size_t kMostLoaded =
-    Arrivals::kMost;  // limit, because every check solves the arm's shape this many times
+    Arrivals::kMost;  // limited, because each check solves the arm's shape once per reading
 
 Answer noReadings() { return refusal(404, withoutReadings()); }
 
@@ -42,7 +42,7 @@ Answer moments(Workbench& workbench, const Request&) {
                           : noReadings();
 }
 
-/// Returns the names of "theta3,forearm.z" in the address.
+/// Returns the names in the query parameter "at", such as "theta3,forearm.z".
 std::vector<std::string> namesAt(const Request& request) {
   std::vector<std::string> names;
   std::stringstream text(request.asked("at"));
@@ -74,8 +74,9 @@ Answer takeText(Workbench& workbench, const std::string& text, const std::string
   return answerOf(stateJson(workbench));
 }
 
-/// Reads the readings again with the suspected mistakes of {"assume": ["coordinates=in"]} mended, as --assume of the
-/// commands does; `as-is`: they are correct; none: they are taken as their file states them.
+/// Reads the readings again under assumptions that correct suspected mistakes, for the request {"assume":
+/// ["coordinates=in"]}, like the option --assume of the commands. `as-is` states that the readings are correct; an
+/// empty list revokes all assumptions.
 Answer assume(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   (void)requiredOf(body, "assume", "a list of NAME=VALUE, as the option --assume takes");
@@ -110,7 +111,7 @@ Answer uploadReadings(Workbench& workbench, const Request& request) {
   return takeText(workbench, request.body, request.asked("name"));
 }
 
-/// Returns {"tables": [{"name", "text"}]}, in the form of other programs.
+/// Returns the tables of {"tables": [{"name", "text"}]}, written by other programs.
 std::vector<ForeignTable> foreignTablesOf(const nlohmann::json& body) {
   std::vector<ForeignTable> tables;
   for (const auto& table : requiredOf(body, "tables", "tables of text")) {
@@ -123,20 +124,20 @@ std::vector<ForeignTable> foreignTablesOf(const nlohmann::json& body) {
   return tables;
 }
 
-/// Returns the request {"tables", "columns"?: ["x_mm=points.txt:X"], "kind"?, "orientation"?, "points"?, "dates"?},
-/// equal to the options of `readings`.
+/// Returns the import request {"tables", "columns"?: ["x_mm=points.txt:X"], "kind"?, "orientation"?, "points"?,
+/// "dates"?}, which corresponds to the options of `readings`.
 ForeignRequest foreignOf(const nlohmann::json& body) {
   return {foreignTablesOf(body),
           {textsOf(body, "columns"), {}, textOf(body, "orientation"), textOf(body, "points"), textOf(body, "dates")},
           textOf(body, "kind")};
 }
 
-/// Returns the likely meanings of foreign tables' columns.
+/// Returns the likely meanings of the columns of foreign tables.
 Answer foreignColumns(Workbench& workbench, const Request& request) {
   return answerOf(foreignColumnsJson(foreignOf(objectOf(request)), currentModel(workbench.session()).cell));
 }
 
-/// Converts foreign tables to the readings; {"sigma"?} is the noise if no column states it.
+/// Converts foreign tables to readings and loads them; {"sigma"?} is the noise if no column states it.
 Answer takeForeign(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const ForeignRequest foreign = foreignOf(body);
@@ -162,7 +163,7 @@ void requireIds(const ReadingSet& set, const std::vector<std::string>& ids) {
     if (!known.contains(id)) throw InputError("ids", inQuotes(id), "the id of a reading");
 }
 
-/// Returns the set with those ids set aside, or taken back. Throws InputError if nothing would be left.
+/// Returns the set with these readings set aside, or in use again. Throws InputError if no reading would remain in use.
 ReadingSet withSetAside(ReadingSet set, const std::vector<std::string>& ids, bool aside) {
   for (const auto& id : ids) {
     if (aside)
@@ -175,8 +176,8 @@ ReadingSet withSetAside(ReadingSet set, const std::vector<std::string>& ids, boo
   return set;
 }
 
-/// Returns the set with those ids held out of fits, or taken into them. Throws InputError if nothing would be left to
-/// fit.
+/// Returns the set with these readings held out of fits, or fitted again. Throws InputError if no reading would remain
+/// to fit.
 ReadingSet withHeldOut(ReadingSet set, const std::vector<std::string>& ids, bool held_out) {
   const std::set<std::string> chosen(ids.begin(), ids.end());
   std::size_t fitted = 0;
@@ -188,7 +189,8 @@ ReadingSet withHeldOut(ReadingSet set, const std::vector<std::string>& ids, bool
   return set;
 }
 
-/// Marks readings, for {"ids", and `word`: true or false}, and deletes the results of the former marks.
+/// Marks readings, for the request {"ids", and `word`: true or false}, and deletes the results obtained with the former
+/// marks.
 Answer mark(Workbench& workbench, const Request& request, const char* word,
             ReadingSet (*marked)(ReadingSet, const std::vector<std::string>&, bool)) {
   const auto body = objectOf(request);
@@ -214,7 +216,7 @@ Answer holdOut(Workbench& workbench, const Request& request) {
   return mark(workbench, request, "held_out", withHeldOut);
 }
 
-/// Removes the readings that joined last; marks on the others stay.
+/// Removes the readings that were added last; the marks on the remaining readings are kept.
 Answer part(Workbench& workbench, const Request&) {
   if (workbench.jobs().isBusy()) return jobRuns();
   const Session session = workbench.session();

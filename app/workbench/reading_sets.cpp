@@ -16,7 +16,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Returns the readings of a set checked as if they had come in one file, with its marks.
+/// Returns the readings of a set, checked as if they came from one file, with the marks of the set.
 std::shared_ptr<ReadingSet> lookedAtAgain(ReadingSet set, Cell cell) {
   ReadingSource source{{}, measurementsCsv(set.readings, cell.arm, cell.units), 0, {}};
   if (std::ranges::count(assumedOf(set), kAsIs) > 0) source.assumed = {kAsIs};
@@ -26,7 +26,7 @@ std::shared_ptr<ReadingSet> lookedAtAgain(ReadingSet set, Cell cell) {
     again->joined = std::move(set.joined);
     return again;
   } catch (const InputError&) {
-    set.source.reset();  // the source has other readings
+    set.source.reset();  // the source does not contain the same readings
     return std::make_shared<ReadingSet>(std::move(set));
   }
 }

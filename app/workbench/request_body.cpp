@@ -139,7 +139,7 @@ std::string tubesText(const json& body, const tubesheets::Sheet& sheet, const st
       throw InputError("tubes", fmt::format("{}", number),
                        fmt::format("the index of a hole, 0 to {}", sheet.tubes.size() - 1));
     const auto& tube = sheet.tubes[static_cast<std::size_t>(number)];
-    // An area of several tubes excludes plugged ones; a single tube is always included.
+    // A range of one tube excludes a plugged tube; a tube selected by name is always included.
     names.push_back(numbers.size() > 1 ? fmt::format("R{0}-{0}C{1}-{1}", tube.row, tube.column)
                                        : tubesheets::tubeName(tube.row, tube.column));
   }

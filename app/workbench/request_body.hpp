@@ -1,5 +1,5 @@
-// Values of a request's JSON body, each checked as it is read, because a browser's input is not trusted; postures,
-// loads and holes in the cell's units.
+// Values in the JSON body of a request, each checked when it is read, because input from a browser is not trusted.
+// Postures, loads and holes are in the cell's units.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 
 namespace tubeplan::app {
 
-/// Returns the object in the body; an empty body is an empty object. Throws NotJson for text that is not JSON, no
-/// object or nested deeper than kDeepestJson.
+/// Returns the JSON object in the body; an empty body is an empty object. Throws NotJson for text that is not JSON, for
+/// a value that is not an object, and for nesting deeper than kDeepestJson.
 [[nodiscard]] nlohmann::json objectOf(const Request& request);
 
-/// Return the value of a key, or `otherwise` if it is missing or null. Throw InputError naming the key for a value of
-/// another kind or out of bounds.
+/// Return the value of a key, or `otherwise` if the key is missing or null. Throw InputError naming the key for a value
+/// of the wrong type or out of range.
 [[nodiscard]] int integerOf(const nlohmann::json& object, const std::string& key, int otherwise, int least, int most);
 [[nodiscard]] std::uint64_t seedOf(const nlohmann::json& object);
 [[nodiscard]] double numberOf(const nlohmann::json& object, const std::string& key, double otherwise);
@@ -28,34 +28,36 @@ namespace tubeplan::app {
                                  const std::string& otherwise = "");
 [[nodiscard]] std::vector<std::string> textsOf(const nlohmann::json& object, const std::string& key);
 
-/// Returns finite numbers; throws InputError for anything else, and for an empty list.
+/// Returns a list of finite numbers. Throws InputError for any other value, and for an empty list.
 [[nodiscard]] std::vector<double> numbersOf(const nlohmann::json& object, const std::string& key);
 
-/// Returns the value of a required key. Throws InputError if it is missing.
+/// Returns the value of a required key. Throws InputError, which names the `expected` value, if the key is missing.
 [[nodiscard]] const nlohmann::json& requiredOf(const nlohmann::json& object, const std::string& key,
                                                const std::string& expected);
 
-/// Returns "joints": one reading for each active joint, in internal units. Throws InputError for another count, for a
-/// value that is no finite number or exceeds a joint's limits.
+/// Returns "joints": one value for each active joint, in internal units. Throws InputError for a wrong number of
+/// joints, and for a value that is not finite or exceeds the joint's limits.
 [[nodiscard]] Eigen::VectorXd jointsOf(const nlohmann::json& body, const Cell& cell);
 
-/// Returns "load" [N], 0 if it is missing.
+/// Returns "load" [N]; 0 if the key is missing.
 [[nodiscard]] double loadOf(const nlohmann::json& body, const Cell& cell);
 
-/// Returns "hole", an index in the sheet, if it is given.
+/// Returns "hole", a tube index in the sheet; nullopt if the key is missing.
 [[nodiscard]] std::optional<int> holeOf(const nlohmann::json& body, const Cell& cell);
 
-/// Returns "hole", an index in the sheet. Throws InputError if it is missing.
+/// Returns "hole", a tube index in the sheet. Throws InputError if the key is missing.
 [[nodiscard]] int requiredHoleOf(const nlohmann::json& body, const Cell& cell);
 
-/// Returns the tubes of a text in the selection language; opens no file. Throws InputError.
+/// Returns the indices of the tubes selected by a text in the selection language; opens no file. Throws InputError.
 [[nodiscard]] std::vector<int> selectedTubes(const std::string& text, const tubesheets::Sheet& sheet);
 
-/// Returns the selection text of "tubes": a text, or a list of indices; `otherwise` if it is missing.
+/// Returns "tubes" as a selection text; the value is a text or a list of tube indices. Returns `otherwise` if the key
+/// is missing.
 [[nodiscard]] std::string tubesText(const nlohmann::json& body, const tubesheets::Sheet& sheet,
                                     const std::string& otherwise);
 
-/// Returns "stays": {index: seconds} of tubes, from 0 to a day; empty if it is missing. Throws InputError.
+/// Returns "stays": dwell times from 0 to a day [s], keyed by tube index; empty if the key is missing. Throws
+/// InputError.
 [[nodiscard]] std::map<int, double> staysOf(const nlohmann::json& body, const tubesheets::Sheet& sheet);
 
 }  // namespace tubeplan::app

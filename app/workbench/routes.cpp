@@ -27,7 +27,8 @@ bool fits(std::string_view path, const std::vector<std::string>& words) {
   return k == words.size();
 }
 
-/// Finds the row of a request. `known_path` tells 405 from 404: it is true if a row of another method matches.
+/// Finds the route of a request; null if there is none. `known_path` is set to true if the path exists, possibly for
+/// another method, which distinguishes status 405 from 404.
 const Route* findRoute(const Request& request, bool& known_path) {
   known_path = false;
   for (const RouteTable table : kTables)

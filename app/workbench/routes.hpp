@@ -1,4 +1,4 @@
-// Open table of the workbench's addresses: one row per address, the handlers by subject in *_routes.cpp.
+// Table of the workbench's addresses, one row for each. The handlers are in *_routes.cpp, by subject.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace tubeplan::app {
 
-/// Address with its handler. `path` is without "/api/"; a star matches one word of it. A handler throws InputError for
-/// bad input (422) and nlohmann's exceptions for a body of another shape (400).
+/// Address with its handler. `path` omits "/api/"; a star in it matches one path segment. A handler throws InputError
+/// for bad input (status 422) and nlohmann's exceptions for a body of the wrong structure (status 400).
 struct Route {
   std::string_view method, path;
   Answer (*answer)(Workbench& workbench, const Request& request);
@@ -26,7 +26,7 @@ struct Route {
 [[nodiscard]] std::span<const Route> exportRoutes();
 [[nodiscard]] std::span<const Route> liveRoutes();
 
-/// Finds the row and answers; every exception becomes an answer, and nothing is thrown.
+/// Calls the handler of a request. Converts every exception to an answer; throws nothing.
 [[nodiscard]] Answer answer(Workbench& workbench, const Request& request);
 
 }  // namespace tubeplan::app

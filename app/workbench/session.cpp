@@ -62,8 +62,8 @@ int pushModel(Session& session, std::string label, std::string origin, Cell cell
 
 namespace {
 
-/// Maximum number of readings listed in all documents together, because these documents are the large ones: four
-/// comparisons of as many readings as the workbench takes, some 100 MiB.
+/// Maximum total number of readings listed in all result documents, which these lists make large: two comparisons of
+/// the maximum number of readings, about 100 MiB.
 constexpr std::size_t kMostListed = 40000;
 
 std::size_t readingsListed(const ResultDocument& result) {
@@ -71,8 +71,8 @@ std::size_t readingsListed(const ResultDocument& result) {
   return readings == result.document.end() || !readings->is_array() ? 0 : readings->size();
 }
 
-/// Drops the oldest large documents of models other than the current one until the limit holds; they are computed again
-/// on return to such a model.
+/// Deletes the oldest documents that list readings, except those of the current model, until the limit holds. Deleted
+/// documents are computed again when their model becomes current.
 void boundResults(Session& session) {
   for (;;) {
     std::size_t all = 0;

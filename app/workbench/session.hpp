@@ -1,5 +1,5 @@
-// Session shared by all browsers: the models of the opened cell, the readings, and the results. It is a value, so that
-// each request works on its own copy.
+// Session shared by all browsers: the models of the opened cell, the readings, and the results. A session is a value
+// type, so that each request works on its own copy.
 #pragma once
 
 #include <cstdint>
@@ -21,50 +21,50 @@
 
 namespace tubeplan::app {
 
-/// Cell in memory, with the text of its files and its origin.
+/// Model on the stack: a cell with the texts of its files, a label and its origin.
 struct Model {
   int id = 0;
   std::string label;
   std::string origin;  ///< given, effect, formula, fit, calibration
   Cell cell;
-  planner::Workcell posed;                             ///< only arm, base and scene, for questions about postures
+  planner::Workcell posed;                             ///< only arm, base and scene, to evaluate postures
   std::shared_ptr<const planner::NearestPairs> pairs;  ///< null if the cell has no bodies
 };
 using ModelPointer = std::shared_ptr<const Model>;
 
 [[nodiscard]] ModelPointer makeModel(int id, std::string label, std::string origin, Cell cell);
 
-/// Source of readings, kept to read them again with other assumptions.
+/// Source of readings, kept so that the readings can be read again under other assumptions.
 struct ReadingSource {
-  std::vector<std::string> files;    ///< files taken together; empty if the readings came as text
-  std::string text;                  ///< text of a measurement file
+  std::vector<std::string> files;    ///< files that form one set; empty if the readings were given as text
+  std::string text;                  ///< text of a measurement file; empty if `files` are given
   double sigma = 0;                  ///< see MeasurementOptions
-  std::vector<std::string> assumed;  ///< assumptions made already, in the notation of takeAssumptions()
+  std::vector<std::string> assumed;  ///< assumptions made so far, in the notation of takeAssumptions()
 };
 
-/// Readings of one or more files.
+/// Readings from one or more files.
 struct ReadingSet {
   std::string name;
-  std::vector<calibration::Measurement> readings;  ///< readings, each with its sigma
-  calibration::MeasurementChecks checks = {};      ///< suspected mistakes at opening
-  std::set<std::string> set_aside = {};            ///< ids excluded from all fits
-  int change = 0;                                  ///< number of changes of readings or marks
-  /// Files and assumptions that the readings came from; null if they are simulated or of a kept session.
+  std::vector<calibration::Measurement> readings;  ///< readings, each with its noise sigma
+  calibration::MeasurementChecks checks = {};      ///< mistakes suspected when the readings were opened
+  std::set<std::string> set_aside = {};            ///< ids of readings excluded from all fits
+  int change = 0;                                  ///< counts the changes of readings or marks
+  /// Files and assumptions from which the readings were obtained; null if they are simulated or from a kept session.
   std::shared_ptr<const ReadingSource> source = {};
-  std::set<std::string> joined = {};  ///< ids that joined the others last; empty in a kept session
+  std::set<std::string> joined = {};  ///< ids of the readings added last; empty in a kept session
 };
 
 /// Returns the readings that are not set aside.
 [[nodiscard]] std::vector<calibration::Measurement> readingsInUse(const ReadingSet& set);
 
-/// Touch of a hole, by the arm itself or by a simulated one.
+/// Touch of a hole, made by the real arm or simulated.
 struct TouchMade {
   calibration::Measurement touch;
-  int tube = -1;  ///< index in the sheet
+  int tube = -1;  ///< index of the tube in the sheet; -1 if unknown
   bool is_simulated = false;
 };
 
-/// Document that a command has computed for one model.
+/// Result document computed for one model.
 struct ResultDocument {
   int model = 0;
   std::uint64_t revision = 0;  ///< revision of the state when the document was added
@@ -74,15 +74,15 @@ using ResultPointer = std::shared_ptr<const ResultDocument>;
 
 struct Session {
   std::uint64_t revision = 1;
-  std::vector<ModelPointer> models;  ///< stack, the opened cell first; never empty
-  std::size_t current = 0;           ///< index of the current model; those above it are kept for redo
+  std::vector<ModelPointer> models;  ///< stack of models, the opened cell first; never empty
+  std::size_t current = 0;           ///< index of the current model; models above it are kept for redo
   int next_model = 1;
   std::shared_ptr<const ReadingSet> readings;                   ///< null without readings
-  std::map<std::string, std::map<int, ResultPointer>> results;  ///< by name and model
-  std::string truth;                                            ///< file of a cell; empty: none
-  std::string project;                                          ///< file of the last save; empty: none
-  std::uint64_t saved_revision = 0;                             ///< revision in that file
-  std::vector<TouchMade> touches;                               ///< touches made one by one
+  std::map<std::string, std::map<int, ResultPointer>> results;  ///< by result name and model id
+  std::string truth;                                            ///< cell file of the true arm; empty: none
+  std::string project;                                          ///< project file last saved; empty: none
+  std::uint64_t saved_revision = 0;                             ///< revision of the session in that project file
+  std::vector<TouchMade> touches;                               ///< touches in the order in which they were made
   int next_touch = 1;
   std::shared_ptr<const PlanOutcome> plan;
   PlanRequest plan_request;
@@ -90,23 +90,24 @@ struct Session {
 
 [[nodiscard]] inline const Model& currentModel(const Session& session) { return *session.models[session.current]; }
 
-/// Returns the index on the stack of the model with that id; nullopt if there is none.
+/// Returns the stack index of the model with this id; nullopt if there is none.
 [[nodiscard]] std::optional<std::size_t> findModel(const Session& session, int id);
 
-/// Returns the result of the current model, else the newest of another; null if there is none.
+/// Returns the result of the current model, otherwise the newest result of another model; null if there is none.
 [[nodiscard]] ResultPointer findResult(const Session& session, const std::string& name);
 
-/// Returns the result of that model alone; null if there is none.
+/// Returns the result of the given model only; null if there is none.
 [[nodiscard]] ResultPointer findResult(const Session& session, const std::string& name, int model);
 
-/// Puts a model on top of the current one and deletes the models kept for redo, with their results. Returns its id.
+/// Puts a model on the stack above the current model, and makes it current. Deletes the models kept for redo, with
+/// their results. Returns the id of the new model.
 int pushModel(Session& session, std::string label, std::string origin, Cell cell);
 
-/// Stores a result. If all documents that list readings are too large together, the oldest ones of other models are
-/// dropped.
+/// Stores a result. If the documents that list readings become too large in total, the oldest of those of other models
+/// are deleted.
 void putResult(Session& session, const std::string& name, int model, nlohmann::json document);
 
-/// Replaces the readings, with the next change number, and deletes the results of the former ones.
+/// Replaces the readings, with the next change number, and deletes the results for the former readings.
 void putReadings(Session& session, std::shared_ptr<ReadingSet> set);
 
 }  // namespace tubeplan::app

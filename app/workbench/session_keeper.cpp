@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostAtOnce = 16;  // maximum number of programs that work on one cell at a time
+constexpr int kMostAtOnce = 16;  // maximum number of programs that work on the same cell at a time
 constexpr std::size_t kMostRecent = 20;
 
 std::string variable(const char* name) {
@@ -26,14 +26,14 @@ std::string variable(const char* name) {
   return value ? value : "";
 }
 
-/// Returns "bench-1a2b3c4d5e6f7081", from the cell's name and path.
+/// Returns a session name such as "bench-1a2b3c4d5e6f7081", from the name of the cell file and a hash of its path.
 std::string sessionName(const std::string& cell) {
   std::error_code error;
   const fs::path place = fs::weakly_canonical(cell, error);
   return fs::path(cell).stem().string() + "-" + fingerprintOf(error ? cell : place.string());
 }
 
-/// Returns an unused name next to the file.
+/// Returns an unused file name in the folder of `file`.
 fs::path freeName(const fs::path& file, const std::string& word) {
   for (int k = 1;; ++k) {
     const auto other =

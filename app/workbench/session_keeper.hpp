@@ -1,5 +1,5 @@
-// Storage of the session in a file of the state folder after every change, so that the next program continues after a
-// crash of the program or the machine.
+// Storage of the session in a file of the state folder after every change, so that work continues after a crash of the
+// program or the machine.
 #pragma once
 
 #include <cstdint>
@@ -14,29 +14,30 @@
 
 namespace tubeplan::app {
 
-/// Returns the default folder of sessions: $XDG_STATE_HOME/tubeplan, ~/.local/state/tubeplan.
+/// Returns the default folder of sessions: $XDG_STATE_HOME/tubeplan, otherwise ~/.local/state/tubeplan; empty without a
+/// home folder.
 [[nodiscard]] std::string defaultStateFolder();
 
 class SessionKeeper {
  public:
-  /// Creates `folder`; empty: nothing is kept. Throws InputError if it cannot be created.
+  /// Creates `folder`; if it is empty, no session is kept. Throws InputError if the folder cannot be created.
   explicit SessionKeeper(std::filesystem::path folder);
 
-  /// Returns the session kept for this cell's file, if no other program uses it, and keeps that file from now on. An
-  /// unreadable one is renamed, with a message on standard error.
+  /// Returns the session kept for a cell file, unless another program uses it, and stores to the same session file from
+  /// now on. An unreadable session file is renamed, with a message on standard error.
   [[nodiscard]] std::optional<Session> begin(const std::string& cell);
 
-  /// Renames the session file that begin() found, so that it can be opened by hand.
+  /// Renames the session file found by begin(), so that it can still be opened by hand.
   void putAside();
 
-  /// Writes the session unless a later one is already written. The session is on disk on return; a failure is reported
+  /// Writes the session to disk before returning, unless a later revision is already written. A failure is reported
   /// once on standard error and in problem().
   void keep(const Session& session);
 
-  /// Returns the reason why nothing is kept; empty if sessions are kept.
+  /// Returns the reason why sessions are not kept; empty if they are kept.
   [[nodiscard]] std::string problem() const;
 
-  /// Returns sessions in the folder, newest first, each as by projectSummary(); at most twenty.
+  /// Returns the sessions in the folder, newest first, each as by projectSummary(); at most twenty.
   [[nodiscard]] nlohmann::json recent() const;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
@@ -44,7 +45,7 @@ class SessionKeeper {
 
  private:
   std::filesystem::path folder_, file_;
-  FileLock lock_;  ///< next to the session's file
+  FileLock lock_;  ///< lock file next to the session file
   mutable std::mutex mutex_;
   std::uint64_t kept_ = 0;  ///< last revision written
   std::string problem_;

@@ -26,7 +26,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Names of results that have documents; each is null in the state until computed.
+/// Names of the results that have documents; each is null in the state until it is computed.
 constexpr const char* kResults[] = {"compare", "diagnose", "identify", "ladder",  "plan",    "calibrate",
                                     "touches", "reach",    "field",    "improve", "simulate"};
 
@@ -141,7 +141,7 @@ json resultsJson(const Session& session) {
 }  // namespace
 
 json stateJson(const Workbench& workbench) {
-  const auto moment = workbench.events().moment();  // read before the state itself
+  const auto moment = workbench.events().moment();  // read before the state, see Events::moment()
   const Session session = workbench.session();
   return {{"revision", session.revision},
           {"moment", moment},

@@ -1,4 +1,4 @@
-// Session in the form for browsers: small, and sent completely at every change.
+// Session as JSON for browsers: small, and sent completely at every change.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,8 +9,8 @@ namespace tubeplan::app {
 
 [[nodiscard]] nlohmann::json stateJson(const Workbench& workbench);
 
-/// Returns {units, sigma_unit, rows: [...]}: each reading with the line of its file, its place if it has one and the
-/// tip that the model predicts, in the world.
+/// Returns {name, units, joints, rows: [...]}. Each row is a reading with its line number in the file, its position
+/// (null if unknown) and the tip predicted by the model in the world frame (null without equilibrium).
 [[nodiscard]] nlohmann::json readingsJson(const Model& model, const ReadingSet& set);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Shared state, its results, undo and the jobs.
+// Routes for the shared state, its results, undo and jobs.
 #include <limits>
 
 #include "app/storage/input_error.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 Answer state(Workbench& workbench, const Request&) { return answerOf(stateJson(workbench)); }
 
-/// Returns the result of the model in "?model=", else by findResult().
+/// Returns the result of the model given by "?model="; without this parameter, the result of findResult().
 ResultPointer resultAsked(const Session& session, const Request& request) {
   const auto asked = request.query.find("model");
   if (asked == request.query.end()) return findResult(session, request.words[1]);
@@ -47,7 +47,7 @@ Answer step(Workbench& workbench, bool back) {
 Answer undo(Workbench& workbench, const Request&) { return step(workbench, true); }
 Answer redo(Workbench& workbench, const Request&) { return step(workbench, false); }
 
-/// Makes any model of the stack the current one, for {"model": id}; those above it are kept for redo.
+/// Makes the model {"model": id} of the stack current; the models above it are kept for redo.
 Answer goTo(Workbench& workbench, const Request& request) {
   const auto body = objectOf(request);
   const int id = integerOf(body, "model", -1, 0, std::numeric_limits<int>::max());

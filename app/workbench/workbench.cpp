@@ -34,15 +34,16 @@ Session openAsAsked(const WorkbenchOptions& options) {
   return session;
 }
 
-/// Returns true if the kept session has the present text of the cell's file and the requested readings; without
-/// requested readings, the kept ones count.
+/// Returns true if the kept session has the present text of the cell file and the requested readings; if no readings
+/// are requested, those of the kept session are accepted.
 bool goesOn(const Session& kept, const Session& asked) {
   Session inputs = asked;
   if (!inputs.readings) inputs.readings = kept.readings;
   return hasSameInputs(kept, inputs) && (asked.truth.empty() || kept.truth == fs::absolute(asked.truth));
 }
 
-/// Returns the kept session if it fits the request; otherwise the requested one, with the kept one renamed.
+/// Returns the kept session if it matches the requested one; otherwise returns the requested session and renames the
+/// kept one.
 Session takeUp(SessionKeeper& keeper, Session asked, const WorkbenchOptions& options) {
   const bool is_project = isProject(options.cell);
   auto kept = keeper.begin(asked.models.front()->cell.path);
@@ -78,7 +79,7 @@ bool Workbench::change(const std::function<bool(Session&)>& step) {
     ++changed.revision;
     session_ = changed;
   }
-  keeper_.keep(changed);  // before any browser receives it
+  keeper_.keep(changed);  // stored before any browser receives the change
   events_.stateChanged();
   return true;
 }
@@ -92,7 +93,7 @@ bool Workbench::replace(Session session) {
     const std::uint64_t revision = std::max(now.revision, session.revision);
     now = std::move(session);
     now.revision = revision;
-    now.saved_revision = is_saved ? revision + 1 : 0;  // revision that this step produces
+    now.saved_revision = is_saved ? revision + 1 : 0;  // the revision number after this step
     return true;
   });
 }

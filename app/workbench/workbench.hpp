@@ -1,4 +1,4 @@
-// Workbench: the session shared by all browsers, the jobs that change it and the opened folder.
+// Workbench: the session shared by all browsers, the jobs that change the session, and the opened folder.
 #pragma once
 
 #include <functional>
@@ -16,28 +16,28 @@
 namespace tubeplan::app {
 
 struct WorkbenchOptions {
-  std::string cell;                       ///< file of a cell or project
-  std::vector<std::string> measurements;  ///< files, taken together
+  std::string cell;                       ///< cell file or project file
+  std::vector<std::string> measurements;  ///< measurement files that form one set
   std::string truth;                      ///< cell file of the true arm for simulated touches; empty: none
-  std::string folder;                     ///< empty: the cell's folder
-  std::string state;                      ///< folder where the session is kept; empty: it is not kept
-  bool fresh = false;                     ///< true: a kept session is renamed and not continued
+  std::string folder;                     ///< opened folder; empty: the folder of the cell file
+  std::string state;                      ///< folder in which the session is kept; empty: it is not kept
+  bool fresh = false;                     ///< true: a kept session is renamed and not resumed
   int most_listeners = 16;
 };
 
 class Workbench {
  public:
-  /// Reads the named files. Throws InputError.
+  /// Opens the files named in the options, or resumes the kept session. Throws InputError.
   explicit Workbench(const WorkbenchOptions& options);
 
   [[nodiscard]] Session session() const;
 
-  /// Applies a step to the session atomically and sends the change to all browsers. Returns the step's result; false
+  /// Applies `step` to the session atomically and sends the change to all browsers. Returns the result of `step`; false
   /// means that nothing changed.
   bool change(const std::function<bool(Session&)>& step);
 
-  /// Replaces the whole session unless a job works on it, and keeps the session of the new cell from now on; an earlier
-  /// kept one is renamed. Returns false if a job is running.
+  /// Replaces the session unless a job is running, and keeps the session of the new cell from now on. A session kept
+  /// earlier for the new cell is renamed. Returns false if a job is running.
   bool replace(Session session);
 
   [[nodiscard]] const SessionKeeper& keeper() const { return keeper_; }
@@ -55,7 +55,7 @@ class Workbench {
   SessionKeeper keeper_;
   Events events_;
   Arrivals arrivals_;
-  Jobs jobs_;  ///< last member, so that its thread ends before the data it works on
+  Jobs jobs_;  ///< last member, so that the job thread ends before the data that it uses is destroyed
 };
 
 /// Returns the session of a newly opened cell or project. Throws InputError.
