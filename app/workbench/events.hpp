@@ -24,7 +24,7 @@ class Events {
   struct News {
     bool state_changed = false;
     std::vector<std::string> jobs;  ///< newest progress of each changed job, as JSON
-    std::string live;               ///< newest posture of a running arm, as JSON; empty if there is none
+    std::string live;               ///< newest posture of a running arm, as JSON; empty if there is no new one
     bool closed = false;
   };
 
@@ -40,7 +40,7 @@ class Events {
   void jobMoved(int id, std::string json);
   void liveMoved(std::string json);
 
-  /// Wakes every listener permanently.
+  /// Wakes all listeners; wait() returns at once from now on.
   void close();
 
   /// Waits for new events, at most for the time `most`. Returns empty news on a timeout.

@@ -106,7 +106,7 @@ class HttpServer::Implementation : public httplib::Server {
       : workbench_(workbench), door_(std::move(door)), page_(page_folder) {
     new_task_queue = [] { return new httplib::ThreadPool(kConnectionsAtOnce); };
     set_payload_max_length(kLargestBody);
-    // Without SO_REUSEPORT, so that no other program can listen on the same port.
+    // SO_REUSEPORT is not set, so that no other program can listen on the same port.
     set_socket_options([](socket_t socket) {
       const int yes = 1;
       ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);

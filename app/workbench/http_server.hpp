@@ -25,7 +25,8 @@ class HttpServer {
   /// Answers requests until stop().
   void run();
 
-  /// Ends run() and all connections. May be called only from another thread than run(), also just before run() begins.
+  /// Ends run() and all connections. Must be called from a thread other than that of run(), possibly before run()
+  /// begins.
   void stop();
 
  private:

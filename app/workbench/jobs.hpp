@@ -44,7 +44,7 @@ class Jobs {
   Jobs& operator=(const Jobs&) = delete;
 
   struct Begun {
-    std::string refused;  ///< reason; empty if the job was accepted
+    std::string refused;  ///< reason for the refusal; empty if the job was accepted
     nlohmann::json job;
   };
 

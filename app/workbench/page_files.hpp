@@ -16,7 +16,7 @@ namespace tubeplan::app {
 
 struct PageFile {
   std::string content, content_type;
-  bool is_named_by_content = false;  ///< true if the name contains a hash of the content: cacheable
+  bool is_named_by_content = false;  ///< true if the name changes with the content: a browser may cache the file
 };
 
 class PageFiles {

@@ -44,7 +44,7 @@ std::vector<Isometry3d> rigidFrames(const deflection::FlexibleKinematics& shape,
 /// Returns the point of a shape nearest to a point outside the shape: a step of length equal to the distance, along the
 /// negative gradient of the distance.
 Vector3d nearestOn(const planner::Shape& shape, const Vector3d& p) {
-  constexpr double kStep = 1e-5;  // [m]
+  constexpr double kStep = 1e-5;  // step of the central differences [m]
   Vector3d slope;
   for (int k = 0; k < 3; ++k)
     slope[k] =

@@ -1,5 +1,5 @@
 // Values in the JSON body of a request, each checked when it is read, because input from a browser is not trusted.
-// Postures, loads and holes are in the cell's units.
+// Postures and loads are in the cell's units; holes are tube indices.
 #pragma once
 
 #include <cstdint>
