@@ -1,11 +1,10 @@
-// Meshes of the arm's members, and their poses at a posture, rigid or deflected, or with magnified deflection.
+// Meshes of the arm's members and their poses: rigid, deflected, or with magnified deflection.
 import {CapsuleGeometry, Group, Mesh, MeshStandardMaterial, Quaternion, SphereGeometry, Vector3} from "three";
 import type {Frame, SceneDocument} from "../server/documents";
 import {layAlong, solidOf, vector} from "./solids";
 
 /**
- * Radii of the slim rod drawn for a member without a body, from its frame to the next, as shares of the picture's
- * reach.
+ * Radii, relative to the picture's reach, of the slim rod drawn from a frame to the next for a member without a body.
  */
 const ROD = 0.016,
   TIP = 0.012,
@@ -60,7 +59,7 @@ function placeRod({reach}: ArmBodies, rod: Mesh, a: Vector3, b: Vector3): void {
   rod.scale.set(reach, long / (1 + 2 * ROD), reach);
 }
 
-/** Returns the deflected frame with its displacement and rotation from the rigid one multiplied by `times`. */
+/** Returns the rigid frame plus `times` the displacement and rotation to the deflected frame. */
 export function magnifiedFrame(rigid: Frame, flexible: Frame, times: number): Frame {
   if (times === 1) return flexible;
   const position = rigid.position.map(

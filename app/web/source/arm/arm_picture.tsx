@@ -1,4 +1,4 @@
-// The 3-D picture as a part of a view, with its buttons and the clearance next to its line.
+// The 3-D picture within a view, with its buttons and the clearance next to the line to the nearest object.
 import {choicesOf, Segments} from "../drawing/segments";
 import {signal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
@@ -57,7 +57,7 @@ export function ArmPicture({tour = null, isSmall = false}: {tour?: Vector3[] | n
 
 type StageRef = {current: ArmStage | null};
 
-/** Creates the stage on its canvas, as large as its box; reports the reason if this browser draws none. */
+/** Creates the stage on a canvas that fills its box; reports the reason if this browser cannot draw in 3-D. */
 function useStage() {
   const canvas = useRef<HTMLCanvasElement>(null),
     figure = useRef<HTMLSpanElement>(null);
@@ -84,7 +84,7 @@ function useStage() {
   return {canvas, figure, refusal, stage};
 }
 
-/** Shows the cell, the sheet and the tour; a new cell is viewed from the corner. */
+/** Shows the cell, the sheet and the tour; a new cell is viewed from a corner. */
 function useScene(stage: StageRef, tour: Vector3[] | null): void {
   const scene = sceneDocument.value.document;
   useEffect(() => {
@@ -98,7 +98,7 @@ function useScene(stage: StageRef, tour: Vector3[] | null): void {
   useEffect(() => stage.current?.setTour(tour, palette.value), [tour]);
 }
 
-/** Shows the arm in the requested posture, with its reading. */
+/** Shows the arm in the requested posture, with the errors of the reading there. */
 function usePose(stage: StageRef): void {
   const scene = sceneDocument.value.document,
     reading = poseRequest.reading.value;
@@ -147,7 +147,7 @@ function StageBar({stage, isSmall}: {stage: StageRef; isSmall: boolean}) {
   );
 }
 
-/** Switches all errors on and off, and blends from before to after. */
+/** Controls that switch the errors of all readings on and off and blend them from before to after. */
 function FieldBar({errors}: {errors: ReadingErrors}) {
   const hasTwo = errors.series.length > 1;
   return (
@@ -175,7 +175,7 @@ function FieldBar({errors}: {errors: ReadingErrors}) {
   );
 }
 
-/** Explains the arrows at the tip, with a button that removes them. */
+/** Legend of the error arrows at the tip, with a button that removes the arrows. */
 function ShownErrors({reading, factor}: {reading: ShownReading; factor: number}) {
   return (
     <span class="shown-errors" role="status">

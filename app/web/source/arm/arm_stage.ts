@@ -1,5 +1,5 @@
-// The 3-D picture: the sheet, the bowl and its obstacles, the rigid arm as a ghost, the deflected arm in front of it,
-// and the line to the nearest object. It is drawn only after a change.
+// The 3-D picture: the sheet, the bowl and obstacles, the rigid arm as a ghost, the deflected arm, and the line to the
+// nearest object. The picture is drawn only after a change.
 import {
   AmbientLight,
   Box3,
@@ -26,7 +26,7 @@ import {floorOf, plateOf} from "./sheet_plate";
 import {clearanceLine, TOUR, tourLine} from "./stage_lines";
 import {bowlOf, disposeAll, obstacleOf, openingOf, vector} from "./solids";
 
-/** True if pictures are drawn without a graphics processor, as on a bare server or over a remote desktop. */
+/** True if pictures are drawn without a graphics processor, such as on a bare server or over a remote desktop. */
 const IS_SOFTWARE = (() => {
   const context = document.createElement("canvas").getContext("webgl2");
   const name = context?.getExtension("WEBGL_debug_renderer_info");
@@ -36,14 +36,14 @@ const IS_SOFTWARE = (() => {
 })();
 
 /**
- * Extent of the picture from its middle, in the cell's unit of length. Sizes that no figure of the cell determines are
- * shares of it.
+ * Distance from the middle of the picture to its edge, in the cell's unit of length. Dimensions that the cell does not
+ * determine are fractions of it.
  */
 export const pictureReach = signal(1);
 
-/** Reach of the picture without a sheet, as a share of the total length of the arm's members. */
+/** Reach of the picture without a sheet, relative to the total length of the arm's members. */
 const BESIDE_ARM = 0.6;
-/** Relative change of length beyond which an arm counts as another one and is framed anew. */
+/** Relative change of the arm's length beyond which the picture is framed anew, as for another arm. */
 const SAME_ARM = 0.3;
 
 function empty(group: Group): void {
@@ -120,7 +120,7 @@ export class ArmStage {
   }
 
   private drawNow(isSharp = false): void {
-    if (this.isDisposed) return; // a frame requested before the disposal
+    if (this.isDisposed) return; // the frame was requested before the disposal
     this.isAsked = false;
     this.renderer.setPixelRatio(isSharp ? pixelRatio() : this.ratio);
     this.renderer.render(this.scene, this.camera);
@@ -132,15 +132,15 @@ export class ArmStage {
     if (this.ratio < pixelRatio()) this.later = window.setTimeout(() => this.drawNow(true), 400);
   }
 
-  /** Draws motion coarsely if the page has to wait for its picture (no graphics processor), and sharply at rest. */
+  /** Lowers the resolution during motion if drawing is slow (no graphics processor); a picture at rest is sharp. */
   private adapt(msWaited: number): void {
-    // Figures have priority over pictures, but a picture waits at most this long.
+    // Numbers are updated before pictures, but a picture waits at most this long.
     if (msWaited > 12) this.notBefore = performance.now() + Math.min(2 * msWaited, 400);
     if (msWaited > 24) this.ratio = Math.max(0.45, 0.8 * this.ratio);
     else if (msWaited < 10 && !IS_SOFTWARE) this.ratio = Math.min(pixelRatio(), 1.1 * this.ratio);
   }
 
-  /** Shows a cell: its fixed objects, and the bodies of the arm. */
+  /** Shows the fixed objects of a cell and the bodies of the arm. */
   setCell(document: SceneDocument, sheet: SheetModel | null, palette: Palette): void {
     this.palette = palette;
     this.cell = {document, sheet};
@@ -159,7 +159,7 @@ export class ArmStage {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Frames the arm at its posture, for a cell without a sheet. */
+  /** Fits the view to the arm in its posture, for a cell without a sheet. */
   private frameArm(pose: PoseDocument): void {
     const places = [...pose.frames.rigid.map((frame) => vector(frame.position)), vector(pose.tip.rigid)];
     this.length = lengthAlong(places);
@@ -197,7 +197,9 @@ export class ArmStage {
     this.scene.add(this.ghost.group, this.solid.group);
   }
 
-  /** Chooses one of the fixed views; a leg is viewed from the divider's side, where the bowl is cut open. */
+  /**
+   * Selects a standard view. One leg of the sheet is viewed from the side of the divider, where the bowl is cut open.
+   */
   look(from: "corner" | "side" | "below" | "front"): void {
     const directions = {
       corner: [-1.25, -2.35, -0.42],
@@ -206,7 +208,7 @@ export class ArmStage {
       front: [0.05, -2.7, -0.2],
     } as const;
     const way = new Vector3(...directions[from]);
-    if (!this.cell?.sheet && from !== "below") way.z *= -1; // without a sheet, a view from above is free
+    if (!this.cell?.sheet && from !== "below") way.z *= -1; // without a sheet, the space above the arm is free
     this.controls.target.copy(this.focus);
     this.camera.position
       .copy(this.focus)
@@ -239,7 +241,10 @@ export class ArmStage {
     return length > 0 && Math.abs(this.length / length - 1) > SAME_ARM;
   }
 
-  /** Draws the line to the nearest object; not with magnified deflection, where the arm is not at its true place. */
+  /**
+   * Draws the line to the nearest object, except with magnified deflection, where the drawn arm is not at its true
+   * position.
+   */
   private drawClearance(pose: PoseDocument, palette: Palette): void {
     empty(this.marks);
     const {clearance} = pose;
@@ -247,27 +252,27 @@ export class ArmStage {
     this.marks.add(clearanceLine(vector(clearance.from), vector(clearance.to), this.reach, palette));
   }
 
-  /** Shows the errors of the arm's reading; null for none. */
+  /** Shows the errors of the reading whose posture the arm shows; null hides them. */
   setReading(reading: ShownReading | null, palette: Palette): void {
     empty(this.errors);
     if (reading) this.errors.add(errorArrows(reading, this.reach, palette));
     this.ask();
   }
 
-  /** Shows the errors of all readings; null for none. */
+  /** Shows the errors of all readings; null hides them. */
   setErrors(errors: ReadingErrors | null, palette: Palette): void {
     empty(this.field);
     if (errors) this.field.add(errorField(errors, this.reach, palette));
     this.ask();
   }
 
-  /** Blends from before (0) to after (1). */
+  /** Blends the errors of all readings from before (0) to after (1). */
   fadeErrors(after: number): void {
     for (const field of this.field.children) fadeField(field as Group, after);
     this.ask();
   }
 
-  /** Shows a tour through the tips in the order of visiting. */
+  /** Shows a tour through the tip positions in the order of visiting; null hides the tour. */
   setTour(points: Vector3[] | null, palette: Palette): void {
     const old = this.statics.getObjectByName(TOUR);
     if (old) {
@@ -278,7 +283,7 @@ export class ArmStage {
     this.ask();
   }
 
-  /** Returns the place of a world point on the canvas, in its pixels; null behind the camera. */
+  /** Returns the position of a world point on the canvas [pixels]; null if the point is behind the camera. */
   onScreen(point: Vector3): [number, number] | null {
     const seen = point.clone().project(this.camera);
     if (seen.z > 1) return null;

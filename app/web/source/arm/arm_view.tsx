@@ -1,4 +1,4 @@
-// The arm view: the deflected arm under the sheet, sliders that move it at once, and the operator's read-out.
+// The arm view: the deflected arm under the sheet, sliders that move the arm at once, and the operator's read-out.
 import {submitting, TextInput, withPoint} from "../drawing/fields";
 import {Figures, Panel} from "../drawing/panel";
 import {Segments} from "../drawing/segments";
@@ -14,7 +14,9 @@ import {isFollowing, isLive} from "./live";
 import {poseRequest, setJoint, showHole, whyNot} from "./pose_link";
 import {ToolInset} from "./tool_inset";
 
-/** Begins under a hole in the middle of the sheet, because a stretched arm would pass through a wall. */
+/**
+ * Moves the arm under a hole in the middle of the sheet at the start, because a straight arm would pass through a wall.
+ */
 function beginUnderHole(): void {
   const model = sheet.value;
   if (!model || poseRequest.hole.peek() >= 0 || poseRequest.reading.peek() || isLive.peek()) return;
@@ -143,7 +145,7 @@ function Sliders() {
   );
 }
 
-/** Field for a hole's name; the arm moves under that hole. */
+/** Text field for a hole's name; the arm moves under the entered hole. */
 function HoleBox() {
   const text = useSignal("");
   const go = () => {
@@ -169,8 +171,8 @@ function HoleBox() {
 }
 
 /**
- * Returns the slider's range in each direction for a joint without limits: one turn, or the picture's reach along a
- * slide.
+ * Returns the limit of a slider, in both directions, for a joint without limits: one turn for an angle, otherwise the
+ * picture's reach.
  */
 function unlimitedOf(unit: string): number {
   return unit === "deg" ? 360 : unit === "rad" ? 2 * Math.PI : pictureReach.value;
@@ -188,7 +190,7 @@ function JointSlider({joint, index}: {joint: JointInfo; index: number}) {
       value={poseRequest.joints.value[index] ?? joint.home}
       digits={jointDecimals(joint.unit)}
       onSlide={(next) => {
-        isFollowing.value = false; // the slider is moved by hand
+        isFollowing.value = false; // moving a slider by hand ends following
         setJoint(index, next);
       }}
       onType={(next) => setJoint(index, Math.min(most, Math.max(least, next)))}
@@ -215,7 +217,7 @@ function LoadSlider() {
 interface SliderProps {
   name: string;
   unit: string;
-  /** Minimum, maximum and step. */
+  /** Minimum, maximum and step of the slider. */
   range: [number, number, number];
   value: number;
   digits: number;
@@ -223,7 +225,9 @@ interface SliderProps {
   onType: (next: number) => void;
 }
 
-/** Slider with its figure, which can also be typed; it is accepted on Enter or when the field loses the focus. */
+/**
+ * Slider with its value, which can also be typed. A typed value is accepted on Enter or when the field loses the focus.
+ */
 function Slider({name, unit, range: [min, max, step], value, digits, onSlide, onType}: SliderProps) {
   return (
     <label class="slider">

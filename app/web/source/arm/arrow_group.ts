@@ -1,4 +1,4 @@
-// Arrows in the 3-D picture: all shafts as one object and all heads as another, drawn in front of the bodies.
+// Arrows in the 3-D picture, drawn in front of the bodies. All shafts form one object, and all heads another.
 import {
   BufferGeometry,
   ConeGeometry,
@@ -17,7 +17,9 @@ export interface Arrow {
   way: Vector3;
 }
 
-/** Returns the arrows. `head` is the length of the heads; a shorter arrow consists of its head alone. */
+/**
+ * Returns a group of arrows. `head` is the length of the heads; an arrow shorter than `head` is a smaller head alone.
+ */
 export function arrowGroup(arrows: readonly Arrow[], head: number, colour: string, renderOrder: number): Group {
   const look = {color: colour, transparent: true, depthTest: false};
   const ends = arrows.flatMap(({from, way}) => [...from.toArray(), ...from.clone().add(way).toArray()]);

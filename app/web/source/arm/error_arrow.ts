@@ -1,16 +1,16 @@
-// A reading's errors in the 3-D picture: arrows from the tip, magnified by a round factor to be visible.
+// The errors of one reading in the 3-D picture: arrows from the tip, magnified by a round factor to be visible.
 import {Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3} from "three";
 import type {Palette} from "../drawing/colours";
 import {roundDown125} from "../../../drawing/scales.js";
 import {arrowGroup} from "./arrow_group";
 import type {ShownReading} from "./pose_link";
 
-/** Maximum drawn length of the larger error, as a share of the picture's reach. */
+/** Maximum drawn length of the larger error, relative to the picture's reach. */
 const LONGEST = 0.24;
-/** Length of an arrow's head, as a share of the picture's reach. */
+/** Length of an arrow's head, relative to the picture's reach. */
 const HEAD = 0.03;
 
-/** Returns the magnification of the errors. */
+/** Returns the magnification of the arrows of a reading. */
 export function factorOf(reading: ShownReading, reach: number): number {
   const most = Math.max(...reading.errors.map(({error}) => (error ? Math.hypot(...error) : 0)));
   return most > 0 ? Math.max(1, roundDown125((LONGEST * reach) / most)) : 1;

@@ -1,4 +1,4 @@
-// The errors of all readings as arrows at their places in the 3-D picture, blended from before to after.
+// The errors of all readings as arrows at their positions in the 3-D picture, blended from before to after the refit.
 import {Group, InstancedMesh, LineSegments, Vector3, type LineBasicMaterial, type MeshBasicMaterial} from "three";
 import type {Palette} from "../drawing/colours";
 import {usualLargest} from "../../../drawing/arrows.js";
@@ -6,16 +6,16 @@ import {roundDown125} from "../../../drawing/scales.js";
 import type {ReadingErrors} from "../error/residuals";
 import {arrowGroup} from "./arrow_group";
 
-/** Drawn length of a large error that few exceed, as a share of the picture's reach. */
+/** Drawn length of a large error that few readings exceed, relative to the picture's reach. */
 const LONG = 0.16;
-/** Length of an arrow's head, as a share of the picture's reach. */
+/** Length of an arrow's head, relative to the picture's reach. */
 const HEAD = 0.018;
-/** Least opacity at which a series is drawn. */
+/** Minimum opacity at which a series is drawn. */
 const FAINTEST = 0.02;
 
 type Place = [number, number, number];
 
-/** Returns the magnification of the errors, the same for before and after. */
+/** Returns the magnification of the error arrows, common to the series before and after. */
 export function fieldFactor(errors: ReadingErrors, reach: number): number {
   const lengths = errors.series.flatMap((series) =>
     series.errors.map((error) => (error ? Math.hypot(...error) : null)),
@@ -24,7 +24,7 @@ export function fieldFactor(errors: ReadingErrors, reach: number): number {
   return largest > 0 ? Math.max(1, roundDown125((LONG * reach) / largest)) : 1;
 }
 
-/** Returns the arrows of one series; null if it has none. */
+/** Returns the arrows of one series; null if no reading has an error. */
 function arrowsOf(places: (Place | null)[], errors: (Place | null)[], factor: number, reach: number, colour: string) {
   const arrows = places.flatMap((place, i) => {
     const error = errors[i];
@@ -35,7 +35,7 @@ function arrowsOf(places: (Place | null)[], errors: (Place | null)[], factor: nu
   return arrows.length > 0 ? arrowGroup(arrows, HEAD * reach, colour, 4) : null;
 }
 
-/** Returns the arrows of both series, to be blended by fadeField(). */
+/** Returns the arrows of both series as a group for fadeField(). */
 export function errorField(errors: ReadingErrors, reach: number, palette: Palette): Group {
   const field = new Group(),
     factor = fieldFactor(errors, reach);
@@ -48,7 +48,7 @@ export function errorField(errors: ReadingErrors, reach: number, palette: Palett
   return field;
 }
 
-/** Blends the arrows; `after`: 0 shows only the errors before, 1 only those after. */
+/** Blends the arrows of both series. `after` = 0 shows only the errors before, 1 only the errors after. */
 export function fadeField(field: Group, after: number): void {
   for (const arrows of field.children) {
     const opacity = arrows.name === "after" ? after : 1 - after;

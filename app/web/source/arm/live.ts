@@ -1,9 +1,9 @@
-// A running arm: its encoders move the arm of this browser while it follows.
+// Encoder readings of a running arm, which move the displayed arm while this browser follows.
 import {effect, signal} from "@preact/signals";
 import {liveNews} from "../server/workbench";
 import {bringArm} from "./pose_link";
 
-/** Time without data after which the arm is taken to be at rest or disconnected [ms]. */
+/** Time without data after which the running arm counts as disconnected or at rest [ms]. */
 const SILENCE = 3000;
 
 export const isFollowing = signal(true);

@@ -1,5 +1,5 @@
-// The arm's posture in this browser, and the program's answer to it. At most one question is under way and the last one
-// is always asked, so that a slider never waits for a queue.
+// The arm's posture in this browser, and the program's answer to it. Only one request is under way at a time, and the
+// last posture is always requested, so that a slider never waits for a queue.
 import {batch, computed, effect, signal} from "@preact/signals";
 import type {Mark} from "../drawing/marks";
 import type {InverseDocument, PoseDocument, Vector3} from "../server/documents";
@@ -14,7 +14,10 @@ const inverse = signal<InverseDocument | null>(null);
 const latency = signal(0);
 const reading = signal<ShownReading | null>(null);
 
-/** Reading at whose posture the arm is: the predicted place of its tip, and the errors there, before and after. */
+/**
+ * Reading whose posture the arm shows: the predicted position of the tip, and the errors of the reading before and
+ * after.
+ */
 export interface ShownReading {
   id: string;
   place: Vector3 | null;
@@ -24,7 +27,7 @@ export interface ShownReading {
 
 export const poseRequest = {joints, load, hole, answer, inverse, latency, reading};
 
-// Identity of the cell; a new cell places the arm at its home posture.
+// Identity of the cell; when it changes, the arm moves to its home posture.
 const cellKey = computed(() => `${state.value?.folder ?? ""} ${cell.value?.file ?? ""} ${cell.value?.name ?? ""}`);
 effect(() => {
   void cellKey.value;
@@ -36,7 +39,7 @@ effect(() => {
   });
 });
 
-/** Brings the arm to a posture that is under no hole, with a load and the reading taken there. */
+/** Moves the arm to a posture that is not assigned to a hole, with a load and, optionally, the reading taken there. */
 export function bringArm(posture: number[], loaded = 0, shown: ShownReading | null = null): void {
   batch(() => {
     hole.value = -1;
@@ -72,7 +75,7 @@ async function askPose(): Promise<void> {
   }
 }
 
-// A change of joints, load, hole or model asks again.
+// A change of joints, load, hole or model requests the pose again.
 const model = computed(() => `${state.value?.model ?? -1} ${state.value?.models.length ?? 0}`);
 effect(() => {
   void joints.value;
@@ -89,13 +92,15 @@ export function setJoint(index: number, value: number): void {
   joints.value = next;
 }
 
-/** Returns the reason why no posture brings the arm under the hole; empty if one does. */
+/** Returns the reason why the arm cannot reach the hole; empty if it can. */
 export function whyNot(found: InverseDocument): string {
   if (found.status === "found") return "";
   return found.branches.map((branch) => branch.reason).find((reason) => reason !== "") ?? "out of reach";
 }
 
-/** Brings the arm under a hole, by its first branch unless another is given. */
+/**
+ * Moves the arm under a hole, in the posture of the given branch, otherwise in that with the largest clearance margin.
+ */
 export async function showHole(index: number, branch?: number): Promise<void> {
   inverse.value = null;
   reading.value = null;

@@ -1,4 +1,4 @@
-// Surface above or below the arm: the sheet's face with the divider, or a plain floor.
+// Surface above or below the arm: the lower face of the sheet with the divider, or a plain floor.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -20,10 +20,12 @@ import {roundDown125} from "../../../drawing/scales.js";
 import type {SheetModel} from "../sheet/sheet_model";
 import {veil} from "./solids";
 
-/** Width in pixels of the picture of the holes on the sheet's face. */
+/** Width of the texture of the holes on the sheet's face [pixels]. */
 const FACE = 2048;
 
-/** Returns the sheet's lower face; its holes are one texture, smooth at any angle and fast on every processor. */
+/**
+ * Returns the sheet's lower face. All holes are one texture, which is smooth at any angle and fast on every processor.
+ */
 export function plateOf(sheet: SheetModel, palette: Palette): Object3D {
   const group = new Group();
   const outline = new Shape();
@@ -81,7 +83,7 @@ function divider(sheet: SheetModel, palette: Palette): Object3D {
   return plate;
 }
 
-/** Returns the plane of the arm's base as a grid, for a cell without a sheet. */
+/** Returns the plane of the arm's base as a grid, used if the cell has no sheet. */
 export function floorOf(palette: Palette, reach: number): Object3D {
   const points: number[] = [];
   const step = 2 * roundDown125(0.1 * reach),

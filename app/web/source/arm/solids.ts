@@ -1,4 +1,4 @@
-// Meshes of the shapes of a cell file, and of the arm's members.
+// Meshes for the shapes of a cell file and for the arm's members.
 import {
   BoxGeometry,
   BufferGeometry,
@@ -27,7 +27,7 @@ export function vector(triple: Triple): Vector3 {
   return new Vector3(...triple);
 }
 
-/** Places a geometry of unit length along y between a and b. */
+/** Transforms an object of unit length along y so that it extends from a to b. */
 export function layAlong(object: Object3D, a: Vector3, b: Vector3): void {
   object.position.copy(a).add(b).multiplyScalar(0.5);
   const along = b.clone().sub(a);
@@ -35,8 +35,8 @@ export function layAlong(object: Object3D, a: Vector3, b: Vector3): void {
 }
 
 /**
- * Returns a solid of the file in its own frame; null for half spaces and insides, which are drawn as boundaries of the
- * scene.
+ * Returns the mesh of a solid shape in the shape's own frame; null for half spaces and insides, which are drawn as
+ * boundaries of the scene.
  */
 export function solidOf(shape: SolidShape, material: Material, units: Units | undefined): Object3D | null {
   const geometry = geometryOf(shape);
@@ -70,7 +70,7 @@ function geometryOf(shape: SolidShape): BufferGeometry | null {
   }
 }
 
-/** Returns an obstacle, filled and with its edges, visible in any light. */
+/** Returns the mesh of an obstacle, filled and with its edges, visible in any light. */
 export function obstacleOf(
   shape: SolidShape,
   units: Units | undefined,
@@ -89,8 +89,8 @@ export function veil(color: string, opacity: number): MeshStandardMaterial {
 }
 
 /**
- * Returns the inside of a ball above the arm: the half below z = 0, on the side of the divider with positive or
- * negative y; on both sides if `side` is 0.
+ * Returns the inside of a spherical bowl: its half below z = 0, and of this half only the side of the divider with
+ * positive (1) or negative (-1) y; both sides if `side` is 0.
  */
 export function bowlOf(shape: SolidShape, side: -1 | 0 | 1, colours: {fill: string; edge: string}): Object3D {
   const group = new Group();
@@ -108,9 +108,7 @@ export function bowlOf(shape: SolidShape, side: -1 | 0 | 1, colours: {fill: stri
   return group;
 }
 
-/**
- * Returns the rim of a round opening whose axis passes through the world's origin, and the light that falls through it.
- */
+/** Returns the rim of a round opening whose axis passes through the world's origin, with a translucent disc inside. */
 export function openingOf(center: Triple, diameter: number, colours: {edge: string}): Object3D {
   const group = new Group();
   const rim = new TorusGeometry(diameter / 2, 0.03 * diameter, 8, 48);
@@ -121,7 +119,7 @@ export function openingOf(center: Triple, diameter: number, colours: {edge: stri
   return group;
 }
 
-/** Frees the graphics memory of all objects of a group. */
+/** Frees the graphics memory of all objects below `root`. */
 export function disposeAll(root: Object3D): void {
   root.traverse((object) => {
     const mesh = object as Mesh;

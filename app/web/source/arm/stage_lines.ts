@@ -1,4 +1,4 @@
-// Lines of the 3-D picture: to the object nearest to the arm, and the tour of a plan.
+// Lines in the 3-D picture: from the arm to the nearest object, and the tour of a plan.
 import {
   BufferGeometry,
   Group,
@@ -12,7 +12,7 @@ import {
 } from "three";
 import type {Palette} from "../drawing/colours";
 
-/** Returns the line from the arm to the nearest object, with a dot at each end, in front of everything. */
+/** Returns the line from the arm to the nearest object, with a dot at each end, drawn in front of all bodies. */
 export function clearanceLine(from: Vector3, to: Vector3, reach: number, palette: Palette): Group {
   const look = {color: palette.rose, depthTest: false};
   const line = new Line(new BufferGeometry().setFromPoints([from, to]), new LineBasicMaterial(look));
@@ -28,7 +28,7 @@ export function clearanceLine(from: Vector3, to: Vector3, reach: number, palette
 
 export const TOUR = "tour";
 
-/** Returns a line through the tips in the order of visiting. */
+/** Returns a line through the tip positions in the order of visiting. */
 export function tourLine(points: Vector3[], reach: number, palette: Palette): Line {
   const look = {color: palette.violet, dashSize: 0.035 * reach, gapSize: 0.02 * reach};
   const tour = new Line(new BufferGeometry().setFromPoints(points), new LineDashedMaterial(look));

@@ -1,5 +1,5 @@
-// Magnified picture below the hole: the hole's rim, the steps of the calibration tool at its place, and the centring
-// error.
+// Magnified view of the hole from below: the rim of the hole, the steps of the calibration tool at their position, and
+// the centring error.
 import {useEffect, useRef} from "preact/hooks";
 import {Figures} from "../drawing/panel";
 import {palette, type Palette} from "../drawing/colours";
@@ -13,7 +13,7 @@ import {MarkIcon} from "../drawing/marks";
 import {holeName} from "../sheet/sheet_model";
 import {poseRequest} from "./pose_link";
 
-/** Returns the tool's steps as shares of the hole; empty if the cell states none. */
+/** Returns the diameters of the tool's steps relative to the hole's diameter; empty if the cell states no tool. */
 function stepShares(): number[] {
   const document = sheetDocument.peek().document;
   const diameters = document?.tool?.diameters;
