@@ -1,4 +1,4 @@
-// The base found from touches, and the residuals at the touches and between them.
+// Tables of the base found from touches, and of the residuals of touches and of distances between touches.
 import {isNumber, lengthFigure, short} from "../../../drawing/numbers.js";
 import {MARKED, TOUCH_SIGMAS, valueAndSigma} from "../../../drawing/sigma_text.js";
 import type {CalibrateDocument, Units} from "../server/documents";
@@ -39,11 +39,11 @@ export function BasePose({document, length, angle}: {document: CalibrateDocument
 interface TouchFiguresProps {
   document: CalibrateDocument;
   unit: string;
-  /** True on paper, where the sigmas are printed because nothing can be pointed at. */
+  /** True on paper, where the sigmas are printed because there are no tooltips. */
   hasSigmas?: boolean;
 }
 
-/** Shows the residuals at each touch and between touches; nothing if no base was fitted. */
+/** Shows the residual of each touch and of each distance between touches; nothing if no base was fitted. */
 export function TouchFigures({document, unit, hasSigmas = false}: TouchFiguresProps) {
   const {residuals = [], distances = []} = document;
   if (residuals.length === 0) return null;
@@ -85,7 +85,7 @@ export function TouchFigures({document, unit, hasSigmas = false}: TouchFiguresPr
   );
 }
 
-/** Shows the suspicion about a touch, below its residual. */
+/** Shows the suspicion about a touch below the residual of the touch. */
 function Suspected({document, touch}: {document: CalibrateDocument; touch: string}) {
   const suspicion = suspicionOf(document, touch);
   if (!suspicion) return null;
@@ -100,7 +100,7 @@ function Suspected({document, touch}: {document: CalibrateDocument; touch: strin
   );
 }
 
-/** Shows an error, marked if it is many sigmas. */
+/** Shows a residual, marked if it is many sigmas. */
 function Left({value, sigma, hasSigma}: {value: number; sigma: number; hasSigma: boolean}) {
   const times = Math.abs(value) / sigma,
     isBad = times > TOUCH_SIGMAS,
@@ -114,7 +114,7 @@ function Left({value, sigma, hasSigma}: {value: number; sigma: number; hasSigma:
   );
 }
 
-/** Shows values with their sigmas below them, to the digits that the sigmas justify. */
+/** Shows values with their sigmas below, rounded to the digits that the sigmas justify. */
 function FigureRows({name, values, sigmas}: {name: string; values: readonly number[]; sigmas: readonly number[]}) {
   const pairs = values.map((value, k) => valueAndSigma(value, sigmas[k]));
   return (

@@ -1,4 +1,4 @@
-// The calibrated base: its place with sigmas, the residual of each touch, distances, correlations.
+// The calibrated base: its pose with sigmas, the residual of each touch, distances, correlations.
 import {Panel} from "../drawing/panel";
 import {fixed, isNumber, short} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
@@ -62,7 +62,7 @@ function FoundBase({document}: {document: CalibrateDocument}) {
   );
 }
 
-/** Shows the quality of the fit, or that the touches place no base. */
+/** Shows the quality of the fit, or a note that the touches do not determine the base. */
 function FitFigure({document}: {document: CalibrateDocument}) {
   const isBad = document.status !== "done" || isFallingShort(document);
   return (
@@ -105,7 +105,7 @@ function FromNominal({nominal}: {nominal: NonNullable<CalibrateDocument["nominal
   );
 }
 
-/** Shows text between backticks as code. */
+/** Shows a text in which parts between backticks are set as code. */
 function InCode({text}: {text: string}) {
   return <>{text.split("`").map((part, k) => (k % 2 === 1 ? <code>{part}</code> : part))}</>;
 }

@@ -1,5 +1,5 @@
-// The calibrate view: three holes to touch, the best of them ringed; joints entered or simulated; the base with its
-// sigmas, the residual of each touch, and the effect on the error over the sheet.
+// The calibrate view: the holes to touch, with the best ringed; entered or simulated joint values; the base with its
+// sigmas; the residual of each touch; and the effect on the error over the sheet.
 import {WithSheet} from "../sheet/with_sheet";
 import {BasePanel} from "./base_panel";
 import {TouchPanel} from "./touch_panel";

@@ -1,4 +1,4 @@
-// A covariance as its correlations: squares whose size is the strength, with the sign in colour and shape.
+// The correlations of a covariance as squares: the size shows the magnitude, colour and shape show the sign.
 import {fixed} from "../../../drawing/numbers.js";
 
 const NAMES = ["x", "y", "z", "about x", "about y", "about z"];

@@ -1,19 +1,21 @@
-// Suspicions of a calibration about its touches: the one that disagrees with the others, and wrong joint readings.
+// Suspicions about touches: a touch that disagrees with the others, or a wrong joint reading.
 import {short} from "../../../drawing/numbers.js";
 import type {CalibrateDocument, SuspectReading} from "../server/documents";
 
 export interface Suspicion {
-  /** True if the others fit without it; otherwise one of its joint readings would explain the misfit. */
+  /**
+   * True if the other touches fit without this touch; false if an error of a joint reading would explain the misfit.
+   */
   isOdd: boolean;
   words: string;
 }
 
-/** Returns "theta1 read 0.4 deg too large?" */
+/** Returns a text such as "theta1 read 0.4 deg too large?" */
 export function readingWords({joint, off, unit}: SuspectReading): string {
   return `${joint} read ${short(Math.abs(off))} ${unit} too ${off > 0 ? "large" : "small"}?`;
 }
 
-/** Returns the suspicion about a touch; null if there is none. */
+/** Returns the suspicion about a touch of the calibration; null if there is none. */
 export function suspicionOf(document: CalibrateDocument | null, touch: string): Suspicion | null {
   if (!document) return null;
   const isOdd = document.odd_touch === touch;

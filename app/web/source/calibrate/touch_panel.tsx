@@ -1,4 +1,4 @@
-// The list of touches: made, proposed, and the chosen hole; joints are entered or simulated.
+// The touches: those made, those proposed, and the chosen hole, whose joint values are entered or simulated.
 import {submitting, withPoint} from "../drawing/fields";
 import {Icon} from "../drawing/icons";
 import {Panel} from "../drawing/panel";
@@ -66,7 +66,7 @@ export function TouchPanel({model}: {model: SheetModel}) {
   );
 }
 
-/** Calibrates the base, then computes the centring error that its uncertainty leaves. */
+/** Calibrates the base, then computes the centring error that remains because of the base's uncertainty. */
 async function calibrate(): Promise<void> {
   if (!(await runJob("Calibrate", "/api/calibrate"))) return;
   const {status} = await get<CalibrateDocument>("/api/results/calibrate");

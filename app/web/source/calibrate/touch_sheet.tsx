@@ -1,4 +1,4 @@
-// The sheet with rings at the holes to touch, above the model's error at each hole.
+// The sheet with rings at the holes to touch, drawn over the model's error at each hole.
 import {signal} from "@preact/signals";
 import {useCallback, useMemo} from "preact/hooks";
 import {drawRings, strokeLine, TYPEFACE} from "../drawing/canvas";
@@ -85,7 +85,7 @@ export function TouchSheet({model}: {model: SheetModel}) {
   );
 }
 
-/** Draws a cross over a ring, in its colour: a suspected touch, recognizable without colour. */
+/** Draws a cross over the ring of a suspected touch, in the ring's colour; the cross is recognizable without colour. */
 function crossOver(context: CanvasRenderingContext2D, [x, y]: Place): void {
   const reach = 15;
   for (const side of [-reach, reach]) strokeLine(context, [x - side, y - reach], [x + side, y + reach]);

@@ -1,4 +1,4 @@
-// The touches made, those proposed, and the resulting calibration.
+// The touches made, the touches proposed, and the calibration computed from touches.
 import {computed} from "@preact/signals";
 import type {CalibrateDocument, FieldDocument, TouchesDocument, TouchList} from "../server/documents";
 import {answerTo} from "../server/answers";
@@ -16,7 +16,7 @@ const list = answerTo<TouchList>({
 });
 export const touches = computed(() => list.value.document?.touches ?? []);
 
-/** Returns the hole of a name, -1 if the sheet has none. */
+/** Returns the index of the hole with this name; -1 if the sheet has none. */
 export function holeOf(model: SheetModel, point: string): number {
   const found = /R(\d+)\s*C(\d+)/.exec(point);
   return found ? model.find(Number(found[1]), Number(found[2])) : -1;
