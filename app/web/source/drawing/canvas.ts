@@ -1,14 +1,14 @@
 // Canvases of the page: at the screen's resolution, in the page's typeface.
 
-/** Font family of the page, in the form for canvases and plots. */
+/** Font family of the page, in the notation of canvases and plots. */
 export const TYPEFACE = "'IBM Plex Sans Variable', system-ui, sans-serif";
 
-/** Returns the canvas pixels per pixel of the page, at most two, because more cost much and show little. */
+/** Returns the canvas pixels per page pixel: at most two, because more take long to draw and are hardly visible. */
 export function pixelRatio(): number {
   return Math.min(2, devicePixelRatio || 1);
 }
 
-/** Sizes a canvas for its place in the page and clears it; drawing is in the page's pixels. */
+/** Resizes a canvas to width x height page pixels and clears it. Drawing coordinates are page pixels. */
 export function clearedContext(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D {
   const ratio = pixelRatio();
   canvas.width = Math.max(1, Math.round(width * ratio));
@@ -18,7 +18,7 @@ export function clearedContext(canvas: HTMLCanvasElement, width: number, height:
   return context;
 }
 
-/** Draws rings of one radius as one stroke, in the context's colour and width. */
+/** Draws rings of equal radius as one path, in the context's colour and line width. */
 export function drawRings(context: CanvasRenderingContext2D, places: Iterable<[number, number]>, radius: number): void {
   context.beginPath();
   for (const [x, y] of places) {
@@ -28,7 +28,7 @@ export function drawRings(context: CanvasRenderingContext2D, places: Iterable<[n
   context.stroke();
 }
 
-/** Draws a line through places as one stroke, in the context's colour and width. */
+/** Draws a line through the given points, in the context's colour and line width. */
 export function strokeLine(context: CanvasRenderingContext2D, ...places: (readonly number[])[]): void {
   context.beginPath();
   for (const [x, y] of places) context.lineTo(x, y);

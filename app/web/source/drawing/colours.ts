@@ -1,4 +1,4 @@
-// The page's colours for canvases, read from the style sheet, which alone defines dark, light and print.
+// Colours for canvases, read from the style sheet, which alone defines the dark, light and print schemes.
 import {signal} from "@preact/signals";
 
 type Words<Text extends string> = Text extends `${infer First} ${infer Others}` ? First | Words<Others> : Text;
@@ -24,7 +24,7 @@ type ColourScheme = "auto" | "light" | "dark";
 const KEPT = "tubeplan.scheme";
 const wantsDark = matchMedia("(prefers-color-scheme: dark)");
 
-/** Returns the scheme that this browser has stored; a file in a frame of its own may not access the storage. */
+/** Returns the colour scheme stored in this browser. A file in a sandboxed frame may have no access to the storage. */
 function keptScheme(): ColourScheme {
   try {
     return (localStorage.getItem(KEPT) as ColourScheme | null) ?? "auto";
@@ -51,8 +51,8 @@ export function chooseScheme(next: ColourScheme): void {
 }
 
 /**
- * Follows changes of the colours. For printing, pictures are drawn in black on white, or in light colours, and restored
- * afterwards.
+ * Redraws pictures when the colours change. For printing, pictures are drawn in black on white, or in light colours,
+ * and restored afterwards.
  */
 export function followColours(onPaper: "print" | "light" = "print"): void {
   wantsDark.addEventListener("change", applyScheme);
@@ -64,7 +64,7 @@ export function followColours(onPaper: "print" | "light" = "print"): void {
   applyScheme();
 }
 
-/** Follows the colours that the user of the workbench chose. */
+/** Applies the colour scheme that the user of the workbench chose. */
 export function followChosenColours(): void {
   scheme.value = keptScheme();
   followColours();

@@ -1,4 +1,4 @@
-// Fields of forms: a choice, a tick box, a text; input is stored in a signal or passed to a callback.
+// Form fields: a choice, a check box, a text. The input is stored in a signal or passed to a callback.
 import type {Signal} from "@preact/signals";
 import type {ComponentChildren, ComponentProps} from "preact";
 import type {Choice} from "./segments";
@@ -8,7 +8,7 @@ interface SelectProps<T> {
   choices: readonly Choice<T>[];
   value: T;
   onChoose: (value: T) => void;
-  /** Called before the choices open. */
+  /** Called before the list of choices opens. */
   onOpen?: () => void;
 }
 
@@ -46,7 +46,7 @@ export function Check({of, title, kind = "check", children}: CheckProps) {
 
 interface TextProps extends Omit<ComponentProps<"input">, "value" | "onInput"> {
   of: Signal<string>;
-  /** Called after every change. */
+  /** Called after every change of the text. */
   onEdit?: () => void;
 }
 
@@ -58,7 +58,7 @@ export function TextInput({of, onEdit, ...others}: TextProps) {
   return <input {...others} value={of.value} spellcheck={false} onInput={(event) => edit(event.currentTarget.value)} />;
 }
 
-/** Returns a set with the entry added, or removed if it was present. */
+/** Returns a copy of the set with the entry added, or removed if it was present. */
 export function toggled<T>(set: ReadonlySet<T>, entry: T): ReadonlySet<T> {
   const next = new Set(set);
   if (!next.delete(entry)) next.add(entry);
@@ -73,7 +73,7 @@ export function submitting(act: (form: HTMLFormElement) => unknown) {
   };
 }
 
-/** Returns the text of a number with a decimal point, typed with a point or a comma. */
+/** Returns a typed number with a decimal point in place of a decimal comma. */
 export function withPoint(text: string): string {
   return text.trim().replace("−", "-").replace(",", ".");
 }

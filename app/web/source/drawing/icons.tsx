@@ -1,4 +1,4 @@
-// Icons of the page, drawn on a grid of 20 with one line width.
+// Icons of the page, drawn on a grid of 20 units with a uniform line width.
 const PATHS = {
   sheet: "M3 15a7.5 7.5 0 0 1 14 0zM6.5 12.6h.01M10 12.6h.01M13.5 12.6h.01M8.2 10h.01M11.8 10h.01",
   arm: "M4 17h5M6.5 17v-5l6-5 3.5 4M12.5 7l-1.4-3M6.5 12h.01",

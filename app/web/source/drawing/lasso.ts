@@ -1,8 +1,8 @@
-// A lasso drawn over a picture, and the points within it. A click remains a click.
+// Selection by a lasso: a loop drawn over a picture, and the points inside the loop. A click remains a click.
 
 export type Loop = [number, number][];
 
-/** Returns true if a point is within the loop, which is closed by its own ends. */
+/** Returns true if a point is inside the loop, whose last point is joined to the first. */
 export function isInside(loop: readonly (readonly [number, number])[], x: number, y: number): boolean {
   let inside = false;
   for (let i = 0, j = loop.length - 1; i < loop.length; j = i++) {
@@ -13,7 +13,7 @@ export function isInside(loop: readonly (readonly [number, number])[], x: number
   return inside;
 }
 
-/** Least extent of a loop in pixels. */
+/** Minimum extent of a loop [pixels]. */
 const LEAST = 6;
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -26,7 +26,7 @@ function makeOutline(): {picture: SVGSVGElement; line: SVGPolygonElement} {
 }
 
 /**
- * Follows a pointer that draws a loop over an element, and reports the loop on release, in the element's pixels; with
+ * Follows a pointer that draws a loop over an element, and reports the loop in the element's pixels on release. With
  * Shift the loop adds to the selection. The outline is drawn in `stage`, which must cover the element.
  */
 export function followLasso(

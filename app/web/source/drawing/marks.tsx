@@ -1,4 +1,4 @@
-// Marks on the page's canvases and next to text, with the outlines used in reports.
+// Marks for data points on canvases and next to text, with the outlines used in reports.
 import type {ColourName} from "./colours";
 import {hollowPath, outlineOf, type Shape} from "../../../drawing/shapes.js";
 
@@ -16,10 +16,10 @@ interface Paths {
 }
 
 const made = new Map<string, Paths>();
-/** Maximum number of cached radii; zooming changes the radius, and a full cache is emptied. */
+/** Maximum number of cached radii. Zooming changes the radius; a full cache is emptied. */
 const MOST_MADE = 64;
 
-/** Returns the shape's paths about the origin, cached for each radius. */
+/** Returns the paths of a shape of radius r about the origin, cached for each radius. */
 function pathsOf(shape: Shape, r: number): Paths {
   const key = `${shape} ${r}`;
   const known = made.get(key);
@@ -31,7 +31,7 @@ function pathsOf(shape: Shape, r: number): Paths {
   return paths;
 }
 
-/** Draws a mark of radius r about (x, y); fill and stroke are those of the context. */
+/** Draws a mark of radius r about (x, y) with the context's fill and stroke styles. */
 export function drawMark(context: CanvasRenderingContext2D, shape: Shape, x: number, y: number, r: number): void {
   const {fill, line, width} = pathsOf(shape, r);
   context.translate(x, y);
@@ -43,7 +43,10 @@ export function drawMark(context: CanvasRenderingContext2D, shape: Shape, x: num
   context.translate(-x, -y);
 }
 
-/** Returns the outline of one mark at many places; thousands of paths from text would take more than twice as long. */
+/**
+ * Returns a path with one mark at every position. Parsing the text of thousands of paths would take more than twice as
+ * long.
+ */
 export function marksPath(shape: Shape, places: Iterable<readonly [number, number]>, r: number): Path2D {
   const one = new Path2D(hollowPath(shape, 0, 0, r)),
     all = new Path2D();
@@ -59,7 +62,7 @@ interface MarkAtProps {
   isHollow?: boolean;
 }
 
-/** Mark at a place in an SVG picture; a hollow one is outlined and not filled. */
+/** Mark at a position in an SVG picture; a hollow mark is outlined and not filled. */
 export function MarkAt({mark, x, y, r, isHollow = false}: MarkAtProps) {
   const colour = `var(--${mark.colour})`;
   if (isHollow) return <path d={hollowPath(mark.shape, x, y, r)} fill="none" stroke={colour} stroke-width={0.28 * r} />;
@@ -72,7 +75,7 @@ export function MarkAt({mark, x, y, r, isHollow = false}: MarkAtProps) {
   );
 }
 
-/** Mark as a small picture next to text. */
+/** Mark as an icon next to text. */
 export function MarkIcon({mark, size = 14, isHollow = false}: {mark: Mark; size?: number; isHollow?: boolean}) {
   return (
     <svg class="mark" width={size} height={size} viewBox="0 0 16 16" aria-hidden="true" stroke-linejoin="round">

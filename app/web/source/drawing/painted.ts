@@ -1,8 +1,10 @@
-// A canvas that is painted at every change of its size and of its inputs.
+// A canvas that is painted whenever its size or its inputs change.
 import type {RefObject} from "preact";
 import {useLayoutEffect} from "preact/hooks";
 
-/** Paints at every change of `inputs`, including colours, at once, so that print has its own colours. */
+/**
+ * Paints whenever `inputs` change, including colours. Painting is synchronous, so that a print has the print colours.
+ */
 export function usePainted(
   canvas: RefObject<HTMLCanvasElement>,
   paint: (canvas: HTMLCanvasElement) => void,

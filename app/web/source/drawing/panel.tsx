@@ -1,15 +1,15 @@
-// A panel of a view: its head with elements at the end, and its body; figures as names with values.
+// A panel of a view, with a head and a body; and lists of names with values.
 import type {ComponentChildren} from "preact";
 
 interface PanelProps {
   title?: ComponentChildren;
-  /** Further content of the head, after the title and at its end; without title, head and end there is no head. */
+  /** Further content of the head, between the title and the end. Without title, head and end, the panel has no head. */
   head?: ComponentChildren;
   end?: ComponentChildren;
-  /** Further classes of the panel and of its body. */
+  /** Further CSS classes of the panel and of its body. */
   kind?: string;
   body?: string;
-  /** Accessibility role of the body. */
+  /** ARIA role of the body. */
   role?: "tabpanel";
   children?: ComponentChildren;
 }
@@ -31,7 +31,7 @@ export function Panel({title, head, end, kind = "", body = "", role, children}: 
   );
 }
 
-/** Names with their values, as the terms of a list. */
+/** Names with their values, as a description list. */
 export function Terms({rows}: {rows: readonly (readonly [ComponentChildren, ComponentChildren])[]}) {
   return (
     <>

@@ -1,4 +1,4 @@
-// uPlot in the page's style: sized by its box, redrawn when colours change.
+// uPlot in the page's style: fills its box, redrawn when colours change.
 import {useLayoutEffect, useRef} from "preact/hooks";
 import uPlot from "uplot";
 import {TYPEFACE} from "./canvas";
@@ -31,7 +31,7 @@ export function axis(colours: Palette, label: string, more: Partial<uPlot.Axis> 
   };
 }
 
-/** Options of a plot without a legend of its own and without a cursor that follows the pointer. */
+/** Options of a plot without uPlot's own legend and without a cursor that follows the pointer. */
 const LOOK: Partial<uPlot.Options> = {
   padding: [10, 14, 0, 0],
   legend: {show: false},
@@ -40,7 +40,7 @@ const LOOK: Partial<uPlot.Options> = {
 
 export function Plot({options, data, label, onReady}: PlotProps) {
   const box = useRef<HTMLDivElement>(null);
-  // A layout effect draws at once, so that print has its own colours.
+  // A layout effect draws synchronously, so that a print has the print colours.
   useLayoutEffect(() => {
     const element = box.current!;
     const size = () => ({width: Math.max(80, element.clientWidth), height: Math.max(60, element.clientHeight)});

@@ -1,10 +1,10 @@
-// Series of uPlot drawn as marks of their own shape instead of lines.
+// Drawing of uPlot series as marks of a chosen shape instead of lines.
 import uPlot from "uplot";
 import {marksPath, type Mark} from "./marks";
 
 export interface MarkLook {
   isHollow?: boolean;
-  /** Returns true if the mark of a row is drawn; without it all are. */
+  /** Returns true if the mark of a row is drawn; if missing, all marks are drawn. */
   isDrawn?: (row: number) => boolean;
 }
 
@@ -23,7 +23,7 @@ export function markPaths(mark: Mark, colour: string, look: MarkLook = {}): uPlo
   };
 }
 
-/** Yields the places of a series' values, in the canvas's pixels. */
+/** Yields the positions of the values of a series, in canvas pixels. */
 function* placesOf(
   plot: uPlot,
   series: number,

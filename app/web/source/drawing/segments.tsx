@@ -1,4 +1,4 @@
-// A row of exclusive choices: one tab stop, arrow keys within.
+// A row of exclusive choices: a single tab stop, with arrow keys to move between choices.
 
 export interface Choice<T> {
   value: T;
@@ -7,8 +7,8 @@ export interface Choice<T> {
 }
 
 /**
- * Moves the focus from button to button within an element by keys, and chooses each focused one; `isRound` continues
- * from one end at the other.
+ * Returns a key handler that moves the focus between the buttons of an element and chooses each focused button.
+ * `isRound`: the focus wraps around at the ends.
  */
 export function roving(keys: Record<string, 1 | -1>, isRound = true) {
   return (event: KeyboardEvent) => {
@@ -35,7 +35,7 @@ interface SegmentsProps<T> {
   onChoose: (value: T) => void;
 }
 
-/** Buttons side by side, one of them chosen. Without a value (`undefined`) they are commands. */
+/** Buttons in a row, one of them chosen. Without a value (`undefined`) the buttons are commands. */
 export function Segments<T extends string | number>({label, choices, value, onChoose}: SegmentsProps<T>) {
   const hasValue = choices.some((choice) => choice.value === value);
   return (
@@ -56,7 +56,7 @@ export function Segments<T extends string | number>({label, choices, value, onCh
   );
 }
 
-/** Returns pairs of value and words as choices. */
+/** Returns pairs of a value and its text as choices. */
 export function choicesOf<T>(pairs: readonly (readonly [T, string])[]): Choice<T>[] {
   return pairs.map(([value, words]) => ({value, words}));
 }

@@ -1,8 +1,11 @@
-// A table of figures.
+// A table of values.
 import type {ComponentChildren} from "preact";
 import {MISSING} from "../../../drawing/numbers.js";
 
-/** Content of a table. A cell is text, an element, or null for a missing value; columns in `text` hold no numbers. */
+/**
+ * Content of a table. A cell is text, an element, or null for a missing value; `text` lists the columns without
+ * numbers.
+ */
 export interface TableProps {
   heads: readonly ComponentChildren[];
   rows: readonly (readonly ComponentChildren[])[];

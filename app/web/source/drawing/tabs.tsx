@@ -1,4 +1,4 @@
-// Tabs above a panel: one tab stop, arrow keys within.
+// Tabs above a panel: a single tab stop, with arrow keys to move between tabs.
 import {rove, type Choice} from "./segments";
 
 interface TabsProps<T> {

@@ -1,4 +1,4 @@
-// Long lists of which the page contains only the visible rows, so that thousands cost nothing.
+// Windowing of long lists: the page contains only the visible rows, so that thousands of rows cost nothing.
 import {useSignal} from "@preact/signals";
 import type {RefObject} from "preact";
 import {useEffect} from "preact/hooks";
@@ -6,7 +6,7 @@ import {useEffect} from "preact/hooks";
 /** Number of additional rows above and below the visible ones. */
 const MORE = 8;
 
-/** Returns the visible rows of `count` rows, each `high` pixels high: from `first` up to and without `last`. */
+/** Returns the range of visible rows, from `first` to before `last`, of `count` rows that are `high` pixels high. */
 export function useWindow(box: RefObject<HTMLElement>, count: number, high: number): {first: number; last: number} {
   const top = useSignal(0),
     height = useSignal(400);
