@@ -1,12 +1,12 @@
-// The catalogue by kinds: each with its law, its numbers, its possible places on this arm, and the information of the
-// readings on it.
+// The catalogue of effects by kind: law, parameters, possible places on this arm, and how well the readings determine
+// the effect.
 import type {CatalogueDocument, DiagnoseDocument, ConfoundingDocument} from "../server/documents";
 
 export interface EffectPlace {
   at: string;
-  /** Share of its displacement that no fitted number can reproduce; null without readings. */
+  /** Fraction of the effect's displacement that no fitted parameter can reproduce; null without readings. */
   kept: number | null;
-  /** Least detectable size, as number and unit; null if it was not computed. */
+  /** Smallest detectable size: a parameter with its value and unit; null if it was not computed. */
   least: {number: string; size: number | null; unit: string; isBeyondUsual: boolean} | null;
   confounded: {effect: string; at: string; share: number}[];
 }
@@ -48,7 +48,7 @@ export function kindsOf(
   return [...kinds.values()];
 }
 
-/** Returns the kinds that contain all words of the text in name, description, law or places. */
+/** Returns the kinds whose name, description, law and places contain all words of the text. */
 export function filteredKinds(kinds: readonly EffectKind[], text: string): EffectKind[] {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
   return kinds.filter((kind) => {

@@ -1,5 +1,5 @@
-// The possible effects of this arm: laws, numbers with their usual sizes, places, and effects that the present readings
-// could hardly distinguish.
+// The possible effects on this arm: laws, parameters with their usual values, places, and effects that the present
+// readings could hardly distinguish.
 import {computed, signal} from "@preact/signals";
 import {TextInput} from "../drawing/fields";
 import {Figures, Panel} from "../drawing/panel";
@@ -16,10 +16,10 @@ import {filteredKinds, kindsOf, type EffectKind, type EffectPlace} from "./effec
 
 const chosen = signal("");
 const filter = signal("");
-/** Place whose signature is drawn, as long as the effect has it. */
+/** Place whose signature is drawn, if the chosen effect can act there. */
 const drawnPlace = signal("");
 
-/** Returns the answer at a path, requested again for another model or other readings while the view is open. */
+/** Returns the answer to a request, repeated for another model or other readings while the view is open. */
 function whileLooking<T>(path: string, keyOf: () => string) {
   const key = () => (view.value === "effects" && state.value ? keyOf() : null);
   return answerTo<T>({key, path: () => path, onProblem: (error) => report("The effects", error)});

@@ -1,4 +1,4 @@
-// The displacement of this arm's tip by an effect, drawn against the variable that it follows.
+// The displacement of this arm's tip by an effect, plotted against the variable on which the effect depends.
 import {plainUnit, tickTexts} from "../../../drawing/numbers.js";
 import {roundTicks} from "../../../drawing/scales.js";
 import type {SignatureDocument} from "../server/documents";
@@ -12,7 +12,7 @@ const WIDTH = 420,
   BOTTOM = 34;
 
 export function SignaturePicture({effect, at}: {effect: string; at: string}) {
-  // The laws are shown even without their picture.
+  // A missing picture does not hide the laws.
   const shown = useAnswer<SignatureDocument>(
     `/api/signature?effect=${encodeURIComponent(effect)}&at=${encodeURIComponent(at)}`,
   ).document;
