@@ -1,4 +1,4 @@
-// Conclusion on the present model: the newest verdict, or the change of the error by the last change of the model.
+// Conclusion on the present model: the newest verdict, or the effect of the last model change on the error.
 import {computed} from "@preact/signals";
 import {verdictMark} from "../../../drawing/kinds.js";
 import {short} from "../../../drawing/numbers.js";
@@ -25,13 +25,13 @@ export const answer = computed<Answer | null>(() => {
     compared = currentComparison.value;
   if (diagnosed) return answerOf(diagnosed, verdictItems(diagnosed));
   const fallen = fallOfError();
-  // The comparison's first sentence states the error, which the change states too; its reasons follow.
+  // The first sentence of the comparison states the error, which the change of the error states already.
   if (fallen && compared && compared.verdict !== "adequate")
     return answerOf(compared, [...fallen.items, ...verdictItems(compared).slice(1)]);
   return fallen ?? (compared ? answerOf(compared, verdictItems(compared)) : null);
 });
 
-/** Returns the change of the error by the last change of the model, if the ladder contains it. */
+/** Returns a statement of how the last model change affected the error; null if the ladder lacks the models. */
 function fallOfError(): Answer | null {
   const document = ladder.value.document;
   if (!document || document.model !== state.value?.model || document.models.length < 2 || !state.value.can_undo)

@@ -1,4 +1,4 @@
-// The errors as arrows at the readings' places, painted on a canvas over the sheet or alone.
+// The errors as arrows at the positions of the readings, painted on a canvas with or without the sheet.
 import {clearedContext, strokeLine, TYPEFACE} from "../drawing/canvas";
 import type {Palette} from "../drawing/colours";
 import {drawArrow, usualLargest} from "../../../drawing/arrows.js";
@@ -17,29 +17,29 @@ export interface ArrowsLook {
   plane: Plane;
   /** Unit of the errors. */
   unit: string;
-  /** Sheet drawn under the arrows, in its own plane; null if the cell has none. */
+  /** Sheet drawn under the arrows if the plane is parallel to it; null if the cell has none. */
   sheet: SheetModel | null;
-  /** Ids of readings that are always drawn. */
+  /** Ids of readings whose arrows are always drawn, even if there are too many arrows. */
   picked?: ReadonlySet<string>;
-  /** Index of the only series drawn; undefined draws all, with a common scale. */
+  /** Index of the only series to draw; undefined draws all series, on a common scale. */
   only?: number;
 }
 
-/** Place of each reading on the screen, in pixels. */
+/** Position of each reading on the screen [pixels]; null if unknown. */
 export type PlacesOnScreen = ([number, number] | null)[];
 
-/** Length on the screen of an error that few exceed, in pixels. */
+/** Length on the screen of a large error that few readings exceed [pixels]. */
 const LONG = 42;
 
-/** Maximum length on the screen of the ruler of places, in pixels. */
+/** Maximum length on the screen of the ruler for positions [pixels]. */
 const LONGEST_RULER = 90;
 
-/** Returns true if the plane is parallel to the sheet, normal to the world's z. */
+/** Returns true if the plane is parallel to the sheet, that is, normal to the world's z axis. */
 export function isOverSheet({axes}: Plane): boolean {
   return axes[0] === 0 && axes[1] === 1;
 }
 
-/** Draws the arrows. Returns the place of each reading, in pixels. */
+/** Draws the arrows. Returns the position of each reading on the canvas [pixels]. */
 export function drawArrows(canvas: HTMLCanvasElement, look: ArrowsLook, colours: Palette): PlacesOnScreen {
   const {errors, plane: which, unit, sheet: onPlate, picked, only} = look;
   const {clientWidth: width, clientHeight: height} = canvas.parentElement!;
@@ -75,7 +75,7 @@ export function drawArrows(canvas: HTMLCanvasElement, look: ArrowsLook, colours:
   return shown;
 }
 
-/** Draws an error as a dot at its place and an arrow; hollow before, full after, as marks are. */
+/** Draws an error as a dot at the reading's position and an arrow, hollow before and full after, like the marks. */
 function drawError(
   context: CanvasRenderingContext2D,
   at: [number, number],
@@ -91,7 +91,7 @@ function drawError(
 interface Frame {
   camera: Camera;
   size: Size;
-  /** -1 if the sheet is seen from below: +x points left, as in the sheet's own picture. */
+  /** Sign of x: -1 if the sheet is seen from below, where +x points left, as in the sheet view. */
   sign: number;
   at: (place: Vector3) => [number, number];
 }
@@ -99,7 +99,7 @@ interface Frame {
 const BESIDE_SHEET = {left: 12, right: 12, top: 12, bottom: 12};
 const BESIDE_PLACES = {left: 45, right: 45, top: 30, bottom: 30};
 
-/** Returns a frame that fits the places, or the whole sheet if the cell has one. */
+/** Returns a frame that fits the positions of the readings, or the whole sheet if there is one. */
 function makeFrame(which: Plane, places: Vector3[], onSheet: SheetModel | null, size: Size): Frame {
   const sign = onSheet?.viewingSide === "below" ? -1 : 1;
   const drawn = (place: Vector3): [number, number] => {
@@ -143,7 +143,7 @@ function drawScale({context, colours, width, height}: Canvas, unit: string, larg
   context.textAlign = "left";
 }
 
-/** Draws a ruler of round length for the places, next to the axes. */
+/** Draws a ruler of round length for the positions, next to the axes. */
 function drawRuler({context, height}: Canvas, scale: number, unit: string): void {
   const length = roundDown125(LONGEST_RULER / scale),
     x = 84,

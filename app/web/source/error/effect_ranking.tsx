@@ -1,4 +1,4 @@
-// Possibly missing effects: the answer with its Add button, then every tried effect, most probable first.
+// Possibly missing effects: the explanation with its Add button, then every tried effect, most probable first.
 import {
   effectTitle,
   explanationsOf,

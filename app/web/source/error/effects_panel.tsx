@@ -1,5 +1,5 @@
 // Possibly missing effects, readings that would distinguish explanations, the user's own formula, and the fitted
-// numbers.
+// parameters.
 import {signal} from "@preact/signals";
 import {plural} from "../../../drawing/numbers.js";
 import {Panel} from "../drawing/panel";

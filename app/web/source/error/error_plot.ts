@@ -1,4 +1,4 @@
-// The plot of the errors against a variable: its points, scales, axes and series.
+// The plot of the errors against a variable: points, scales, axes and series.
 import type uPlot from "uplot";
 import type {Bin} from "../../../drawing/binned.js";
 import {exact, isNumber, plainUnit, tickTexts} from "../../../drawing/numbers.js";
@@ -33,7 +33,10 @@ interface MadePlot {
   words: string;
 }
 
-/** Style of the plot: the end of a scale of errors shared with another plot, and `brief` for plots side by side. */
+/**
+ * Style of the plot: `most` is the upper end of an error scale shared with another plot; `brief` is for plots side by
+ * side.
+ */
 interface PlotLook {
   colours: Palette;
   most: number | null;
@@ -70,7 +73,7 @@ export function makePlot(errors: ErrorPair, view: View, look: PlotLook): MadePlo
   };
 }
 
-/** Returns the readings that have the variable, from left to right. */
+/** Returns the readings for which the variable is known, from left to right. */
 function plotRows(errors: ErrorPair, isLevel: boolean, xs: readonly (number | undefined)[]): PlotRow[] {
   return xs
     .flatMap((x, index) =>

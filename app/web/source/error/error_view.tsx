@@ -1,4 +1,4 @@
-// The error view: the verdict and the next step on top; the ladder, the effects, and the errors themselves below.
+// The error view: the verdict and the next step at the top; the ladder, the effects, and the errors below.
 import {Panel} from "../drawing/panel";
 import {state} from "../server/workbench";
 import {dialog} from "../shell/page_state";

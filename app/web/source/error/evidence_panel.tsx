@@ -1,4 +1,5 @@
-// Evidence of the model's failure: the errors at their places, per joint, or as one row for each reading.
+// Evidence of the model's failure: errors at the readings' positions, errors per joint, or one table row for each
+// reading.
 import {signal} from "@preact/signals";
 import {choicesOf} from "../drawing/segments";
 import {Tabs} from "../drawing/tabs";

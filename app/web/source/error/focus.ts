@@ -1,5 +1,5 @@
-// Initial choice of the plot of the errors: the variable of the chosen cause, else the finding of the pattern search,
-// else the variable that the unexplained remainder follows. A manual choice holds until other errors are shown.
+// Initial view of the error plot: the variable of the chosen cause, else the variable that the unexplained residual
+// follows, else the finding of the pattern search. A manual choice holds until other errors are shown.
 import {computed, effect, signal} from "@preact/signals";
 import {cell, units} from "../server/workbench";
 import {leverage} from "./leverage";
@@ -49,7 +49,10 @@ export const suggestedView = computed<View | null>(() => {
   );
 });
 
-/** Initial formula if no known effect explains the error: an error of the joint that follows the variable most. */
+/**
+ * Formula suggested if no known effect explains the error: an error of the joint whose errors follow the drawn variable
+ * best.
+ */
 export const suggestedFormula = computed(() => {
   const errors = readingErrors.value,
     view = suggestedView.value;
@@ -64,7 +67,7 @@ function lawOf({key, kind}: Variable): string {
   return kind === "joint" ? `c*sin(${key}) + d*cos(${key})` : `c*${key}`;
 }
 
-/** View of the explanation that is drawn next to the main one. */
+/** View of the explanation drawn next to the main explanation; null if there is none. */
 export const viewBeside = computed<View | null>(() => {
   const errors = errorsBeside.value;
   return errors ? (viewOfPair(errors, variables.value, parts.value) ?? suggestedView.value) : null;

@@ -1,4 +1,5 @@
-// A user's own effect as a formula: trying it adds it, fits it and shows it with the others; undo removes it.
+// A user-defined effect as a formula. Trying a formula adds it to the model, refits and shows it with the other
+// effects; undo removes it.
 import {signal, useSignal} from "@preact/signals";
 import {effectTitle} from "../../../drawing/explanations.js";
 import type {CatalogueDocument} from "../server/documents";
@@ -9,7 +10,7 @@ import {ProblemWords} from "../shell/states";
 import {cell, runningJob, units} from "../server/workbench";
 import {addEffects, addFormula} from "./loop";
 
-/** Kept when the view changes. */
+/** Text of the formula, kept when the view changes. */
 export const formulaText = signal("");
 
 export function FormulaBox() {
@@ -44,7 +45,7 @@ export function FormulaBox() {
   );
 }
 
-/** Menu of every effect of the catalogue at every place of this arm, to add without a proposal. */
+/** Menu of all effects of the catalogue at all places of this arm, for adding without a proposal. */
 function CatalogueMenu() {
   const isWanted = useSignal(false),
     chosen = useSignal(-1);

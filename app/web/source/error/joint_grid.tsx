@@ -1,4 +1,5 @@
-// Joint by joint: small pictures of the error expressed as an error of each joint, with the largest framed.
+// Joint by joint: small plots of the error expressed as an error of each joint. The plot with the most significant
+// dependence is framed.
 import {useMemo, useRef} from "preact/hooks";
 import {clearedContext, strokeLine} from "../drawing/canvas";
 import {palette, type Palette} from "../drawing/colours";
@@ -20,14 +21,14 @@ interface JointGridProps {
   errors: ErrorPair;
   multiples: readonly Multiple[];
   /**
-   * True for the panel that is shown large, and the action of a click on a panel; without them the pictures are
-   * passive.
+   * Returns true for the panel that is shown large; `onChoose` is called when a panel is clicked. Without them the
+   * plots are passive.
    */
   isShown?: (multiple: Multiple) => boolean;
   onChoose?: (multiple: Multiple) => void;
 }
 
-/** Grid with a row for each joint, a column for each kind of variable. */
+/** Grid with a row for each joint and a column for each kind of variable. */
 export function JointGrid({errors, multiples, isShown, onChoose}: JointGridProps) {
   const loud = loudest(multiples);
   const most = useMemo(() => multiplesScale(multiples, errors), [multiples, errors]);

@@ -1,12 +1,12 @@
-// The ladder of errors as figures: its models, and their acceptance.
+// The ladder of errors as numbers: its models and their acceptance.
 import {modelNames, type ComparedModel as BareModel} from "../../../drawing/ladder.js";
 import {errorUnit, idsSetAside} from "../../../drawing/error_budget.js";
 import type {CompareDocument, DiagnoseDocument, LadderDocument} from "../server/documents";
 
 export interface ComparedModel extends BareModel {
-  /** Largest error: held-out, else fitted. */
+  /** Largest held-out error, otherwise the largest fitted error. */
   worst: number | null;
-  /** Number of holes, and of those in which every step of the tool would enter; null without a sheet. */
+  /** Number of holes, and number of holes that every step of the tool would enter; null without a sheet. */
   centred: {holes: number; all: number} | null;
 }
 
@@ -31,7 +31,10 @@ export function ladderOf(document: LadderDocument): Ladder {
   };
 }
 
-/** Returns the ladder of one comparison or diagnosis: the given model, the refitted one, and with each explanation. */
+/**
+ * Returns the ladder within a comparison or diagnosis: the given model, the refitted model, and the model with each
+ * explanation.
+ */
 export function ladderOfOne(document: CompareDocument | DiagnoseDocument): Ladder {
   return {
     models: (document.ladder ?? []).map((model) => ({
@@ -46,12 +49,12 @@ export function ladderOfOne(document: CompareDocument | DiagnoseDocument): Ladde
   };
 }
 
-/** Rows of a diagnosis for the diagnosed model, as given and refitted. */
+/** Number of ladder rows of a diagnosis that show the diagnosed model: as given and refitted. */
 const DIAGNOSED_ROWS = 2;
 
 /**
- * Returns the models up to the diagnosed one, with the figures of its verdict. If the diagnosis excludes other readings
- * than the ladder, only its own rows are used, because they share its readings.
+ * Returns the models of the ladder up to the diagnosed model, which has the errors of the diagnosis. If ladder and
+ * diagnosis exclude different readings, only the rows of the diagnosis are used.
  */
 export function ladderOfDiagnosis(climbed: LadderDocument | null, diagnosed: DiagnoseDocument): Ladder {
   const own = ladderOfOne(diagnosed);
@@ -66,7 +69,7 @@ export function ladderOfDiagnosis(climbed: LadderDocument | null, diagnosed: Dia
 
 export type Acceptance = "accepted" | "in part" | "rejected";
 
-/** Returns the acceptance of a model at a tolerance, by its held-out errors if there are any. */
+/** Returns the acceptance of a model at a tolerance, from its held-out errors if there are any; null if unknown. */
 export function acceptanceOf(model: ComparedModel, tolerance: number | null): Acceptance | null {
   const rms = model.heldout ?? model.fitted;
   if (tolerance === null || rms === null || model.worst === null) return null;

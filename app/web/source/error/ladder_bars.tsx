@@ -1,4 +1,4 @@
-// The ladder: the error of each model, fitted and held-out, down to the noise floor.
+// The ladder: the fitted and held-out error of each model, down to the noise floor.
 import {signal} from "@preact/signals";
 import {cell} from "../server/workbench";
 import {keep, keptObject} from "../shell/kept";
@@ -26,7 +26,10 @@ function setTolerance(text: string): void {
 
 // ---- the bars
 
-/** Returns the ladder of the verdict's own document, so that its figures agree with the bars. */
+/**
+ * Returns the ladder whose errors agree with the verdict: of the diagnosis, otherwise as computed, otherwise of the
+ * comparison; null if there is none.
+ */
 function shownLadder(): Ladder | null {
   const climbed = ladder.value.document,
     diagnosed = currentDiagnosis.value;

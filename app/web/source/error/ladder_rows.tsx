@@ -1,13 +1,13 @@
-// The ladder's bars: a row for each model, the noise floor and a tolerance as lines through them.
+// The ladder as bars: a row for each model, with the noise floor and a tolerance as lines across all rows.
 import {short} from "../../../drawing/numbers.js";
 import {axisEnd, barOf, floorText, LADDER_WORDS, timesFloor} from "../../../drawing/ladder.js";
 import {type Acceptance, acceptanceOf, type ComparedModel, type Ladder} from "./ladder";
 
 interface LadderRowsProps {
   ladder: Ladder;
-  /** Tolerance; null without one. */
+  /** Tolerance for the error; null if none is chosen. */
   limit?: number | null;
-  /** Model in the foreground; undefined emphasizes none. */
+  /** Index of the emphasized model; undefined emphasizes none. */
   now?: number;
 }
 
@@ -42,7 +42,7 @@ export function LadderRows({ladder: {models, floor, unit}, limit = null, now}: L
   );
 }
 
-/** Sign of each acceptance, its meaning for a model, and the errors that are within the tolerance. */
+/** Sign and text of each acceptance of a model, and which of its errors are within the tolerance. */
 const MARKS: Record<Acceptance, {sign: string; words: string; within: string}> = {
   accepted: {sign: "✓", words: "accepted: no error is beyond the tolerance", within: "every error"},
   "in part": {
@@ -60,7 +60,7 @@ export const MARKS_IN_WORDS = Object.values(MARKS)
   .map(({sign, within}) => `${sign} ${within}`)
   .join(", ");
 
-/** Name of a model, its acceptance, and the holes that the tool enters with it. */
+/** Name of a model, its acceptance, and the number of holes that the tool enters with this model. */
 function ModelName({model, limit}: {model: ComparedModel; limit: number | null}) {
   const acceptance = acceptanceOf(model, limit);
   return (

@@ -1,5 +1,5 @@
-// Leverage of the joints on the tip at the readings, requested while errors are shown: of every joint, and of the axes
-// on which the found causes act.
+// Leverage on the tip at each reading, requested while errors are shown: of all joints, and of the axes on which the
+// found causes act.
 import {computed} from "@preact/signals";
 import type {EffectAt, LeverageDocument} from "../server/documents";
 import {answerTo} from "../server/answers";

@@ -1,17 +1,17 @@
-// State shared by the pictures of the error view: the pointed reading, and the readings selected to be set aside.
+// State shared by the pictures of the error view: the reading pointed at, and the readings selected for marking.
 import {effect, signal} from "@preact/signals";
 import {readingErrors} from "./residuals";
 
-/** Selects the readings of a lasso; with Shift in addition to the present selection. */
+/** Selects readings. `isMore` (Shift): adds them to the present selection instead of replacing it. */
 export function selectReadings(ids: Iterable<string>, isMore: boolean): void {
   selectedReadings.value = new Set(isMore ? [...selectedReadings.peek(), ...ids] : ids);
 }
 
-/** Id of the pointed reading; "" for none. */
+/** Id of the reading pointed at; "" for none. */
 export const pointed = signal("");
 export const selectedReadings = signal<ReadonlySet<string>>(new Set());
 
-// New errors have other places; the former selection is kept for readings that still exist.
+// When the errors change, the pointed reading is reset; readings that still exist stay selected.
 effect(() => {
   const here = new Set((readingErrors.value?.readings ?? []).map(({id}) => id));
   const picked = selectedReadings.peek(),
@@ -20,5 +20,5 @@ effect(() => {
   if (kept.length < picked.size) selectedReadings.value = new Set(kept);
 });
 
-/** Radius of the ring about a selected reading, in the page's pixels. */
+/** Radius of the ring around a selected reading [page pixels]. */
 export const SELECTED_RADIUS = 5;

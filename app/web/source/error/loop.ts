@@ -1,4 +1,5 @@
-// The calibration loop as requests to the program: compare, diagnose, add, and the page's automatic steps between them.
+// The calibration loop as requests to the program (compare, diagnose, add), and the page's automatic steps between
+// them.
 import {computed, effect} from "@preact/signals";
 import type {
   CompareDocument,
@@ -16,7 +17,7 @@ export const diagnose = result<DiagnoseDocument>("diagnose");
 export const identify = result<IdentifyDocument>("identify");
 export const ladder = result<LadderDocument>("ladder");
 
-/** Diagnosis of the present model; those of other models are kept but not shown. */
+/** Diagnosis of the present model. Diagnoses of other models are kept but not shown. */
 export const currentDiagnosis = computed(() => {
   const document = diagnose.value.document;
   return document && document.model === state.value?.model ? document : null;
@@ -26,13 +27,13 @@ export const currentComparison = computed(() => {
   return document && document.model === state.value?.model ? document : null;
 });
 
-/** Compares; includes the ladder if it does not yet end at this model. */
+/** Starts a comparison, including the ladder if it does not end at this model yet. */
 export async function startCompare(): Promise<void> {
   const hasLadder = state.value?.results.ladder?.model === state.value?.model;
   await runJob("Compare", "/api/compare", {ladder: !hasLadder});
 }
 
-// Readings given at the program's start are compared when the view is first opened.
+// Readings given when the program was started are compared as soon as the page knows them.
 let isFirst = true;
 effect(() => {
   const now = state.value;
@@ -51,23 +52,22 @@ async function compareAtOnce(): Promise<void> {
   }
 }
 
-/**
- * A running comparison is stopped by a change of the readings; other jobs on them are not stopped without a request.
- */
+/** True if the readings can be changed: a change stops a running comparison, but no other job without a request. */
 export const areChangeable = computed(() => runningJobs.value.every((job) => job.kind === "compare"));
 
 /**
- * Marks the readings or reads them otherwise. The answer is the state after the change, and later requests refer to it.
+ * Changes the readings by marks or by reading them under other assumptions. `change` returns the state after the
+ * change, to which later requests refer. Returns true if it succeeded.
  */
 export async function changeReadings(title: string, change: () => Promise<WorkbenchState>): Promise<boolean> {
   await stopJobs("compare");
   return attempt(title, async () => takeState(await change()));
 }
 
-/** Kinds of jobs whose answer depends on the readings. */
+/** Kinds of jobs whose results depend on the readings. */
 export const WORK_ON_READINGS = ["compare", "ladder", "diagnose", "identify", "add", "remove"];
 
-/** Stops jobs on the former readings after a change of the readings. */
+/** Stops jobs that work on the former readings after the readings have changed. */
 export function stopWorkOnReadings(): Promise<void> {
   return stopJobs(...WORK_ON_READINGS);
 }
@@ -82,7 +82,9 @@ export async function addEffects(effects: EffectAt[]): Promise<void> {
   if (await runJob("Add", "/api/add", {causes})) await startCompare();
 }
 
-/** Removes effects from the model, or holds numbers (free@NAME) that were fitted; refits, and compares the result. */
+/**
+ * Removes effects from the model, or holds fitted parameters (free@NAME) fixed; then refits and compares the result.
+ */
 export async function removeCauses(causes: string[]): Promise<void> {
   if (await runJob("Switch off", "/api/remove", {causes})) await startCompare();
 }

@@ -1,4 +1,4 @@
-// The moments about the arm's rows at the readings, requested while errors are shown.
+// The moments about the frame axes of the arm's rows at the readings, requested while errors are shown.
 import type {MomentsDocument} from "../server/documents";
 import {answerTo} from "../server/answers";
 import {report, state} from "../server/workbench";

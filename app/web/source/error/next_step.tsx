@@ -1,4 +1,4 @@
-// One button: the next step that an engineer would take.
+// A single button for the next step that an engineer would take.
 import type {ComponentChildren} from "preact";
 import {useEffect, useRef} from "preact/hooks";
 import {briefTitle} from "../../../drawing/explanations.js";
@@ -18,7 +18,7 @@ interface Step {
   act: () => unknown;
   title?: string;
   isOff?: boolean;
-  /** True for a step that is possible but not called for. */
+  /** True for a step that is possible but not needed. */
   isQuiet?: boolean;
 }
 
@@ -26,7 +26,7 @@ export function NextStep({isBusy}: {isBusy: boolean}) {
   const diagnosis = currentDiagnosis.value;
   const {words, act, title, isOff, isQuiet} =
     stepOfMistake() ?? (diagnosis ? stepAfter(diagnosis, isBusy) : null) ?? stepOfLoop(isBusy);
-  // A disabled button loses the focus; it gets it again with the next step, for use by keyboard.
+  // A disabled button loses the focus. The button regains it with the next step, for keyboard users.
   const button = useRef<HTMLButtonElement>(null);
   const hadFocus = useRef(false);
   useEffect(() => {
@@ -50,14 +50,14 @@ export function NextStep({isBusy}: {isBusy: boolean}) {
   );
 }
 
-/** Returns the step that corrects the reading of the file if that explains the error. */
+/** Returns the step that corrects a suspected mistake in the readings; null if there is none. */
 function stepOfMistake(): Step | null {
   if (!mistake.value) return null;
   const {sentence, way} = mistake.value;
   return {words: `Assume ${way}`, act: () => assume(way), title: sentence, isOff: !areChangeable.value};
 }
 
-/** Verdicts after which the first explanation is added. */
+/** Verdicts after which the next step adds the first explanation. */
 const ADDED = new Set(["explained", "partly-explained", "ambiguous"]);
 
 function stepAfter(diagnosis: DiagnoseDocument, isBusy: boolean): Step | null {
@@ -74,19 +74,19 @@ function stepAfter(diagnosis: DiagnoseDocument, isBusy: boolean): Step | null {
   return null;
 }
 
-/** Returns true if further readings, or other means, would decide between the open explanations. */
+/** Returns true if further readings, or other means, would distinguish the open explanations. */
 function isOpen({verdict, next_readings: next, splitting}: DiagnoseDocument): boolean {
   const others = (splitting?.other_means?.length ?? 0) + (splitting?.columns_to_add?.length ?? 0);
   return (verdict === "ambiguous" || verdict === "inconclusive") && next.length + others > 0;
 }
 
-/** Opens the formula box, filled with the suggested formula if it is empty. */
+/** Opens the formula box and enters the suggested formula if the box is empty. */
 function tryFormula(): void {
   if (formulaText.peek().trim() === "") formulaText.value = suggestedFormula.peek();
   effectsTab.value = "formula";
 }
 
-/** Returns the step of the loop: compare, then diagnose. */
+/** Returns the next step of the loop: compare, then diagnose. */
 function stepOfLoop(isBusy: boolean): Step {
   if (!answer.value) return {words: "Compare", act: startCompare, isOff: isBusy};
   const isDone = answer.value.mark === verdictMark("adequate");

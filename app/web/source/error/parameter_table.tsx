@@ -1,4 +1,4 @@
-// Results of the last fit: each parameter with its interval and its identifiability by the readings.
+// Results of the last fit: each parameter with its confidence interval and how well the readings identify it.
 import {exact, MISSING, plainUnit, short} from "../../../drawing/numbers.js";
 import {valueAndSigma} from "../../../drawing/sigma_text.js";
 import {Table} from "../drawing/table";
@@ -6,7 +6,7 @@ import type {IdentifyDocument} from "../server/documents";
 
 interface ParameterTableProps {
   parameters: IdentifyDocument["parameters"];
-  /** True if there is room for 95 % intervals. */
+  /** True if there is room for the 95 % intervals. */
   hasIntervals?: boolean;
 }
 

@@ -1,12 +1,12 @@
-// Elements painted into the plot of the errors with its points: the law with its band below them, means above them.
+// Elements painted in the error plot: the law with its band behind the points, bin means in front of them.
 import uPlot from "uplot";
 import {strokeLine} from "../drawing/canvas";
 import type {Palette} from "../drawing/colours";
 import type {Bin} from "../../../drawing/binned.js";
 
 /**
- * Paints the law as a line through the cause's displacements, with their spread as a band; levels are separate short
- * lines.
+ * Paints the law as a line through the displacements predicted for the cause, with their spread as a band. For a
+ * variable with levels, each level is a short line.
  */
 export function paintLaw(plot: uPlot, law: readonly Bin[], isLevel: boolean, colours: Palette): void {
   if (law.length === 0) return;
@@ -72,7 +72,7 @@ export function paintMeans(plot: uPlot, means: readonly Bin[], colours: Palette)
   });
 }
 
-/** Paints with clipping at the edges of the plot. */
+/** Paints with clipping to the area of the plot. */
 export function paintWithin(plot: uPlot, paint: (context: CanvasRenderingContext2D) => void): void {
   const {ctx: context, bbox} = plot;
   context.save();

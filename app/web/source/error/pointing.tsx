@@ -1,5 +1,5 @@
-// Pointing at readings in the plot: the nearest point under the pointer names its reading, a click brings the arm
-// there, a lasso selects readings. Pointing redraws nothing of the plot.
+// Pointing at readings in the plot: the point nearest to the pointer names its reading, a click moves the arm to the
+// reading's posture, and a lasso selects readings. Pointing does not redraw the plot.
 import {useEffect, useRef} from "preact/hooks";
 import {effect as follow, signal, type Signal} from "@preact/signals";
 import type {RefObject} from "preact";
@@ -18,7 +18,7 @@ import type {PlotRow} from "./error_plot";
 import type {ReadingErrors} from "./residuals";
 import {showReading} from "./show_reading";
 
-/** Place in the panel, in pixels; null if no point is pointed at. */
+/** Position in the panel [pixels]; null if no point is pointed at. */
 export type Place = {x: number; y: number; width: number} | null;
 
 const NEAR = 14;
@@ -29,7 +29,7 @@ interface Points {
   rows: Uint32Array;
 }
 
-/** Returns the points of all series at their places in the plot. */
+/** Returns the points of all series with their positions in the plot. */
 function pointsOf(plot: uPlot): Points {
   const xs: number[] = [],
     ys: number[] = [],
@@ -84,7 +84,7 @@ export function usePointing(box: RefObject<HTMLDivElement>, rows: PlotRow[] | nu
       if (moved < 5 && pointed.peek() !== "") showReading(pointed.peek());
     });
   }).current;
-  // A reading can be pointed at here or in another picture.
+  // A reading may be pointed at in this plot or in another picture.
   useEffect(
     () =>
       follow(() => {
@@ -106,7 +106,7 @@ export function usePointing(box: RefObject<HTMLDivElement>, rows: PlotRow[] | nu
   return {place, onReady};
 }
 
-/** Paints rings about the selected readings. */
+/** Paints rings around the points of the selected readings. */
 function paintPicked(plot: uPlot, rows: PlotRow[] | null): void {
   if (!rows || selectedReadings.peek().size === 0) return;
   const picked = rows.flatMap(({id}, row): [number, number][] => {
@@ -121,7 +121,7 @@ function paintPicked(plot: uPlot, rows: PlotRow[] | null): void {
   });
 }
 
-/** Returns the place of the reading's point in the first series. */
+/** Returns the position of the reading's point in the first series. */
 function placeOf(plot: uPlot, row: number, box: HTMLElement): Place {
   const value = plot.data[1][row] ?? plot.data[2]?.[row];
   if (!isNumber(value)) return null;
@@ -142,7 +142,7 @@ function pickWithin(plot: uPlot, rows: PlotRow[] | null, loop: Loop, isMore: boo
   selectReadings(picked, isMore);
 }
 
-/** Ring about the point, with the data of its reading. */
+/** Ring around the pointed point, with the data of its reading. */
 export function PointedReading({place, errors}: {place: Signal<Place>; errors: ReadingErrors | null}) {
   const at = place.value,
     index = at ? (errors?.readings.findIndex((reading) => reading.id === pointed.value) ?? -1) : -1;
@@ -192,7 +192,7 @@ function ReadingWords({errors, index}: {errors: ReadingErrors; index: number}) {
   );
 }
 
-/** Error with its sigmas; more than five are marked, by a sign as well as by colour. */
+/** Error with its size in sigmas. More than five sigmas are marked, by a sign as well as by colour. */
 function ErrorWords({error, sigmas}: {error: number[] | null; sigmas: number | undefined}) {
   if (!error) return <>–</>;
   const {text, isMany} = sigmasText(sigmas, READING_SIGMAS);

@@ -1,5 +1,5 @@
-// History of the posterior: the probabilities of each diagnosis of one model, reading after reading, as seen by this
-// page.
+// History of the posterior: the probabilities in successive diagnoses of one model with different numbers of readings,
+// as seen by this page.
 import {computed, effect, signal} from "@preact/signals";
 import {explanationTitle} from "../../../drawing/explanations.js";
 import {cell, state} from "../server/workbench";
@@ -7,7 +7,7 @@ import {currentDiagnosis} from "./loop";
 
 export interface PosteriorStep {
   readings: number;
-  /** Probability of each explanation by its title, and that of nothing missing. */
+  /** Probabilities of the explanations, keyed by title, and of nothing missing. */
   of: Record<string, number>;
 }
 
@@ -31,7 +31,8 @@ effect(() => {
 });
 
 /**
- * Steps, and the titles that were ever the most probable, the presently most probable first; null before there are two.
+ * Steps of the history, with the titles that were most probable at some step, the currently most probable first; null
+ * for fewer than two steps.
  */
 export const posteriorHistory = computed<{steps: PosteriorStep[]; titles: string[]} | null>(() => {
   if (steps.value.length < 2 || !state.value) return null;

@@ -1,4 +1,5 @@
-// The posterior over the number of readings: one line for each explanation, with its name and present value at the end.
+// The posterior plotted against the number of readings: a line for each explanation, with its name and present value at
+// the end.
 import {MISSING, probability} from "../../../drawing/numbers.js";
 import {posteriorHistory} from "./posterior_history";
 
@@ -20,7 +21,7 @@ export function PosteriorPicture() {
   const y = (share: number) => HEIGHT - BOTTOM - share * (HEIGHT - TOP - BOTTOM);
   const of = (title: string, k: number) => steps[k].of[title] ?? 0;
   const now = titles.map((title) => of(title, steps.length - 1));
-  // Names are stacked, each as near to its line's end as the one above permits.
+  // Names are stacked without overlap, each as close to the end of its line as possible.
   let free = 0;
   const names = now.map((share) => (free = Math.max(free + NAME_HEIGHT, y(share) + 4)));
   return (

@@ -1,4 +1,4 @@
-// Tried effects, most probable first. On paper, where nothing can be pointed at, tooltips are printed as words.
+// Table of tried effects, most probable first. On paper, where there are no tooltips, their texts are printed.
 import type {ComponentType} from "preact";
 import type {Barred} from "../../../drawing/ranking.js";
 import {IS_THERE, type rankingRows} from "../../../drawing/ranking.js";
@@ -8,7 +8,7 @@ export type RankedRow = ReturnType<typeof rankingRows<RankedEffect>>[number];
 
 interface RankingTableProps {
   rows: readonly RankedRow[];
-  /** Action on an effect; on paper there is none. */
+  /** Action for an effect; on paper there is none. */
   action?: ComponentType<{row: RankedRow}>;
 }
 
@@ -39,7 +39,7 @@ export function RankingTable({rows, action: Action}: RankingTableProps) {
   );
 }
 
-/** Figure in front of a bar of its share. */
+/** A probability or fraction as text, in front of a bar of proportional length. */
 export function Chance({share, text}: Barred) {
   return (
     <span class="chance">
@@ -51,7 +51,7 @@ export function Chance({share, text}: Barred) {
   );
 }
 
-/** Share below which an effect is hardly visible in the readings; on paper the share is printed. */
+/** Fraction below which an effect is hardly visible in the readings; on paper the fraction is printed. */
 const LITTLE = 0.5;
 
 function Ranked({row, action: Action}: {row: RankedRow} & Pick<RankingTableProps, "action">) {

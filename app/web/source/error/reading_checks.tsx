@@ -1,4 +1,4 @@
-// Suspected mistakes found when the readings were opened: one line each, with the correction.
+// Mistakes suspected when the readings were opened: one line each, with the proposed correction.
 import {computed} from "@preact/signals";
 import {MarkIcon, type Mark} from "../drawing/marks";
 import {plural, short} from "../../../drawing/numbers.js";
@@ -44,20 +44,25 @@ function waysOf(check: ReadingCheck): string[] {
   return [check.assume, ...check.equally].filter((way): way is string => way !== null && way !== "");
 }
 
-/** The mistake that must be settled before any verdict on the model; null if there is none or none is known. */
+/**
+ * The first mistake that must be settled before any verdict on the model, and that can be corrected; null if there is
+ * none.
+ */
 export const mistake = computed(() => {
   const checks = state.value?.measurements?.checks ?? [];
   const found = checks.find((check) => check.severity === "mistake" && waysOf(check).length > 0);
   return found ? {sentence: pageWords(found.sentence), way: waysOf(found)[0]} : null;
 });
 
-/** Assumes the suspected mistakes, in memory, and compares again; without any, reads the file as it states. */
+/**
+ * Corrects suspected mistakes in memory by assumptions and compares again. Without arguments, revokes all assumptions.
+ */
 export async function assume(...ways: string[]): Promise<void> {
   const taken = () => post<WorkbenchState>("/api/measurements/assume", {assume: ways});
   if (await changeReadings("The readings cannot be taken so", taken)) await startCompare();
 }
 
-/** Assumptions made, with a button to revoke them. */
+/** Assumptions about the readings, with a button to revoke them. */
 function Assumed({assumed}: {assumed: string[]}) {
   const isAsIs = assumed.every((way) => way === "as-is");
   return (
@@ -70,7 +75,7 @@ function Assumed({assumed}: {assumed: string[]}) {
   );
 }
 
-/** Removes the readings that joined last, and compares again. */
+/** Removes the readings that were added last, and compares again. */
 async function part(): Promise<void> {
   const parted = () => post<WorkbenchState>("/api/measurements/part", {});
   if (await changeReadings("The readings stay together", parted)) await startCompare();
@@ -94,7 +99,7 @@ interface Step {
   onBack: () => void;
 }
 
-/** Changes made to the readings at their import, with a button to revoke them. */
+/** Changes made to the readings when they were read, with a button to revoke the changes. */
 function Reversible({words, back, title, onBack}: Step) {
   return (
     <li class="remark">

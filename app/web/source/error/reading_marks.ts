@@ -1,4 +1,4 @@
-// Marks on readings, set aside or held out, as steps that can be undone until something else changes.
+// Marks on readings (set aside, held out), as steps that can be undone until something else changes.
 import {computed, signal} from "@preact/signals";
 import {plural} from "../../../drawing/numbers.js";
 import type {WorkbenchState} from "../server/documents";
@@ -15,7 +15,7 @@ interface Marking {
   isOn: boolean;
 }
 
-/** Marking that was made, with the former state. */
+/** Marking that was made, with the state before it. */
 interface Step extends Marking {
   change: number;
   model: number;
@@ -28,7 +28,7 @@ const ADDRESSES: Record<MarkKind, string> = {
 
 const steps = signal<Step[]>([]);
 
-/** The last marking, if nothing else was done since. */
+/** The last marking; null if something else has changed since. */
 export const lastMarking = computed<Step | null>(() => {
   const last = steps.value.at(-1),
     now = state.value;
@@ -44,12 +44,15 @@ function send({kind, ids, isOn}: Marking): Promise<boolean> {
   return changeReadings("Readings", () => post<WorkbenchState>(ADDRESSES[kind], {ids, [kind]: isOn}));
 }
 
-/** Returns the number of the next change of the readings, unless another browser is faster. */
+/** Returns the expected number of the next change of the readings; another browser may take it first. */
 function nextChange(): number {
   return (state.peek()?.measurements?.change ?? 0) + 1;
 }
 
-/** Marks readings that do not have the mark yet, and compares again. */
+/**
+ * Sets the mark `kind` of readings to `isOn`, and compares again. All these readings must have the opposite mark,
+ * because undoing inverts it.
+ */
 export async function markReadings(kind: MarkKind, ids: string[], isOn: boolean): Promise<void> {
   const step = {kind, ids, isOn, change: nextChange(), model: state.peek()?.model ?? -1};
   if (ids.length === 0 || !(await send(step))) return;
@@ -58,13 +61,13 @@ export async function markReadings(kind: MarkKind, ids: string[], isOn: boolean)
   await startCompare();
 }
 
-/** Undoes the last marking; the one before it can be undone then. */
+/** Undoes the last marking; then the marking before it can be undone. */
 export async function undoMarking(): Promise<void> {
   const last = lastMarking.peek(),
     change = nextChange();
   if (!last || !(await send({...last, isOn: !last.isOn}))) return;
   const earlier = steps.peek().slice(0, -1);
-  // The state before this marking is restored.
+  // The readings are now as after the marking before, which therefore gets the new change number.
   steps.value = earlier.map((step, k) =>
     k === earlier.length - 1 && step.change === last.change - 1 ? {...step, change} : step,
   );

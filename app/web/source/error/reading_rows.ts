@@ -1,4 +1,4 @@
-// The readings as rows of a table: the data of each, the search, and the order.
+// The readings as table rows: their data, the search, and the order.
 import {isNumber} from "../../../drawing/numbers.js";
 import type {MeasurementRow, Units, Vector3} from "../server/documents";
 import type {ReadingErrors} from "./residuals";
@@ -11,7 +11,7 @@ export interface ReadingRow {
   senses: number[];
   before: number | null;
   after: number | null;
-  /** Unit of the errors before and after: that of angles if the reading measures nothing else. */
+  /** Unit of the errors before and after: the unit of angles if the reading measures only orientation. */
   sizeUnit: string;
   sigmas: number | null;
   isAside: boolean;
@@ -22,7 +22,7 @@ export interface Column {
   key: string;
   words: string;
   unit: string;
-  /** Width of the table's column, in CSS. */
+  /** Width of the table column, in CSS. */
   width: string;
   of: (row: ReadingRow) => number | string | null;
 }
@@ -31,7 +31,7 @@ function sizeOf(error: Vector3 | null | undefined): number | null {
   return error ? Math.hypot(...error) : null;
 }
 
-/** Returns rows for all readings; those set aside have the error of the given model. */
+/** Returns a row for each reading; readings set aside have the error relative to the given model. */
 export function rowsOf(
   measured: readonly MeasurementRow[],
   errors: ReadingErrors | null,
@@ -59,7 +59,9 @@ export function rowsOf(
   });
 }
 
-/** Returns the common unit of all errors; empty if lengths and angles are mixed, so that every row states its own. */
+/**
+ * Returns the common unit of all errors; empty if lengths and angles are mixed, so that every row must state its unit.
+ */
 export function sizeUnitOf(rows: readonly ReadingRow[], lengthUnit: string): string {
   const units = new Set(rows.filter((row) => row.before !== null || row.after !== null).map((row) => row.sizeUnit));
   return units.size > 1 ? "" : ([...units][0] ?? lengthUnit);
@@ -89,7 +91,7 @@ export function columnsOf(
   ];
 }
 
-/** Returns the rows in order; missing values are last in both directions. */
+/** Returns the rows sorted by a column; missing values come last in both directions. */
 export function sorted(rows: readonly ReadingRow[], column: Column, isDown: boolean): ReadingRow[] {
   const missing = (value: number | string | null) => value === null || value === undefined;
   return [...rows].sort((a, b) => {
@@ -104,8 +106,8 @@ export function sorted(rows: readonly ReadingRow[], column: Column, isDown: bool
 }
 
 /**
- * Returns the rows that satisfy all words: words are searched in id and point; "sigma>3", "theta3<=40", "aside" and
- * "held-out" are conditions.
+ * Returns the rows that satisfy all words of the text. A plain word is searched for in id and point; "sigma>3",
+ * "theta3<=40", "aside" and "held-out" are conditions.
  */
 export function filtered(rows: readonly ReadingRow[], text: string, columns: readonly Column[]): ReadingRow[] {
   const tests = text
@@ -116,7 +118,7 @@ export function filtered(rows: readonly ReadingRow[], text: string, columns: rea
   return rows.filter((row) => tests.every((test) => test(row)));
 }
 
-/** Returns the first word with <, > or = that names no column or no number; null if there is none. */
+/** Returns the first word with <, > or = whose column or number is invalid; null if there is none. */
 export function wrongWord(text: string, columns: readonly Column[]): string | null {
   return text.split(/\s+/).find((word) => /[<>=]/.test(word) && !questionOf(word, columns)) ?? null;
 }

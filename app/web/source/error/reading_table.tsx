@@ -1,4 +1,5 @@
-// Every reading with its error: sorted by any column, filtered, set aside and taken back.
+// Table of all readings with their errors: sortable by any column, filtered, with actions to set readings aside or use
+// them again.
 import {signal} from "@preact/signals";
 import {useEffect, useMemo, useRef} from "preact/hooks";
 import {TextInput} from "../drawing/fields";
@@ -85,7 +86,7 @@ export function ReadingTable() {
   );
 }
 
-/** Selects all filtered readings that are not set aside. */
+/** Selects all filtered readings that are not set aside yet. */
 function pickRows(rows: ReadingRow[]): void {
   selectReadings(
     rows.filter((row) => !row.isAside).map((row) => row.id),
@@ -126,7 +127,7 @@ function Rows({rows, columns, isBusy}: {rows: ReadingRow[]; columns: readonly Co
   );
 }
 
-/** Head of a column; a click sorts by it, the largest first, and a second click reverses the order. */
+/** Head of a column. A click sorts by the column, largest first; a second click reverses the order. */
 function ColumnHead({column}: {column: Column}) {
   const isSorted = order.value.column === column.key,
     {isDown} = order.value;
@@ -143,7 +144,7 @@ function ColumnHead({column}: {column: Column}) {
   );
 }
 
-/** Returns the size, with its unit if the column's head has none. */
+/** Returns the size of a reading's error, with its unit if the column's head states none. */
 function sizeText(size: number | null, row: ReadingRow, columns: readonly Column[]): string {
   const isOfOneUnit = columns.find(({key}) => key === "before")!.unit !== "";
   return size === null || isOfOneUnit ? short(size) : `${short(size)} ${row.sizeUnit}`;

@@ -1,4 +1,5 @@
-// The errors as arrows at the readings' places: over the sheet if the cell has one, else in plan or from a side.
+// The errors as arrows at the positions of the readings: over the sheet if the cell has one, otherwise seen from above
+// or from a side.
 import {Segments} from "../drawing/segments";
 import {effect as follow, signal} from "@preact/signals";
 import type {RefObject} from "preact";
@@ -34,7 +35,7 @@ export function PlaneChoice() {
   );
 }
 
-/** Distance in pixels within which a place is pointed at. */
+/** Maximum distance from the pointer to a reading's position that counts as pointing at it [pixels]. */
 const NEAR = 12;
 
 export function ResidualArrows() {
@@ -66,7 +67,10 @@ export function ResidualArrows() {
   );
 }
 
-/** Draws the arrows at every change and size. Returns the places of the readings, in pixels. */
+/**
+ * Draws the arrows again after every change of the errors or of the size. Returns the positions of the readings
+ * [pixels].
+ */
 function useDrawnArrows(canvas: RefObject<HTMLCanvasElement>, errors: ReadingErrors | null) {
   const places = useRef<PlacesOnScreen>([]);
   const look: ArrowsLook = {
@@ -84,7 +88,7 @@ function useDrawnArrows(canvas: RefObject<HTMLCanvasElement>, errors: ReadingErr
   return places;
 }
 
-/** Selects readings by a lasso about their places. */
+/** Selects the readings whose positions are inside a lasso. */
 function useLassoOnArrows(
   canvas: RefObject<HTMLCanvasElement>,
   places: {current: PlacesOnScreen},
@@ -121,7 +125,7 @@ function useRingAtPointed(
   );
 }
 
-/** Draws rings about the selected readings. */
+/** Draws rings around the positions of the selected readings. */
 function drawPicked(
   canvas: HTMLCanvasElement,
   errors: ReadingErrors | null,

@@ -1,5 +1,5 @@
-// The errors against any variable of the readings: before hollow and after full on one scale, the law of the cause as a
-// line, means of bins with their bars.
+// The errors plotted against any variable of the readings, before as hollow and after as full marks on a common scale,
+// with the law of the cause as a line and bin means with error bars.
 import {useMemo, useRef} from "preact/hooks";
 import {palette} from "../drawing/colours";
 import {explanationTitle} from "../../../drawing/explanations.js";
@@ -61,7 +61,7 @@ export function ResidualPlot() {
   );
 }
 
-/** Choice of the explanation next to the drawn one; empty if there is only one. */
+/** Choice of a second explanation next to the drawn one; empty if there is only one explanation. */
 function BesideChoice() {
   const explanations = currentDiagnosis.value?.explanations ?? [];
   if (explanations.length < 2) return null;
@@ -82,9 +82,9 @@ function BesideChoice() {
 interface ErrorPlotProps {
   errors: ReadingErrors | null;
   view: View | null;
-  /** End of the scale of errors if it is shared with the plot next to it. */
+  /** Upper end of the error scale that this plot shares with the plot next to it; null for an own scale. */
   most: number | null;
-  /** Index of the explanation if two are side by side; -1 for a single plot. */
+  /** Index of the plot if two explanations are side by side; -1 for a single plot. */
   index: number;
 }
 

@@ -1,5 +1,5 @@
-// The readings' errors, measured less predicted, before and after: the diagnosis with the chosen explanation, else the
-// former model compared with the present one, else the comparison of the model as given and refitted.
+// The errors of the readings (measured minus predicted) before and after: the diagnosis with the chosen explanation,
+// else the former model and the present model, else the model as given and refitted.
 import {computed, effect, signal} from "@preact/signals";
 import {AFTER, BEFORE} from "../../../drawing/kinds.js";
 import {errorsOfExplanation, errorsOfRefit, type ErrorPair} from "../../../drawing/reading_errors.js";
@@ -17,14 +17,17 @@ import {currentModel, report, state} from "../server/workbench";
 import {compare, currentDiagnosis} from "./loop";
 
 export interface ReadingErrors extends ErrorPair<ErrorReading> {
-  /** Error of each reading in sigmas, before and after, if known. */
+  /** Error of each reading [sigmas], for the series before and after; undefined if unknown. */
   sigmas: (number | undefined)[][];
-  /** Size of each reading's error, before and after, in the unit of its measured quantity: an angle is no length. */
+  /**
+   * Size of each reading's error, for the series before and after, in the unit of its measured quantity (length or
+   * angle).
+   */
   sizes: (number | null)[][];
   sizeUnits: string[];
 }
 
-/** Index of the diagnosis's explanation that is drawn. */
+/** Index of the drawn explanation among the explanations of the diagnosis. */
 export const chosenExplanation = signal(0);
 effect(() => {
   void currentDiagnosis.value?.revision;
@@ -33,7 +36,10 @@ effect(() => {
 
 // ---- comparison of the former model
 
-/** The model from which the present one was made, if both were compared. */
+/**
+ * The newest compared model below the present model on the stack; null if there is none or the present model was not
+ * compared.
+ */
 const modelBefore = computed<Model | null>(() => {
   const now = state.value;
   if (!now) return null;
@@ -83,12 +89,18 @@ function sizeExplained(reading: DiagnosedReading, index: number): number | null 
     : (reading.size_explained[index] ?? null);
 }
 
-/** Returns sigmas scaled with the size of the error, because they depend little on its direction. */
+/**
+ * Returns the error in sigmas, scaled by the ratio of sizes `to` / `from`, because it depends little on the error's
+ * direction; undefined if unknown.
+ */
 function scaledSigmas(sigmas: number | undefined, from: number | null, to: number | null): number | undefined {
   return sigmas === undefined || to === null || !(from! > 0) ? undefined : (sigmas * to) / from!;
 }
 
-/** Returns the errors of each reading in a comparison: before by another comparison, after by its own refit. */
+/**
+ * Returns sigmas, sizes and units of the readings in a comparison: before from another comparison, after from its own
+ * refit.
+ */
 function comparedErrors(
   {readings}: CompareDocument,
   before: (Pick<ComparedReading, "size_after" | "sigmas_after"> | undefined)[],
@@ -154,14 +166,17 @@ export const drawnExplanation = computed(() =>
   currentDiagnosis.value ? Math.max(0, drawnIndex(currentDiagnosis.value)) : 0,
 );
 
-/** Manual choice: -1 for none; null to follow the verdict. */
+/** Index of the explanation chosen by hand: -1 for none; null to follow the verdict. */
 const besideByHand = signal<number | null>(null);
 effect(() => {
   void currentDiagnosis.value?.revision;
   besideByHand.value = null;
 });
 
-/** Index of the explanation next to the drawn one: the next of several open ones, unless another is chosen. */
+/**
+ * Index of the explanation next to the drawn one: the chosen one, otherwise the next if the verdict is ambiguous; -1
+ * for none.
+ */
 export const besideExplanation = computed(() => {
   const document = currentDiagnosis.value;
   if (!document || document.explanations.length < 2) return -1;

@@ -1,5 +1,5 @@
-// A run sheet: the readings that a diagnosis proposes, as a measurement table with fields for the measured values. This
-// browser keeps it, one for each cell, with ticks and typed values, even if a new diagnosis differs.
+// A run sheet: the readings proposed by a diagnosis, as a measurement table with fields for the measured values. This
+// browser stores one sheet for each cell, with ticks and typed values, even if a new diagnosis differs.
 import {computed, effect, signal} from "@preact/signals";
 import type {MeasurementsDocument} from "../server/documents";
 import {get, postText} from "../server/requests";
@@ -16,7 +16,7 @@ const sheets = signal(keptObject<RunSheet>(KEPT));
 
 export const runSheet = computed<RunSheet | null>(() => {
   const kept = sheets.value[cell.value?.file ?? ""];
-  // A sheet of an earlier program does not state the fields to fill in, and may have predictions there.
+  // A sheet stored by an earlier version lacks the fields to fill in, and may contain predictions there.
   return kept && typeof kept.text === "string" && Array.isArray(kept.fill) ? kept : null;
 });
 
@@ -57,12 +57,12 @@ effect(() => {
   });
 });
 
-/** Ids of the present readings whose errors are drawn. */
+/** Ids of the present readings for which errors are drawn. */
 export const takenIds = computed(() => new Set((readingErrors.value?.readings ?? []).map(({id}) => id)));
 
 /**
- * Returns the ids that the program has now, including readings without errors yet. Returns an empty set if the program
- * does not answer, because the next request would fail too.
+ * Returns the ids of all readings in the program, including readings without errors yet. Returns an empty set if the
+ * program does not answer, because the next request would fail too.
  */
 export async function idsHere(): Promise<Set<string>> {
   if (!state.peek()?.measurements) return new Set();
@@ -76,12 +76,12 @@ export async function idsHere(): Promise<Set<string>> {
 
 // ---- return of readings
 
-/** Adds new readings to the present ones, compares, and diagnoses if there was a diagnosis. */
+/** Adds new readings to the present readings, compares, and diagnoses if there was a diagnosis. */
 export function joinReadings(text: string): Promise<boolean> {
   return attempt("Readings to join", () => postText("/api/live/readings", text));
 }
 
-/** Returns true if a table is this run sheet, filled in, with no id among the present readings. */
+/** Returns true if a table is a measurement table whose ids all belong to this run sheet. */
 export function isFilledSheet(text: string): boolean {
   const sheet = runSheet.peek();
   if (!sheet) return false;
@@ -90,7 +90,10 @@ export function isFilledSheet(text: string): boolean {
   return columns[0] === "id" && rows.length > 0 && rows.every((row) => own.has(row[0]));
 }
 
-/** Returns the new rows of a returned sheet that are filled in, completely ("whole") or partly ("begun"). */
+/**
+ * Returns the rows of a returned sheet that are filled in, completely ("whole") or at least partly ("begun"), and whose
+ * ids are not in `here`; without a stored sheet, all rows count as filled in.
+ */
 export function freshRows(text: string, here: ReadonlySet<string>, asFarAs: "whole" | "begun"): string {
   const sheet = runSheet.peek();
   const {columns, rows} = tableOf(sheet ? filledRows(text, fillById(sheet), asFarAs) : text);

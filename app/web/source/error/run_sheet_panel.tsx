@@ -1,4 +1,4 @@
-// The run sheet on the page: printed or saved as CSV, ticked off, filled in or dropped back.
+// The run sheet on the page: it can be printed, saved as CSV, ticked off, filled in, or returned by dropping a file.
 import {Icon} from "../drawing/icons";
 import {plural} from "../../../drawing/numbers.js";
 import {freshRows, joinReadings, putRunSheetAway, runSheet, takenIds} from "./run_sheet";

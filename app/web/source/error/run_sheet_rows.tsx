@@ -1,4 +1,4 @@
-// The rows of the run sheet: each reading's posture and load, ticks, and typed values.
+// The rows of the run sheet: posture and load of each reading, ticks, and typed values.
 import {senseArrow} from "../../../drawing/conditions.js";
 import {fixed, isNumber, jointDecimals, short} from "../../../drawing/numbers.js";
 import {poseRequest} from "../arm/pose_link";
@@ -12,8 +12,8 @@ interface JointColumn {
   name: string;
   unit: string;
   /**
-   * Index of the joint's reading in a row, of its reading in a measuring row, and of the sense of arrival; -1 if no
-   * column has it.
+   * Column indices of the joint's value in a row, of its approximate value in a row where the joint is read off, and of
+   * the sense of arrival; -1 if there is no such column.
    */
   k: number;
   near: number;
@@ -22,7 +22,7 @@ interface JointColumn {
 
 interface Layout {
   joints: JointColumn[];
-  /** Index of the load; -1 if no column has it. */
+  /** Column index of the load; -1 if there is no such column. */
   load: number;
   open: string[];
   hasSeparations: boolean;
@@ -45,7 +45,7 @@ function jointColumn(columns: readonly string[], column: string, k: number): Joi
   return [{name: joint.name, unit: joint.unit, k, near, sense: columns.indexOf(`${joint.name}_dir`)}];
 }
 
-/** Returns the proposed reading of the joint. */
+/** Returns the proposed value of the joint. */
 function proposedJoint(row: readonly string[], {k, near}: JointColumn): number {
   return Number(row[k] || row[near]);
 }
@@ -157,7 +157,7 @@ function tick(sheet: RunSheet, id: string, isTaken: boolean): void {
   change({ticked: isTaken ? [...sheet.ticked, id] : sheet.ticked.filter((other) => other !== id)});
 }
 
-/** Stores a typed number and ticks its reading off. */
+/** Stores a typed value and ticks off its reading. */
 function type(sheet: RunSheet, id: string, column: string, value: string): void {
   const typed = {...sheet.typed, [id]: {...sheet.typed[id], [column]: value.replace(",", ".")}};
   change({typed, ticked: sheet.ticked.includes(id) ? sheet.ticked : [...sheet.ticked, id]});

@@ -1,15 +1,15 @@
-// A run sheet as a table: the fields to fill in, and their values.
+// A run sheet as a table: the fields to fill in and their values.
 import type {FillIn} from "../server/documents";
 
 export interface RunSheet {
   text: string;
-  /** Fields to fill in for each row, as the program states them. */
+  /** Fields to fill in for each row, as stated by the program. */
   fill: FillIn[];
   /** Ids of readings ticked off by hand. */
   ticked: string[];
-  /** Typed values: for each id the fields to fill in, by column. */
+  /** Typed values, keyed by reading id and column. */
   typed: Record<string, Record<string, string>>;
-  /** Separation of the explanations by each reading, in sigmas, if known. */
+  /** Separation of the explanations by each reading [sigmas]; null or empty if unknown. */
   separations: (number | null)[];
 }
 
@@ -18,7 +18,7 @@ export interface RunSheetTable {
   rows: string[][];
 }
 
-/** Returns the fields of a line; quotes as in CSV. */
+/** Returns the fields of a CSV line, which may be quoted. */
 export function fieldsOf(line: string): string[] {
   const fields: string[] = [];
   let field = "",
@@ -45,7 +45,7 @@ export function tableOf(text: string): RunSheetTable {
   return {columns, rows};
 }
 
-/** Returns true if a refusal refers to a row of a table, by its line, and not to the columns. */
+/** Returns true if a refusal refers to the line of a row of the table, and not to its heading. */
 export function isOfRow(where: string | undefined, text: string): boolean {
   const line = Number(/:(\d+)/.exec(where ?? "")?.[1]);
   const heading = text.split("\n").findIndex(hasFields) + 1;
@@ -56,23 +56,26 @@ export function lineOf(fields: readonly string[]): string {
   return fields.map((field) => (/[",]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field)).join(",");
 }
 
-/** Returns the fields to fill in, by the ids of the rows. */
+/** Returns the fields to fill in, keyed by reading id. */
 export function fillById({text, fill}: RunSheet): Map<string, FillIn> {
   return new Map(tableOf(text).rows.map(([id], r) => [id, fill[r]]));
 }
 
-/** Returns the columns of the sheet to fill in for at least one reading, in its order. */
+/** Returns the columns to fill in for at least one reading, in the order of the sheet. */
 export function openColumns({text, fill}: RunSheet): string[] {
   const open = new Set(fill.flatMap(({columns, optional}) => [...columns, ...optional]));
   return tableOf(text).columns.filter((column) => open.has(column));
 }
 
-/** Returns the number of filled fields among those that a reading requires. */
+/** Returns the number of required fields of a reading that are filled in. */
 function filledCount(columns: readonly string[], row: readonly string[], fill: FillIn): number {
   return fill.columns.filter((column) => (row[columns.indexOf(column)] ?? "") !== "").length;
 }
 
-/** Returns the rows of a sheet that are filled in completely ("whole") or partly ("begun"); "" if there is none. */
+/**
+ * Returns the rows of a sheet that are filled in completely ("whole") or at least partly ("begun"), as CSV text; "" if
+ * there are none.
+ */
 export function filledRows(text: string, fill: ReadonlyMap<string, FillIn>, asFarAs: "whole" | "begun"): string {
   const {columns, rows} = tableOf(text);
   const filled = rows.filter((row) => {
@@ -82,7 +85,7 @@ export function filledRows(text: string, fill: ReadonlyMap<string, FillIn>, asFa
   return filled.length === 0 ? "" : `${[columns, ...filled].map(lineOf).join("\n")}\n`;
 }
 
-/** Returns the sheet with the typed values. */
+/** Returns the text of the sheet with the typed values inserted. */
 export function withTyped({text, typed}: RunSheet): string {
   const {columns, rows} = tableOf(text);
   const filled = rows.map((row) => row.map((field, k) => typed[row[0]]?.[columns[k]]?.trim() || field));

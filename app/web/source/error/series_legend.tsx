@@ -6,7 +6,7 @@ import type {ErrorPair} from "../../../drawing/reading_errors.js";
 
 interface SeriesLegendProps {
   errors: ErrorPair | null;
-  /** True if the series are explained above, so that only before and after are named. */
+  /** True if the series are explained above, so that the legend names only "before" and "after". */
   isBrief?: boolean;
   /** Number of readings drawn. */
   most: number;

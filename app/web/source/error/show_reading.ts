@@ -1,4 +1,4 @@
-// A reading in the arm's view: its posture and load, with its error as an arrow.
+// Display of a reading in the arm view: its posture and load, with its error as an arrow.
 import {batch} from "@preact/signals";
 import {bringArm} from "../arm/pose_link";
 import {view} from "../shell/page_state";

@@ -1,11 +1,14 @@
-// "A or B": the readings, and other means, that would decide between explanations.
+// The choice between explanations: readings, and other means, that would distinguish them.
 import {PAIR_HEADS, pairCells} from "../../../drawing/conditions.js";
 import {Table} from "../drawing/table";
 import {PosteriorPicture} from "./posterior_picture";
 import {RunSheetPanel} from "./run_sheet_panel";
 import type {DiagnoseDocument} from "../server/documents";
 
-/** Proposals of a diagnosis, the run sheet in progress, and the results of the readings taken since. */
+/**
+ * Proposals of a diagnosis to distinguish explanations, the run sheet in progress, and the results of the readings
+ * taken since.
+ */
 export function Splitting({document}: {document: DiagnoseDocument | null}) {
   return (
     <div class="splitting">

@@ -1,4 +1,4 @@
-// The verdict with its sentences and figures, and the next step.
+// The verdict with its sentences and key values, and the next step.
 import {budgetText, errorUnit, idsSetAside, setAsideText} from "../../../drawing/error_budget.js";
 import {isNumber, short, whole} from "../../../drawing/numbers.js";
 import {MARKED} from "../../../drawing/sigma_text.js";
@@ -50,7 +50,7 @@ export function VerdictBand() {
   );
 }
 
-/** Error with its budget; a click shows the readings excluded from these figures. */
+/** Error with its budget; a click selects the readings excluded from the error. */
 function Budget({document}: {document: JudgedDocument}) {
   const ids = idsSetAside(document);
   return (
@@ -71,7 +71,9 @@ function readingsInUse(): number {
   return measurements ? measurements.readings - measurements.set_aside : 0;
 }
 
-/** Returns "52 of 120" if some are set aside, by hand or as outliers, or held out. */
+/**
+ * Returns "52 of 120" if some readings are set aside, by hand or as outliers, or held out; otherwise only the total.
+ */
 function usedText(measurements: ReadingsInfo | null | undefined, judged: JudgedDocument | null): string {
   if (!measurements) return "";
   const {readings, set_aside, held_out} = measurements;
@@ -79,7 +81,7 @@ function usedText(measurements: ReadingsInfo | null | undefined, judged: JudgedD
   return used === readings ? whole(readings) : `${whole(used)} of ${whole(readings)}`;
 }
 
-/** Least squared ratio of errors to the stated noise at which they are marked, by a sign as well as by colour. */
+/** Squared ratio of errors to the stated noise from which errors are marked, by a sign as well as by colour. */
 const TWICE = 4;
 
 function Misfit({chi2}: {chi2: number | null | undefined}) {
