@@ -1,4 +1,4 @@
-// The sheet of the plan view: the work list and the tour over it, coloured by the steps of the tool that enter.
+// The sheet of the plan view: the work list and the tour, coloured by the number of tool steps that enter.
 import {signal} from "@preact/signals";
 import {useCallback, useMemo} from "preact/hooks";
 import {MarkIcon} from "../drawing/marks";
@@ -20,8 +20,8 @@ import {paintTour} from "./tour_painting";
 const mode = signal("via_point");
 
 /**
- * Returns the possible colourings of the tour: each way of compensation scored against the true arm, and the plan's own
- * expectation.
+ * Returns the possible colourings of the tour: each compensation mode scored against the true arm, and the prediction
+ * of the plan.
  */
 function modesOf({modes}: PlanDocument): Choice<string>[] {
   const scored = (modes ?? []).map(({name, words, brief}) => ({value: name, words: brief, hint: words}));
@@ -108,7 +108,7 @@ function ModeChoice({document, shownMode}: {document: PlanDocument | null; shown
   );
 }
 
-/** Numbers of holes that the tool enters with no step, with one, ..., with all. */
+/** Table of the number of holes that no step of the tool enters, one step, and so on up to all steps. */
 function StepCounts({document, colouring}: {document: PlanDocument; colouring: Colouring}) {
   return (
     <span class="counts">

@@ -1,4 +1,5 @@
-// The plan view: a work list chosen on the sheet, planned as a proved tour, played with the arm, and exported as files.
+// The plan view: a work list chosen on the sheet, planned as a tour with proved clearance, played back with the arm,
+// and exported as files.
 import {useEffect, useMemo} from "preact/hooks";
 import {Vector3} from "three";
 import {Panel} from "../drawing/panel";
@@ -73,7 +74,7 @@ function Plan({model}: {model: SheetModel}) {
   );
 }
 
-/** Returns the points just under each hole, where the tool comes from. */
+/** Returns the points just below the visited holes, from which the tool is inserted; null for fewer than two holes. */
 function tourPoints(model: SheetModel, holes: number[]): Vector3[] | null {
   if (holes.length < 2) return null;
   return holes
@@ -81,7 +82,7 @@ function tourPoints(model: SheetModel, holes: number[]): Vector3[] | null {
     .map((hole) => new Vector3(model.world[3 * hole], model.world[3 * hole + 1], -1));
 }
 
-/** Base that the plan is proved for, with the advice to calibrate a base that nobody placed. */
+/** Base for which the plan is proved, with the advice to calibrate a base that was not measured. */
 function Standing({base}: {base?: PlanDocument["base"]}) {
   if (!base?.words) return null;
   return (

@@ -1,4 +1,4 @@
-// Playback of a plan: a clock that runs along the path, and the joints at any time of it.
+// Playback of a plan: a clock that runs along the path, and the joint values at the clock's time.
 import {computed, effect, signal} from "@preact/signals";
 import type {PathClearances, PathDocument, PlanDocument} from "../server/documents";
 import {answerTo} from "../server/answers";
@@ -8,12 +8,12 @@ import {poseRequest} from "../arm/pose_link";
 import {jointsAt, sampleAt} from "./sampling";
 
 export const plan = result<PlanDocument>("plan");
-/** Distance to the nearest object at the path's samples, as far as requested; null without a near object. */
+/** Distance to the nearest object at the samples of the path requested so far; null without a near object. */
 export const clearances = signal<(number | null)[]>([]);
 export const time = signal(0);
 export const speed = signal(1);
 export const isPlaying = signal(false);
-/** True while a view shows the plan, so that the sliders of the arm are left alone otherwise. */
+/** True while a view shows the plan; otherwise playback does not move the sliders of the arm. */
 export const isFollowed = signal(false);
 
 // ---- the path of the plan, fetched with it
@@ -28,7 +28,7 @@ const found = answerTo<PathDocument>({
 const foundPath = computed(() => found.value.document);
 export const path = computed(() => (foundPath.value ? perSample(foundPath.value) : null));
 
-// A new path is played from its beginning.
+// A new path starts at its beginning.
 effect(() => {
   const document = path.value;
   isPlaying.value = false;
@@ -39,7 +39,10 @@ effect(() => {
 
 const AT_ONCE = 500;
 
-/** Requests the clearances in batches of about a tenth of a second, with requests for poses between them. */
+/**
+ * Requests the clearances in batches that take about a tenth of a second, so that requests for poses can run between
+ * them.
+ */
 async function askClearances(mark: number, samples: number): Promise<void> {
   try {
     while (clearances.peek().length < samples && planMark.peek() === mark) {
@@ -53,7 +56,10 @@ async function askClearances(mark: number, samples: number): Promise<void> {
   }
 }
 
-/** Assigns to each sample the clearance of its segment, because clearance is proved for whole segments. */
+/**
+ * Returns the document with the clearance of the segment at each sample, because clearance is proved for whole
+ * segments.
+ */
 function perSample(document: PathDocument): PathDocument {
   const {clearance, segment, time: times} = document;
   if (!clearance || clearance.length === times.length) return document;
@@ -64,7 +70,7 @@ export const endTime = computed(() => path.value?.time.at(-1) ?? 0);
 
 // ---- place of a time in the path
 
-/** Visit of each sample, from the path, else counted by its approaches. */
+/** Index of the visit at each sample, as the path states it, otherwise counted by approach segments. */
 export const visitOfSample = computed<Int32Array>(() => {
   const document = path.value;
   if (!document) return new Int32Array(0);
@@ -87,7 +93,7 @@ export const currentVisit = computed(() => {
   return document ? (visitOfSample.value[sampleAt(document.time, time.value)] ?? 0) : -1;
 });
 
-/** Time at which each tube is reached, which is the end of its approach. */
+/** Time at which each tube is reached: the end of its approach. */
 export const arrivals = computed<number[]>(() => {
   const document = path.value;
   const count = plan.value.document?.tubes.length ?? 0;
@@ -130,7 +136,7 @@ export function goToVisit(visit: number): void {
   if (Number.isFinite(at)) time.value = at;
 }
 
-// The arm follows the clock; the program solves one pose at a time.
+// The arm follows the clock; the program computes one pose at a time.
 effect(() => {
   const document = path.value;
   const at = time.value;

@@ -1,7 +1,7 @@
-// Places of a time in a path, and the joints there.
+// Lookup of a time in a path: the sample and the joint values.
 import type {PathDocument} from "../server/documents";
 
-/** Returns the last sample at or before a time. */
+/** Returns the index of the last sample at or before a time. */
 export function sampleAt(times: readonly number[], at: number): number {
   let low = 0,
     high = times.length - 1;
@@ -13,7 +13,7 @@ export function sampleAt(times: readonly number[], at: number): number {
   return low;
 }
 
-/** Returns the joints, linear between samples, as the motion was proved. */
+/** Returns the joint values at a time, interpolated linearly between samples, as in the proof of the motion. */
 export function jointsAt(document: PathDocument, at: number): number[] {
   const i = sampleAt(document.time, at),
     j = Math.min(i + 1, document.time.length - 1);

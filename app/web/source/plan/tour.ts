@@ -1,4 +1,4 @@
-// The planned holes in the order of visiting, and further selected holes.
+// The planned holes in the order of visiting, and selected holes that are not planned.
 import {computed} from "@preact/signals";
 import {selection, sheet} from "../shell/page_state";
 import {plan} from "./playback";

@@ -1,4 +1,4 @@
-// The tour over the sheet: its course, each hole's mark, holes out of reach, and its present place.
+// The tour over the sheet: its path, a mark for each hole, holes out of reach, and the present position on the tour.
 import {toPixel, type Camera, type Size} from "../../../drawing/frames.js";
 import {UNREACHABLE} from "../../../drawing/kinds.js";
 import {drawRings, strokeLine} from "../drawing/canvas";
@@ -17,9 +17,9 @@ interface Canvas {
 interface Tour {
   model: SheetModel;
   colouring: Colouring;
-  /** Holes in the order of visiting; -1 for one that the sheet does not have. */
+  /** Indices of the holes in the order of visiting; -1 for a hole that the sheet does not have. */
   holes: readonly number[];
-  /** Index of the visit shown; -1 for none. */
+  /** Index of the present visit; -1 for none. */
   at: number;
   unreachable: readonly {row: number; column: number}[];
 }

@@ -1,5 +1,5 @@
-// Clearance, travel time and centring along the tour, with the playhead; the cursor reads the clearance, a click moves
-// the playhead there.
+// Clearance, travel time and centring along the tour, with the playhead. The cursor reads the clearance; a click moves
+// the playhead.
 import {choicesOf, Segments} from "../drawing/segments";
 import {signal, useSignalEffect} from "@preact/signals";
 import {useMemo, useRef} from "preact/hooks";
@@ -24,7 +24,7 @@ const WHATS: [What, string][] = [
   ["centring", "Chance of all steps"],
 ];
 const what = signal<What>("clearance");
-/** Time under the pointer. */
+/** Time under the pointer [s]; null if the pointer is outside. */
 const pointed = signal<number | null>(null);
 
 export function TourPlot() {
@@ -66,7 +66,7 @@ export function TourPlot() {
   );
 }
 
-/** Clearance of the arm at the pointed time, else at the playhead. */
+/** Clearance of the arm at the time under the pointer, otherwise at the playhead. */
 function ClearanceFigure({along}: {along: PathDocument}) {
   const at = pointed.value ?? time.value;
   const sample = sampleAt(along.time, at);
@@ -85,7 +85,7 @@ function ClearanceFigure({along}: {along: PathDocument}) {
   );
 }
 
-/** Returns times, and one or two courses over them: sampled values, and proved values of the motions. */
+/** Returns the times with one or two curves: sampled values, and the proved values of the motions. */
 function pointsOf(
   which: What,
   document: PlanDocument,
@@ -148,7 +148,8 @@ function axesOf(which: What, document: PlanDocument, colours: Palette): uPlot.Ax
 }
 
 /**
- * Returns the clearance as a line, with the proved clearance of the motions as steps; otherwise a bar for each tube.
+ * Returns the series of the plot: the clearance as a line, with the proved clearance of the motions as steps; for other
+ * quantities a bar for each tube.
  */
 function seriesOf(which: What, hasProved: boolean, colours: Palette): uPlot.Series[] {
   const isBars = which !== "clearance";

@@ -1,4 +1,4 @@
-// A work list from a file: its tubes become the selection, with their stays, and excluded tubes are reported.
+// A work list from a file: its tubes become the selection, with their dwell times, and excluded tubes are reported.
 // Unrecognized headings open the dialog for columns.
 import type {ListColumnsDocument} from "../shell/columns_choice";
 import {askForColumns, type ColumnsUse, type TableText} from "../shell/columns_dialog";
@@ -9,7 +9,7 @@ import {cell, report} from "../server/workbench";
 interface WorkListDocument {
   name: string;
   tubes: number[];
-  /** Stay at each tube by its index [s]. */
+  /** Dwell time at each tube [s], keyed by tube index. */
   stays: Record<string, number>;
   notes: string[];
 }
@@ -32,14 +32,17 @@ const LIST: ColumnsUse = {
   },
 };
 
-/** Returns true if a table is a work list: its headings name tubes, or it is opened as a list and names no joints. */
+/**
+ * Returns true if a table is a work list: its headings name tubes, or it was opened as a list and its headings name no
+ * joints.
+ */
 export async function seemsToBeList(table: TableText): Promise<boolean> {
   if (!cell.value?.has_sheet) return false;
   try {
     const {states} = await post<ListColumnsDocument>(COLUMNS, {tables: [table]});
     return states === "tubes" || (states === "neither" && view.value === "plan");
   } catch {
-    return false; // not a table: the reader of readings gives the reason
+    return false; // not a table: the error from reading it as readings gives the reason
   }
 }
 
@@ -52,7 +55,7 @@ export async function openList(list: TableText): Promise<void> {
   }
 }
 
-/** Asks for the meanings of the columns, unless they are understood and the refusal has another reason. */
+/** Asks for the meanings of the columns, unless all headings are understood, so that the refusal has another reason. */
 async function askAfter(list: TableText, refused: unknown): Promise<void> {
   try {
     const document = await post<ListColumnsDocument>(COLUMNS, {tables: [list]});

@@ -1,4 +1,4 @@
-// Button that opens a work list from a file, with the number of selected tubes that have their own stay.
+// Button that opens a work list from a file, with the number of selected tubes that have an own dwell time.
 import {plural} from "../../../drawing/numbers.js";
 import {openList} from "./work_list";
 import {staysOfSelection} from "../shell/page_state";
