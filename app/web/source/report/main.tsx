@@ -1,4 +1,4 @@
-// Starts a report: its document is in the file, which requests nothing from any network.
+// Starts a report. The document is in the file, which makes no network requests.
 import "./sharp";
 import "uplot/dist/uPlot.min.css";
 import "../../../drawing/colours.css";

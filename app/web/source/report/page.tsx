@@ -1,4 +1,4 @@
-// A report as a page: its head, a list of its sections, the sections and the facts.
+// A report as a page: head, list of sections, sections, and facts.
 import type {ComponentType} from "preact";
 import {useErrorBoundary} from "preact/hooks";
 import type {OfReport} from "./parts";
@@ -8,7 +8,7 @@ export interface SectionKind {
   id: string;
   title: string;
   Content: ComponentType<OfReport>;
-  /** Returns true if a document has such a section; without it all do. */
+  /** Returns true if a document has this section; if missing, every document has it. */
   of?: (report: Report) => boolean;
 }
 
@@ -16,7 +16,7 @@ export interface PageKind {
   title: string;
   Head: ComponentType<OfReport>;
   sections: readonly SectionKind[];
-  /** Facts of the report, each with its name. */
+  /** Facts of the report, as pairs of name and value. */
   facts: (report: Report) => readonly (readonly [string, unknown])[];
 }
 
@@ -49,14 +49,14 @@ export function ReportPage({kind, report}: {kind: PageKind} & OfReport) {
   );
 }
 
-/** Section that shows its own failure and leaves the others alone. */
+/** Section that shows a note if rendering it fails, so that the other sections are not affected. */
 function Guarded({section: {Content}, report}: {section: SectionKind} & OfReport) {
   const [error] = useErrorBoundary();
   if (error) return <p class="missing">This part could not be drawn: {error.message}</p>;
   return <Content report={report} />;
 }
 
-/** Figures at the head of the report. */
+/** Facts at the head of the report. */
 export function Summary({facts}: {facts: readonly (readonly [string, unknown])[]}) {
   if (facts.length === 0) return null;
   return (

@@ -1,4 +1,4 @@
-// Parts of reports: leads, cards, tables, legends, and words for missing values.
+// Parts of reports: leads, cards, tables, legends, and texts for missing values.
 import type {ComponentChildren} from "preact";
 import {Icon} from "../drawing/icons";
 import {MarkIcon, type Mark} from "../drawing/marks";
@@ -32,7 +32,7 @@ export function Card({title, class: name = "", children}: {title?: ComponentChil
   );
 }
 
-/** Table on a card; without rows, `what` is reported missing. */
+/** Table on a card; without rows, a note says that `what` is missing. */
 export function TableCard({what, title, ...table}: {what: string; title?: ComponentChildren} & TableProps) {
   if (table.rows.length === 0 && !title) return <Missing what={what} />;
   return <Card title={title}>{table.rows.length === 0 ? <Missing what={what} /> : <Table {...table} />}</Card>;
@@ -48,7 +48,7 @@ export function Reasons({children}: {children: readonly ComponentChildren[]}) {
   );
 }
 
-/** Marks with their words, and other elements of a picture, each as a sign of the style sheet before its words. */
+/** Legend of marks, or of other signs given by their CSS class, each followed by its text. */
 export function Legend({children}: {children: readonly (readonly [Mark | string, ComponentChildren])[]}) {
   return (
     <ul class="legend">
@@ -61,7 +61,7 @@ export function Legend({children}: {children: readonly (readonly [Mark | string,
   );
 }
 
-/** Name of an effect or a number above its description. */
+/** Name of an effect or a parameter above its description. */
 export function Named({name, words}: {name: ComponentChildren; words?: string}) {
   return (
     <span class="effect-name">
@@ -71,7 +71,7 @@ export function Named({name, words}: {name: ComponentChildren; words?: string}) 
   );
 }
 
-/** Button that prints its section and nothing else of the page. */
+/** Button that prints only its section of the page. */
 export function PrintButton({children, prepare}: {prepare?: () => void} & WithChildren) {
   const print = (event: MouseEvent) => {
     prepare?.();

@@ -2,7 +2,7 @@
 import type {ComponentChildren} from "preact";
 import {useSignal} from "@preact/signals";
 
-/** Lines about the pointed element, the first its name; null if nothing is pointed at. */
+/** Lines of text about the pointed element, its name first; null if nothing is pointed at. */
 export type Lines = (string | null | false)[] | null;
 
 interface PointedProps {

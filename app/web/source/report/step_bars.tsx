@@ -1,11 +1,11 @@
-// Stacked bars of shares; every part has its case's mark and its count.
+// Stacked bars of fractions; each part has the mark and the count of its case.
 import {plural, whole} from "../../../drawing/numbers.js";
 import {stepMark} from "../../../drawing/steps.js";
 import {MarkIcon} from "../drawing/marks";
 
 interface StepBarsProps {
   label: string;
-  /** Numbers of holes by the number of steps that enter, for each model or mode. */
+  /** Number of holes for each number of steps that enter, for each model or mode. */
   rows: readonly {name: string; counts: readonly number[]}[];
 }
 

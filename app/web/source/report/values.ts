@@ -1,8 +1,8 @@
-// Reader of a report's document, any part of which may be missing.
+// Functions that read a report's document, any part of which may be missing.
 import {isNumber, MISSING, plainUnit, short} from "../../../drawing/numbers.js";
 import {tubeTitle} from "../../../drawing/sheet_model.js";
 
-/** Document of the file, in which any part may be missing or of an unexpected type. */
+/** Document in the report file; any part may be missing or of an unexpected type. */
 export type Report = Record<string, any>;
 
 export function list(value: unknown): Report[] {

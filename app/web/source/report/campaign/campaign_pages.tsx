@@ -1,4 +1,4 @@
-// The pages of campaigns: of centring, and of the rate of correct diagnoses.
+// The pages of campaigns: centring, and the rate of correct diagnoses.
 import {MISSING, plural, probability, short, whole} from "../../../../drawing/numbers.js";
 import type {PageKind} from "../page";
 import {Card, Lead, Named, type OfReport, Table} from "../parts";
@@ -35,7 +35,7 @@ const DIAGNOSIS: PageKind = {
   facts: FACTS,
 };
 
-/** Returns the page of a campaign, by its kind. */
+/** Returns the page for the kind of a campaign. */
 export function campaignPage(report: Report): PageKind {
   return report.kind === "diagnose" ? DIAGNOSIS : CENTRING;
 }

@@ -1,4 +1,4 @@
-// Centring of tools over random truths: curves, probabilities, the sheet.
+// Centring of tools for randomly drawn true arms: curves, probabilities, and the sheet.
 import {useSignal} from "@preact/signals";
 import {useCallback, useMemo} from "preact/hooks";
 import type uPlot from "uplot";
@@ -20,7 +20,7 @@ import {type Estimate, Estimates, lookOf, LOOKS} from "./estimates";
 
 type Choices = readonly (readonly [string, string])[];
 
-/** Returns names and words of the ways, compensated first. */
+/** Returns the names and texts of the compensation modes, compensated first. */
 function waysOf(report: Report): Choices {
   return list(report.ways)
     .map(({name, words}) => [textOf(name), textOf(words, textOf(name))] as const)
@@ -31,7 +31,7 @@ function tolerancesOf(report: Report): number[] {
   return (Array.isArray(report.step_tolerances) ? report.step_tolerances : []).filter(isNumber);
 }
 
-/** Returns 1, 2, ... up to the number of the tool's steps. */
+/** Returns the step numbers 1, 2, ... of the tool. */
 function stepsOf(report: Report): number[] {
   return tolerancesOf(report).map((_, k) => k + 1);
 }
@@ -77,10 +77,10 @@ export function CurvesSection({report}: OfReport) {
   );
 }
 
-/** Least fraction drawn. */
+/** Smallest fraction of visits that is drawn. */
 const LEAST = 1e-3;
 
-/** Returns errors, each with the fraction of visits beyond it. */
+/** Returns points of the curve: an error and the fraction of visits with a larger error. */
 function beyondOf(setting: Report, way: string): Place[] {
   const curve = points(object(setting[way])?.curve).map(([error, share]): Place => [error, 1 - share]);
   return [[0, 1] as Place, ...curve].filter(([, share]) => share >= LEAST);
@@ -142,7 +142,7 @@ function paintTolerances(plot: uPlot, tolerances: readonly number[], colours: Pa
   });
 }
 
-/** Paints marks of a setting at intervals along its curve, with different offsets for each setting. */
+/** Paints marks of a setting at intervals along its curve, with a different offset for each setting. */
 function paintMarksAlong(plot: uPlot, curve: readonly Place[], i: number, colours: Palette): void {
   const {shape, colour} = lookOf(i),
     every = Math.max(1, Math.floor(curve.length / 8));
@@ -238,7 +238,7 @@ function SettingsTable({report}: OfReport) {
 
 // ---- the holes one by one
 
-/** Bands of probabilities, distinguished by colour and by shape. */
+/** Bands of probability, distinguished by colour and shape. */
 const BANDS: {mark: Mark; name: string; least: number}[] = [
   {mark: {shape: "disc", colour: "case3"}, name: "99 % or more", least: 0.99},
   {mark: {shape: "square", colour: "case2"}, name: "95 to 99 %", least: 0.95},

@@ -1,4 +1,4 @@
-// Estimates with their 95 % bands, one below the other, with settings distinguished by colour, dash and mark.
+// Estimates with their 95 % intervals, one below the other. Settings are distinguished by colour, dash and mark.
 import {exact, isNumber} from "../../../../drawing/numbers.js";
 import {roundTicks} from "../../../../drawing/scales.js";
 import {MarkAt, type Mark} from "../../drawing/marks";
@@ -32,7 +32,7 @@ export interface Estimate {
 interface EstimatesProps {
   label: string;
   rows: readonly Estimate[];
-  /** End of the axis, which begins at zero, and its quantity. */
+  /** Upper end of the axis, which begins at zero, and the quantity on the axis. */
   to: number;
   title: string;
   write: (value: unknown) => string;

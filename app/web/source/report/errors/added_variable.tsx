@@ -1,4 +1,4 @@
-// Added-variable plots: the displacement by an effect against the remaining error, coordinate by coordinate.
+// Added-variable plots: the residual error against the displacement by an effect, coordinate by coordinate.
 import {useMemo} from "preact/hooks";
 import type uPlot from "uplot";
 import {effectTitle, isEnough, keptText, sizeText} from "../../../../drawing/explanations.js";
@@ -40,7 +40,7 @@ export function AddedVariableSection({report}: OfReport) {
   );
 }
 
-/** Returns the plots of the first explanation, the closest one, and of every other sufficient one. */
+/** Returns the plots of the first explanation, of the closest effect, and of every other sufficient explanation. */
 function plotsOf(report: Report): Report[] {
   const isShown = (plot: Report) =>
     !(plot.explanation > 0) || isEnough(reportExplanations(report)[plot.explanation] ?? {});
@@ -77,7 +77,7 @@ function AddedVariable({report, plot}: {plot: Report} & OfReport) {
   );
 }
 
-/** Returns the scatter plot of points [index of the reading, across, up]. */
+/** Returns the scatter plot of points [index of the reading, x, y]. */
 function makeScatter(points: readonly Report[], slope: unknown, colours: Palette) {
   const [xs, ys] = [1, 2].map((k) => points.map((point) => point[k] as number));
   const data: uPlot.AlignedData = [xs, ys];
@@ -93,7 +93,7 @@ function makeScatter(points: readonly Report[], slope: unknown, colours: Palette
   return {data, options};
 }
 
-/** Paints the line through the origin, and the axes' zeros. */
+/** Paints the line of this slope through the origin. */
 function paintSlope(plot: uPlot, slope: unknown, colours: Palette): void {
   const far = plot.scales.x.max! * 2;
   const at = (x: number, y: number): [number, number] => [plot.valToPos(x, "x", true), plot.valToPos(y, "y", true)];

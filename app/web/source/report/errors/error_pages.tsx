@@ -1,4 +1,4 @@
-// The pages about a model's errors: a diagnosis, a comparison, a ladder, an improvement, a project.
+// The report pages about a model's errors: diagnosis, comparison, ladder, improvement, project.
 import {budgetText, errorUnit, idsSetAside} from "../../../../drawing/error_budget.js";
 import {isEnough} from "../../../../drawing/explanations.js";
 import {verdictMark} from "../../../../drawing/kinds.js";
@@ -18,7 +18,7 @@ import {isSplit, NextReadingsSection, WarningsSection} from "./next_readings";
 import {reportExplanations} from "./pairs";
 import {AlternativesSection, HiddenSection, RankingSection} from "./ranking";
 
-/** Returns true if the page has the leverages, which convert an error at the tip into an error of a joint. */
+/** Returns true if the report has leverages, which convert an error at the tip to an error of a joint. */
 const hasLevers = (report: Report) => object(report.leverage) !== null;
 const hasAny = (name: string) => (report: Report) => Array.isArray(report[name]) && report[name].length > 0;
 
@@ -97,7 +97,7 @@ export const ERROR_PAGES: Record<string, PageKind> = {
   ]),
 };
 
-/** Conclusion of the report, sentence by sentence, with its figures. */
+/** Conclusion of the report, sentence by sentence, with its key values. */
 function Head({report}: OfReport) {
   const {verdict} = report,
     answer = answerOf(report);

@@ -1,4 +1,4 @@
-// A plot of a report, drawn as on the page, with a text about the pointed point next to it.
+// A plot in a report, drawn as in the workbench, with a text about the point under the pointer next to it.
 import {useMemo, useRef} from "preact/hooks";
 import type uPlot from "uplot";
 import {nearestPlace} from "../../../../drawing/frames.js";
@@ -12,10 +12,10 @@ import {type Lines, Pointed} from "../pointed";
 import type {Report} from "../values";
 import {conditionsText, readingName} from "./pairs";
 
-/** Distance in pixels within which a point is pointed at. */
+/** Maximum distance from the pointer to a point that counts as pointing at it [pixels]. */
 const NEAR = 12;
 
-/** Plot with a text; `tell` returns the words about a row of the data. */
+/** Plot with a text; `tell` returns the lines about a row of the data. */
 export function PlotBox({tell, class: name = "", ...plot}: PlotProps & {tell: (row: number) => Lines; class?: string}) {
   const held = useRef<uPlot | null>(null);
   const find = (event: PointerEvent) => {
@@ -42,7 +42,7 @@ interface ErrorPlotBoxProps {
   report: Report;
   errors: ErrorPair;
   view: View;
-  /** End of a scale of errors that several plots share. */
+  /** Upper end of an error scale shared by several plots; null for an own scale. */
   most?: number | null;
   isSmall?: boolean;
 }

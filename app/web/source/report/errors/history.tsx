@@ -51,7 +51,7 @@ export function WorstSection({report}: OfReport) {
   return <TableCard what="The worst readings" heads={heads} rows={rows} text={[0, 1, 2]} />;
 }
 
-/** Shows for each step the verdict, the added cause with the reason, and the errors with its law. */
+/** Shows for each step the verdict, the added cause with its reason, and the errors with the law of the cause. */
 export function ImprovementSection({report}: OfReport) {
   const steps = list(report.steps);
   if (steps.length === 0) return <Missing what="The steps" />;

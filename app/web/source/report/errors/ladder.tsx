@@ -1,4 +1,4 @@
-// The error of each model over the noise floor; the models as a table, and the steps of the tool that enter with each.
+// The error of each model above the noise floor: as bars, as a table, and as the numbers of tool steps that enter.
 import {errorUnit} from "../../../../drawing/error_budget.js";
 import {comparedModels, errorOf, LADDER_WORDS} from "../../../../drawing/ladder.js";
 import {isNumber, percent, plural, pValue, short, whole} from "../../../../drawing/numbers.js";
@@ -52,12 +52,12 @@ export function ModelsSection({report}: OfReport) {
 
 const numberOf = (value: unknown, write: (value: unknown) => string) => (isNumber(value) ? write(value) : null);
 
-/** Returns the headings of `modelCells`. */
+/** Returns the column headings for `modelCells`. */
 export function modelHeads(unit: string): string[] {
   return ["model", `error, ${unit}`, `held-out, ${unit}`, "chi-square per degree of freedom", "p"];
 }
 
-/** Returns a model's name and errors. */
+/** Returns the name and the errors of a model as table cells. */
 export function modelCells(model: Report): (string | null)[] {
   return [
     textOf(model.name, textOf(model.model, textOf(model.cell))),
@@ -68,7 +68,7 @@ export function modelCells(model: Report): (string | null)[] {
   ];
 }
 
-/** Returns the models that were scored, all with the same tool. */
+/** Returns the names and step counts of the models that were scored, all with the same tool. */
 function stepRows(report: Report): {name: string; counts: number[]}[] {
   const models = list(report.models),
     count = models.find((model) => Array.isArray(model.steps))?.steps.length;

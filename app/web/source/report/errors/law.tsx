@@ -1,4 +1,5 @@
-// The errors as errors of a cause's quantity, against the variable of its law, with the law as a line.
+// The errors expressed as errors of the quantity on which a cause acts, plotted against the variable of its law, with
+// the law as a line.
 import {useMemo} from "preact/hooks";
 import {explanationTitle} from "../../../../drawing/explanations.js";
 import {multiplesOf, loudest, multiplesScale} from "../../../../drawing/joint_multiples.js";
@@ -68,7 +69,7 @@ function LawLegend({errors, hasLaw}: {errors: ErrorPair; hasLaw: boolean}) {
   );
 }
 
-/** Shows the errors of each joint against its angle, its direction, its moment and the load. */
+/** Shows the errors of each joint against its angle, its direction of motion, its moment and the load. */
 export function JointsSection({report}: OfReport) {
   const {errors, multiples} = useMemo(() => {
     const {pairs, axes} = errorsOf(report),

@@ -1,5 +1,5 @@
-// The error at every reading's place as an arrow, seen from above and from the side; and against all variables of the
-// readings.
+// The error at the position of every reading as an arrow, seen from above and from the side; and the errors plotted
+// against all variables of the readings.
 import {useSignal} from "@preact/signals";
 import {useMemo, useRef} from "preact/hooks";
 import {nearestPlace} from "../../../../drawing/frames.js";
@@ -19,7 +19,7 @@ import {lengthText, lengthUnit, type Report} from "../values";
 import {ErrorPlotBox} from "./error_plot_box";
 import {conditionsText, errorsOf, readingName, rootMeanSquare, sizeOf} from "./pairs";
 
-/** Planes that a page has room for: seen from above and from one side. */
+/** The two planes that fit on a page: seen from above and from one side. */
 const VIEWS = PLANES.slice(0, 2);
 
 export function MapsSection({report}: OfReport) {
@@ -47,7 +47,7 @@ interface ArrowMapProps {
   report: Report;
   errors: ErrorPair;
   view: Plane;
-  /** Index of the series drawn. */
+  /** Index of the only series drawn. */
   only: number;
 }
 
@@ -89,8 +89,8 @@ function tellErrors(report: Report, errors: ErrorPair, index: number): Lines {
 }
 
 /**
- * Variables that the errors are not drawn against here: quantities that follow from the joints, and the places, which
- * have their own maps.
+ * Kinds of variables that are omitted here: quantities that follow from the joints, and positions, which have separate
+ * maps.
  */
 const ELSEWHERE = ["moment", "position", "set-up", "point", "order"];
 

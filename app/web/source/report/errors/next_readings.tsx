@@ -1,4 +1,4 @@
-// The next readings, which would distinguish open explanations, and warnings about effects.
+// The proposed next readings, which would distinguish open explanations, and warnings about effects.
 import {PAIR_HEADS, pairCells, senseArrow, separations} from "../../../../drawing/conditions.js";
 import {short} from "../../../../drawing/numbers.js";
 import {Chance} from "../../error/ranking_table";
@@ -40,14 +40,15 @@ export function NextReadingsSection({report}: OfReport) {
   );
 }
 
-/** Returns the quantities of a reading to write down, from the document. */
+/** Returns the quantities to be measured and written down for a reading. */
 function toFill(reading: Report): string[] {
   const fill = object(reading.fill_in) ?? {};
   return [...textList(fill.columns), ...textList(fill.optional)];
 }
 
 /**
- * Shows joints with an arrow for the required sense of arrival, and the separation as a bar relative to the largest.
+ * Shows the proposed readings: joint values with an arrow for the required sense of arrival, and the separation as a
+ * bar relative to the largest separation.
  */
 function NextReadings({next}: {next: Report[]}) {
   const joints = Object.keys(object(next[0].posture) ?? {}),

@@ -1,4 +1,4 @@
-// The readings of a report about errors, and the pairs of series, before and after, that show them.
+// The readings of a report about errors, and the pairs of error series, before and after.
 import {conditionsOf} from "../../../../drawing/conditions.js";
 import {partsOf} from "../../../../drawing/error_parts.js";
 import {explanationsOf, isEnough} from "../../../../drawing/explanations.js";
@@ -28,10 +28,11 @@ export function reportExplanations(report: Report): (Pick<Explanation, "effects"
 
 interface ErrorsOfReport {
   /**
-   * Errors before and after: for a diagnosis by each remaining explanation, best first; for a comparison by its refit.
+   * Errors before and after: for a diagnosis with each remaining explanation, best first; for a comparison with its
+   * refit.
    */
   pairs: ErrorPair[];
-  /** Variables that the errors can be drawn against, with their parts. */
+  /** Variables against which the errors can be plotted, and parts of the errors. */
   axes: ReturnType<typeof errorAxesOf>;
 }
 
@@ -79,8 +80,8 @@ function errorAxesOf(report: Report, {readings, places}: ErrorPair) {
 }
 
 /**
- * Returns the view of an explanation's law; for an unexplained error the view of the variable that it follows, else of
- * the pattern found.
+ * Returns the view of the error plot for an explanation's law. For an unexplained error, returns the view of the
+ * variable that the residual follows, else of the pattern found; null if there is none.
  */
 export function lawViewOf(report: Report, pair: ErrorPair, axes: ReturnType<typeof errorAxesOf>): View | null {
   const {variables, parts} = axes;
@@ -91,7 +92,7 @@ export function lawViewOf(report: Report, pair: ErrorPair, axes: ReturnType<type
   );
 }
 
-/** Returns the findings of the pattern search, the most significant first. */
+/** Returns the findings of the pattern search, most significant first. */
 function foundPatterns(report: Report): Report[] {
   const findings = list(report.tested).filter(({finding}) => finding === true);
   return list(report.patterns).length > 0 ? list(report.patterns) : findings.sort((a, b) => a.p_value - b.p_value);
@@ -111,7 +112,7 @@ export function readingName(reading: Report | undefined): string {
   return `reading ${textOf(reading?.id)}`;
 }
 
-/** Returns "theta1 −53.1, theta2 75.7; load 20 lbf". */
+/** Returns a text such as "theta1 −53.1, theta2 75.7; load 20 lbf". */
 export function conditionsText(report: Report, reading: Report): string {
   const joints = jointNames(report, reading),
     rows = conditionsOf(reading, joints, object(report.units) ?? {});
@@ -120,7 +121,7 @@ export function conditionsText(report: Report, reading: Report): string {
   return [ofJoints.join(", "), ...others].filter((text) => text).join("; ");
 }
 
-/** Returns the joints, numbered if the page does not have their names. */
+/** Returns the names of the joints; numbers if the report does not contain names. */
 function jointNames(report: Report, reading: Report) {
   const given = list(report.joints);
   return (Array.isArray(reading.joints) ? reading.joints : []).map((_: unknown, i: number) => ({

@@ -1,4 +1,4 @@
-// Every tried effect, most probable first; explanations side by side; and effects that could remain undetected.
+// Every tried effect, most probable first; explanations side by side; and effects that could go undetected.
 import {errorUnit} from "../../../../drawing/error_budget.js";
 import {explanationTitle, isEnough, plainName, sizeText} from "../../../../drawing/explanations.js";
 import {plural, pValue, short, whole} from "../../../../drawing/numbers.js";
@@ -53,7 +53,7 @@ function rankingLead(report: Report): string {
 // ---- explanations side by side
 
 const MOST_DIFFERING = 6;
-/** Share of the noise within which explanations count as equal at these readings. */
+/** Fraction of the noise below which the predictions of two explanations count as equal. */
 const SAME_SHARE = 0.01;
 
 export function AlternativesSection({report}: OfReport) {
@@ -88,8 +88,8 @@ export function AlternativesSection({report}: OfReport) {
 }
 
 /**
- * Shows the readings at which an explanation differs from the first in its prediction, each fitted with all free
- * numbers.
+ * Shows the readings at which the predictions of an explanation and of the first explanation differ most, each fitted
+ * with all free parameters.
  */
 function Differences({report, index}: {index: number} & OfReport) {
   const differences = list(report.readings)
@@ -169,7 +169,7 @@ function NoneOf({given, what, none}: {given: unknown; what: string; none: string
   return Array.isArray(given) ? <p class="note">{none}</p> : <Missing what={what} />;
 }
 
-/** Shows one row for each effect's number, with all places. */
+/** Shows a row for each parameter of an effect, with all places of the effect. */
 function DetectableTable({detectable}: {detectable: Report[]}) {
   const groups = new Map<string, Report[]>();
   for (const entry of detectable) {

@@ -1,4 +1,4 @@
-// Number of the tool's steps that enter each tube, without compensation and with it. The report contains the words.
+// Number of tool steps that enter each tube, without compensation and with it. The texts come from the report.
 import {isNumber, probability, short} from "../../../../drawing/numbers.js";
 import {stepCountOf, stepsAtError, stepText} from "../../../../drawing/steps.js";
 import {visitText} from "../../../../drawing/visits.js";
@@ -8,7 +8,7 @@ export interface Mode {
   key: string;
   name: string;
   brief: string;
-  /** Number of steps that enter at a tube; null if unknown. */
+  /** Returns the number of steps that enter a tube; null if unknown. */
   caseOf: (tube: Report) => number | null;
 }
 
@@ -22,7 +22,10 @@ export function modesOf(report: Report): Mode[] {
   }));
 }
 
-/** Returns the plan's own expectation: its stated number, else the most probable one, else by the predicted error. */
+/**
+ * Returns the prediction of the plan as a mode: the stated number of steps, else the most probable number, else the
+ * number at the predicted error.
+ */
 export function predictedMode(report: Report): Mode {
   const caseOf = (tube: Report) => {
     if (tube.probability_by_steps === null) return null;
@@ -33,31 +36,36 @@ export function predictedMode(report: Report): Mode {
   return {key: "predicted", name: "as predicted", brief: "predicted", caseOf};
 }
 
-/** Returns the modes in which any tube is scored. */
+/** Returns the modes in which at least one tube is scored. */
 export function scoredModes(report: Report): Mode[] {
   return modesOf(report).filter((mode) => list(report.tubes).some((tube) => mode.caseOf(tube) !== null));
 }
 
-/** Returns the number of steps that enter at a centring error, by the tool's tolerances; null if unknown. */
+/**
+ * Returns the number of steps that enter at a centring error, from the tolerances of the tool's steps; null if unknown.
+ */
 function knownSteps(error: unknown, steps: unknown): number | null {
   const tolerances = list(steps).map((step) => step.tolerance);
   if (!isNumber(error) || tolerances.length === 0 || !tolerances.every(isNumber)) return null;
   return stepsAtError(error, tolerances);
 }
 
-/** Returns a tube's number of steps in one mode against the true arm; null if it was not scored. */
+/** Returns the number of steps that enter a tube in one mode against the true arm; null if the tube was not scored. */
 function scoredCase(tube: Report, mode: string, steps: unknown): number | null {
   const score = object(tube[mode]);
   if (!score) return null;
   return Number.isInteger(score.steps) ? Math.max(0, score.steps) : knownSteps(score.error, steps);
 }
 
-/** Returns the probabilities of 0, 1, ..., all steps at a tube; null if the report has none. */
+/** Returns the probabilities that 0, 1, ..., all steps enter a tube; null if the report has none. */
 export function chancesOf(tube: Report, report: Report): number[] | null {
   return numbers(tube.probability_by_steps, stepCountOf(report) + 1);
 }
 
-/** Returns tubes by number of steps in one mode: from `counts` if given, else counted; null if nothing was scored. */
+/**
+ * Returns the number of tubes that 0, 1, ..., all steps enter in one mode: from `counts` in the report, otherwise
+ * counted; null if nothing was scored.
+ */
 export function countsOf(report: Report, mode: string): number[] | null {
   const all = stepCountOf(report),
     given = numbers(object(report.counts)?.[mode], all + 1);
@@ -66,7 +74,10 @@ export function countsOf(report: Report, mode: string): number[] | null {
   return Array.from({length: all + 1}, (_, steps) => cases.filter((value) => value === steps).length);
 }
 
-/** Returns "against the true arm all three steps enter in 41 of 60 tubes with via-point compensation, 0 without". */
+/**
+ * Returns a text such as "against the true arm all three steps enter in 41 of 60 tubes with via-point compensation, 0
+ * without"; null if unknown.
+ */
 export function wholeToolText(report: Report): string | null {
   const after = countsOf(report, "via_point"),
     before = countsOf(report, "none");
@@ -85,7 +96,7 @@ export interface CentringError {
   error: number;
 }
 
-/** Returns the scored errors of one mode. */
+/** Returns the centring errors of the tubes scored in one mode. */
 export function errorsOf(report: Report, mode: string): CentringError[] {
   return list(report.tubes).flatMap((tube) => {
     const {dx, dy, error} = object(tube[mode]) ?? {};
@@ -98,13 +109,13 @@ export function largestError(errors: readonly CentringError[]): number {
   return errors.reduce((most, {dx, dy}) => Math.max(most, Math.hypot(dx, dy)), 0);
 }
 
-/** Returns "visit 7 of 60": the tubes are listed in visiting order. */
+/** Returns a text such as "visit 7 of 60"; the tubes are listed in visiting order. */
 export function visitOf(report: Report, tube: Report): string {
   const tubes = list(report.tubes);
   return visitText(tubes.indexOf(tube), tubes.length);
 }
 
-/** Returns a function that describes a hole of a mode's picture, by row and column. */
+/** Returns a function that describes the hole at a row and column for the picture of a mode. */
 export function holeTeller(report: Report, mode: Mode): (row: number, column: number) => string[] {
   const byName = (tubes: Report[]) => new Map(tubes.map((tube) => [`${tube.row} ${tube.column}`, tube]));
   const tubes = byName(list(report.tubes)),

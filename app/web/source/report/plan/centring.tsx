@@ -1,4 +1,4 @@
-// The centring errors: as arrows on the sheet, with their scale, and as landing points in one hole.
+// The centring errors: as arrows on the sheet, with an arrow scale, and as landing points about the centre of a hole.
 import {useCallback, useMemo} from "preact/hooks";
 import {UNSCORED} from "../../../../drawing/kinds.js";
 import {exact, isNumber, plural, short, whole} from "../../../../drawing/numbers.js";
@@ -11,14 +11,14 @@ import {lengthUnit, list, object, tubeName} from "../values";
 import {type CentringError, errorsOf, holeTeller, largestError, type Mode, modesOf} from "./cases";
 import {type Painter, paintArrow, paintMarks, type Place, readSheet, SheetBox} from "./sheet_box";
 
-/** Mark at an arrow's place. */
+/** Mark at the start of an arrow. */
 const PLACE: Mark = {shape: "disc", colour: "muted"};
-/** Length of the longest arrow, as a share of the sheet's width. */
+/** Length of the longest arrow, relative to the sheet's width. */
 const ARROW_SHARE = 0.06;
 
 const widthOf = ({plate}: SheetModel) => plate.right - plate.left;
 
-/** Returns the magnification of errors relative to the sheet, so that the longest arrow has a suitable length. */
+/** Returns the magnification of errors for which the longest arrow has a suitable length on the sheet. */
 export function magnificationFor(largest: number, sheet: SheetModel): number {
   return largest > 0 ? roundDown125((ARROW_SHARE * widthOf(sheet)) / largest) : 1;
 }
@@ -70,7 +70,10 @@ function PredictedError({report}: OfReport) {
   );
 }
 
-/** Map of arrows; it shares the scale of the previous map unless its arrows would be too short to see. */
+/**
+ * Map of the centring errors as arrows. `shared` is the magnification of the previous map, which is used unless the
+ * arrows would be too short to see; null for none.
+ */
 function ArrowMap({report, sheet, mode, shared}: {sheet: SheetModel; mode: Mode; shared: number | null} & OfReport) {
   const unit = lengthUnit(report),
     isBefore = mode.key === "none";
@@ -107,7 +110,7 @@ function ArrowMap({report, sheet, mode, shared}: {sheet: SheetModel; mode: Mode;
   );
 }
 
-/** Paints an arrow of round length in a corner, with the error that it represents. */
+/** Paints an arrow of round length in a corner, labelled with the error that it represents. */
 export function paintArrowScale(painter: Painter, sheet: SheetModel, factor: number, unit: string): void {
   const {context, size, scale, colours} = painter;
   const length = roundDown125((ARROW_SHARE * widthOf(sheet)) / factor),
@@ -167,7 +170,8 @@ function LandingTarget({report, mode}: {mode: Mode} & OfReport) {
 }
 
 /**
- * Returns the error at the rim: all rings with some margin, and the errors if they are not far beyond the largest ring.
+ * Returns the error at the rim of the target: all rings with some margin, and all errors unless they are far beyond the
+ * largest ring.
  */
 function targetReach(tolerances: readonly number[], largest: number): number {
   if (tolerances.length === 0) return largest > 0 ? 1.1 * largest : 1;
@@ -175,7 +179,7 @@ function targetReach(tolerances: readonly number[], largest: number): number {
   return Math.max(1.25 * ring, Math.min(1.1 * largest, 3 * ring));
 }
 
-/** Landing points in the same view as the sheet; a point beyond the rim is drawn on it. */
+/** Landing point of one tube, seen from the same side as the sheet. A point beyond the rim is drawn on the rim. */
 function Landing({report, mode, entry, reach}: {mode: Mode; entry: CentringError; reach: number} & OfReport) {
   const {tube, dx, dy, error} = entry,
     steps = mode.caseOf(tube);

@@ -1,4 +1,4 @@
-// The steps that enter, the clearance of the tour, and its duration.
+// The number of tool steps that enter, the clearance of the tour, and the duration of the tour.
 import {useMemo} from "preact/hooks";
 import uPlot from "uplot";
 import {duration, exact, fixed, isNumber, percent, plural, short, whole} from "../../../../drawing/numbers.js";
@@ -57,7 +57,10 @@ function StepTable({report, rows}: {rows: readonly {name: string; counts: number
   return <Table heads={["", ...heads, "of"]} rows={cells} />;
 }
 
-/** Returns the centring errors of a case: above the first tolerance, or up to the step's own. */
+/**
+ * Returns the range of centring errors of a case: above the first tolerance if no step enters, otherwise up to the
+ * tolerance of the last step that enters.
+ */
 function errorRange(tolerances: readonly number[], steps: number): string {
   if (steps > tolerances.length || tolerances.length === 0) return "";
   return steps === 0 ? `> ${exact(tolerances[0])}` : `≤ ${exact(tolerances[steps - 1])}`;
@@ -141,7 +144,7 @@ function makeClearance(report: Report, curve: readonly [number, number][], colou
   return {options, data};
 }
 
-/** Paints a triangle under the least sample, and its figure. */
+/** Paints a triangle below the smallest sample, with its value. */
 function paintLeast(plot: uPlot, least: readonly [number, number], words: string, colours: Palette): void {
   const [x, y] = [plot.valToPos(least[0], "x", true), plot.valToPos(least[1], "y", true)],
     r = 5 * uPlot.pxRatio;

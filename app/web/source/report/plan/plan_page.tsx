@@ -1,4 +1,4 @@
-// The page of a plan.
+// The report page of a plan.
 import {duration, isNumber, plural, short, whole} from "../../../../drawing/numbers.js";
 import {MARKED} from "../../../../drawing/sigma_text.js";
 import {type PageKind, Summary} from "../page";
@@ -37,7 +37,9 @@ export const PLAN_PAGE: PageKind = {
   ],
 };
 
-/** Returns "60 tubes visited in 9 min 12 s of travel; against the true arm ...; least clearance 0.25 in." */
+/**
+ * Returns a text such as "60 tubes visited in 9 min 12 s of travel; against the true arm ...; least clearance 0.25 in."
+ */
 function headSentence(report: Report): string {
   const time = object(report.times)?.travel_time_s,
     {tubes, unreachable, min_clearance: least} = report;
@@ -51,7 +53,7 @@ function headSentence(report: Report): string {
   return parts.length === 0 ? "No results are recorded." : `${parts.join("; ")}.`;
 }
 
-/** Maximum length of a fact in the summary's grid; a longer one is a sentence of its own. */
+/** Maximum length of a fact in the summary grid [characters]; a longer fact becomes a separate sentence. */
 const LONGEST_FACT = 60;
 
 function Head({report}: OfReport) {
@@ -90,7 +92,7 @@ function Head({report}: OfReport) {
   );
 }
 
-/** Base for which the plan is proved and steps are stated. */
+/** Base for which the plan is proved and the numbers of steps are stated. */
 function Standing({report}: OfReport) {
   const {placed, words} = object(report.base) ?? {};
   if (textOf(words, "") === "") return null;

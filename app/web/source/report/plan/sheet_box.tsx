@@ -1,4 +1,4 @@
-// The sheet of a report: the workbench's picture within a text, with a section's paintings over its holes.
+// The sheet in a report: the workbench's sheet picture within a text, with paintings of a section over the holes.
 import {useCallback, useMemo} from "preact/hooks";
 import {drawArrow} from "../../../../drawing/arrows.js";
 import {distance, toPixel, type Camera, type Size} from "../../../../drawing/frames.js";
@@ -19,7 +19,7 @@ const signOf = (report: Report) => (object(report.sheet)?.viewed_from === "above
 
 const known = new WeakMap<Report, SheetModel | null>();
 
-/** Returns the sheet's model, computed once for all sections; null without holes. */
+/** Returns the model of the sheet, computed once for all sections; null if the report lists no holes. */
 export function readSheet(report: Report): SheetModel | null {
   const made = known.has(report) ? known.get(report)! : makeSheet(report);
   known.set(report, made);
@@ -58,7 +58,7 @@ function makeSheet(report: Report): SheetModel | null {
   } as Parameters<typeof makeSheetModel>[0]);
 }
 
-/** Returns the holes of each state that needs a mark. */
+/** Returns the name, mark and number of holes for each state other than open. */
 export function stateGroups(sheet: SheetModel): {name: string; mark: Mark; count: number}[] {
   const {counts} = byState(sheet);
   return sheet.states.flatMap((state, k) =>
@@ -66,7 +66,10 @@ export function stateGroups(sheet: SheetModel): {name: string; mark: Mark; count
   );
 }
 
-/** Tools of a section for painting: a place of the sheet in pixels, colours, pixels per length. */
+/**
+ * What a section needs to paint over the sheet: `at` maps a position on the sheet to pixels; `scale` is the number of
+ * pixels per unit of length.
+ */
 export interface Painter {
   context: CanvasRenderingContext2D;
   at: (place: ArrayLike<number>) => Place;
@@ -81,7 +84,7 @@ interface SheetBoxProps {
   label: string;
   tell: (row: number, column: number) => string[];
   paint: (painter: Painter) => void;
-  /** True if the holes are drawn faintly behind a section's paintings. */
+  /** True if the holes are drawn faintly behind the section's painting. */
   isFaint?: boolean;
 }
 
@@ -114,7 +117,7 @@ export function SheetBox({report, sheet, label, tell, paint, isFaint = false}: S
 const FAINT: Mark = {shape: "ring", colour: "faint"};
 const FONT = `11px ${TYPEFACE}`;
 
-/** Draws the directions of x and y in a corner that the round sheet leaves free. */
+/** Draws the x and y axes in a corner that the round sheet leaves free. */
 function drawAxes(context: CanvasRenderingContext2D, sign: number, size: Size, colours: Palette): void {
   const x = size.width - 24 - (sign > 0 ? 26 : 0),
     y = size.height - 24;
@@ -129,7 +132,7 @@ function drawAxes(context: CanvasRenderingContext2D, sign: number, size: Size, c
   context.fillText("y", x + 9 * sign, y - 14);
 }
 
-/** Paints marks of one kind at places of the sheet. */
+/** Paints equal marks at positions on the sheet. */
 export function paintMarks(
   {context, at, colours}: Painter,
   mark: Mark,
@@ -140,14 +143,14 @@ export function paintMarks(
   for (const place of places) drawMark(context, mark.shape, ...at(place), radius);
 }
 
-/** Marks of one kind with their name and places. */
+/** Equal marks with their name and positions. */
 export interface MarkGroup {
   mark: Mark;
   name: string;
   places: Place[];
 }
 
-/** Paints all groups that are not hidden, with the largest marks that fit all of them. */
+/** Paints all groups whose names are not in `hidden`, with the largest mark size that fits all of them. */
 export function paintGroups(painter: Painter, groups: readonly MarkGroup[], hidden: ReadonlySet<string> = new Set()) {
   const radius = markRadius(
     painter,
@@ -156,7 +159,7 @@ export function paintGroups(painter: Painter, groups: readonly MarkGroup[], hidd
   for (const {mark, name, places} of groups) if (!hidden.has(name)) paintMarks(painter, mark, places, radius);
 }
 
-/** Paints an arrow between two places in pixels, in one colour. */
+/** Paints an arrow between two points in pixels, in a single colour. */
 export function paintArrow(
   context: CanvasRenderingContext2D,
   from: Place,
@@ -169,7 +172,7 @@ export function paintArrow(
   drawArrow(context, from[0], from[1], to[0] - from[0], to[1] - from[1], false, 5 + width);
 }
 
-/** Paints a few words next to a place in pixels, on a background. */
+/** Paints a short text next to a point in pixels, on a background. */
 export function paintTag({context, size, colours}: Painter, text: string, [x, y]: Place, isStrong = false): void {
   context.font = isStrong ? `bold ${FONT}` : FONT;
   const wide = context.measureText(text).width;
@@ -185,7 +188,10 @@ export function paintTag({context, size, colours}: Painter, text: string, [x, y]
   context.font = FONT;
 }
 
-/** Returns a radius in pixels for marks at these places, limited by their nearest neighbours and by `largest`. */
+/**
+ * Returns a radius in pixels for marks at these positions, limited by the distance of nearest neighbours and by
+ * `largest`.
+ */
 export function markRadius({at}: Painter, places: readonly Place[], largest = 5.5): number {
   if (places.length < 2) return largest;
   const sorted = places.map(at).sort((a, b) => a[0] - b[0]);
@@ -193,7 +199,10 @@ export function markRadius({at}: Painter, places: readonly Place[], largest = 5.
   return Math.max(1.6, Math.min(largest, 0.46 * nearest[Math.floor(0.1 * nearest.length)]));
 }
 
-/** Returns the distance to the nearest other place, or `limit` if none is nearer; places are sorted by x. */
+/**
+ * Returns the distance from position `index` to its nearest neighbour, or `limit` if none is nearer; positions are
+ * sorted by x.
+ */
 function nearestDistance(sorted: readonly Place[], index: number, limit: number): number {
   let best = limit;
   for (const step of [-1, 1])

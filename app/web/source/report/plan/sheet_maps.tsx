@@ -1,4 +1,5 @@
-// The sheet before and after compensation, every visited tube by its case; the tubes that cannot be visited.
+// The sheet before and after compensation: every visited tube with its number of steps that enter, and the tubes that
+// cannot be visited.
 import {useSignal} from "@preact/signals";
 import {useCallback, useMemo} from "preact/hooks";
 import {stateMark, UNREACHABLE, UNSCORED} from "../../../../drawing/kinds.js";
@@ -40,7 +41,10 @@ export function SheetSection({report}: OfReport) {
   );
 }
 
-/** Returns the groups of marks that a map shows. */
+/**
+ * Returns the groups of marks that a map shows: tubes by the number of steps that enter, unreachable tubes, and tubes
+ * that are not scored.
+ */
 function groupsOf(report: Report, mode: Mode): MarkGroup[] {
   const placed = (tubes: unknown) => list(tubes).filter(({x, y}) => isNumber(x) && isNumber(y));
   const group = ({mark, name}: {mark: Mark; name: string}, tubes: Report[]): MarkGroup => ({
@@ -64,7 +68,7 @@ interface SheetMapProps {
   modes: readonly Mode[];
 }
 
-/** Map with its heading, a choice of mode if there are several, and a legend with current counts. */
+/** Map with a heading, a choice of mode if there are several, and a legend with the counts of the chosen mode. */
 function SheetMap({report, sheet, heading, modes}: SheetMapProps) {
   const chosen = useSignal(modes[0].key),
     hidden = useSignal<ReadonlySet<string>>(new Set());
@@ -110,7 +114,7 @@ function SheetMap({report, sheet, heading, modes}: SheetMapProps) {
   );
 }
 
-/** Holes that are not on the list, and those of each state. */
+/** Legend of the holes that are not on the list, and of the holes in each state. */
 function OtherHoles({report, sheet}: {sheet: SheetModel} & OfReport) {
   const listed = list(report.tubes).length + list(report.unreachable).length;
   const open = {mark: stateMark("open") as Mark, name: "not on the list", count: Math.max(0, sheet.count - listed)};
@@ -125,7 +129,7 @@ function OtherHoles({report, sheet}: {sheet: SheetModel} & OfReport) {
   );
 }
 
-/** Tubes that cannot be visited, by reason; long lists are folded. */
+/** Tubes that cannot be visited, grouped by reason; long lists are folded. */
 function Unreachable({report}: OfReport) {
   const tubes = list(report.unreachable);
   if (!Array.isArray(report.unreachable)) return <Missing what="Tubes that cannot be visited" />;

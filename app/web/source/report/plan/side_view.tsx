@@ -62,7 +62,7 @@ export function SideViewSection({report}: OfReport) {
   );
 }
 
-/** Displacement of the tip, from the last points of the two chains. */
+/** Displacement of the tip: the difference of the last points of the rigid and the deflected chain. */
 function Deflection({view, factor, unit}: {view: Report; factor: number; unit: string}) {
   const rigid = points(view.rigid).at(-1),
     flexible = points(view.flexible).at(-1);
@@ -83,7 +83,7 @@ function Deflection({view, factor, unit}: {view: Report; factor: number; unit: s
   );
 }
 
-/** Returns the deflected chain with its deflection magnified. */
+/** Returns the deflected chain with its deflection multiplied by `factor`. */
 function magnified(view: Report, factor: number): Point[] {
   const rigid = points(view.rigid),
     flexible = points(view.flexible);
@@ -93,7 +93,8 @@ function magnified(view: Report, factor: number): Point[] {
 }
 
 /**
- * Returns the circle in which the arm's plane cuts the bowl, a sphere about the sheet's centre; null if it is unknown.
+ * Returns the circle in which the arm's plane intersects the bowl, a sphere about the sheet's centre; null if the bowl
+ * is unknown or not intersected.
  */
 function bowlOf(report: Report, view: Report): {center: Point; radius: number} | null {
   const aside = isNumber(view.centre_aside) ? view.centre_aside : 0;
@@ -105,7 +106,7 @@ function bowlOf(report: Report, view: Report): {center: Point; radius: number} |
 const WIDTH = 1000,
   TALLEST = 460;
 
-/** Returns the corners of the box about a capsule. */
+/** Returns the corners of the bounding box of a capsule. */
 function boxOf({from, to, radius}: Report): Point[] {
   return [from, to].flatMap(([r, z]: Point): Point[] => [-radius, radius].map((far) => [r + far, z + far]));
 }
@@ -164,7 +165,7 @@ function SideView({report, view, factor}: {view: Report; factor: number} & OfRep
   );
 }
 
-/** Arm as a line with its joints, a diamond at its tip. */
+/** Arm as a line with its joints, and a diamond at its tip. */
 function Chain({places, kind, colour}: {places: Point[]; kind: string; colour: ColourName}) {
   if (places.length < 2) return null;
   const [x, y] = places.at(-1)!;

@@ -18,7 +18,7 @@ export function TouchesSection({report}: OfReport) {
     distances = list(report.distances),
     calibration = object(report.calibration);
   if (touches.length === 0 && distances.length === 0 && !calibration) return <Missing what="The calibration touches" />;
-  // The report stores other results of the fit next to the touches.
+  // The report stores other results of the fit separately from the touches.
   const document = {residuals: touches, distances, sigma: calibration?.base_sigma, ...calibration} as CalibrateDocument;
   const placed = touches.filter(({x, y}) => isNumber(x) && isNumber(y));
   return (
@@ -104,7 +104,7 @@ function paintTriangle({context, at, colours}: Painter, places: readonly [number
   context.setLineDash([]);
 }
 
-/** Fit in words: its misfit, and the program's verdict. */
+/** Quality of the fit in words: its chi-square, and the program's verdict. */
 function FitWords({report, calibration}: {calibration: Report} & OfReport) {
   const {rms, chi2, degrees_of_freedom: freedom, p_value, verdict, verdict_words: words} = calibration;
   return (

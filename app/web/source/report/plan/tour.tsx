@@ -1,4 +1,4 @@
-// The tip's trace in the order of visiting, with a slider along it.
+// The path of the tip in the order of visiting, with a slider along it.
 import {useSignal} from "@preact/signals";
 import {useCallback, useEffect, useMemo} from "preact/hooks";
 import {distance} from "../../../../drawing/frames.js";
@@ -10,7 +10,7 @@ import {list, points, type Report, tubeName} from "../values";
 import {holeTeller, modesOf, predictedMode, visitOf} from "./cases";
 import {markRadius, type Painter, paintArrow, paintMarks, paintTag, type Place, readSheet, SheetBox} from "./sheet_box";
 
-/** Trace with the path length at each point, and the point at which each tube is reached. */
+/** Trace of the tip with the path length at each point, and the index of the point at which each tube is reached. */
 interface Tour {
   trace: Place[];
   lengths: number[];
@@ -82,7 +82,7 @@ function TourMap({report, sheet}: {sheet: SheetModel} & OfReport) {
   );
 }
 
-/** Slider along the tour, with a button that moves it. */
+/** Slider along the tour, with a button that moves it; `part` is the fraction of the tour's length. */
 function Walk({part, onMove}: {part: number; onMove: (part: number) => void}) {
   const isPlaying = useSignal(false);
   useEffect(() => {
@@ -113,7 +113,7 @@ function Walk({part, onMove}: {part: number; onMove: (part: number) => void}) {
   );
 }
 
-/** Returns the place at a part (0 to 1) of the tour's length and the last tube reached there. */
+/** Returns the position at a fraction `part` (0 to 1) of the tour's length, and the last tube reached there. */
 function placeAlong({trace, lengths, total, stops}: Tour, part: number): {place: Place; reached: Report | null} {
   const run = part * total;
   const found = lengths.findIndex((length, i) => i > 0 && length >= run),
@@ -125,7 +125,7 @@ function placeAlong({trace, lengths, total, stops}: Tour, part: number): {place:
   return {place: [x, y], reached: reached?.tube ?? null};
 }
 
-/** Distance between two arrow heads on the trace, in pixels. */
+/** Distance between arrow heads on the trace [pixels]. */
 const BETWEEN_HEADS = 70;
 
 function paintTrace(painter: Painter, {trace, lengths, total}: Tour): void {
@@ -147,7 +147,8 @@ function paintTrace(painter: Painter, {trace, lengths, total}: Tour): void {
 }
 
 /**
- * Returns a colour from blue to orange through a light or dark grey-violet, whose ends colour-blind eyes distinguish.
+ * Returns a colour from blue to orange through a light or dark grey-violet; its ends are distinguishable with colour
+ * blindness.
  */
 function tourColour(part: number): string {
   const stops = [
@@ -160,7 +161,7 @@ function tourColour(part: number): string {
   return `rgb(${stops[k].map((value, i) => Math.round(value + share * (stops[k + 1][i] - value))).join(",")})`;
 }
 
-/** Paints a dot at each tube, with order numbers at the first, the last and every few between. */
+/** Paints a dot at each tube, with visit numbers at the first tube, the last tube and every few tubes between. */
 function paintStops(painter: Painter, report: Report): void {
   const places = placed(report).map(({x, y}): Place => [x, y]),
     last = places.length - 1;

@@ -1,5 +1,5 @@
-// Every visited tube's figures, and the work list: the tubes in visiting order as a sheet of paper to tick off at the
-// arm. Both are made only on request.
+// The results of all visited tubes, and the work list: the tubes in visiting order as a sheet of paper to tick off at
+// the arm. Both are rendered only on request.
 import {useSignal} from "@preact/signals";
 import {useRef} from "preact/hooks";
 import {render} from "preact";
@@ -48,7 +48,7 @@ function TubeTable({report}: OfReport) {
   return <Table heads={heads} rows={rows} text={[1]} />;
 }
 
-/** Centring error and the steps that enter, in one cell. */
+/** Table cell with the centring error and the number of steps that enter. */
 function Score({report, tube, mode}: {tube: Report; mode: Mode} & OfReport) {
   const steps = mode.caseOf(tube);
   if (steps === null) return <>–</>;
@@ -67,7 +67,7 @@ export function WorkListSection({report}: OfReport) {
     place = useRef<HTMLDivElement>(null);
   const count = list(report.tubes).length;
   if (count === 0) return <Missing what="The work list" />;
-  // Renders at once, because the printer prints the present content.
+  // Renders synchronously, because the printer prints the present content.
   const show = () => render(<WorkList report={report} />, place.current!);
   const prepare = () => {
     show();
@@ -85,7 +85,7 @@ export function WorkListSection({report}: OfReport) {
 }
 
 /**
- * List in which every line names leg, row and column; tubes that cannot be visited are at its end with their reason.
+ * Work list with leg, row and column in every line. Tubes that cannot be visited follow at the end, with the reason.
  */
 function WorkList({report}: OfReport) {
   const sheet = object(report.sheet) ?? {},
