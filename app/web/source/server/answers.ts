@@ -1,4 +1,4 @@
-// Documents that are requested from the program again whenever their inputs change.
+// Documents that are requested again from the program whenever their inputs change.
 import {computed, effect, signal, useSignal, type ReadonlySignal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
 import type {Problem} from "./documents";
@@ -13,8 +13,8 @@ const NOTHING: Loaded<never> = {document: null, problem: null};
 
 interface Question {
   /**
-   * Key of the document's inputs: another key requests another document; "": there is none; null: the view is closed,
-   * and the known document stays.
+   * Key of the document's inputs; a new key requests the document again. "": there is no document; null: the view is
+   * closed, and the known document is kept.
    */
   key: () => string | null;
   path: () => string;
@@ -23,7 +23,7 @@ interface Question {
   onProblem?: (error: unknown) => void;
 }
 
-/** Returns the answer to a question; a missing document counts as none. */
+/** Returns the answer to a question as a signal. If the server has no such document, the answer is empty. */
 export function answerTo<T>({key, path, keeps = false, onProblem}: Question): ReadonlySignal<Loaded<T>> {
   const into = signal<Loaded<T>>(NOTHING),
     wantedKey = computed(key);
@@ -51,7 +51,7 @@ export function answerTo<T>({key, path, keeps = false, onProblem}: Question): Re
   return into;
 }
 
-/** Returns the document at an address, for the lifetime of a component; none without an address. */
+/** Returns the document at an address during the lifetime of a component; empty for an empty address. */
 export function useAnswer<T>(path: string): Loaded<T> {
   const into = useSignal<Loaded<T>>(NOTHING);
   useEffect(() => {

@@ -1,4 +1,4 @@
-// Documents of touches and of the calibrated base.
+// Documents of touches and of the base calibration.
 import type {Units, Vector3} from "./common_documents";
 
 export interface TouchesDocument {
@@ -11,7 +11,7 @@ export interface TouchList {
   touches: {id: string; hole: number; name?: string; joints: number[]; simulated?: boolean}[];
 }
 
-/** Joint reading of one touch whose error `off` would explain the misfit of the touches. */
+/** Joint reading of a touch: a reading error `off` would explain the misfit of the touches. */
 export interface SuspectReading {
   touch: string;
   joint: string;
@@ -29,8 +29,8 @@ export interface TouchResidual {
 }
 
 /**
- * Document of a calibration. Refused touches have no base, sigma, covariance and nominal; too few touches, or some
- * along a line, have no residuals either.
+ * Result of a calibration. If the touches were refused, base, sigma, covariance and nominal are missing; with too few
+ * or collinear touches, the residuals are missing too.
  */
 export interface CalibrateDocument {
   status: "done" | "refused" | "not-converged";
@@ -45,7 +45,10 @@ export interface CalibrateDocument {
   residuals?: TouchResidual[];
   distances?: {from: string; to: string; by_arm: number; on_sheet: number; difference: number; sigma: number}[];
   suspects: string[];
-  /** Touch without which the others fit; like suspect_readings, absent in documents of earlier programs. */
+  /**
+   * Touch without which the others fit; null if there is none. Like suspect_readings, it is missing in projects of
+   * earlier versions.
+   */
   odd_touch?: string | null;
   suspect_readings?: SuspectReading[];
   verdict?: "adequate" | "falls-short";

@@ -9,11 +9,11 @@ export interface Units {
   force: string;
   temperature?: string;
   time?: string;
-  /** Conditions that readings may state under these names. */
+  /** Further conditions that readings may state, with their names and units. */
   conditions?: {name: string; unit: string}[];
 }
 
-/** Placement of a base; `words` continue "proved" and "steps". */
+/** How the base was placed; `words` continue a sentence that begins with "proved" or "steps". */
 export interface BaseStanding {
   status: string;
   words: string;
@@ -21,7 +21,10 @@ export interface BaseStanding {
   touches: number;
 }
 
-/** Problem with an input, in the program's words. `found` is the wrong value; without `expected`, a sentence. */
+/**
+ * Problem with an input, in the program's words. `found` is the wrong value; if `expected` is missing, `found` is a
+ * sentence.
+ */
 export interface Problem {
   where?: string;
   found?: string;

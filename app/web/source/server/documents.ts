@@ -1,4 +1,4 @@
-// Documents of the program's server, as far as the page reads them. Figures are in the cell's own units.
+// Documents of the program's server, as far as the page reads them. Quantities are in the cell's units.
 export type * from "./calibration_documents";
 export type * from "./common_documents";
 export type * from "./error_documents";

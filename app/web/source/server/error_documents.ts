@@ -1,11 +1,11 @@
-// Documents of the calibration loop: readings, their errors, missing effects, the numbers of the model.
+// Documents of the calibration loop: readings, their errors, missing effects, and model parameters.
 import type {ErrorBudget} from "../../../drawing/error_budget.js";
 import type {Units, Vector3} from "./common_documents";
 import type {EffectAt, EffectNumber} from "./state_documents";
 
-/** Common part of all documents about errors: their unit, their budget, and the readings excluded from them. */
+/** Common fields of all documents about errors: their unit, their budget, and the readings excluded from them. */
 export interface JudgedDocument {
-  /** Absent in projects of earlier programs, like the following ones. */
+  /** Missing in projects of earlier versions, like error_budget and set_aside. */
   error_unit?: string;
   error_budget?: ErrorBudget | null;
   set_aside?: string[];
@@ -19,17 +19,20 @@ export interface VerdictDocument extends JudgedDocument {
   verdict: string;
   /** Absent in projects of earlier programs. */
   verdict_words?: string;
-  /** Errors of the given model, of the refitted one, and with each explanation. */
+  /** Errors of the given model, of the refitted model, and of the model with each explanation. */
   ladder?: {name: string; rms: number | null; heldout_rms: number | null}[];
   sentence: string;
-  /** Sentences, the error first, without the advice of `splitting`; absent in projects of earlier programs. */
+  /**
+   * Sentences of the verdict, the error first, without the advice in `splitting`; missing in projects of earlier
+   * versions.
+   */
   sentences?: string[];
   chi2_per_dof: number;
   p_value: number;
   rms: Record<string, number>;
 }
 
-/** Reading with its errors. Its conditions are further keys, with the names stated in the units. */
+/** Reading with its errors. Further keys are conditions of the reading, under the names that the units state. */
 export interface ErrorReading {
   id: string;
   kind: string;
@@ -38,7 +41,7 @@ export interface ErrorReading {
   joints: number[];
   senses?: number[];
   load?: number;
-  force?: Vector3; // on the tip in addition to the load, world axes
+  force?: Vector3; // force on the tip in addition to the load, along the world axes
   sigma?: number;
   held_out?: boolean;
 }
@@ -46,7 +49,7 @@ export interface ErrorReading {
 export interface ComparedReading extends ErrorReading {
   error_before: Vector3;
   error_after: Vector3;
-  /** Sizes of those errors in their unit; an angle if the reading measures nothing else. */
+  /** Sizes of the two errors, in size_unit; angles if the reading measures only orientation. */
   size_before: number | null;
   size_after: number | null;
   size_unit: string;
@@ -56,7 +59,7 @@ export interface ComparedReading extends ErrorReading {
   position_after?: Vector3;
 }
 
-/** Test of the error's dependence on a variable, in one frame. */
+/** Test of how the error depends on a variable, in one frame. */
 export interface PatternTest {
   kind: string;
   variable: string;
@@ -104,13 +107,16 @@ export interface DiagnosedReading extends ErrorReading {
   after: Vector3 | null;
   explained: (Vector3 | null)[];
   position: Vector3;
-  /** Sizes as for a compared reading, before and with each explanation; absent in projects of earlier programs. */
+  /**
+   * Sizes of the errors as in ComparedReading, before and with each explanation; missing in projects of earlier
+   * versions.
+   */
   size_before?: number | null;
   size_explained?: (number | null)[];
   size_unit?: string;
 }
 
-/** Reading that would discriminate between explanations, with its posture, load and sense of arrival. */
+/** Proposed reading that would discriminate between explanations, with its posture, load and sense of arrival. */
 export interface NextReading {
   point?: string;
   kind?: string;
@@ -123,12 +129,12 @@ export interface NextReading {
   fill_in?: FillIn;
 }
 
-/** Columns of a run sheet to be filled in for a reading. */
+/** Columns of the run sheet to fill in for a reading. */
 export interface FillIn {
   columns: string[];
-  /** Least number of filled columns that makes it a reading. */
+  /** Minimum number of columns that must be filled in for a valid reading. */
   least: number;
-  /** Conditions that the present readings state. */
+  /** Columns of conditions, such as those stated by the present readings, which may stay empty. */
   optional: string[];
 }
 
@@ -140,7 +146,7 @@ export interface DiagnoseDocument extends VerdictDocument {
   ranking: RankedEffect[];
   readings: DiagnosedReading[];
   next_readings: NextReading[];
-  /** Proposed readings, row by row, as a measurement table with empty fields for the measured values. */
+  /** Proposed readings as a measurement table, one row each, with empty fields for the measured values. */
   run_sheet?: string;
   splitting?: {
     advice?: string;
@@ -155,9 +161,9 @@ export interface DiagnoseDocument extends VerdictDocument {
     }[];
   };
   warnings: (string | {sentence: string})[];
-  /** Meaning of the ranking's probabilities. */
+  /** Explanation of the probabilities in the ranking. */
   probability_words?: string;
-  /** Least detectable size of each effect. */
+  /** Smallest detectable size of each effect. */
   detectable?: {
     effect: string;
     at: string;
@@ -166,7 +172,7 @@ export interface DiagnoseDocument extends VerdictDocument {
     unit: string;
     beyond_plausible: boolean;
   }[];
-  /** Remaining error that no known effect explains. */
+  /** Residual error that no known effect explains, and the variables that it follows. */
   remainder?: {size: number | null; follows: {variable: string; share: number}[]};
   alternatives: EffectAt[][];
   joints: {name: string; unit: string}[];
@@ -212,8 +218,8 @@ export interface CatalogueDocument {
 }
 
 /**
- * Displacement of this arm's tip by an effect of half the usual size; without values if the effect does not move the
- * tip.
+ * Displacement of this arm's tip by an effect of half the usual size, as a function of a variable; without values if
+ * the effect does not move the tip.
  */
 export interface SignatureDocument {
   effect: string;
@@ -225,13 +231,16 @@ export interface SignatureDocument {
   shift_unit: string;
 }
 
-/** Causes that the readings can hardly distinguish. */
+/** Confounding of causes: those that the readings can hardly distinguish. */
 export interface ConfoundingDocument {
   readings: number;
   causes: {effect: string; at: string; kept: number; confounded: {effect: string; at: string; share: number}[]}[];
 }
 
-/** Leverage of joints and axes on the tip at each reading, three numbers for each name; the places of base and tool. */
+/**
+ * Leverage of joints and axes on the tip at each reading: three numbers for each name. Also the positions of base and
+ * tool.
+ */
 export interface LeverageDocument {
   units: string[];
   names: string[];
@@ -241,14 +250,14 @@ export interface LeverageDocument {
   readings: Record<string, number[]>;
 }
 
-/** Moments about the rows of the undeflected arm, by the id of the reading. */
+/** Moments about the rows of the undeflected arm, keyed by reading id. */
 export interface MomentsDocument {
   unit: string;
   names: string[];
   readings: Record<string, number[]>;
 }
 
-/** Reading as in its file, with the tip that the model predicts there. */
+/** Reading as in its file, with the tip position that the model predicts for it; null if unknown. */
 export interface MeasurementRow extends ErrorReading {
   position: Vector3 | null;
   tip: Vector3 | null;

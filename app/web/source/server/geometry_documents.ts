@@ -1,4 +1,4 @@
-// Documents of sheet, scene, postures and fields over the holes.
+// Documents of the sheet, the scene, postures, and fields over the holes.
 import type {Units, Vector2, Vector3} from "./common_documents";
 
 export interface SheetDocument {
@@ -13,8 +13,8 @@ export interface SheetDocument {
   leg: string;
   leg_words: string;
   /**
-   * Manway in the bowl, in the world; u and v: its direction from the sheet's middle in the drawing. Null if the cell
-   * states none.
+   * Manway in the bowl, in the world frame; u and v: components of its direction from the sheet's middle in the
+   * drawing. Null if the cell states none.
    */
   manway: {center: Vector3; diameter: number; u: number; v: number} | null;
   tool?: {diameters: number[]; tolerances: number[]; step_words: string[]} | null;
@@ -28,12 +28,12 @@ export interface SheetDocument {
     v: number[];
     state: number[];
     states: string[];
-    /** States of the holes in words. */
+    /** The hole states in words, in the order of `states`. */
     state_words: string[];
   };
 }
 
-/** Shape of the cell file: its kind and the fields of that kind, in the world or in its row's frame. */
+/** Shape in a cell file: its kind and the fields of that kind, in the world frame or in the frame of its row. */
 export interface SolidShape {
   kind: string;
   name: string;
@@ -101,7 +101,7 @@ export interface FieldDocument {
 }
 
 export interface InverseDocument {
-  /** found, not-found or out-of-reach. */
+  /** "found", "not-found" or "out-of-reach". */
   status: string;
   branch: number;
   joints: number[] | null;

@@ -1,5 +1,5 @@
-// Merging of jobs that arrive by events, by states and by answers over different connections: the newest state of each
-// job is kept, whichever arrived last.
+// Merging of jobs received in events, in states and in answers over different connections: the newest status of each
+// job is kept, in whichever order they arrive.
 import type {Job, WorkbenchState} from "./documents";
 
 type Jobs = ReadonlyMap<string, Job>;
@@ -10,7 +10,10 @@ export function withJob(known: Jobs, job: Job): Jobs {
   return before && before.moment > job.moment ? known : new Map(known).set(id, job);
 }
 
-/** Returns the jobs of a state, with later news of each, including jobs that the state does not have yet. */
+/**
+ * Returns the jobs of a state, each replaced by its later known status, and newer jobs that the state does not contain
+ * yet.
+ */
 export function newestJobs(known: Jobs, {jobs, moment}: Pick<WorkbenchState, "jobs" | "moment">): Jobs {
   const later = [...known.values()].filter((job) => job.moment > moment);
   return later.reduce(withJob, new Map(jobs.map((job) => [String(job.id), job])));

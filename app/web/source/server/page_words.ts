@@ -1,7 +1,8 @@
-// Translation of the program's messages from its command line to the page, on which options are fields and buttons.
+// Translation of the program's messages, worded for the command line, to the page, where options are fields and
+// buttons.
 import type {Problem} from "./documents";
 
-/** Advice that names an option, and its equivalent on the page. */
+/** Options named in advice, and the equivalent advice on the page. */
 const ADVICE: readonly (readonly [RegExp, string])[] = [
   [/--(column|units)\b/, "Choose above what each column is, and its unit."],
   [/--(dates|orientation|points|kind)\b/, "Choose it below the tables."],
@@ -13,7 +14,7 @@ const ADVICE: readonly (readonly [RegExp, string])[] = [
 
 const NAMES_A_COMMAND = /--[a-z]|`tubeplan /;
 
-/** Returns the text without what a command or a request offers as an alternative: options and addresses. */
+/** Returns the text without alternatives that exist only for commands or requests, such as options and addresses. */
 function withoutAlternatives(text: string): string {
   return text
     .replace(/ \([^()]*--[a-z][^()]*\)/g, "")
@@ -22,14 +23,14 @@ function withoutAlternatives(text: string): string {
     .replace(/[,;] (as )?(`[^`]*--[^`]*`|--[a-z]).*?(?=[,;]|: |$)/g, "");
 }
 
-/** Returns the text without such alternatives, and other options and keys of a request by their bare names. */
+/** Returns the text without such alternatives; other options and request keys are reduced to their bare names. */
 export function pageWords(text: string): string {
   return withoutAlternatives(text)
     .replace(/^request \(([\w-]+)\)/, "$1")
     .replace(/(^|[^\w-])--(?=[a-z])/g, "$1");
 }
 
-/** Returns advice in the page's words. Clauses that name a command and have no equivalent on the page are omitted. */
+/** Returns advice worded for the page. Clauses that name a command and have no equivalent on the page are omitted. */
 export function pageAdvice(text: string): string {
   const plain = withoutAlternatives(text);
   const equivalent = ADVICE.find(([option]) => option.test(plain))?.[1];
@@ -40,7 +41,7 @@ export function pageAdvice(text: string): string {
     .join("; ");
 }
 
-/** Returns the problem in the page's words; `expected` is empty unless a value is wrong. */
+/** Returns the problem worded for the page; `expected` is empty unless the problem is a wrong value. */
 export function pageProblem({where = "", found = "", expected = "", advice = "", message}: Problem): Required<Problem> {
   const [at, had, wanted, said] = [where, found, expected, message].map(pageWords);
   return {where: at, found: had, expected: wanted, message: said, advice: pageAdvice(advice)};

@@ -1,4 +1,4 @@
-// Documents of a plan, its path and its clearances.
+// Documents of a plan, of its path and of the clearances along the path.
 import type {BaseStanding, Units, Vector3} from "./common_documents";
 
 export interface PlannedTube {
@@ -26,21 +26,21 @@ export interface PlanDocument {
   min_clearance: number;
   clearance_required: number;
   tightest: string;
-  /** Motion of the tool between tubes; absent in projects of earlier programs. */
+  /** Motion of the tool between tubes; missing in projects of earlier versions. */
   travel?: {kind: string; on_line?: number; line_deviation?: number | null};
   counts?: Record<string, number[]>;
-  /** Scored ways of compensation; like step_words, absent in projects of earlier programs. */
+  /** Scored compensation modes; like step_words, missing in projects of earlier versions. */
   modes?: {name: string; words: string; brief: string}[];
-  /** Names of 0, 1, ... steps of the tool that enter. */
+  /** Names of the cases in which 0, 1, ... steps of the tool enter. */
   step_words?: string[];
-  /** Base of the plan; without its standing in projects of earlier programs. */
+  /** Base for which the plan was made; its fields are missing in projects of earlier versions. */
   base?: Partial<BaseStanding>;
   warnings?: string[];
   sentence?: string;
   units: Units;
 }
 
-/** Distances to the nearest object at some of a path's samples. */
+/** Distances to the nearest object at consecutive samples of a path, from index `from` on. */
 export interface PathClearances {
   from: number;
   samples: number;

@@ -1,7 +1,7 @@
-// Requests to the server: JSON in and out, with the program's own words for a refusal.
+// Requests to the server: JSON in and out; a refusal carries the program's message.
 import type {Problem} from "./documents";
 
-/** Refusal of the server, or its failure to answer. */
+/** Error for a refusal by the server, or for a missing answer. */
 export class ServerProblem extends Error {
   constructor(
     readonly status: number,
@@ -18,7 +18,7 @@ async function problemOf(response: Response): Promise<Problem> {
       return {message: `The server answered ${response.status}.`, ...body.error};
     }
   } catch {
-    // Without JSON only the status is known.
+    // Without a JSON body, only the status is known.
   }
   return {message: `The server answered ${response.status} ${response.statusText}.`};
 }

@@ -1,11 +1,11 @@
-// Sharing of equal parts of two answers as one object, so that observers of a part are not notified of changes
-// elsewhere.
+// Sharing of equal parts of two successive answers as the same object, so that observers of a part are not notified of
+// changes elsewhere.
 
 function isParted(value: unknown): value is Record<string, unknown> {
   return typeof value === "object" && value !== null;
 }
 
-/** Returns `next` with the equal parts of `before`; `before` itself if all parts are equal. */
+/** Returns `next` with its equal parts replaced by the objects of `before`; `before` itself if all parts are equal. */
 export function sharing<T>(before: unknown, next: T): T {
   if (Object.is(before, next) || !isParted(before) || !isParted(next) || Array.isArray(before) !== Array.isArray(next))
     return next;

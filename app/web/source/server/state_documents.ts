@@ -27,17 +27,17 @@ export interface CellInfo {
 export interface EffectAt {
   effect: string;
   at: string;
-  /** Description for a reader who does not know the name. */
+  /** Description for a reader who does not know the effect's name. */
   words?: string;
-  /** Kinds of variables on which its law may depend, the plainest first; empty: on anything. */
+  /** Kinds of variables on which the effect's law may depend, simplest first; empty: on any variable. */
   varies_with?: string[];
-  /** Text for a request to add it, with the sizes found. */
+  /** Text that requests the addition of the effect, with the sizes found. */
   add?: string;
-  /** Law of a user's formula. */
+  /** Formula of a user-defined effect. */
   formula?: string;
-  /** Other effects that no reading could distinguish from it. */
+  /** Other effects that no reading could distinguish from this effect. */
   also?: {effect: string; at: string}[];
-  /** Those effects in words; absent in projects of earlier programs. */
+  /** The effects of `also` in words; missing in projects of earlier versions. */
   also_words?: string;
   parameters?: Record<string, EffectNumber | number | string>;
 }
@@ -62,19 +62,19 @@ export interface ReadingsInfo {
   readings: number;
   kinds: Record<string, number>;
   sigma: number | null;
-  /** Number of readings set aside; `change` counts the changes. */
+  /** Number of readings set aside; `change` counts the changes of readings and marks. */
   set_aside: number;
   held_out: number;
   change: number;
-  /** Number of readings that joined last and can be removed again. */
+  /** Number of readings that were added last and can be removed again. */
   joined: number;
-  /** Assumptions about the readings that differ from their file. */
+  /** Assumptions under which the readings were read, in addition to what their file states. */
   assumed: string[];
   checks: ReadingCheck[];
   missing_columns: MissingColumn[];
 }
 
-/** Suspected mistake found when the readings were opened. */
+/** Mistake suspected when the readings were opened. */
 export interface ReadingCheck {
   name: string;
   severity: "mistake" | "remark";
@@ -111,7 +111,7 @@ export interface ResultMark {
   models: number[];
 }
 
-/** Posture of a running arm by its encoders, or a problem with the received data. */
+/** Posture of a running arm from its encoders, or a problem with the received data. */
 export interface LiveNews {
   source: string;
   joints?: number[];
@@ -122,7 +122,10 @@ export interface LiveNews {
 
 export interface WorkbenchState {
   revision: number;
-  /** Number of the state or of a job's message; the greater one is newer, whichever arrived first. */
+  /**
+   * Number of this state; of two states or job messages, the one with the greater number is newer, in whichever order
+   * they arrive.
+   */
   moment: number;
   version: string;
   folder: string;
@@ -136,10 +139,10 @@ export interface WorkbenchState {
   jobs: Job[];
   touches?: number;
   project: {
-    /** File in the folder of the last save. */
+    /** Project file last saved in the folder; null if there is none. */
     file: string | null;
     unsaved: boolean;
-    /** True if every change is kept in the state folder; otherwise `problem` is the reason. */
+    /** True if every change is stored in the state folder; otherwise `problem` states the reason. */
     kept: boolean;
     problem: string;
   };

@@ -1,4 +1,5 @@
-// The server's state as signals: from /api/events, the same in every browser; results are fetched when they change.
+// The server's state as signals, received from /api/events and equal in every browser. Results are fetched when they
+// change.
 import {batch, computed, effect, signal, type ReadonlySignal} from "@preact/signals";
 import type {Job, LiveNews, Model, Problem, SceneDocument, SheetDocument, Units, WorkbenchState} from "./documents";
 import {answerTo, type Loaded} from "./answers";
@@ -10,7 +11,7 @@ export const state = signal<WorkbenchState | null>(null);
 export const connection = signal<"connecting" | "live" | "lost">("connecting");
 export const jobs = signal<ReadonlyMap<string, Job>>(new Map());
 
-/** Newest data of a running arm; null until there are any. */
+/** Newest data of a running arm; null until data arrive. */
 export const liveNews = signal<LiveNews | null>(null);
 
 export const cell = computed(() => state.value?.cell ?? null);
@@ -20,14 +21,14 @@ export const currentModel = computed<Model | null>(
   () => state.value?.models.find((model) => model.id === state.value?.model) ?? null,
 );
 
-/** Returns the label of the model that a result belongs to if that is not the present model; otherwise "". */
+/** Returns the label of the model for which a result was computed, if it is not the present model; otherwise "". */
 export function otherModelOf(name: string): string {
   const id = state.value?.results[name]?.model;
   if (id === undefined || id === state.value?.model) return "";
   return state.value?.models.find((model) => model.id === id)?.label ?? "a model that is gone";
 }
 
-/** Returns the running job of a kind, if there is one. */
+/** Returns the running job of one of these kinds; null if there is none. */
 export function runningJob(...kinds: string[]): Job | null {
   return runningJobs.value.find((job) => kinds.includes(job.kind)) ?? null;
 }
@@ -38,10 +39,10 @@ function noteJob(job: Job): void {
   jobs.value = withJob(jobs.value, job);
 }
 
-/** True after a new connection, because a restarted program counts from the beginning. */
+/** True until the first state after a new connection, because a restarted program counts changes from the beginning. */
 let isNewConnection = true;
 
-/** The server sends at least every 10 s; after this time without data it counts as not answering [ms]. */
+/** Time without data after which the server counts as not answering [ms]; it sends data at least every 10 s. */
 const LONGEST_SILENCE = 25_000;
 let heard = 0;
 
@@ -72,13 +73,15 @@ export function dropTokenFromAddress(): void {
   history.replaceState(null, "", address);
 }
 
-/** Follows the server; the browser reconnects automatically, and every connection begins with the whole state. */
+/**
+ * Follows the server's events. The browser reconnects automatically, and every connection begins with the whole state.
+ */
 export function followServer(): void {
   const events = new EventSource("/api/events");
   for (const name of ["open", "state", "job", "live", "alive"]) events.addEventListener(name, hear);
   events.addEventListener("open", () => {
     isNewConnection = true;
-    notices.value = []; // about earlier requests to the program
+    notices.value = []; // these notices concern earlier requests
   });
   events.addEventListener("state", (event) => {
     takeState(JSON.parse(event.data) as WorkbenchState);
@@ -97,7 +100,7 @@ export function followServer(): void {
 
 const results = new Map<string, ReadonlySignal<Loaded<unknown>>>();
 
-/** Returns the result document of a name, fetched again whenever the state reports a change. */
+/** Returns the named result document, fetched again whenever the state reports a change of it. */
 export function result<T>(name: string): ReadonlySignal<Loaded<T>> {
   const known =
     results.get(name) ?? answerTo<unknown>({key: () => markOf(name), path: () => `/api/results/${name}`, keeps: true});
@@ -110,7 +113,7 @@ function markOf(name: string): string {
   return entry ? `${entry.model}:${entry.revision}` : "";
 }
 
-/** Returns a document of the cell, requested once for each cell. */
+/** Returns a document that depends only on the cell, requested once for each cell. */
 function perCell<T>(path: string, isThere: () => boolean): ReadonlySignal<Loaded<T>> {
   const key = () => (cell.value && isThere() ? `${state.value?.folder} ${cell.value.file} ${cell.value.name}` : "");
   return answerTo<T>({key, path: () => path});
@@ -132,19 +135,19 @@ let nextNotice = 1;
 
 export function report(title: string, error: unknown): void {
   const problem = error instanceof Error ? asProblem(error) : (error as Problem);
-  notices.value = [...notices.peek().slice(-2), {id: nextNotice++, title, problem}]; // effects report too
+  notices.value = [...notices.peek().slice(-2), {id: nextNotice++, title, problem}]; // peek(): effects call report()
 }
 
 export function dismiss(id: number): void {
   notices.value = notices.value.filter((notice) => notice.id !== id);
 }
 
-/** Sends a request and shows the reason for a refusal. Returns true if it was accepted. */
+/** Sends a request and shows the reason if it is refused. Returns true if it was accepted. */
 export function order(title: string, path: string, body: unknown = {}): Promise<boolean> {
   return attempt(title, () => post(path, body));
 }
 
-/** Runs an action that may be refused and shows the reason. Returns true if it succeeded. */
+/** Runs an action and shows the reason if it is refused. Returns true if it succeeded. */
 export async function attempt(title: string, act: () => Promise<unknown>): Promise<boolean> {
   try {
     await act();
@@ -155,16 +158,17 @@ export async function attempt(title: string, act: () => Promise<unknown>): Promi
   }
 }
 
-/** Paths of requests for jobs that the program has not answered yet. */
+/** Paths of requests for jobs whose answer from the program is pending. */
 const starting = signal<readonly string[]>([]);
 
-/** Returns true if a job that this path starts is starting or running, as after a double click. */
+/** Returns true if the job requested at this path is starting or running already, such as after a double click. */
 function isUnderWay(path: string): boolean {
   return starting.peek().includes(path) || runningJob(path.slice(path.lastIndexOf("/") + 1)) !== null;
 }
 
 /**
- * Starts a job and waits for its end, by the events; returns false if it failed, was stopped, or is already running.
+ * Starts a job and waits for its end, which events report. Returns false if the job failed, was stopped, or was running
+ * already.
  */
 export async function runJob(title: string, path: string, body: unknown = {}): Promise<boolean> {
   if (isUnderWay(path)) return false;
@@ -176,7 +180,7 @@ export async function runJob(title: string, path: string, body: unknown = {}): P
   }
 }
 
-/** Requests a job, and records it as soon as the program has accepted it. */
+/** Requests a job, and adds it to the known jobs once the program has accepted it. */
 export async function startJob(path: string, body: unknown): Promise<Job> {
   starting.value = [...starting.peek(), path];
   try {
@@ -211,7 +215,7 @@ async function ended(id: string): Promise<boolean> {
   return job === undefined || job.status === "done";
 }
 
-/** Stops the running and starting jobs of these kinds, and waits for their end. */
+/** Stops the running and starting jobs of these kinds, and waits until they have ended. */
 export async function stopJobs(...kinds: string[]): Promise<void> {
   await until(() => starting.value.length === 0);
   const stopped = runningJobs.peek().filter((job) => kinds.includes(job.kind));
@@ -220,7 +224,7 @@ export async function stopJobs(...kinds: string[]): Promise<void> {
   );
 }
 
-// Failures of jobs are reported wherever the job was started.
+// Failures of jobs are reported in every browser, regardless of where the job was started.
 const reported = new Set<string>();
 let isFirst = true;
 effect(() => {
@@ -233,7 +237,7 @@ effect(() => {
   if (state.value !== null) isFirst = false;
 });
 
-// Wrong data of a running arm are reported once, in any view.
+// Faulty data from a running arm are reported once, in any view.
 effect(() => {
   const {problem, source} = liveNews.value ?? {};
   if (problem) report(`${source}: not taken`, problem);
