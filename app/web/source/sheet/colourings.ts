@@ -1,4 +1,4 @@
-// Colourings of the sheet's holes. Each colouring sorts the holes into a few kinds with a colour and a shape.
+// Colourings of the sheet's holes. A colouring assigns each hole to one of a few kinds, each with a colour and a shape.
 import type {ColourName} from "../drawing/colours";
 import type {Mark, Shape} from "../drawing/marks";
 import {NOT_PLANNED, stateMark, UNREACHABLE} from "../../../drawing/kinds.js";
@@ -15,13 +15,13 @@ export interface Kind {
 
 export interface Colouring {
   title: string;
-  /** Meaning of the figures, in a sentence. */
+  /** Meaning of the values, in a sentence. */
   meaning: string;
   kinds: Kind[];
-  /** Kind of each hole. */
+  /** Index of the kind of each hole. */
   of: Uint8Array;
   counts: number[];
-  /** Returns further words about a hole. */
+  /** Returns further lines of text about a hole. */
   words: (hole: number) => string[];
 }
 
@@ -57,8 +57,8 @@ export function byReach(sheet: SheetModel, reach: ReachDocument): Colouring {
 }
 
 /**
- * Returns the colouring by the steps that enter at the planned tubes: predicted, or by the true arm in one of the ways
- * of compensation.
+ * Returns the colouring by the number of steps that enter the planned tubes, as predicted or against the true arm in a
+ * compensation mode.
  */
 export function bySteps(sheet: SheetModel, plan: PlanDocument, mode: string): Colouring {
   const inserted = stepKinds(plan);
@@ -95,7 +95,7 @@ const BANDS: {shape: Shape; colour: ColourName}[] = [
 ];
 const UNKNOWN: Mark = {shape: "cross", colour: "faint"};
 
-/** Returns bands of a figure over the holes, at quantiles rounded to two digits, small to large. */
+/** Returns the colouring by a field: bands at quantiles of its values rounded to two digits, from small to large. */
 export function byField(
   sheet: SheetModel,
   field: FieldDocument,

@@ -1,4 +1,4 @@
-// Background of the holes, and the numbers of rows and columns along the picture's edges.
+// Background of the sheet picture, and the row and column numbers along its edges.
 import {TYPEFACE} from "../drawing/canvas";
 import type {Palette} from "../drawing/colours";
 import {toPixel, type Camera, type Size} from "../../../drawing/frames.js";
@@ -15,7 +15,7 @@ export function drawGround(context: Context, sheet: SheetModel, camera: Camera, 
 
 const FONT = `500 11px ${TYPEFACE}`;
 
-/** Draws ticks along the picture's edges, over the sheet, so that they remain visible at every zoom. */
+/** Draws ticks along the edges of the picture, over the sheet, so that they are visible at every zoom. */
 export function drawTicks(context: Context, sheet: SheetModel, camera: Camera, size: Size, palette: Palette): void {
   context.font = FONT;
   context.fillStyle = palette.panel;

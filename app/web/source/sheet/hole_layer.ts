@@ -1,13 +1,12 @@
-// Thousands of holes in about a millisecond: every kind of mark is drawn once, at a few sub-pixel places, and copied
-// into one picture pixel by pixel. It needs no graphics processor, and holes never overlap, so nothing is blended.
+// Draws thousands of holes in about a millisecond: each kind of mark is drawn once for a few sub-pixel offsets and
+// copied into an image pixel by pixel. This needs no graphics processor; holes never overlap, so no blending is needed.
 import type {Palette} from "../drawing/colours";
 import {drawMark, type Mark} from "../drawing/marks";
 import {toPixel, type Camera, type Size} from "../../../drawing/frames.js";
 import type {SheetModel} from "./sheet_model";
 
 /**
- * Returns the number of sub-pixel places along each axis: small marks need them to look evenly spaced, large ones do
- * not.
+ * Returns the number of sub-pixel offsets along each axis; only small marks need several offsets to look evenly spaced.
  */
 function placesOf(radius: number): number {
   return radius < 6 ? 4 : radius < 14 ? 2 : 1;
@@ -27,7 +26,10 @@ export class HoleLayer {
 
   constructor(private readonly context: CanvasRenderingContext2D) {}
 
-  /** Draws the holes; `kinds[i]` is the index in `marks` for hole i, and `shown[k]` is true if such holes are drawn. */
+  /**
+   * Draws the holes. `kinds[i]` is the index of the mark of hole i in `marks`; holes with mark k are drawn if
+   * `shown[k]`.
+   */
   draw(
     sheet: SheetModel,
     camera: Camera,

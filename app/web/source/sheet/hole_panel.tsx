@@ -1,4 +1,4 @@
-// Data of the pointed hole, and the posture that brings the tool under it.
+// Data of the hole pointed at, and the posture that brings the tool under it.
 import {Figures, Panel} from "../drawing/panel";
 import {fixed, jointDecimals, lengthFigure} from "../../../drawing/numbers.js";
 import type {InverseDocument} from "../server/documents";
@@ -43,7 +43,7 @@ export function HolePanel({model, colouring: shown}: {model: SheetModel; colouri
   );
 }
 
-/** Joints that bring the tool under the hole, or the reason why none do. */
+/** Joint values that bring the tool under the hole, or the reason why there are none. */
 function Posture({inverse}: {inverse: InverseDocument | null}) {
   if (!inverse) return <p class="muted reserve">Finding a posture …</p>;
   if (inverse.status !== "found" || !inverse.joints) return <p class="reserve bad">Out of reach: {whyNot(inverse)}</p>;

@@ -1,4 +1,4 @@
-// Legend of a colouring: the meaning of the marks, the number of holes with each, and their visibility.
+// Legend of a colouring: the meaning of the marks, the number of holes of each kind, and switches for their visibility.
 import {effect, signal} from "@preact/signals";
 import {toggled} from "../drawing/fields";
 import {MarkIcon} from "../drawing/marks";
@@ -9,10 +9,10 @@ import {Segments} from "../drawing/segments";
 import {currentModel} from "../server/workbench";
 import {chosen, isBefore, modelBefore, showBefore, type Choice} from "./sheet_choice";
 
-/** Colourings that depend on a model. */
+/** Colourings that show a field of the model. */
 const FIELDS: ReadonlySet<Choice> = new Set<Choice>(["centring", "residual", "sag"]);
 
-/** Kinds of the colouring whose holes are hidden. */
+/** Indices of the kinds whose holes are hidden. */
 export const hiddenKinds = signal<ReadonlySet<number>>(new Set());
 effect(() => {
   void chosen.value;

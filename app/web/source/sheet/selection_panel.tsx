@@ -1,4 +1,4 @@
-// Selection of holes by ranges, and actions on the selected holes.
+// Selection of holes by typed ranges, and actions on the selected holes.
 import {useSignal} from "@preact/signals";
 import {submitting, TextInput} from "../drawing/fields";
 import {Panel} from "../drawing/panel";

@@ -1,16 +1,16 @@
-// The camera on a sheet: fitted to its plate, zoomed and moved.
+// The camera of a sheet picture: fitted to the sheet's plate, zoomed and moved.
 import {fit as fitted, fromPixel, type Camera, type Extent, type Size} from "../../../drawing/frames.js";
 
 export type {Camera, Size};
 
-/** Margins around a sheet fitted to its picture, in pixels. */
+/** Margins around a sheet that is fitted to its picture [pixels]. */
 export const MARGIN = {left: 44, right: 20, top: 34, bottom: 46};
 
 export function fit(extent: Extent, size: Size): Camera {
   return fitted(extent, size, MARGIN);
 }
 
-/** Zooms by a factor and keeps the place under a pixel fixed. */
+/** Returns the camera zoomed by a factor; the point under a pixel stays fixed. */
 export function zoomed(
   camera: Camera,
   size: Size,

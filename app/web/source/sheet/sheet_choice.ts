@@ -1,4 +1,4 @@
-// Choice of the sheet's colouring, and the colouring itself if known.
+// Choice of the sheet's colouring, and the resulting colouring if its data are known.
 import {computed, effect, signal} from "@preact/signals";
 import type {FieldDocument, Model, PlanDocument, ReachDocument} from "../server/documents";
 import {answerTo} from "../server/answers";
@@ -34,7 +34,7 @@ export const modelBefore = computed<Model | null>(() => {
   return at > 0 ? now!.models[at - 1] : null;
 });
 
-/** True if the sheet shows the model before. */
+/** True if the sheet shows the field of the model before instead of the current model. */
 export const isBefore = signal(false);
 const modelNow = computed(() => state.value?.model);
 effect(() => {
@@ -53,13 +53,15 @@ const fieldBefore = answerTo<FieldDocument>({
   onProblem: (error) => report("The model before", error),
 });
 
-/** Computes the field of a colouring, for the model shown. */
+/** Computes the field of a colouring for the model that is shown. */
 export async function computeField(choice: Choice): Promise<void> {
   const model = isBefore.peek() ? modelBefore.peek()?.id : undefined;
   await runJob(TITLES[choice], "/api/field", {of: choice, model});
 }
 
-/** Shows the model before, or the current one again; computes a missing field. */
+/**
+ * Shows the field of the model before (true) or of the current model (false), and computes the field if it is missing.
+ */
 export function showBefore(before: boolean): void {
   isBefore.value = before;
   if (colouring.peek() === null) void computeField(chosen.peek());

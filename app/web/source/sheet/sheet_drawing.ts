@@ -1,4 +1,5 @@
-// The drawing of a sheet: three layers (ground, holes, and a view's paintings) under one camera, drawn once a frame.
+// The drawing of a sheet: three layers (ground, holes, and the painting of a view) with a common camera, drawn at most
+// once per frame.
 import type {Signal} from "@preact/signals";
 import {drawRings, pixelRatio} from "../drawing/canvas";
 import {palette, type Palette} from "../drawing/colours";
@@ -10,7 +11,7 @@ import {fromPixel, toPixel, type Camera, type Size} from "../../../drawing/frame
 import {fit, panned, zoomed} from "./sheet_camera";
 import type {SheetModel} from "./sheet_model";
 
-/** Painter of a view over the holes. */
+/** Function that paints the view's own content over the holes. */
 export type PaintOver = (context: CanvasRenderingContext2D, camera: Camera, size: Size, palette: Palette) => void;
 
 export interface SheetPictureProps {
@@ -24,7 +25,7 @@ export interface SheetPictureProps {
   paintOver?: PaintOver;
   onPick?: (hole: number, event: {shiftKey: boolean; ctrlKey: boolean; metaKey: boolean}) => void;
   onLasso?: (holes: number[], isMore: boolean) => void;
-  /** True in a scrolling page, where the wheel zooms only with Ctrl. */
+  /** True in a scrolling page, where the wheel zooms only with Ctrl pressed. */
   isInText?: boolean;
 }
 
@@ -82,7 +83,7 @@ export class SheetDrawing {
     this.move(zoomed(this.camera, this.size, x, y, factor, this.limits()));
   }
 
-  /** Requests drawing at the next frame; the layer over the holes alone is cheap and often requested. */
+  /** Requests drawing of layers at the next frame. The layer over the holes is always drawn, because it is cheap. */
   ask(parts: {ground?: boolean; holes?: boolean} = {ground: true, holes: true}): void {
     this.parts = {ground: this.parts.ground || !!parts.ground, holes: this.parts.holes || !!parts.holes, over: true};
     if (this.isAsked) return;
@@ -111,7 +112,7 @@ export class SheetDrawing {
     }
     this.drawOver(colours);
     this.parts = {ground: false, holes: false, over: false};
-    performance.clearMeasures("sheet"); // observers receive each measure; none are stored
+    performance.clearMeasures("sheet"); // observers receive every measure, so none is stored
     performance.measure("sheet", {start});
   }
 
@@ -132,7 +133,7 @@ export class SheetDrawing {
   private drawSelection(colours: Palette): void {
     const {selection, sheet} = this.props;
     if (!selection || selection.size === 0) return;
-    // The radius is between that of the hole's mark, whose shape shows its kind, and that of the neighbours.
+    // The radius is between that of the hole's mark, whose shape must stay visible, and that of the neighbouring marks.
     const mark = sheet.holeRadius * this.camera.scale;
     const r = Math.max(3.2, 1.22 * mark, 0.47 * sheet.pitch * this.camera.scale);
     this.over.strokeStyle = colours.accent;
@@ -182,7 +183,7 @@ export class SheetDrawing {
     return found;
   }
 
-  /** Moves the picture just enough to show a hole. */
+  /** Moves the picture by the smallest distance that makes a hole visible. */
   reveal(hole: number): void {
     const {sheet} = this.props;
     const [x, y] = toPixel(this.camera, this.size, sheet.u[hole], sheet.v[hole]);

@@ -1,4 +1,4 @@
-// Pointers and keys on a sheet: wheel, drag, pinch, lasso, and arrow keys from hole to hole.
+// Pointer and key input on a sheet: wheel, drag, pinch, lasso, and arrow keys that move from hole to hole.
 import type {Signal} from "@preact/signals";
 import {toPixel} from "../../../drawing/frames.js";
 import {panned} from "./sheet_camera";
@@ -22,12 +22,12 @@ export function makeGestures(held: {current: SheetDrawing | null}, isLassoing: S
   };
 }
 
-/** Pointers that are down on a sheet, with their gesture. */
+/** Pointers that are pressed on a sheet, and the gesture that they make. */
 class SheetPointers {
   private readonly places = new Map<number, Place>();
-  /** Path length of the pointer in pixels, which a click keeps near zero. */
+  /** Path length of the pointer since it was pressed [pixels]; near zero for a click. */
   private moved = 0;
-  /** Distance between two fingers; 0 before the first is known. */
+  /** Distance between two fingers [pixels]; 0 until it is known. */
   private spread = 0;
 
   constructor(
@@ -95,7 +95,7 @@ class SheetPointers {
     if (this.drawing.props.isInText && !event.ctrlKey) return;
     event.preventDefault();
     this.tip.value = null;
-    const step = event.deltaMode === 1 ? 0.05 : 0.0016; // in lines, or in pixels
+    const step = event.deltaMode === 1 ? 0.05 : 0.0016; // wheel steps in lines or in pixels
     this.drawing.zoom(...this.placeOf(event), Math.exp(-event.deltaY * step));
   }
 

@@ -1,4 +1,4 @@
-// Functions of the page on a sheet besides its drawing: names of holes, and movement between holes by arrow keys.
+// Functions on a sheet that only the page needs: names of holes, and movement between holes by arrow keys.
 import {tubeTitle, type SheetModel} from "../../../drawing/sheet_model.js";
 
 export type {SheetModel};
@@ -7,7 +7,7 @@ export function holeName(sheet: SheetModel, hole: number): string {
   return tubeTitle(sheet.row[hole], sheet.column[hole]);
 }
 
-/** Returns the hole next to another in a direction of the picture, for the arrow keys. */
+/** Returns the hole next to hole `from` in the direction (du, dv) of the picture, for the arrow keys. */
 export function neighbour(sheet: SheetModel, from: number, du: number, dv: number): number {
   let best = from,
     least = Infinity;

@@ -1,5 +1,5 @@
-// The sheet as an interactive picture: moved by wheel, drag, pinch and keys; holes are pointed at, picked, and selected
-// with a lasso.
+// The sheet as an interactive picture, moved by wheel, drag, pinch and keys. Holes can be pointed at, picked, and
+// selected with a lasso.
 import {useEffect, useMemo, useRef} from "preact/hooks";
 import {useSignal, useSignalEffect, type Signal} from "@preact/signals";
 import {palette} from "../drawing/colours";
@@ -48,7 +48,7 @@ export function SheetPicture(props: SheetPictureProps) {
   );
 }
 
-/** Creates the drawing in its stage: as large as the stage, and drawn again with every change. */
+/** Creates the drawing in its stage element: it fills the stage and is drawn again after every change. */
 function useSheetDrawing(props: SheetPictureProps) {
   const stage = useRef<HTMLDivElement>(null);
   const drawing = useRef<SheetDrawing | null>(null);
@@ -73,7 +73,7 @@ function useSheetDrawing(props: SheetPictureProps) {
   useSignalEffect(() => {
     void palette.value;
     void props.picked?.value;
-    // Everything is drawn at once, because print has its own colours.
+    // The drawing is synchronous, so that a print has the print colours.
     drawing.current?.ask();
     drawing.current?.drawNow();
   });
@@ -82,7 +82,7 @@ function useSheetDrawing(props: SheetPictureProps) {
 
 interface SheetToolsProps {
   drawing: {current: SheetDrawing | null};
-  /** Null if the picture has no lasso. */
+  /** True while a lasso is drawn; null if the picture has no lasso. */
   isLassoing: Signal<boolean> | null;
 }
 

@@ -1,4 +1,5 @@
-// The sheet view: every hole by state, reach, steps, predicted error or residual; selection; and the data of a hole.
+// The sheet view: all holes coloured by state, reach, steps, predicted error or residual; the selection; and the data
+// of a hole.
 import {choicesOf, Segments} from "../drawing/segments";
 import {Icon} from "../drawing/icons";
 import {runJob, runningJob} from "../server/workbench";

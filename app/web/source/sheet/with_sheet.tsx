@@ -1,4 +1,4 @@
-// Common parts of the views of a cell's tube sheet: a text if there is no sheet, and a panel with its picture.
+// Common parts of views that show the tube sheet: a text if the cell has no sheet, and a panel with the sheet picture.
 import type {ComponentChildren} from "preact";
 import {cell, sheetDocument, units} from "../server/workbench";
 import {sheet} from "../shell/page_state";
@@ -12,7 +12,7 @@ interface WithSheetProps {
   children: (model: SheetModel) => ComponentChildren;
 }
 
-/** Shows the sheet once it is read; `without` is the text for a cell that has none. */
+/** Shows `children` once the sheet is loaded; `without` is the text for a cell without a sheet. */
 export function WithSheet({without, children}: WithSheetProps) {
   const {problem} = sheetDocument.value;
   if (cell.value && !cell.value.has_sheet)
