@@ -1,16 +1,16 @@
-// Meanings of the columns of foreign tables, of readings or of a work list: as the program guessed, as the user chose,
-// as chosen earlier.
+// Meanings of the columns of foreign tables (readings or a work list): guessed by the program, chosen by the user, or
+// chosen earlier.
 import {keep, keptObject} from "./kept";
 
 export interface ColumnsDocument {
-  /** Tables; `names` is the column that matches the rows of several tables. */
+  /** The tables; `names` is the index of the column that matches the rows of several tables, null if there is none. */
   tables: {
     name: string;
     columns: string[];
     rows: string[][];
     count: number;
     names: number | null;
-    /** Remarks on the conversion of the file's numbers, one sentence each. */
+    /** Remarks on the conversion of the numbers in the file, one sentence each. */
     remarks?: string[];
   }[];
   targets: {
@@ -19,27 +19,27 @@ export interface ColumnsDocument {
     is_required: boolean;
     found: {table: number; column: number; unit: string} | null;
   }[];
-  /** Further choices about the tables, by their names for the server. */
+  /** Further options of the tables, under their names for the server. */
   options: {name: string; label: string; values: {value: string; words: string}[]}[];
-  /** Alternative lists of quantities, one of which must be complete. */
+  /** Alternative lists of quantities; the columns of at least one list must be complete. */
   needs?: string[][];
 }
 
-/** Likely meanings of a table's columns as a work list. */
+/** Likely meanings of the columns of a work list. */
 export interface ListColumnsDocument extends ColumnsDocument {
   states: "tubes" | "joints" | "neither";
-  /** True if its headings need no choice. */
+  /** True if all headings are understood, so that nothing needs to be chosen. */
   is_understood: boolean;
 }
 
-/** Choice for one column; an empty quantity ignores it; a factor of its numbers, if stated. */
+/** Choice for one column. An empty quantity ignores the column; `factor` multiplies its numbers. */
 export interface ColumnChoice {
   quantity: string;
   unit: string;
   factor?: string;
 }
 
-/** Chosen values of the options. */
+/** Chosen values of the options, keyed by option name. */
 export type TableOptions = Record<string, string>;
 
 export function guessed(document: ColumnsDocument): ColumnChoice[][] {
@@ -49,7 +49,7 @@ export function guessed(document: ColumnsDocument): ColumnChoice[][] {
   return choices;
 }
 
-/** Returns in words what prevents accepting the readings. */
+/** Returns texts that state what prevents accepting the tables; empty if nothing does. */
 export function missingOf(document: ColumnsDocument, choices: ColumnChoice[][]): string[] {
   const chosen = choices.flat().filter((choice) => choice.quantity !== "");
   const words: string[] = [];
@@ -66,7 +66,7 @@ export function missingOf(document: ColumnsDocument, choices: ColumnChoice[][]):
   return words;
 }
 
-/** Returns the columns in the notation of the server: "x_mm=points.txt:X". */
+/** Returns the chosen columns in the notation of the server, such as "x_mm=points.txt:X". */
 export function chosenColumns(document: ColumnsDocument, choices: ColumnChoice[][]): string[] {
   return document.tables.flatMap((table, t) =>
     choices[t].flatMap(({quantity, unit, factor}, c) => {
@@ -82,7 +82,7 @@ export function chosenColumns(document: ColumnsDocument, choices: ColumnChoice[]
 const KEPT = "tubeplan.columns";
 const MOST_KEPT = 20;
 
-/** Returns a key, equal for tables with the same columns and arms with the same joints. */
+/** Returns a storage key that is equal for tables with the same columns and arms with the same joints. */
 function keyOf(document: ColumnsDocument): string {
   const joints = document.targets.filter((target) => target.is_required).map((target) => target.quantity);
   return JSON.stringify([joints, ...document.tables.map((table) => table.columns)]);

@@ -26,13 +26,13 @@ export interface TableText {
   text: string;
 }
 
-/** Use of the tables: readings or a work list. */
+/** Use of the tables: as readings or as a work list. */
 export interface ColumnsUse {
-  /** Address of the server that proposes the meanings of the columns. */
+  /** Server address that proposes the meanings of the columns. */
   address: string;
-  /** True if the dialog asks for the noise of a coordinate that no column states. */
+  /** True if the dialog asks for the noise of a coordinate if no column states it. */
   asksNoise: boolean;
-  /** Accepts the tables with the chosen columns; the dialog shows the errors that it throws. */
+  /** Accepts the tables with the chosen columns; the dialog shows errors thrown by this function. */
   take: (taken: TakenTables) => Promise<void>;
   /** Called after the tables are accepted. */
   then: () => Promise<void>;
@@ -57,7 +57,7 @@ const foreign = signal<Foreign | null>(null);
 const problem = signal<Problem | null>(null);
 const sigma = signal("");
 
-/** Opens the dialog if those texts are tables; otherwise throws the reason. */
+/** Opens the dialog if the texts are tables; otherwise throws the reason. */
 export async function askForColumns(tables: TableText[], use: ColumnsUse): Promise<void> {
   const document = await post<ColumnsDocument>(use.address, {tables});
   foreign.value = {use, tables, document, choices: rememberedChoices(document) ?? guessed(document), options: {}};
@@ -87,7 +87,7 @@ async function changeOptions(shown: Foreign, options: TableOptions): Promise<voi
   }
 }
 
-/** Returns the noise of a coordinate, which no column states. */
+/** Returns the typed noise of a coordinate, for tables in which no column states it; empty if none was typed. */
 function noise({use}: Foreign): {sigma?: number} {
   return !use.asksNoise || sigma.value.trim() === "" ? {} : {sigma: Number(withPoint(sigma.value))};
 }

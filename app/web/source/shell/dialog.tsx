@@ -1,4 +1,4 @@
-// A dialog over the page: the browser's own, which keeps focus inside and closes on Escape.
+// A modal dialog: the browser's own dialog element, which keeps the focus inside and closes on Escape.
 import type {ComponentChildren} from "preact";
 import {useLayoutEffect, useRef} from "preact/hooks";
 import {Icon} from "../drawing/icons";
@@ -15,8 +15,8 @@ export function Dialog({name, title, children}: DialogProps) {
   const isOpen = dialog.value === name,
     onClose = () => closeDialog(name);
   const element = useRef<HTMLDialogElement>(null);
-  // The browser reports a closing later, when the dialog may be open again; the page ignores reports of its own
-  // closings.
+  // The browser reports a closing only later, when the dialog may be open again. Reports of closings by the page itself
+  // are therefore ignored.
   const ownClosings = useRef(0);
   useLayoutEffect(() => {
     const own = element.current;

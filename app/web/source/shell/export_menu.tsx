@@ -1,4 +1,4 @@
-// Downloads as a menu: used by the header for the model and its reports, by the plan for its own.
+// Menu of downloads: used by the header for the model and its reports, and by the plan view for the plan.
 import {Icon} from "../drawing/icons";
 import {Menu} from "./menu";
 

@@ -1,4 +1,4 @@
-// The header: cell and readings, the stack of models with undo and redo, running jobs, dark or light.
+// The header: cell and readings, the stack of models with undo and redo, running jobs, dark or light colours.
 import {Icon} from "../drawing/icons";
 import {chooseScheme, isDark, scheme} from "../drawing/colours";
 import {duration, plural, whole} from "../../../drawing/numbers.js";
@@ -71,7 +71,7 @@ function SchemeSwitch() {
   );
 }
 
-/** Returns ", 68 set aside, 4 held out". */
+/** Returns a text such as ", 68 set aside, 4 held out". */
 function asideText({set_aside, held_out}: ReadingsInfo): string {
   return `${set_aside > 0 ? `, ${whole(set_aside)} set aside` : ""}${held_out > 0 ? `, ${whole(held_out)} held out` : ""}`;
 }

@@ -1,4 +1,4 @@
-// Dialog for a table of new readings: to join the open ones, or to replace them.
+// Dialog for new readings: to add them to the open readings, or to replace these.
 import {plural} from "../../../drawing/numbers.js";
 import {state} from "../server/workbench";
 import {Dialog} from "./dialog";

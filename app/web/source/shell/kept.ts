@@ -1,4 +1,4 @@
-// Storage of this browser for the user, by name: objects that may be missing, damaged or of an earlier version.
+// Storage in this browser, by name: objects that may be missing, damaged or written by an earlier version.
 
 export function keptObject<T>(key: string): Record<string, T> {
   try {
@@ -13,6 +13,6 @@ export function keep<T>(key: string, object: Record<string, T>): void {
   try {
     localStorage.setItem(key, JSON.stringify(object));
   } catch {
-    // A browser without storage asks again each time.
+    // Without storage, the page asks again each time.
   }
 }

@@ -1,4 +1,4 @@
-// The keys that work everywhere, and the list of all of them.
+// The keys that work in all views, and the list of all keys.
 import {chooseScheme, isDark} from "../drawing/colours";
 import {Terms} from "../drawing/panel";
 import {selectedReadings} from "../error/linked";
@@ -24,7 +24,7 @@ const LIST: Record<string, Record<string, string>> = {
     Enter: "pick the hole",
     "Shift arrows, drag": "move the sheet",
     "+  −  wheel, pinch": "larger, smaller",
-    // The blank keeps the key from sorting first, as a bare number would.
+    // The blank prevents this entry from sorting first, as an integer key would.
     "0 ": "whole sheet",
     "L, Shift drag": "lasso (with Ctrl: add to the selection)",
   },
@@ -44,7 +44,10 @@ function isTyping(event: KeyboardEvent): boolean {
   );
 }
 
-/** Closes an open menu that has lost the focus, as after a button of it is disabled. Returns true if there was one. */
+/**
+ * Closes an open menu that has lost the focus, such as after one of its buttons was disabled. Returns true if there was
+ * such a menu.
+ */
 function closeMenu(): boolean {
   const menu = document.querySelector<HTMLDetailsElement>("details.menu[open]");
   if (!menu) return false;

@@ -22,30 +22,33 @@ async function afterReadings(): Promise<void> {
   await startCompare();
 }
 
-/** Joins the new rows of a returned run sheet that are filled in. */
+/** Adds the new rows of a returned run sheet that are filled in to the readings. */
 async function joinSheet(name: string, text: string): Promise<void> {
-  // Half-filled rows are sent, so that the program refuses them line by line.
+  // Partly filled rows are sent too, so that the program refuses them line by line.
   const fresh = freshRows(text, await idsHere(), "begun");
   showErrors();
   if (fresh !== "") await joinReadings(fresh);
   else report(name, {message: "No row of this run sheet is filled in, or all of them are here already."});
 }
 
-/** Returns the ids of a measurement table; null if it is no such table. */
+/** Returns the ids in a measurement table; null if the text is not a measurement table. */
 function idsOf(text: string): string[] | null {
   const {columns, rows} = tableOf(text);
   const id = columns.indexOf("id");
   return id >= 0 && columns.includes("kind") && rows.length > 0 ? rows.map((row) => row[id]) : null;
 }
 
-/** Returns true if measurement tables contain only new readings, which may join the present ones or replace them. */
+/**
+ * Returns true if readings are loaded and the texts are measurement tables with new ids only, which may be added to the
+ * loaded readings or replace them.
+ */
 async function haveOthers(texts: string[]): Promise<boolean> {
   const here = await idsHere(),
     ids = texts.map(idsOf);
   return here.size > 0 && ids.every((own) => own !== null && own.every((id) => !here.has(id)));
 }
 
-/** Readings that may join, with their files' names and texts. */
+/** Texts of measurement tables whose readings may be added to the loaded readings, with the names of their files. */
 export const offered = signal<{name: string; texts: string[]} | null>(null);
 
 export async function joinOffered(): Promise<void> {
@@ -54,7 +57,7 @@ export async function joinOffered(): Promise<void> {
   await joinAll(texts);
 }
 
-/** Joins the tables one after another until one is refused. */
+/** Adds the readings of the tables, one table after another, until one is refused. */
 async function joinAll(texts: string[]): Promise<void> {
   for (const text of texts) if (!(await joinReadings(text))) return;
 }
@@ -64,13 +67,15 @@ export async function openOffered(): Promise<void> {
   await attempt(`${name} cannot be read`, () => openTables(name, texts));
 }
 
-/** Replaces the readings by the first table and joins the others. Throws if the first is refused. */
+/**
+ * Replaces the readings by those of the first table and adds those of the others. Throws if the first table is refused.
+ */
 async function openTables(name: string, [first, ...others]: string[]): Promise<void> {
   takeState(await postText<WorkbenchState>(`/api/measurements?name=${encodeURIComponent(name)}`, first));
   if (others.length === 0) return afterReadings();
   showErrors();
   await stopWorkOnReadings();
-  await joinAll(others); // which compares the readings as they join
+  await joinAll(others); // the program compares added readings automatically
 }
 
 const READINGS: ColumnsUse = {
@@ -82,7 +87,7 @@ const READINGS: ColumnsUse = {
 };
 
 /**
- * Loads measurement tables or a work list; otherwise the tables of another program, in one file or in several that
+ * Loads measurement tables or a work list; otherwise tables of another program, in one file or in several files that
  * belong together.
  */
 export async function loadFiles(files: File[]): Promise<void> {
@@ -106,7 +111,7 @@ export async function loadFiles(files: File[]): Promise<void> {
       return await openTables(names, texts);
     } catch (error) {
       refused = error;
-      // Its columns are known, so there is nothing to ask about them.
+      // The columns of a measurement table are known, so the dialog for columns is not needed.
       if (idsOf(texts[0]) !== null && isOfRow(asProblem(error).where, texts[0]))
         return report(`${names} cannot be read`, error);
     }

@@ -1,9 +1,9 @@
-// A menu that unfolds from its button, and closes with Escape or after a change of the focus.
+// A menu that unfolds from its button. It closes on Escape or when the focus leaves it.
 import type {ComponentChildren} from "preact";
 import {useEffect, useRef} from "preact/hooks";
 
 interface MenuProps {
-  /** Classes of the menu, and of the button that unfolds it. */
+  /** CSS classes of the menu, and of the button that unfolds it. */
   kind?: string;
   buttonKind?: string;
   title?: string;
@@ -33,7 +33,7 @@ export function Menu({kind = "", buttonKind, title, button, children}: MenuProps
         event.stopPropagation();
       }}
       onFocusOut={(event) => {
-        // A click on an element without focus is handled by the pointer's handler.
+        // A click on an element that takes no focus is handled by the pointer's handler.
         if (event.relatedTarget) closeUnlessAt(event.relatedTarget);
       }}
     >

@@ -1,5 +1,5 @@
-// The models as steps with names and figures, each of which can be restored; effects and free numbers of the current
-// one, as switches.
+// The models as steps with names and errors, each of which can be restored; and switches for the effects and free
+// parameters of the current model.
 import {computed} from "@preact/signals";
 import {Icon} from "../drawing/icons";
 import {errorUnit} from "../../../drawing/error_budget.js";
@@ -10,7 +10,9 @@ import type {EffectAt, EffectNumber, Model} from "../server/documents";
 import {currentModel, order, runningJobs, state} from "../server/workbench";
 import {Menu} from "./menu";
 
-/** Held-out error of each model in the ladder of the current one, whose last models are the stack. */
+/**
+ * Held-out error of each model, keyed by model id, from the newest ladder; the last models of the ladder are the stack.
+ */
 const heldOut = computed<Map<number, number | null>>(() => {
   const now = state.value,
     document = ladder.value.document;
@@ -28,7 +30,7 @@ interface Switch {
   key: string;
   title: string;
   isOn: boolean;
-  /** Effect to be added again. */
+  /** Effect that the switch adds again; null for a parameter. */
   effect: EffectAt | null;
 }
 
@@ -41,7 +43,7 @@ function known<T>(
   of: (model: Model) => readonly T[],
   key: (entry: T) => string,
 ): Map<string, T> {
-  // The newest model determines an effect's numbers.
+  // The newest model that has an effect determines the effect's parameters.
   return new Map(models.flatMap((model) => of(model).map((entry): [string, T] => [key(entry), entry])));
 }
 
@@ -58,7 +60,7 @@ const effectSwitches = computed<Switch[]>(() => {
   }));
 });
 
-/** Fitted numbers of the arm's file; those of effects belong to their effects. */
+/** Fitted parameters of the arm; parameters of effects are switched with their effects. */
 const freeSwitches = computed<Switch[]>(() => {
   const models = state.value?.models ?? [];
   const own = new Set(currentModel.value?.free ?? []);
@@ -70,7 +72,7 @@ const freeSwitches = computed<Switch[]>(() => {
   return [...all.keys()].map((name) => ({key: name, title: name, isOn: own.has(name), effect: null}));
 });
 
-/** Returns the effect in the form for a request to add it, with its former sizes. */
+/** Returns the effect with the text that requests its addition with its former sizes. */
 function causeOf(effect: EffectAt): EffectAt {
   const numbers = Object.entries(effect.parameters ?? {}).map(
     ([name, number]) => `${name}=${(number as EffectNumber).value}`,
@@ -120,7 +122,7 @@ export function ModelSteps() {
   );
 }
 
-/** Button of a model. `side`: −1 for an earlier model, 0 for the current one, 1 for an undone one. */
+/** Button that restores a model. `side`: −1 for an earlier model, 0 for the current model, 1 for an undone model. */
 function StepButton({model, side, isBusy}: {model: Model; side: number; isBusy: boolean}) {
   return (
     <button

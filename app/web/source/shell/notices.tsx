@@ -1,4 +1,4 @@
-// Refusals and failures, in the program's own words, until they are dismissed.
+// Notices of refusals and failures, in the program's words, shown until they are dismissed.
 import {Icon} from "../drawing/icons";
 import {dismiss, notices} from "../server/workbench";
 import {ProblemWords} from "./states";

@@ -15,7 +15,7 @@ interface Files {
   recent: RecentSession[];
 }
 
-/** Session that was kept, or renamed. */
+/** Session in the state folder, kept automatically or renamed. */
 interface RecentSession {
   file: string;
   cell: string;
@@ -73,7 +73,7 @@ function OpenBody() {
   );
 }
 
-/** Projects of the folder, and automatically kept sessions; empty if there are neither. */
+/** Projects in the folder and automatically kept sessions; empty if there are none. */
 function Projects({files}: {files: Files}) {
   if (files.projects.length + files.recent.length === 0) return null;
   return (

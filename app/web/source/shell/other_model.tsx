@@ -1,4 +1,4 @@
-// Note that a result belongs to another model than the present one.
+// Note that a result was computed for another model than the present one.
 import {MarkIcon} from "../drawing/marks";
 import {otherModelOf} from "../server/workbench";
 

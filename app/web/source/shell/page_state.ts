@@ -1,4 +1,4 @@
-// State of this browser alone: the view, the pointed hole, the selected holes, dialogs. It survives a reload.
+// State of this browser only: the view, the hole pointed at, the selected holes, dialogs. It survives a reload.
 import {computed, effect, signal} from "@preact/signals";
 import {sheetDocument, state} from "../server/workbench";
 import {toggled} from "../drawing/fields";
@@ -14,7 +14,8 @@ function viewOfAddress(): ViewName {
 
 export const view = signal<ViewName>(viewOfAddress());
 
-// An address without a view opens a view with content: the errors of readings, else the sheet if there is one.
+// An address without a view opens a view with content: the error view if there are readings, otherwise the sheet view
+// if there is a sheet.
 let isOpened = location.hash !== "";
 effect(() => {
   if (isOpened || !state.value) return;
@@ -29,12 +30,12 @@ effect(() => {
 export type DialogName = "open" | "keys" | "practice" | "save" | "unsaved" | "columns" | "join";
 export const dialog = signal<"" | DialogName>("");
 
-/** Closes a dialog by name; a browser reports a closing later, when another dialog may be open, which stays. */
+/** Closes the dialog of this name. Another dialog stays open, because a browser reports a closing only later. */
 export function closeDialog(name: DialogName): void {
   if (dialog.value === name) dialog.value = "";
 }
 
-/** The sheet of the cell, ready for drawing. */
+/** The sheet of the cell as a model for drawing; null without a sheet. */
 export const sheet = computed(() => {
   const document = sheetDocument.value.document;
   return document ? makeSheetModel(document) : null;
@@ -59,11 +60,11 @@ const isStay = (entry: unknown): entry is [number, number] =>
   Array.isArray(entry) && isHole(entry[0]) && typeof entry[1] === "number";
 
 export const selection = signal<ReadonlySet<number>>(new Set(keptList(KEPT).filter(isHole)));
-/** Stay at each hole by the work list opened last [s]. */
+/** Dwell time at each hole [s], keyed by tube index, from the work list opened last. */
 export const stays = signal<ReadonlyMap<number, number>>(new Map(keptList(KEPT_STAYS).filter(isStay)));
 export const picked = signal(-1);
 
-/** Stays of the selected holes that have their own, in the form for the server. */
+/** Dwell times of the selected holes that have an own dwell time, in the form for the server. */
 export const staysOfSelection = computed(() =>
   Object.fromEntries([...stays.value].filter(([hole]) => selection.value.has(hole))),
 );
@@ -71,7 +72,7 @@ export const staysOfSelection = computed(() =>
 effect(() => sessionStorage.setItem(KEPT, JSON.stringify([...selection.value])));
 effect(() => sessionStorage.setItem(KEPT_STAYS, JSON.stringify([...stays.value])));
 
-// Selected holes are indices of one sheet, so another sheet begins with none.
+// Selected holes are indices in one sheet, so another sheet begins without a selection.
 let sheetName = "";
 effect(() => {
   if (!sheet.value) return;

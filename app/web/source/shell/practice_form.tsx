@@ -32,7 +32,7 @@ export function PracticeForm() {
   );
 }
 
-/** Field for the effect's name, with those of the catalogue as choices. */
+/** Field for the name of the hidden effect, with the effects of the catalogue as choices. */
 function HiddenEffect({hide}: {hide: Signal<string>}) {
   const effects = useAnswer<CatalogueDocument>("/api/catalogue").document?.effects ?? [];
   return (

@@ -1,4 +1,4 @@
-// Saving of the work as a project in the opened folder; unsaved work is never dropped without confirmation.
+// Saving of the work as a project in the opened folder. Unsaved work is never discarded without confirmation.
 import {computed, signal, useSignal} from "@preact/signals";
 import {submitting, TextInput} from "../drawing/fields";
 import type {Problem, WorkbenchState} from "../server/documents";
@@ -26,7 +26,7 @@ async function saveAs(file: string, overwrite: boolean): Promise<Problem | null>
   }
 }
 
-/** Saves under the present name; asks for one if there is none. */
+/** Saves under the present name; asks for a name if there is none. */
 export async function save(): Promise<void> {
   const file = project.value?.file;
   if (!file) {
@@ -79,7 +79,7 @@ function SaveForm() {
 
 // ---- opening something else
 
-/** Opens a cell, project or session; asks first if work would be dropped. */
+/** Opens a cell, project or session; asks first if unsaved work would be discarded. */
 export async function openInstead(path: string, body: Record<string, unknown>, name: string): Promise<void> {
   const go = async (discard: boolean) => {
     try {
@@ -120,7 +120,7 @@ export function UnsavedDialog() {
 
 // ---- part of the header
 
-/** Possible exports, and their availability. */
+/** Exports: file name, label, and whether the export is available in a state. */
 const EXPORTS: [string, string, (now: WorkbenchState) => unknown][] = [
   ["cell.yaml", "Model", () => true],
   ["project.tubeplan", "Project", () => true],

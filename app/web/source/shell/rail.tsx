@@ -1,4 +1,4 @@
-// Navigation between views: one tab stop, arrow keys within.
+// Navigation between views: a single tab stop, with arrow keys to move between views.
 import {Icon, type IconName} from "../drawing/icons";
 import {roving} from "../drawing/segments";
 import {view, VIEWS, type ViewName} from "./page_state";

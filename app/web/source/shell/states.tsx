@@ -21,7 +21,7 @@ export function Nothing({title, children}: {title: string; children?: ComponentC
   );
 }
 
-/** Problem in the program's own words: the place, what happened or the values found and expected, the remedy. */
+/** Problem in the program's words: where, what happened or the found and the expected value, and the remedy. */
 export function ProblemWords({problem}: {problem: Problem}) {
   const {where, found, expected, message, advice} = pageProblem(problem);
   return (

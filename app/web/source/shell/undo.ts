@@ -1,4 +1,4 @@
-// Undo of the last step: a marking of readings, else a step of the model.
+// Undo of the last step: a marking of readings, otherwise a step of the model.
 import {computed} from "@preact/signals";
 import {areChangeable} from "../error/loop";
 import {lastMarking, undoMarking} from "../error/reading_marks";

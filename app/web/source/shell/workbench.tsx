@@ -1,4 +1,4 @@
-// The workbench: header, the views on a rail, dialogs, and notices common to all views.
+// The workbench page: header, views on a rail, dialogs, and notices common to all views.
 import type {ComponentType} from "preact";
 import {lazy, Suspense} from "preact/compat";
 import {useEffect} from "preact/hooks";
