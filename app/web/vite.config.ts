@@ -1,6 +1,6 @@
-// Build of the page, without inlined files and inline scripts, because the page may load nothing but its own files.
-// With `--mode report` it builds the script and the style of the reports, one file each, which the program writes into
-// every report.
+// Build of the page without inlined files and inline scripts, because the page may load only its own files. With
+// `--mode report`, builds the script and the style of the reports as one file each, which the program writes into every
+// report.
 import type {BuildOptions} from "vite";
 import {defineConfig} from "vitest/config";
 
@@ -28,7 +28,7 @@ export default defineConfig(({mode}) => ({
   base: "./",
   esbuild: {jsx: "automatic", jsxImportSource: "preact", ...(mode === "report" ? {charset: "ascii"} : {})},
   build: mode === "report" ? REPORT : PAGE,
-  // By number: a machine need not know the name localhost.
+  // By number, because a machine need not know the name localhost.
   server: {host: "127.0.0.1", fs: {allow: ["..", "../drawing"]}, proxy: {"/api": {target: SERVER, changeOrigin: true}}},
   test: {include: ["tests/**/*.test.ts"]},
 }));

@@ -1,4 +1,4 @@
-// Tests of the modules that reports and workbench share: shapes, arrows, frames, and their words.
+// Tests of the modules that reports and workbench share: shapes, arrows, frames, and texts.
 import {readdirSync, readFileSync} from "node:fs";
 import path from "node:path";
 import {describe, expect, it} from "vitest";

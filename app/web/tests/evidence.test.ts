@@ -17,7 +17,8 @@ import {columnsOf, filtered, rowsOf, sizeUnitOf, sorted, wrongWord} from "../sou
 import {findVariable, variablesOf, variableTitle} from "../../drawing/variables.js";
 import type {EffectAt, ErrorReading, LeverageDocument, MomentsDocument, Vector3} from "../source/server/documents";
 
-// Two revolute joints in a plane, the second at the end of a link of 10; sixty readings, the world's z up.
+// Arm with two revolute joints in a plane, the second at the end of a link of length 10; sixty readings, the world's z
+// axis up.
 const COUNT = 60;
 const wave = (k: number) => ((k * 0.618034) % 1) * 2 - 1;
 const readings: (ErrorReading & {temperature: number; time: number})[] = Array.from({length: COUNT}, (_, k) => ({
@@ -66,7 +67,7 @@ const parts = partsOf({ids: readings.map(({id}) => id), places, unit: {length: "
 const scaled = (v: Vector3, by: number): Vector3 => [v[0] * by, v[1] * by, v[2] * by];
 const sign = (value: number) => (value > 0 ? 1 : -1);
 
-/** Variables of these causes' laws, as the program's documents state them. */
+/** Variables on which the laws of these causes depend, as stated in the program's documents. */
 const VARIES_WITH: Record<string, string[]> = {
   hysteresis: ["sense"],
   backlash: ["moment"],
@@ -79,7 +80,7 @@ const VARIES_WITH: Record<string, string[]> = {
   formula: [],
 };
 
-/** Returns the view on which a cause opens that has this displacement at each reading. */
+/** Returns the view on which the plot opens for a cause that has displacement of(k) at reading k. */
 function opened(effect: string, at: string, of: (k: number) => Vector3): [string, string] {
   const cause: EffectAt = {effect, at, varies_with: VARIES_WITH[effect] ?? ["joint"]};
   const view = viewOfCause(
@@ -326,7 +327,7 @@ describe("the table of readings", () => {
   it("says the units", () => {
     expect(columns.map(({unit}) => unit)).toEqual(["", "", "m", "m", "", "N", "deg", "m"]);
   });
-  // A pure rotation has no error in the world: its vector is zero.
+  // A pure rotation has no position error: its error vector is zero.
   const turnedErrors = (isTurn: (index: number) => boolean) => ({
     ...errorsOfRefit(
       readings,

@@ -1,6 +1,6 @@
-// Tests every effect of the catalogue with readings that hide it, simulated and diagnosed by the program itself. The
-// plot of the errors opens on the variable of its law, and the error falls to the promised one after the effect is
-// added. Runs only if TUBEPLAN names the program.
+// Tests every effect of the catalogue with readings in which it is hidden, simulated and diagnosed by the program. The
+// error plot must open on the variable of the effect's law, and the error must fall to the promised error after the
+// effect is added. Runs only if TUBEPLAN names the program.
 import {execFileSync, spawn, type ChildProcess} from "node:child_process";
 import {mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
@@ -24,19 +24,22 @@ const cells = process.env.TUBEPLAN_CELLS ?? path.resolve(__dirname, "../../cells
 
 interface Row {
   hide: string;
-  /** Regular expression of the variable that the plot must open on. */
+  /** Regular expression that the variable on which the plot opens must match. */
   opens_on: string;
-  /** Name of the cell; bench by default. */
+  /** Name of the cell; "bench" if missing. */
   cell?: string;
   /** True for an arm whose file states no weights. */
   weightless?: boolean;
-  /** Kind of the readings, anywhere in the room; by default those of the design `bench`, positions only. */
+  /**
+   * Kind of the readings, which are taken anywhere in the room; if missing, the design `bench` with positions only is
+   * used.
+   */
   kind?: string;
 }
 
 /** Effects hidden in the readings of each row; tests/web/four_clicks.mjs also tries them in the browser. */
 const TABLE = JSON.parse(readFileSync(path.join(__dirname, "hidden_effects.json"), "utf8")) as Row[];
-/** Relative tolerance between the remaining and the promised error. */
+/** Relative tolerance between the error after adding the effect and the promised error. */
 const NEAR = 0.05;
 
 interface Server {
@@ -46,7 +49,7 @@ interface Server {
 const servers = new Map<string, Server>();
 let folder = "";
 
-/** Returns the cell's file, without its arm's weights if the row says so. */
+/** Returns the path of the cell file, without the weights of the arm if the row says so. */
 function fileOf({cell = "bench", weightless}: Row): string {
   const shipped = path.join(cells, `${cell}.yaml`);
   if (!weightless) return shipped;
@@ -107,9 +110,9 @@ async function done(server: Server, name: string, body: unknown): Promise<void> 
   throw new Error(`${name} was not done within 90 s`);
 }
 
-/** Puts readings with the row's hidden effect on the server. */
+/** Loads readings with the row's hidden effect into the server. */
 async function simulate(server: Server, row: Row): Promise<void> {
-  const spread = row.cell ? 0 : 0.1; // spread of the numbers that the cell sets free
+  const spread = row.cell ? 0 : 0.1; // spread of the free parameters of the cell
   if (!row.kind) {
     await done(server, "simulate", {design: "bench", readings: 120, seed: 7, hide: [row.hide], spread});
     return;
@@ -122,7 +125,10 @@ async function simulate(server: Server, row: Row): Promise<void> {
   await takeText(server, "measurements?name=readings.csv", readFileSync(path.join(made, "measurements.csv"), "utf8"));
 }
 
-/** Returns the hidden cause if it is among the explanations, else the first of all. */
+/**
+ * Returns the hidden cause if it is among the explanations, otherwise the first cause, with the index of the
+ * explanation.
+ */
 function causeOf(document: DiagnoseDocument, hidden: string): [EffectAt, number] {
   const isHidden = ({effect, at}: EffectAt) => `${effect}@${at}` === hidden;
   const index = Math.max(

@@ -1,4 +1,4 @@
-// Tests of the program's command-line messages as the page words them.
+// Tests of the translation of command-line messages to the wording of the page.
 import {describe, expect, it} from "vitest";
 import {pageAdvice, pageProblem, pageWords} from "../source/server/page_words";
 

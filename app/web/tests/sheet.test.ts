@@ -7,7 +7,7 @@ import {fit, panned, zoomed} from "../source/sheet/sheet_camera";
 import {bandEdges, byState, bySteps} from "../source/sheet/colourings";
 import {holeName, neighbour} from "../source/sheet/sheet_model";
 
-/** Returns one leg of five rows and eleven columns, seen from below: u = -x. */
+/** Returns a sheet with one leg of five rows and eleven columns, seen from below: u = -x. */
 function grid(): SheetDocument {
   const row: number[] = [],
     column: number[] = [],

@@ -1,4 +1,4 @@
-// Tests with tools of one to eight steps: counts, names and marks of page and report agree with the document.
+// Tests with tools of one to eight steps: counts, names and marks on page and report agree with the document.
 import {describe, expect, it} from "vitest";
 import {stepCountOf, stepKinds, stepsAtError, stepText} from "../../drawing/steps.js";
 import {chancesOf, countsOf, predictedMode, scoredModes, wholeToolText} from "../source/report/plan/cases";
@@ -9,8 +9,8 @@ import type {SheetModel} from "../source/sheet/sheet_model";
 const TOOLS = [1, 2, 3, 4, 5, 6, 7, 8];
 
 /**
- * Returns a plan in which, for every k, k of n steps enter k + 1 tubes by the true arm; the most probable number is one
- * more.
+ * Returns a plan for a tool of n steps: for every k from 0 to n there are k + 1 tubes that k steps enter with the true
+ * arm. The most probable number of steps is k + 1, at most n.
  */
 function planOf(n: number): PlanDocument {
   const inserted = Array.from({length: n + 1}, (_, k) => Array<number>(k + 1).fill(k)).flat();
@@ -38,7 +38,7 @@ function planOf(n: number): PlanDocument {
   } as Partial<PlanDocument> as PlanDocument;
 }
 
-/** Returns the plan in the form of a report, with the modes side by side. */
+/** Returns the plan in the form of a report's document, with the compensation modes side by side. */
 const reported = (plan: PlanDocument) => ({
   ...plan,
   tubes: plan.tubes.map((tube) => ({...tube, ...tube.scored})),
@@ -46,7 +46,10 @@ const reported = (plan: PlanDocument) => ({
   steps: plan.counts!.none.slice(1).map((_, k) => ({diameter: 0.1 * (k + 1), tolerance: 1 / (k + 1)})),
 });
 
-/** Returns a sheet with holes of row 1, as many as there are tubes, one of row 2, and one that was not requested. */
+/**
+ * Returns a sheet whose row 1 has a hole for each tube; row 2 has a hole out of reach and a hole that was not
+ * requested.
+ */
 const sheetFor = (plan: PlanDocument) =>
   ({
     count: plan.tubes.length + 2,
