@@ -13,7 +13,7 @@ class InputError;
 
 /// Received request; size and depth of the body are limited.
 struct Request {
-  std::string method;                        ///< GET, POST, DELETE
+  std::string method;                        ///< HTTP method: GET, POST or DELETE
   std::vector<std::string> words;            ///< segments of the path after "/api/": {"jobs", "3", "cancel"}
   std::map<std::string, std::string> query;  ///< decoded parameters
   std::string content_type, body;

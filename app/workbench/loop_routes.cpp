@@ -160,7 +160,7 @@ Answer add(Workbench& workbench, const Request& request) {
   const AdditionRequest asked = additionAsked(body);
   IdentificationRequest fit;
   fit.seed = seedOf(body);
-  const Addition first = addToCell(currentModel(workbench.session()).cell, asked);  // throws at once for bad input
+  const Addition first = addToCell(currentModel(workbench.session()).cell, asked);  // refuses bad input before the job
   const std::string label =
       fmt::format("+ {}", asked.formula.empty() ? fmt::format("{}", fmt::join(first.names, " + ")) : asked.formula);
   return beginFit(workbench,
@@ -175,7 +175,7 @@ Answer remove(Workbench& workbench, const Request& request) {
   const auto causes = textsOf(body, "causes");
   IdentificationRequest fit;
   fit.seed = seedOf(body);
-  (void)withoutCauses(currentModel(workbench.session()).cell, causes);  // throws at once for bad input
+  (void)withoutCauses(currentModel(workbench.session()).cell, causes);  // refuses bad input before the job
   const std::string label = fmt::format("\u2212 {}", fmt::join(causes, ", "));
   return beginFit(workbench, {"remove", label, label, "without", fit, [causes](const Cell& cell) {
                                 const Cell without = withoutCauses(cell, causes);
@@ -243,7 +243,7 @@ std::shared_ptr<ReadingSet> readingsOf(const calibration::SimulatedCampaign& cam
 Answer simulate(Workbench& workbench, const Request& request) {
   const SimulationRequest asked = simulationAsked(objectOf(request));
   const Session now = workbench.session();
-  (void)prepareSimulation(now.models.front()->cell, asked);  // throws at once for bad input
+  (void)prepareSimulation(now.models.front()->cell, asked);  // refuses bad input before the job
   return beginJob(workbench, "simulate", "simulated readings", [&workbench, asked](JobContext& context) {
     const Session began = workbench.session();
     const Cell& cell = began.models.front()->cell;

@@ -25,7 +25,8 @@ inline constexpr const char* kProjectExtension = ".tubeplan";
 /// Returns true if two sessions have the same text of the first cell and the same readings.
 [[nodiscard]] bool hasSameInputs(const Session& one, const Session& other);
 
-/// Returns true if the session contains results of work, which its inputs alone do not determine.
+/// Returns true if the session contains more than its inputs: added models, touches, or readings set aside or read
+/// under assumptions.
 [[nodiscard]] bool hasWork(const Session& session);
 
 /// Returns true if the session has work that is not saved in a project file.

@@ -15,8 +15,8 @@ namespace tubeplan::app {
 /// Returns {of, meaning, unit, values: [number or null], steps: [number, -1 if unknown]}, with one entry for each hole.
 /// `of` selects the field. `sag`: distance between the tips of the deflected and the rigid arm. `centring`: lateral
 /// distance of the tip from the hole's centre, for the true arm if one is named, otherwise for this model at joint
-/// angles from rigid kinematics. `residual`: residual of the model at touched holes. Throws InputError for an unknown
-/// field, JobStopped.
+/// angles from rigid kinematics. `residual`: distance of the predicted tip from a touched hole. Throws InputError for
+/// an unknown field, JobStopped.
 [[nodiscard]] nlohmann::json fieldOf(const Session& session, const std::string& of, JobContext& context);
 
 void requireField(const std::string& of);

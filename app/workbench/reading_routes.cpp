@@ -163,7 +163,8 @@ void requireIds(const ReadingSet& set, const std::vector<std::string>& ids) {
     if (!known.contains(id)) throw InputError("ids", inQuotes(id), "the id of a reading");
 }
 
-/// Returns the set with these readings set aside, or in use again. Throws InputError if no reading would remain in use.
+/// Returns the set with the readings `ids` set aside, or in use again. Throws InputError if no reading would remain in
+/// use.
 ReadingSet withSetAside(ReadingSet set, const std::vector<std::string>& ids, bool aside) {
   for (const auto& id : ids) {
     if (aside)
@@ -176,8 +177,8 @@ ReadingSet withSetAside(ReadingSet set, const std::vector<std::string>& ids, boo
   return set;
 }
 
-/// Returns the set with these readings held out of fits, or fitted again. Throws InputError if no reading would remain
-/// to fit.
+/// Returns the set with the readings `ids` held out of fits, or fitted again. Throws InputError if no reading would
+/// remain to fit.
 ReadingSet withHeldOut(ReadingSet set, const std::vector<std::string>& ids, bool held_out) {
   const std::set<std::string> chosen(ids.begin(), ids.end());
   std::size_t fitted = 0;

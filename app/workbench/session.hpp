@@ -25,10 +25,10 @@ namespace tubeplan::app {
 struct Model {
   int id = 0;
   std::string label;
-  std::string origin;  ///< given, effect, formula, fit, calibration
+  std::string origin;  ///< given, effect, formula, fit, calibration, without or assumption
   Cell cell;
   planner::Workcell posed;                             ///< only arm, base and scene, to evaluate postures
-  std::shared_ptr<const planner::NearestPairs> pairs;  ///< null if the cell has no bodies
+  std::shared_ptr<const planner::NearestPairs> pairs;  ///< search of nearest objects; null without bodies
 };
 using ModelPointer = std::shared_ptr<const Model>;
 
@@ -77,7 +77,7 @@ struct Session {
   std::vector<ModelPointer> models;  ///< stack of models, the opened cell first; never empty
   std::size_t current = 0;           ///< index of the current model; models above it are kept for redo
   int next_model = 1;
-  std::shared_ptr<const ReadingSet> readings;                   ///< null without readings
+  std::shared_ptr<const ReadingSet> readings;                   ///< loaded readings; null if there are none
   std::map<std::string, std::map<int, ResultPointer>> results;  ///< by result name and model id
   std::string truth;                                            ///< cell file of the true arm; empty: none
   std::string project;                                          ///< project file last saved; empty: none

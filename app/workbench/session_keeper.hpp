@@ -47,7 +47,7 @@ class SessionKeeper {
   std::filesystem::path folder_, file_;
   FileLock lock_;  ///< lock file next to the session file
   mutable std::mutex mutex_;
-  std::uint64_t kept_ = 0;  ///< last revision written
+  std::uint64_t kept_ = 0;  ///< revision of the session written last
   std::string problem_;
 };
 

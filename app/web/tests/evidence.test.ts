@@ -67,7 +67,7 @@ const parts = partsOf({ids: readings.map(({id}) => id), places, unit: {length: "
 const scaled = (v: Vector3, by: number): Vector3 => [v[0] * by, v[1] * by, v[2] * by];
 const sign = (value: number) => (value > 0 ? 1 : -1);
 
-/** Variables on which the laws of these causes depend, as stated in the program's documents. */
+/** Variables on which the law of each effect depends, as stated in the program's documents. */
 const VARIES_WITH: Record<string, string[]> = {
   hysteresis: ["sense"],
   backlash: ["moment"],

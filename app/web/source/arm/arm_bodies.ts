@@ -59,7 +59,9 @@ function placeRod({reach}: ArmBodies, rod: Mesh, a: Vector3, b: Vector3): void {
   rod.scale.set(reach, long / (1 + 2 * ROD), reach);
 }
 
-/** Returns the rigid frame plus `times` the displacement and rotation to the deflected frame. */
+/**
+ * Returns the deflected frame, with its displacement and rotation relative to the rigid frame multiplied by `times`.
+ */
 export function magnifiedFrame(rigid: Frame, flexible: Frame, times: number): Frame {
   if (times === 1) return flexible;
   const position = rigid.position.map(

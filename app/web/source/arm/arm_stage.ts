@@ -37,7 +37,7 @@ const IS_SOFTWARE = (() => {
 
 /**
  * Distance from the middle of the picture to its edge, in the cell's unit of length. Dimensions that the cell does not
- * determine are fractions of it.
+ * determine are stated relative to this distance.
  */
 export const pictureReach = signal(1);
 

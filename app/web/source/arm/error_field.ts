@@ -1,4 +1,5 @@
-// The errors of all readings as arrows at their positions in the 3-D picture, blended from before to after the refit.
+// The errors of all readings as arrows at their positions in the 3-D picture, blended between the series before and
+// after.
 import {Group, InstancedMesh, LineSegments, Vector3, type LineBasicMaterial, type MeshBasicMaterial} from "three";
 import type {Palette} from "../drawing/colours";
 import {usualLargest} from "../../../drawing/arrows.js";

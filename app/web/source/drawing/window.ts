@@ -3,7 +3,7 @@ import {useSignal} from "@preact/signals";
 import type {RefObject} from "preact";
 import {useEffect} from "preact/hooks";
 
-/** Number of additional rows above and below the visible ones. */
+/** Number of rows rendered above and below the visible rows. */
 const MORE = 8;
 
 /** Returns the range of visible rows, from `first` to before `last`, of `count` rows that are `high` pixels high. */

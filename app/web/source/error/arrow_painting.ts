@@ -17,7 +17,7 @@ export interface ArrowsLook {
   plane: Plane;
   /** Unit of the errors. */
   unit: string;
-  /** Sheet drawn under the arrows if the plane is parallel to it; null if the cell has none. */
+  /** Sheet drawn under the arrows if the picture's plane is parallel to the sheet; null if the cell has no sheet. */
   sheet: SheetModel | null;
   /** Ids of readings whose arrows are always drawn, even if there are too many arrows. */
   picked?: ReadonlySet<string>;

@@ -27,7 +27,7 @@ export const currentComparison = computed(() => {
   return document && document.model === state.value?.model ? document : null;
 });
 
-/** Starts a comparison, including the ladder if it does not end at this model yet. */
+/** Starts a comparison, including the ladder if the ladder does not end at the present model yet. */
 export async function startCompare(): Promise<void> {
   const hasLadder = state.value?.results.ladder?.model === state.value?.model;
   await runJob("Compare", "/api/compare", {ladder: !hasLadder});
@@ -47,7 +47,7 @@ async function compareAtOnce(): Promise<void> {
   try {
     await startJob("/api/compare", {ladder: true});
   } catch (error) {
-    const isBegun = error instanceof ServerProblem && error.status === 409; // another browser was faster
+    const isBegun = error instanceof ServerProblem && error.status === 409; // begun by another browser
     if (!isBegun) report("Compare", error);
   }
 }

@@ -156,7 +156,7 @@ function ofComparison(document: CompareDocument): ReadingErrors {
   };
 }
 
-// ---- another explanation next to the drawn one
+// ---- second explanation, drawn next to the main explanation
 
 function drawnIndex(document: DiagnoseDocument): number {
   return Math.min(chosenExplanation.value, document.explanations.length - 1);

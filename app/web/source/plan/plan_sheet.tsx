@@ -108,7 +108,7 @@ function ModeChoice({document, shownMode}: {document: PlanDocument | null; shown
   );
 }
 
-/** Table of the number of holes that no step of the tool enters, one step, and so on up to all steps. */
+/** Numbers of holes that no step, one step, and so on up to all steps of the tool enter. */
 function StepCounts({document, colouring}: {document: PlanDocument; colouring: Colouring}) {
   return (
     <span class="counts">

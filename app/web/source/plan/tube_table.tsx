@@ -1,4 +1,4 @@
-// Every tube of the plan in visiting order.
+// Table of all tubes of the plan in visiting order.
 import {useEffect, useRef} from "preact/hooks";
 import {MarkIcon} from "../drawing/marks";
 import {useWindow} from "../drawing/window";

@@ -17,7 +17,7 @@ export interface JudgedDocument {
 /** Document about errors with a verdict. */
 export interface VerdictDocument extends JudgedDocument {
   verdict: string;
-  /** Absent in projects of earlier programs. */
+  /** Verdict in words; missing in projects of earlier versions. */
   verdict_words?: string;
   /** Errors of the given model, of the refitted model, and of the model with each explanation. */
   ladder?: {name: string; rms: number | null; heldout_rms: number | null}[];
@@ -125,7 +125,7 @@ export interface NextReading {
   senses?: Record<string, number>;
   splits?: string[];
   separation_sigmas?: number;
-  /** Absent in projects of earlier programs. */
+  /** Columns to fill in; missing in projects of earlier versions. */
   fill_in?: FillIn;
 }
 
@@ -231,7 +231,7 @@ export interface SignatureDocument {
   shift_unit: string;
 }
 
-/** Confounding of causes: those that the readings can hardly distinguish. */
+/** For each cause, the other causes that the readings can hardly distinguish from it. */
 export interface ConfoundingDocument {
   readings: number;
   causes: {effect: string; at: string; kept: number; confounded: {effect: string; at: string; share: number}[]}[];

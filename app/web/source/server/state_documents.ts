@@ -107,7 +107,7 @@ export interface Job {
 export interface ResultMark {
   model: number;
   revision: number;
-  /** Ids of all models that have the result. */
+  /** Ids of all models for which the result was computed. */
   models: number[];
 }
 

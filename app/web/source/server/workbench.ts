@@ -28,7 +28,7 @@ export function otherModelOf(name: string): string {
   return state.value?.models.find((model) => model.id === id)?.label ?? "a model that is gone";
 }
 
-/** Returns the running job of one of these kinds; null if there is none. */
+/** Returns the running job of one of the given kinds; null if there is none. */
 export function runningJob(...kinds: string[]): Job | null {
   return runningJobs.value.find((job) => kinds.includes(job.kind)) ?? null;
 }
@@ -180,7 +180,7 @@ export async function runJob(title: string, path: string, body: unknown = {}): P
   }
 }
 
-/** Requests a job, and adds it to the known jobs once the program has accepted it. */
+/** Requests a job, and adds the job to the known jobs once the program has accepted it. */
 export async function startJob(path: string, body: unknown): Promise<Job> {
   starting.value = [...starting.peek(), path];
   try {
@@ -215,7 +215,7 @@ async function ended(id: string): Promise<boolean> {
   return job === undefined || job.status === "done";
 }
 
-/** Stops the running and starting jobs of these kinds, and waits until they have ended. */
+/** Stops the running and starting jobs of the given kinds, and waits until they have ended. */
 export async function stopJobs(...kinds: string[]): Promise<void> {
   await until(() => starting.value.length === 0);
   const stopped = runningJobs.peek().filter((job) => kinds.includes(job.kind));

@@ -25,9 +25,9 @@ const reach = result<ReachDocument>("reach"),
   field = result<FieldDocument>("field"),
   plan = result<PlanDocument>("plan");
 
-// ---- before and after: the field of the model from which the present one was made, on a common scale
+// ---- before and after: the field of the model below the current model, on a common scale
 
-/** Model below the current one on the stack. */
+/** Model below the current model on the stack; null if there is none. */
 export const modelBefore = computed<Model | null>(() => {
   const now = state.value;
   const at = now?.models.findIndex((model) => model.id === now.model) ?? -1;

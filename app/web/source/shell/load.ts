@@ -149,6 +149,6 @@ interface Practice {
 }
 
 export async function simulate(practice: Practice): Promise<void> {
-  const spread = cell.value && cell.value.identify.length > 0 ? 0.1 : 0; // spread of the cell's free numbers
+  const spread = cell.value && cell.value.identify.length > 0 ? 0.1 : 0; // spread of the cell's free parameters
   if (await runJob("Practice readings", "/api/simulate", {...practice, spread})) await afterReadings();
 }

@@ -12,7 +12,7 @@ import {ProblemWords} from "./states";
 
 const project = computed(() => state.value?.project ?? null);
 
-/** Action that waits until the work is saved or discarded. */
+/** Action that waits until the work is saved or discarded; null if there is none. */
 const opening = signal<{name: string; go: (discard: boolean) => Promise<void>} | null>(null);
 
 // ---- saving
