@@ -1,4 +1,4 @@
-// Numbers with units in YAML files: reader and writer.
+// Reader and writer of numbers with units in YAML files.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,21 +10,23 @@
 
 namespace tubeplan::app {
 
-/// Returns a number in internal units. Throws InputError for any other value.
+/// Reads a number and converts it to internal units. Throws InputError for a value that is not a number.
 [[nodiscard]] double readQuantity(const YamlNode& node, const Units& units, Dimension dimension);
 
-/// Returns a list of three numbers [x, y, z] in internal units. Throws InputError for any other value.
+/// Reads a list of three numbers [x, y, z] and converts them to internal units. Throws InputError for a value that is
+/// not such a list.
 [[nodiscard]] Eigen::Vector3d readVector(const YamlNode& node, const Units& units, Dimension dimension);
 
-/// Returns the unit vector of a list of three numbers. Throws InputError for any other value and if all are zero.
+/// Reads a list of three numbers and returns the unit vector in its direction. Throws InputError for a value that is
+/// not such a list, or if all three numbers are zero.
 [[nodiscard]] Eigen::Vector3d readDirection(const YamlNode& node);
 
-/// Returns a number of a map in internal units; `otherwise` if the key is missing. Throws InputError for any other
-/// value.
+/// Reads the number at a key of a map and converts it to internal units; returns `otherwise` if the key is missing.
+/// Throws InputError for a value that is not a number.
 [[nodiscard]] double readQuantityOr(const YamlNode& map, std::string_view key, const Units& units, Dimension dimension,
                                     double otherwise);
 
-/// Returns "[x, y, z]" in file units.
+/// Returns the values in file units as the text of a list: "[x, y, z]".
 [[nodiscard]] std::string listText(const Eigen::VectorXd& values, const Units& units, Dimension dimension);
 
 }  // namespace tubeplan::app

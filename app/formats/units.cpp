@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr double kPoundForce = 4.4482216152605;  // exact: 0.45359237 kg at 9.80665 m/s^2
+constexpr double kPoundForce = 4.4482216152605;  // [N], exact: weight of 0.45359237 kg at 9.80665 m/s^2
 
 constexpr Unit kUnits[] = {
     {UnitKind::kLength, "in", 0.0254},
@@ -177,8 +177,8 @@ std::string Units::nameOf(const deflection::ValueUnit& unit) const {
 double rounded(double value) {
   if (!std::isfinite(value)) return value;
   const double result =
-      std::strtod(fmt::format("{:.12g}", value).c_str(), nullptr);  // std::stod refuses the smallest numbers
-  return result == 0 ? 0 : result;                                  // avoids minus zero
+      std::strtod(fmt::format("{:.12g}", value).c_str(), nullptr);  // std::stod throws for subnormal numbers
+  return result == 0 ? 0 : result;                                  // replaces -0 by 0
 }
 
 std::string formatNumber(double value) { return fmt::format("{}", rounded(value)); }

@@ -1,4 +1,4 @@
-// Units of files, and conversion to internal units: metre, newton, radian, second, kelvin.
+// Units of measurement in files, and conversion to the internal units: metre, newton, radian, second, kelvin.
 #pragma once
 
 #include <span>
@@ -15,10 +15,11 @@ struct YamlNode;
 
 enum class UnitKind { kLength, kAngle, kForce, kTorque, kTemperature, kTime };
 
-/// Weight of a kilogram at standard gravity [N]. Kilograms in files, also the masses of arms, become weights by it.
+/// Weight of one kilogram at standard gravity [N], which converts kilograms in files, including masses of arms, to
+/// weights.
 inline constexpr double kWeightOfKilogram = 9.80665;
 
-/// Unit with its conversion: internal = (value + offset) * factor.
+/// Unit of measurement with its conversion: internal value = (value + offset) * factor.
 struct Unit {
   UnitKind kind;
   std::string_view name;
@@ -26,18 +27,18 @@ struct Unit {
   double offset = 0;
 };
 
-/// Returns all units: an open table, with one row for each unit.
+/// Returns all units, as an open table with one row for each unit.
 [[nodiscard]] std::span<const Unit> unitTable();
 
-/// Returns the unit of that kind and name; null if there is none.
+/// Returns the unit of the given kind and name; null if there is none.
 [[nodiscard]] const Unit* findUnit(UnitKind kind, std::string_view name);
 
-/// Returns the names of a kind of units: in, mm, cm, m, ft.
+/// Returns the names of all units of a kind: for lengths "in", "mm", "cm", "m", "ft".
 [[nodiscard]] std::vector<std::string> unitNames(UnitKind kind);
 
-/// Dimension of a quantity by its exponents; a temperature is a temperature difference. Joint speeds and accelerations
-/// have no exponent for time: in the arm file they are per second for any unit of time (6 is 6 deg/s in a file in
-/// minutes). The rates of effects follow the unit of time.
+/// Dimension of a quantity: the exponents of its base dimensions. A temperature is a temperature difference. Joint
+/// speeds and accelerations have the time exponent 0, because arm files always state them per second (6 means 6 deg/s
+/// even in a file whose unit of time is the minute). Rates of effects follow the file's unit of time.
 struct Dimension {
   int length = 0, angle = 0, force = 0, temperature = 0, time = 0;
 };
@@ -60,38 +61,39 @@ inline constexpr Dimension kSpeed{1, 0, 0, 0, -1};
 inline constexpr Dimension kTime{0, 0, 0, 0, 1};
 }  // namespace dimension
 
-/// Returns the dimension of a quantity. A prismatic joint's offset has the quantity angle but is a length, which the
-/// caller must consider.
+/// Returns the dimension of a quantity. The offset of a prismatic joint has the quantity angle but is a length; the
+/// caller must handle this case.
 [[nodiscard]] Dimension dimensionOf(deflection::Quantity quantity);
 
-/// Units block of a file.
+/// Units of a file, from its `units` block.
 class Units {
  public:
-  /// Creates internal units: m, rad, N, K, s.
+  /// Creates the internal units: m, rad, N, K, s.
   Units();
 
-  /// Reads `units: {length, angle, force, temperature, time}`; temperature and time are optional (degC, s). Throws
-  /// InputError for an unknown key or unit.
+  /// Reads `units: {length, angle, force, temperature, time}`; temperature and time are optional (default: degC, s).
+  /// Throws InputError for an unknown key or unit.
   explicit Units(const YamlNode& node);
 
   [[nodiscard]] double toInternal(double value, Dimension dimension) const;
 
-  /// Returns a value in file units, rounded to 12 significant digits, so that a number read and written again has the
-  /// same decimals.
+  /// Returns a value in file units, rounded to 12 significant digits, so that a number that is read and written again
+  /// keeps its decimals.
   [[nodiscard]] double toFile(double value, Dimension dimension) const;
 
-  /// Convert values that may be absolute temperatures, or have a unit of their own.
+  /// Converts values that may be absolute temperatures, or that may have a unit outside the `units` block, such as
+  /// percent.
   [[nodiscard]] double toInternal(double value, const deflection::ValueUnit& unit) const;
   [[nodiscard]] double toFile(double value, const deflection::ValueUnit& unit) const;
 
-  /// Returns the internal units per unit of the file, for numbers that are scaled but not rounded (covariances,
+  /// Returns the number of internal units per file unit, for values that are scaled without rounding (covariances,
   /// Jacobians).
   [[nodiscard]] double factor(Dimension dimension) const;
 
-  /// Returns the name of a dimension's unit: "lbf*in/deg", "in^4", "1" for a plain number.
+  /// Returns the name of the file's unit for a dimension: "lbf*in/deg", "in^4"; "1" for a dimensionless number.
   [[nodiscard]] std::string nameOf(Dimension dimension) const;
 
-  /// Returns the name of a value's unit: "degF", "percent", "" for a plain number.
+  /// Returns the name of the file's unit for a value: "degF", "percent"; "" for a dimensionless number.
   [[nodiscard]] std::string nameOf(const deflection::ValueUnit& unit) const;
 
   [[nodiscard]] const Unit& length() const { return *length_; }
@@ -103,16 +105,16 @@ class Units {
  private:
   [[nodiscard]] double zeroOf(deflection::Quantity quantity) const;
 
-  const Unit *length_, *angle_, *force_, *temperature_, *time_;  // rows of unitTable()
+  const Unit *length_, *angle_, *force_, *temperature_, *time_;  // pointers into unitTable()
 };
 
 /// Returns a value rounded to 12 significant digits.
 [[nodiscard]] double rounded(double value);
 
-/// Returns the shortest decimal of a number after rounding to 12 significant digits.
+/// Returns the shortest decimal text of a number after rounding to 12 significant digits.
 [[nodiscard]] std::string formatNumber(double value);
 
-/// Returns a length [m] in file units.
+/// Converts a length from metres to file units.
 [[nodiscard]] inline double lengthOf(double metres, const Units& units) {
   return units.toFile(metres, dimension::kLength);
 }

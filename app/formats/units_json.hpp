@@ -1,4 +1,4 @@
-// Units in JSON documents, for readers to compare.
+// Units in JSON documents, so that programs can compare the units of two documents.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,10 +7,10 @@
 
 namespace tubeplan::app {
 
-/// Returns the units as {"length": "in", "angle": "deg", ...}.
+/// Returns the names of the units as an object: {"length": "in", "angle": "deg", ...}.
 [[nodiscard]] nlohmann::json unitsJson(const Units& units);
 
-/// Returns the units, with the conditions that readings may state as `conditions: [{name, unit}]`.
+/// Returns unitsJson() with an entry `conditions: [{name, unit}]` for the conditions that readings may state.
 [[nodiscard]] nlohmann::json readingUnitsJson(const Units& units);
 
 }  // namespace tubeplan::app
