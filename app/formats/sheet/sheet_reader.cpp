@@ -23,7 +23,8 @@ namespace {
 using tubesheets::Problem;
 using tubesheets::SheetDescription;
 
-// Throws InputError at the value that the problem names, if the file has it, with that value as the user wrote it.
+// Throws InputError for a problem, at the value that the problem names if the file contains that value. The message
+// then quotes the value as the user wrote it.
 [[noreturn]] void failAt(const YamlNode& node, const Problem& problem) {
   const YamlNode* named = findNode(node, node.path + "." + problem.what);
   if (!named) named = findNode(node, node.path + ".layout." + problem.what);

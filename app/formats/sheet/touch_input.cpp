@@ -27,7 +27,7 @@ double sigmaOf(const Measurement& reading, const Cell& cell, const std::string& 
                            "add a column sigma_" + std::string(cell.units.length().name));
 }
 
-/// Throws InputError for a touch whose hole's name and position mean different holes.
+/// Throws InputError if a touch states the name of one hole and the position of another.
 void requireNamedHole(const Measurement& reading, const Cell& cell, const std::string& file) {
   const auto name = tubesheets::parseTubeName(reading.point);
   const auto* tube = name && cell.sheet ? cell.sheet->find(name->row, name->column) : nullptr;

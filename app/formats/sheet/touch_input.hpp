@@ -1,4 +1,4 @@
-// Touches of known holes from measurement files and simulations.
+// Touches of known holes, from measurement files or from a simulation.
 #pragma once
 
 #include <cstdint>
@@ -12,31 +12,33 @@
 
 namespace tubeplan::app {
 
-/// Returns the touches of known holes among the readings; `file` names them in messages. Throws InputError for no
-/// touches, for touches of several set-ups without a choice, and for a touch without sigma in a cell without a tool.
+/// Returns those readings that are touches of known holes; messages name the file as `file`. Throws InputError if there
+/// are no touches, if touches belong to several set-ups and `setup` is empty, and for a touch without sigma in a cell
+/// without a calibration tool.
 [[nodiscard]] std::vector<calibration::Measurement> touchesOf(const std::vector<calibration::Measurement>& readings,
                                                               const Cell& cell, const std::string& file,
                                                               const std::string& setup = "");
 
-/// Sets the bounds of the centring error and its sigma in readings of kind steps, by the tool's tolerances; `file`
-/// names them in messages. Throws InputError for a count that the tool does not have, and for zero, which gives no
-/// upper bound.
+/// Sets the bounds and the sigma of the centring error in readings of kind steps, according to the tool's tolerances;
+/// messages name the file as `file`. Throws InputError for a number of steps that the tool does not have, and for zero
+/// steps, which give no upper bound.
 void settleSteps(std::vector<calibration::Measurement>& readings, const tubesheets::SteppedTool& tool,
                  const std::string& file);
 
-/// Returns the chosen holes. Throws InputError if none could be chosen.
+/// Returns the planned touches. Throws InputError if no holes could be chosen.
 [[nodiscard]] std::vector<calibration::TouchPlan> requireTouches(BestTouches touches);
 
-/// Returns simulated touches of the true arm for `--touches auto`, at the three holes that determine the base best by
-/// the model of `cell`. Throws InputError if it cannot touch three.
+/// Returns simulated touches of the true arm for `--touches auto`, at the three holes that determine the base most
+/// accurately according to `model`. Throws InputError if the arm cannot touch three holes.
 [[nodiscard]] std::vector<calibration::Measurement> touchesByTrueArm(const planner::Workcell& model, const Cell& cell,
                                                                      const planner::Workcell& truth,
                                                                      std::uint64_t seed);
 
-/// Throws InputError for touches that do not determine a base: too few, or nearly on a line.
+/// Throws InputError for touches that do not determine the base pose: fewer than three holes, or holes nearly on a
+/// line.
 void requireEnoughTouches(const std::vector<calibration::Measurement>& touches, const std::string& file);
 
-/// Returns touches as the text of a measurement file for `calibrate`.
+/// Returns the text of a measurement file that contains the touches, as input of the command `calibrate`.
 [[nodiscard]] std::string touchesCsv(const std::vector<calibration::Measurement>& touches, const Cell& cell);
 
 }  // namespace tubeplan::app

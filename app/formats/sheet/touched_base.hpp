@@ -1,4 +1,4 @@
-// Touches that placed a cell's base, in the cell's file: `touched`, beside `base`.
+// Reader and writer of `touched` in a cell's file: the touches that determined the cell's base pose.
 #pragma once
 
 #include <string>
@@ -7,20 +7,20 @@
 
 namespace tubeplan::app {
 
-/// Reads `touched: {readings: |, numbers: [...], values: [...]}`: a measurement table of the touches, and the arm's
-/// numbers whose values fitted to the touches differ from the arm's file. Sets these values in the cell's arm;
-/// placed_by keeps the arm as filed. Requires the arm, its effects and the sheet of the cell. Throws InputError for
-/// anything else.
+/// Reads `touched: {readings: |, numbers: [...], values: [...]}`: a measurement table of the touches, and those
+/// parameters of the arm whose fitted values differ from the arm's file. Sets the fitted values in the cell's arm;
+/// `placed_by` keeps the arm as filed. Requires that the cell already has its arm, effects and sheet. Throws InputError
+/// for any other value.
 void readTouched(const YamlNode& node, Cell& cell);
 
-/// Returns the text with the touches and the numbers in which `arm` differs from the cell's filed arm.
+/// Returns the cell's text with the touches, and with the parameters of `arm` that differ from the cell's filed arm.
 [[nodiscard]] std::string withTouched(const std::string& text, const Cell& cell,
                                       const std::vector<calibration::Measurement>& touches, const deflection::Arm& arm);
 
-/// Returns the text without `touched`, for a base from another source.
+/// Returns the cell's text without the key `touched`, for a base pose from another source.
 [[nodiscard]] std::string withoutTouched(const std::string& text);
 
-/// Removes the touches from a cell for a new calibration: its arm is as filed again, the base stays.
+/// Removes the touches from a cell before a new calibration: resets the arm to its filed parameters and keeps the base.
 void forgetTouches(CellModel& cell);
 
 }  // namespace tubeplan::app
