@@ -1,4 +1,4 @@
-// Numbers of a path's rows in the file's units, to distinguish a path from an altered one or from another plan's.
+// Fingerprint of the numbers in a path, which reveals a path that was altered or belongs to another plan.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,10 +9,11 @@ namespace tubeplan::app {
 
 class PathNumbers {
  public:
-  /// Adds one row; `segment` counts from 1, as in the file.
+  /// Adds one row of the path, in file units; `segment` counts from 1, as in path.csv.
   void add(double time, int segment, const Eigen::VectorXd& joints);
 
-  /// Returns the fingerprint of all rows so far. It depends on every bit of the numbers, but not on their notation.
+  /// Returns the fingerprint of all rows added so far, which depends on every bit of the numbers, but not on their
+  /// notation.
   [[nodiscard]] std::string fingerprint() const;
 
  private:

@@ -1,4 +1,4 @@
-// Conditions of a plan in addition to its tubes, from the command line and the cell.
+// Conditions of a plan besides its tubes, from the command line and the cell.
 #pragma once
 
 #include <map>
@@ -12,21 +12,22 @@
 namespace tubeplan::app {
 
 struct ConditionsRequest {
-  std::string start, end;          ///< `park` (the cell's), joint readings "A,B,...", or empty for any posture
-  std::vector<std::string> first;  ///< zones to visit before all other tubes, each a selection of tubes or a CSV file
-  double dwell = 0;                ///< dwell at each hole [s], unless the work list states one
-  std::vector<std::string> columns = {};  ///< meanings of columns of work lists, for the tubes and the zones
+  std::string start, end;          ///< `park` (the cell's posture), joint readings "A,B,...", or empty for any posture
+  std::vector<std::string> first;  ///< zones visited first, each given as a selection of tubes or a CSV file
+  double dwell = 0;                ///< dwell time at each hole [s], unless the work list states one
+  std::vector<std::string> columns = {};  ///< assignments of columns in work lists, for the tubes and the zones
 };
 
-/// Returns the conditions of a plan. `dwell_at` has the dwells of the work list [s], by tube. Throws InputError for
-/// postures that the arm cannot take, a park posture or tubes that do not exist, and invalid dwells.
+/// Returns the conditions of a plan. `dwell_at` has the dwell times stated by the work list [s], keyed by tube index.
+/// Throws InputError for postures that the arm cannot take, for a missing park posture, for tubes that do not exist,
+/// and for invalid dwell times.
 [[nodiscard]] planner::VisitConditions conditionsOf(const ConditionsRequest& request, const Cell& cell,
                                                     std::map<int, double> dwell_at);
 
-/// Returns a fingerprint of the start and end posture, to the last bit; "anywhere" if there are none.
+/// Returns a fingerprint of the start and end postures, exact to the last bit; "anywhere" if neither is given.
 [[nodiscard]] std::string endsText(const planner::VisitConditions& conditions);
 
-/// Returns a fingerprint of all other conditions, to the last bit; "none" if there are none.
+/// Returns a fingerprint of the zones and dwell times, exact to the last bit; "none" if there are none.
 [[nodiscard]] std::string conditionsText(const planner::VisitConditions& conditions);
 
 }  // namespace tubeplan::app

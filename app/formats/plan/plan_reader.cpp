@@ -77,7 +77,7 @@ void readFiguresOf(const JsonValue& document, const Cell& cell, PlanFiles& files
   files.plan.least_clearance = numberOf("min_clearance", cell.units.factor(dimension::kLength));
 }
 
-/// Reader of the fields of path.csv, row by row.
+/// Reader of the rows of path.csv.
 class PathReader {
  public:
   PathReader(const std::string& path, const Cell& cell)

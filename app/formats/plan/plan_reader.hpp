@@ -1,4 +1,4 @@
-// Reader of a plan's files as stated: plan.json and path.csv.
+// Reader of the files of a plan: plan.json and path.csv.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace tubeplan::app {
 
-/// Tube stated in a row of the path.
+/// Tube of a row in path.csv.
 struct TubeEcho {
   std::string leg;
   int row = 0, column = 0;
@@ -18,19 +18,19 @@ struct TubeEcho {
 struct PlanFiles {
   planner::StatedPlan plan;
   std::string compensation;  ///< kind of compensation: none, goal-point, via-point
-  std::string fingerprint;   ///< fingerprint of the sheet for which it was made
+  std::string fingerprint;   ///< fingerprint of the sheet for which the plan was made
   std::string leg, viewed_from;
-  double padding_sigmas = 0;  ///< margin beyond the scene's clearance [standard deviations of the base's place]
-  double load = 0;            ///< hung load [N]
-  double insertion = 0;       ///< insertion past the face of the sheet [m]
-  std::vector<std::string> tube_legs;  ///< legs of plan.tubes; empty in a plan without
-  std::vector<TubeEcho> path_echoes;   ///< tubes of the rows of plan.path; empty in a plan without
-  std::string path_fingerprint;        ///< fingerprint of the numbers in path.csv
-  std::string stated_path;             ///< fingerprint of the path as stated in plan.json; empty in a plan without
+  double padding_sigmas = 0;  ///< margin added to the scene's clearance [standard deviations of the base position]
+  double load = 0;            ///< suspended load [N]
+  double insertion = 0;       ///< insertion depth past the sheet's face [m]
+  std::vector<std::string> tube_legs;  ///< leg of each tube in plan.tubes; empty if the plan states no legs
+  std::vector<TubeEcho> path_echoes;   ///< tube of each row in plan.path; empty if path.csv has no columns for tubes
+  std::string path_fingerprint;        ///< fingerprint of the numbers in path.csv as read
+  std::string stated_path;             ///< fingerprint of the path as stated in plan.json; empty if plan.json has none
 };
 
-/// Reads both files of the folder, with numbers in the cell's units. Throws InputError for a missing file, key or
-/// column, for an invalid number, and for a plan in other units than the cell's.
+/// Reads plan.json and path.csv from `folder`, with numbers in the cell's units. Throws InputError for a missing file,
+/// key or column, for an invalid number, and for a plan in units other than the cell's.
 [[nodiscard]] PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell);
 
 }  // namespace tubeplan::app
