@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestMesh = 256u << 20;
-constexpr std::size_t kMostCorners = 1000;  // maximum number of corners of a polygon
+constexpr std::size_t kMostCorners = 1000;  // maximum number of corners in a polygon
 
 struct MeshKind {
   std::string_view ending;
@@ -63,7 +63,7 @@ std::string bytesOf(const std::string& path) {
 
 using Triangle = std::array<int, 3>;
 
-/// Returns a polygon's triangles from one of its corners; none if they would not stay within it.
+/// Returns the triangle fan of a polygon about one of its corners; empty if a triangle would extend beyond the polygon.
 std::vector<Triangle> fanOf(const std::vector<Eigen::Vector3d>& vertices, std::span<const int> polygon,
                             std::size_t centre) {
   std::vector<Triangle> fan;

@@ -1,4 +1,4 @@
-// Reader of triangle meshes in the file formats of CAD programs.
+// Reader of triangle meshes in file formats of CAD programs.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 namespace tubeplan::app {
 
 struct MeshFile {
-  planner::TriangleMesh mesh;  ///< mesh in the file's own unit, which none of the formats states
+  planner::TriangleMesh mesh;  ///< mesh in the file's unit of length, which none of the formats states
   std::string fingerprint;     ///< fingerprint of the file's bytes
 };
 
-/// Reads an STL (text or binary), OBJ or PLY file, chosen by the end of its name. Plain polygons are divided into
-/// triangles; other files named in it (materials) are ignored. Throws InputError for a file that is missing, a folder,
-/// of another format, larger than 256 MB or damaged, or whose mesh planner::findMeshProblem refuses.
+/// Reads an STL (text or binary), OBJ or PLY file; the extension of `path` selects the format. Plain polygons are
+/// divided into triangles; files to which a mesh refers (materials) are ignored. Throws InputError for a missing or
+/// damaged file, a folder, another format, more than 256 MB, or a mesh that planner::findMeshProblem rejects.
 [[nodiscard]] MeshFile readMeshFile(const std::string& path);
 
 }  // namespace tubeplan::app

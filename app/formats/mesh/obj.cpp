@@ -6,7 +6,8 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Reads a corner "7", "7/1", "7//3" or "7/1/3": the vertex's number, from 1, or from the end if it is negative.
+/// Reads a corner "7", "7/1", "7//3" or "7/1/3". Its first number is the vertex: counted from 1, or from the last
+/// vertex backwards if negative.
 void readCorner(const TextWords& words, std::string_view word, PolygonMesh& mesh) {
   const auto number = tubesheets::parseInteger(word.substr(0, word.find('/')));
   const auto count = static_cast<int>(mesh.vertices.size());

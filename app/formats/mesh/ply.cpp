@@ -19,7 +19,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Type of numbers, with both of its names.
+/// Type of numbers in a PLY file, with its two names ("uchar", "uint8").
 struct NumberType {
   std::string_view name, sized_name;
   std::size_t size;
@@ -43,7 +43,7 @@ constexpr std::array<NumberType, 8> kNumberTypes{{{"char", "int8", 1, valueOf<st
                                                   {"double", "float64", 8, valueOf<double>}}};
 
 struct PlyProperty {
-  const NumberType* count = nullptr;  ///< type of a list's length; null for other properties
+  const NumberType* count = nullptr;  ///< type of the length of a list; null if the property is not a list
   const NumberType* value = nullptr;
   std::string_view name;
 };
@@ -99,7 +99,7 @@ PlyProperty readProperty(TextWords& words) {
   return property;
 }
 
-/// Reads up to the end of the line of end_header.
+/// Reads the header, including the line `end_header`.
 PlyHeader readHeader(TextWords& words) {
   PlyHeader header;
   if (const auto word = words.next(); word != "ply") words.fail(word, "ply");
@@ -119,7 +119,7 @@ PlyHeader readHeader(TextWords& words) {
   return header;
 }
 
-/// Numbers after the header, read one by one.
+/// Reader of the numbers after the header.
 class PlyNumbers {
  public:
   PlyNumbers(PlyEncoding encoding, TextWords& words, const std::string& bytes, const std::string& name)
@@ -127,7 +127,7 @@ class PlyNumbers {
 
   double next(const NumberType& type) { return encoding_ == PlyEncoding::kText ? nextWord() : nextBytes(type); }
 
-  /// Returns a whole number from 0 to the maximum of an int. Throws InputError for other numbers.
+  /// Returns an integer from 0 to the maximum of int. Throws InputError for other numbers.
   int nextIndex(const NumberType& type) {
     const double number = next(type);
     if (number < 0 || number > std::numeric_limits<int>::max() || number != std::floor(number))
@@ -169,7 +169,7 @@ void skip(PlyNumbers& numbers, const PlyProperty& property) {
 
 constexpr std::string_view kAxes = "xyz";
 
-/// Returns the axis of a vertex property; nothing for other properties.
+/// Returns the axis of a vertex property: 0, 1, 2 for x, y, z; nothing for other properties.
 std::optional<int> axisOf(const PlyProperty& property) {
   const bool is_one = !property.count && property.name.size() == 1;
   const std::size_t axis = is_one ? kAxes.find(property.name[0]) : std::string_view::npos;
@@ -215,7 +215,7 @@ void readFaces(const PlyElement& element, PlyNumbers& numbers, const std::string
   }
 }
 
-/// Reads all elements; those without properties are skipped at once, whatever their number.
+/// Reads all elements. Elements without properties contain no numbers and are skipped without a loop over their count.
 void readElements(const PlyHeader& header, PlyNumbers& numbers, const std::string& name, PolygonMesh& mesh) {
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") {

@@ -1,9 +1,10 @@
-// Polygons of the three mesh formats, before their division into triangles. Each parser takes a file's bytes and its
-// name for messages. It throws InputError for violations of its format, with the line in a text.
+// Parsers of the three mesh formats, and the polygons that they return before division into triangles. A parser takes
+// the bytes of a file and its name for messages. Parsers throw InputError for violations of the format, with the line
+// if the file is a text.
 //
-// The parsers are our own because the available libraries do not tolerate damaged files. In assimp 5.2.5 the reader of
-// OBJ reads beyond its text, that of PLY does not terminate, and that of STL overruns a buffer; fuzzing found each
-// within a minute (tests/fuzz).
+// We wrote the parsers ourselves because the available libraries do not tolerate damaged files. In assimp 5.2.5 the OBJ
+// reader reads beyond its text, the PLY reader does not terminate, and the STL reader overruns a buffer; fuzzing found
+// each error within a minute (tests/fuzz).
 #pragma once
 
 #include <Eigen/Core>
@@ -14,10 +15,11 @@ namespace tubeplan::app {
 
 struct PolygonMesh {
   std::vector<Eigen::Vector3d> vertices;
-  std::vector<int> corners;      ///< indices of vertices, from 0, face after face, not yet checked to exist
-  std::vector<std::size_t> end;  ///< end of each face in corners
+  std::vector<int> corners;      ///< vertex indices of all faces, from 0, not yet checked to exist
+  std::vector<std::size_t> end;  ///< index past the last corner of each face in `corners`
 
-  /// Closes the face of the corners appended since the last one; returns false if they are fewer than three.
+  /// Ends a face, which consists of the corners appended since the previous face; returns false if the face has fewer
+  /// than three corners.
   [[nodiscard]] bool endFace() {
     const std::size_t begin = end.empty() ? 0 : end.back();
     end.push_back(corners.size());
@@ -25,11 +27,12 @@ struct PolygonMesh {
   }
 };
 
-/// Parses an STL file, text or binary.
+/// Parses a text or binary STL file.
 [[nodiscard]] PolygonMesh parseStl(const std::string& bytes, const std::string& name);
-/// Parses vertices and faces of an OBJ file; normals, textures, groups, lines and points are ignored.
+/// Parses vertices and faces of an OBJ file; ignores normals, textures, groups, lines and points.
 [[nodiscard]] PolygonMesh parseObj(const std::string& bytes, const std::string& name);
-/// Parses the elements "vertex" and "face" of a PLY file, text or either binary encoding; others are ignored.
+/// Parses the elements "vertex" and "face" of a PLY file in text or in either binary byte order; ignores other
+/// elements.
 [[nodiscard]] PolygonMesh parsePly(const std::string& bytes, const std::string& name);
 
 }  // namespace tubeplan::app

@@ -16,8 +16,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL files are read as they are");
 
-// Sizes in bytes of a binary file: 80 of any text and 4 for the number of triangles; 50 for each triangle, 12 of them
-// for its normal.
+// Sizes of a binary STL file [bytes]: header of 80 bytes of any text and a 4-byte triangle count; 50 bytes for each
+// triangle, which begin with a normal of 12 bytes.
 constexpr std::size_t kHeader = 84, kTriangle = 50, kNormal = 12;
 
 std::size_t triangleCount(const std::string& bytes) {
@@ -26,7 +26,8 @@ std::size_t triangleCount(const std::string& bytes) {
   return count;
 }
 
-/// Returns true for a text file. Many programs begin binary files with "solid" too, so their length decides.
+/// Returns true for a text file. Binary files often begin with "solid" too, so a file whose size agrees with its
+/// triangle count is binary.
 bool isText(const std::string& bytes) {
   if (bytes.size() >= kHeader && bytes.size() == kHeader + kTriangle * triangleCount(bytes)) return false;
   TextWords words(bytes, "");
@@ -65,7 +66,7 @@ void endTriangle(const TextWords& words, PolygonMesh& mesh) {
   if (!is_whole) words.failSaying("this endfacet does not end three vertices");
 }
 
-/// Parses a text file. The names of solids are any text to the ends of their lines. The end of each solid is required,
+/// Parses a text file. Solids may have any names up to the ends of their lines. Each solid must have an `endsolid`,
 /// because nothing else reveals missing triangles.
 PolygonMesh parseText(const std::string& bytes, const std::string& name) {
   TextWords words(bytes, name);

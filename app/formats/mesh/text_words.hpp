@@ -1,4 +1,4 @@
-// Reader of a text word by word that counts lines for messages.
+// Reader that splits a text into words and counts lines for messages.
 #pragma once
 
 #include <string>
@@ -8,25 +8,26 @@ namespace tubeplan::app {
 
 class TextWords {
  public:
-  /// Refers to a text that outlives it; `name` is the file's name in messages.
+  /// Keeps a view of `text`, which must outlive this object; messages name the file as `name`.
   TextWords(std::string_view text, std::string name);
 
-  /// Returns the next word on this line or a later one; empty at the end of the text.
+  /// Returns the next word on the current or a later line; empty at the end of the text.
   std::string_view next();
-  /// Returns the next word of this line; empty at its end. A backslash at the end of a line continues it on the next.
+  /// Returns the next word on the current line; empty at the end of the line. A backslash at the end of a line
+  /// continues the line.
   std::string_view nextInLine();
-  /// Skips the rest of this line, with its end.
+  /// Skips the rest of the current line, including its line break.
   void skipLine();
 
-  /// Returns the next word of this line as a number. Throws InputError unless it is finite.
+  /// Reads the next word of the current line as a number. Throws InputError unless it is a finite number.
   double number();
 
   [[nodiscard]] bool atEnd() const { return at_ == text_.size(); }
-  [[nodiscard]] std::size_t position() const { return at_; }  ///< index of the byte after the last one read
+  [[nodiscard]] std::size_t position() const { return at_; }  ///< index of the first unread byte
 
-  /// Throws InputError at this line; an empty `found` means the end of the line or the file.
+  /// Throws InputError at the current line; an empty `found` means the end of the line or of the file.
   [[noreturn]] void fail(std::string_view found, const std::string& expected) const;
-  /// Throws InputError::saying() at this line.
+  /// Throws InputError::saying() at the current line.
   [[noreturn]] void failSaying(const std::string& what) const;
 
  private:
