@@ -18,7 +18,7 @@ namespace tubeplan::app {
 
 namespace {
 
-// Builder of the tree from the parser's events. The parser's own node type silently accepts a double key.
+// Builder of the node tree from events of yaml-cpp's parser, because YAML::Node silently accepts duplicate keys.
 class TreeBuilder : public YAML::EventHandler {
  public:
   TreeBuilder(const std::string& text, const std::string& file)
@@ -75,7 +75,7 @@ class TreeBuilder : public YAML::EventHandler {
            open_.back().keys.size() == open_.back().items.size();
   }
 
-  // Returns a node with the path and key of the next value.
+  // Returns a node for the next value, with the value's position, path and key but without content.
   YamlNode makeNode(const YAML::Mark& mark, YamlNode::Kind kind) const {
     YamlNode node;
     node.file = file_;
@@ -133,16 +133,16 @@ class TreeBuilder : public YAML::EventHandler {
       makeNode(mark, YamlNode::Kind::kNull).failSaying("anchors (&) are not supported", "write the value alone");
   }
 
-  // Throws InputError for an open quote, which the parser would close at the end of the file.
+  // Throws InputError for a quote that is never closed; yaml-cpp would close the quote at the end of the file.
   void refuseOpenQuote(const YAML::Mark& mark) const {
     const auto at = static_cast<std::size_t>(mark.pos);
-    const bool is_quote = text_[at] == '"' || text_[at] == '\'';  // otherwise a block text (| or >)
+    const bool is_quote = text_[at] == '"' || text_[at] == '\'';  // otherwise a block scalar (| or >)
     if (is_quote && pastQuoted(text_, at) == std::string::npos)
       makeNode(mark, YamlNode::Kind::kNull).failSaying("the quote is not closed", "write quotes in pairs");
   }
 
-  // Throws InputError for a tag. The parser gives "?" for plain values, "!" for quoted ones, and nothing for some
-  // collections; a "!" written in the text is at the value's begin.
+  // Throws InputError for a tag in the text. yaml-cpp reports the tag "?" for plain values, "!" for quoted values, and
+  // "" for some collections; a "!" that the user wrote stands at the beginning of the value.
   void refuseTag(const YAML::Mark& mark, const std::string& tag) const {
     const auto at = static_cast<std::size_t>(mark.pos);
     const bool is_written = at < text_.size() && text_[at] == '!';
@@ -158,7 +158,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t key_begin_ = 0;
 };
 
-// Throws InputError for a tab outside of comments, where tabs are harmless.
+// Throws InputError for a tab outside a comment.
 void refuseTabs(const std::string& text, const std::string& file) {
   int line = 1, column = 1;
   bool in_comment = false;

@@ -1,4 +1,4 @@
-// Strict reader of YAML files: one document of maps, lists and plain values, with unique keys.
+// Strict reader of YAML files: one document of maps, lists and scalars, with unique keys.
 #pragma once
 
 #include <string>
@@ -14,11 +14,12 @@ struct YamlFile {
   YamlNode root;
 };
 
-/// Reads a file. Throws InputError as readTextFile() and parseYaml() do.
+/// Reads a YAML file. Throws InputError in the cases of readTextFile() and parseYaml().
 [[nodiscard]] YamlFile readYamlFile(const std::string& path);
 
-/// Parses a text; `file` is its name in messages. Throws InputError for text that is no YAML, tabs, a key that occurs
-/// twice or is no word, tags, anchors and aliases, more than one document, or no content.
+/// Parses a text; messages name the text as `file`. Throws InputError for text that is not YAML, tabs, a duplicate key
+/// or a key that is not a word, tags, anchors and aliases, several documents, and a document that is empty or not a
+/// map.
 [[nodiscard]] YamlNode parseYaml(const std::string& text, const std::string& file);
 
 /// Returns the value at a dotted path ("links[3].beam.Iz"); null if there is none.

@@ -12,7 +12,8 @@ namespace {
 
 constexpr const char* kFileName = "edited text";
 
-// Returns the end of a plain word or phrase: at a comment, a line's end or, inside brackets, one of their signs.
+// Returns the index past a plain scalar, which ends at a comment, at the end of the line or, in flow style, at a
+// bracket, brace or comma.
 std::size_t pastPlain(std::string_view text, const YamlNode& node) {
   if (text.substr(node.begin, node.scalar.size()) == node.scalar) return node.begin + node.scalar.size();
   std::size_t end = std::min(text.find('\n', node.begin), text.size());
@@ -21,7 +22,7 @@ std::size_t pastPlain(std::string_view text, const YamlNode& node) {
   return text.find_last_not_of(" \r", end - 1) + 1;
 }
 
-// Returns the end of a text under `|` or `>`, which includes all lines indented more than its key or dash.
+// Returns the index past a block scalar (`|` or `>`), which includes all lines indented more than its key or dash.
 std::size_t pastBlockText(std::string_view text, const YamlNode& node) {
   const auto lineStart = [&](std::size_t at) { return at == 0 ? 0 : text.rfind('\n', at - 1) + 1; };
   const bool is_item = node.path.ends_with(']');
@@ -38,7 +39,7 @@ std::size_t pastBlockText(std::string_view text, const YamlNode& node) {
   return end;
 }
 
-// Returns the place of a missing value: directly after its key's colon.
+// Returns the index directly after the colon of a node's key, where a missing value belongs.
 std::size_t afterColon(std::string_view text, const YamlNode& node) {
   const char first = text[node.key_begin];
   const std::size_t key_end = first == '"' || first == '\'' ? pastQuoted(text, node.key_begin) : node.key_begin;
@@ -59,7 +60,8 @@ std::size_t endOf(std::string_view text, const YamlNode& node) {
 std::string replaced(const std::string& text, const YamlNode& node, std::string_view value) {
   const std::size_t end = endOf(text, node);
   if (node.kind == YamlNode::Kind::kNull) return text.substr(0, end) + " " + std::string(value) + text.substr(end);
-  // A block under a key may start on a later line, after a comment; its replacement is written beside the key.
+  // A block collection may start on a line after its key, even after a comment; the replacement follows the key's
+  // colon.
   const bool is_item = node.path.ends_with(']');
   const bool is_block_under_key = !node.is_flow && node.kind != YamlNode::Kind::kScalar && !is_item;
   const std::size_t begin = is_block_under_key ? afterColon(text, node) : node.begin;
@@ -88,7 +90,7 @@ std::string appendedToBlock(const std::string& text, const YamlNode& map, const 
          text.substr(line_end);
 }
 
-// Returns the part of a path before its last key.
+// Returns a dotted path without its last key; empty for a single key.
 std::string_view parentPath(std::string_view path) {
   const std::size_t dot = path.rfind('.');
   return dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
@@ -114,7 +116,7 @@ std::string withoutYamlValue(const std::string& text, std::string_view path) {
   assert(node && parent && parent->kind == YamlNode::Kind::kMap);
   if (parent->items.size() == 1) return replaced(text, *parent, "{}");
   std::size_t begin = node->key_begin, end = endOf(text, *node);
-  if (!parent->is_flow) {  // removes its complete lines
+  if (!parent->is_flow) {  // removes complete lines
     begin = begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1;
     end = std::min(text.find('\n', end), text.size() - 1) + 1;
   } else if (const std::size_t next = text.find_first_not_of(" \n\r", end); text[next] == ',') {

@@ -1,5 +1,4 @@
-// Changes of single values of a YAML text that leave everything else, comments and order included, as the user wrote
-// it.
+// Editor of single values in a YAML text. Everything else, including comments and order, stays as the user wrote it.
 #pragma once
 
 #include <string>
@@ -7,13 +6,13 @@
 
 namespace tubeplan::app {
 
-/// Returns the text with the value at a dotted path ("base.position", "links[3].beam.Iz") replaced by `value`: a
-/// number, a word, or a map or list in flow style. Missing last keys of the path are added: inside the braces of a flow
-/// map, else on a line of their own. The text must be valid for parseYaml, and every list item of the path must exist.
+/// Returns the text with `value` (a scalar, or a map or list in flow style) at a dotted path such as "base.position" or
+/// "links[3].beam.Iz". Keys that are missing at the end of the path are added: inside the braces of a flow map,
+/// otherwise on a new line. The text must be valid for parseYaml, and every list item of the path must exist.
 [[nodiscard]] std::string withYamlValue(const std::string& text, std::string_view path, std::string_view value);
 
-/// Returns the text without the existing key at the end of the path and its value. Removal of a map's last key leaves
-/// `{}`.
+/// Returns the text without the last key of the path and its value; the key must exist. A map that loses its only key
+/// becomes `{}`.
 [[nodiscard]] std::string withoutYamlValue(const std::string& text, std::string_view path);
 
 }  // namespace tubeplan::app

@@ -29,7 +29,7 @@ bool isNotFinite(std::string_view text) {
   return std::find(std::begin(kWords), std::end(kWords), text) != std::end(kWords);
 }
 
-// Throws InputError for a value that is no number, with advice for a number in quotes.
+// Throws InputError for a value that is not a number; for a quoted number, advises to remove the quotes.
 [[noreturn]] void failAsNumber(const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kScalar && !node.is_quoted && isNotFinite(node.scalar))
     node.fail(node.scalar, "a finite number", "");

@@ -6,7 +6,8 @@ namespace tubeplan::app {
 
 namespace {
 
-// Returns true for a quote that opens a text, which it does only at the start of a value, unlike in "5' pipe".
+// Returns true for a quote that opens a quoted scalar. Only a quote at the start of a value does so, unlike in "5'
+// pipe".
 bool startsQuote(std::string_view text, std::size_t at) {
   if (text[at] != '"' && text[at] != '\'') return false;
   const std::size_t before = at == 0 ? std::string_view::npos : text.find_last_not_of(" \n\r", at - 1);
@@ -15,7 +16,7 @@ bool startsQuote(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-// A quote within the text is written as '' in single quotes and as \" in double quotes.
+// A quote within a quoted scalar is written as '' in single quotes and as \" in double quotes.
 std::size_t pastQuoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   for (std::size_t i = at + 1; i < text.size(); ++i) {

@@ -1,17 +1,18 @@
-// Ends of pieces of YAML text, which the parser does not report.
+// Search for the ends of scalars and collections in a YAML text, which yaml-cpp does not report.
 #pragma once
 
 #include <string_view>
 
 namespace tubeplan::app {
 
-/// Returns true for a # at `at` that starts a comment, if it is outside quotes, which the caller must check.
+/// Returns true if the # at index `at` starts a comment. The caller must ensure that `at` is outside quotes.
 [[nodiscard]] bool startsComment(std::string_view text, std::size_t at);
 
-/// Returns the index after the closing quote for the one at `at`; npos if there is none.
+/// Returns the index past the closing quote of a quoted scalar that begins at `at`; npos if there is no closing quote.
 [[nodiscard]] std::size_t pastQuoted(std::string_view text, std::size_t at);
 
-/// Returns the index after the closing bracket or brace for the one at `at`.
+/// Returns the index past the closing bracket or brace of a flow collection that begins at `at`; the text's size if the
+/// collection is not closed.
 [[nodiscard]] std::size_t pastFlow(std::string_view text, std::size_t at);
 
 }  // namespace tubeplan::app

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
 constexpr std::string_view kOthers = "0123456789_-";
 
-/// Returns true for words with another meaning in YAML: null or a boolean.
+/// Returns true for words that YAML reads as null or a boolean.
 bool isReserved(const std::string& name) {
   constexpr std::array<std::string_view, 9> kReserved = {"null", "true", "false", "yes", "no", "on", "off", "y", "n"};
   return std::find(kReserved.begin(), kReserved.end(), lowerCase(name)) != kReserved.end();
@@ -22,7 +22,7 @@ bool isReserved(const std::string& name) {
 
 }  // namespace
 
-// A JSON string is a valid YAML string.
+// A JSON string is also a valid YAML string.
 std::string yamlQuoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

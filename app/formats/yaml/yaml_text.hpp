@@ -1,14 +1,14 @@
-// Names of the user's as YAML text, whatever their characters.
+// Conversion of names chosen by the user to YAML text, whatever characters they contain.
 #pragma once
 
 #include <string>
 
 namespace tubeplan::app {
 
-/// Returns a text in quotes, with escapes if needed.
+/// Returns a text in double quotes, with escapes where needed.
 [[nodiscard]] std::string yamlQuoted(const std::string& text);
 
-/// Returns a name unchanged if it is a plain word of letters, digits, _ and -, else in quotes.
+/// Returns a name unchanged if it is a plain word of letters, digits, _ and -; otherwise the name in double quotes.
 [[nodiscard]] std::string yamlName(const std::string& name);
 
 }  // namespace tubeplan::app
