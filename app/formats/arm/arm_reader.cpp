@@ -25,7 +25,8 @@ using deflection::JointType;
 using deflection::RowConvention;
 using ArmRow = deflection::Row<double>;
 
-/// Reads the numbers of a row from one of its maps, "beam" or "dh"; missing ones keep their values.
+/// Reads the parameters of a row from one of the row's maps, "beam" or "dh"; parameters that the map lacks keep their
+/// values.
 void readNumbers(const YamlNode& node, std::string_view map, const Units& units, ArmRow& row) {
   deflection::visitNumbers(
       [&](const deflection::RowNumber& about, double& number) {
@@ -42,7 +43,8 @@ JointType readJointType(const YamlNode& node) {
   node.fail("revolute or prismatic", "omit `joint` for a fixed row");
 }
 
-/// Reads a joint driven by others, which has no reading of its own; `follows` is read after all rows.
+/// Reads a coupled joint, which follows other joints and has no encoder. The key `follows` is read later, after all
+/// rows.
 Joint<double> readFollower(const YamlNode& node, const Units& units) {
   node.expectKeys({"name", "type", "follows"}, {"offset"});
   if (readJointType(node.at("type")) != JointType::kRevolute) node.at("type").fail("revolute, for a coupled joint");
@@ -52,7 +54,7 @@ Joint<double> readFollower(const YamlNode& node, const Units& units) {
   return joint;
 }
 
-// Reads a joint; speeds and accelerations are per second in every file.
+// Reads a joint; max_speed and max_acceleration are per second whatever the file's unit of time.
 Joint<double> readJoint(const YamlNode& node, const Units& units) {
   if (node.find("follows")) return readFollower(node, units);
   node.expectKeys({"name", "type"},
@@ -74,7 +76,7 @@ Joint<double> readJoint(const YamlNode& node, const Units& units) {
   return joint;
 }
 
-// Reads Denavit-Hartenberg numbers; the one that the joint itself moves is optional.
+// Reads Denavit-Hartenberg parameters. The parameter that the joint itself varies is optional.
 void readDh(const YamlNode& node, const Units& units, ArmRow& row) {
   const bool turns = !row.joint.name.empty() && row.joint.type != JointType::kPrismatic;
   std::vector<std::string> required{"alpha", "a"}, optional{"beta", "b"};
@@ -104,7 +106,8 @@ void readPlacement(const YamlNode& node, const Units& units, ArmRow& row) {
     row.placement = readOrigin(*origin, units);
 }
 
-// Throws InputError for flexibility without its modulus, or the reverse, which would otherwise mean a rigid beam.
+// Throws InputError for a beam with second moments of area but without their modulus, or the reverse; the beam would
+// silently be rigid.
 void checkBeamKeys(const YamlNode& node) {
   const bool bends = node.find("Ix") || node.find("Iy") || node.find("Iz");
   const bool twists = node.find("J");
@@ -155,7 +158,7 @@ ArmRow readRow(const YamlNode& node, const Units& units) {
   return row;
 }
 
-/// Reads the joints that a coupled joint follows, by their names, with their ratios.
+/// Reads the joints that a coupled joint follows, from a map of joint names to ratios.
 std::vector<deflection::FollowedJoint> readFollowed(const YamlNode& follows, const Arm& arm) {
   if (follows.kind != YamlNode::Kind::kMap || follows.keys.empty())
     follows.fail("one JOINT: RATIO or more, as {theta1: -1}");
@@ -198,7 +201,8 @@ RowConvention readConvention(const YamlNode& node) {
   return RowConvention::kStandard;
 }
 
-/// Throws InputError for a row by origin after one by dh: it has no alpha and a for the standard row before it.
+/// Throws InputError for a row with `origin` after a row with `dh`: under the standard convention the `dh` row needs
+/// alpha and a of the next row, which an origin does not have.
 void requireOriginsFirst(const YamlNode& links) {
   bool is_after_dh = false;
   for (const YamlNode& row : links.list()) {
@@ -209,7 +213,8 @@ void requireOriginsFirst(const YamlNode& links) {
   }
 }
 
-/// Reads the first axis relative to the frame before it, which the numbers of a standard table do not contain.
+/// Reads the pose of the first axis relative to the frame before it, which a standard Denavit-Hartenberg table does not
+/// contain.
 void readAxis(const YamlNode& node, const Units& units, deflection::DenavitHartenberg<double>& dh) {
   node.expectKeys({}, {"alpha", "a", "beta", "b"});
   dh.alpha = readQuantityOr(node, "alpha", units, dimension::kAngle, 0);
@@ -218,7 +223,7 @@ void readAxis(const YamlNode& node, const Units& units, deflection::DenavitHarte
   dh.b = readQuantityOr(node, "b", units, dimension::kLength, 0);
 }
 
-/// Converts the rows of an arm or a side chain from the convention that the file states.
+/// Converts the rows of an arm or a side chain from the Denavit-Hartenberg convention that the file states.
 void takeRows(const YamlNode& links, RowConvention convention, const Units& units, std::vector<ArmRow>& rows) {
   const bool is_standard = convention == RowConvention::kStandard;
   if (is_standard) {
@@ -251,7 +256,7 @@ void readTool(const YamlNode& node, ArmSource& source) {
   }
 }
 
-/// Returns a found value as the user wrote it, because the library's messages have internal units.
+/// Returns a found value as the user wrote it, because messages of the library deflection are in internal units.
 std::string asWritten(const std::string& found, const YamlNode& at) {
   const auto isScalar = [](const YamlNode& node) { return node.kind == YamlNode::Kind::kScalar; };
   if (at.kind == YamlNode::Kind::kList && at.items.size() == 2 &&
@@ -271,7 +276,7 @@ void checkArm(const YamlNode& node, const Arm& arm) {
                    first.expected);
 }
 
-/// Returns the row of that name among the links of the arm or one of its side chains; null if there is none.
+/// Returns the row with the given name among the links of the arm or of its side chains; null if there is none.
 const YamlNode* findRow(const YamlNode& node, std::string_view name) {
   if (const YamlNode* links = node.find("links"))
     for (const YamlNode& row : links->items) {
@@ -286,7 +291,8 @@ const YamlNode* findRow(const YamlNode& node, std::string_view name) {
 
 bool isToolKey(std::string_view rest) { return rest.starts_with("tip") || rest.starts_with("turn") || rest == "axis"; }
 
-// Returns a parameter's path below its row or tool: list components become [i], a lump its weight.
+// Converts the part of a parameter's dotted name after the row or tool to a path in the file: vector components become
+// indices such as [0], and a lump becomes the weight of the lump.
 std::string pathBelow(std::string_view rest) {
   constexpr std::string_view kLumps = "weight.lumps.";
   if (rest.starts_with(kLumps))
@@ -350,7 +356,7 @@ std::string armPath(const YamlNode& arm, std::string_view name) {
   const std::size_t dot = name.find('.');
   const std::string_view first = name.substr(0, dot);
   const std::string_view rest = dot == std::string_view::npos ? "" : name.substr(dot + 1);
-  // A row may have the name `tool` too: only the tip, the turn and the axis always belong to the tool.
+  // A row may also be named `tool`; only the names tip, turn and axis always refer to the arm's tool.
   const YamlNode* row = first == "tool" && isToolKey(rest) ? nullptr : findRow(arm, first);
   if (row) return rest.empty() ? row->path : row->path + "." + pathBelow(rest);
   return arm.find(first) ? prefix + std::string(first) + (rest.empty() ? "" : "." + pathBelow(rest)) : "";

@@ -22,7 +22,7 @@ using deflection::Arm, deflection::JointType;
 using Eigen::Vector3d;
 using ArmRow = deflection::Row<double>;
 
-/// A map in one line, built key by key.
+/// YAML map in flow style on one line, built entry by entry.
 class FlowMap {
  public:
   explicit FlowMap(const Units& units) : units_(units) {}
@@ -47,7 +47,8 @@ class FlowMap {
   std::vector<std::string> entries_;
 };
 
-/// Adds the numbers of a row in one of its maps, "beam" or "dh"; with `usual`, only those that differ from it.
+/// Adds those parameters of a row that belong to its map `name`, "beam" or "dh". If `usual` is given, parameters with
+/// that value are left out.
 void addNumbers(std::string_view name, const ArmRow& row, const std::optional<double>& usual, FlowMap& map) {
   deflection::visitNumbers(
       [&](const deflection::RowNumber& about, const double& number) {
@@ -58,7 +59,7 @@ void addNumbers(std::string_view name, const ArmRow& row, const std::optional<do
       row);
 }
 
-/// Returns row k in the convention of its file.
+/// Returns row k in the Denavit-Hartenberg convention of its file.
 ArmRow rowAsWritten(const std::vector<ArmRow>& rows, std::size_t k) {
   ArmRow row = rows[k];
   if (deflection::isStandard(rows) && deflection::dhOf(row)) row.placement = deflection::standardNumbers(rows, k);
@@ -128,7 +129,7 @@ std::string weightText(const ArmRow& row, const Units& units) {
   return map.empty() ? "" : map.text();
 }
 
-/// Returns the text of a row as a list item, indented by `margin`.
+/// Returns the YAML text of a row as a list item, indented by `margin`.
 std::string rowText(const Arm& arm, const ArmRow& row, const Units& units, const char* margin) {
   std::string text = fmt::format("{}- name: {}\n", margin, yamlName(row.name));
   const auto add = [&](const std::string& entry) { text += fmt::format("{}  {}\n", margin, entry); };
@@ -142,7 +143,8 @@ std::string rowText(const Arm& arm, const ArmRow& row, const Units& units, const
   return text;
 }
 
-/// Returns the text of the first axis of rows by the standard convention; empty if it is the z before it.
+/// Returns the YAML text of the first joint axis of rows in the standard convention; empty for other conventions, or if
+/// the axis is the z axis of the frame before it.
 std::string axisText(const std::vector<ArmRow>& rows, const Units& units) {
   const auto* dh = deflection::isStandard(rows) ? deflection::dhOf(rows.front()) : nullptr;
   if (!dh) return "";
@@ -154,7 +156,7 @@ std::string axisText(const std::vector<ArmRow>& rows, const Units& units) {
   return map.empty() ? "" : map.text();
 }
 
-/// Returns the text of the rows that the file states.
+/// Returns the YAML text of those rows that the file states explicitly.
 std::string rowsText(const Arm& arm, const std::vector<ArmRow>& rows, const Units& units, const char* margin) {
   std::string text;
   for (std::size_t k = 0; k < rows.size(); ++k) {

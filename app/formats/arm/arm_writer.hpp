@@ -1,4 +1,4 @@
-// Writer of complete arms in the program's own format.
+// Writer of complete arms in Tubeplan's own file format.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace tubeplan::app {
 
-/// Choice to write the tool axis, or to leave it out if the arm's own file states none, so that the cell may state it.
+/// Choice of writing the tool axis, or leaving it out because the arm's file states none, so that the cell can state
+/// it.
 enum class ToolAxis { kStated, kLeftOut };
 
-/// Returns the text of an arm's file (readArm), without effects, which belong to the cell.
+/// Returns the text of an arm file, which readArm() reads, without effects, which belong to the cell.
 [[nodiscard]] std::string armYaml(const deflection::Arm& arm, const Units& units,
                                   ToolAxis tool_axis = ToolAxis::kStated);
 

@@ -18,7 +18,7 @@ namespace {
 
 using CalibrationRow = deflection::DenavitHartenberg<double>;
 
-/// List of the file, with the key of the arm's row number that it corrects.
+/// List of corrections in calibration.conf, with the parameter of the arm's rows that the list corrects.
 struct DeltaList {
   const char* key;
   const char* number;
@@ -46,7 +46,7 @@ struct Entry {
   int line = 0;
 };
 
-/// Returns the entries `key = value` of one section; a list may continue over several lines.
+/// Returns the entries `key = value` of one section, keyed by name; a list in brackets may continue over several lines.
 std::map<std::string, Entry> entriesOf(std::string_view text, std::string_view section) {
   std::map<std::string, Entry> entries;
   std::istringstream lines{std::string(text)};
@@ -85,7 +85,7 @@ std::vector<double> numbersIn(const Entry& entry, const std::string& where) {
   return numbers;
 }
 
-/// Adds a remark for a status other than "in use" (2).
+/// Adds a remark if the calibration has a status other than 2 ("in use").
 void addStatus(const std::map<std::string, Entry>& entries, ControllerCalibration& calibration) {
   const auto status = entries.find("calibration_status");
   if (status == entries.end() || status->second.value == "2") return;

@@ -1,4 +1,4 @@
-// Units and columns of joint readings.
+// Units and column names of joint readings.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,17 +9,17 @@
 
 namespace tubeplan::app {
 
-/// Returns the dimension of a joint's reading: an angle, or a length for a prismatic joint.
+/// Returns the dimension of a joint's reading: a length for a prismatic joint, otherwise an angle.
 [[nodiscard]] Dimension jointDimension(const deflection::Joint<double>& joint);
 
-/// Returns the name of a joint's columns before their unit: the joint's name, or joint_x for a name that measurement
-/// tables use for another quantity with a unit.
+/// Returns the name of a joint's column without its unit: the joint's name, preceded by `joint_` if measurement tables
+/// use that name for another quantity (`joint_x`).
 [[nodiscard]] std::string jointColumnName(const deflection::Joint<double>& joint);
 
-/// Returns the name of a joint's column in a file: theta1_deg, lift_in.
+/// Returns the name of a joint's column in a file, including its unit: "theta1_deg", "lift_in".
 [[nodiscard]] std::string jointColumn(const deflection::Joint<double>& joint, const Units& units);
 
-/// Returns the factors from file to internal units, one per active joint.
+/// Returns the factors that convert joint readings from file units to internal units, one for each active joint.
 [[nodiscard]] Eigen::VectorXd jointFactors(const deflection::Arm& arm, const Units& units);
 
 }  // namespace tubeplan::app

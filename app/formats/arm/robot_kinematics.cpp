@@ -36,14 +36,14 @@ double angleBetween(const LinkOrigin& a, const LinkOrigin& b) {
   return Eigen::AngleAxisd(turn).angle();
 }
 
-/// Returns an origin as seen from a base rotated by half a turn about z.
+/// Returns an origin relative to a base frame that is rotated by half a turn about z.
 LinkOrigin halfTurned(const LinkOrigin& origin) {
   return {{-origin.position.x(), -origin.position.y(), origin.position.z()},
           {origin.rpy.x(), origin.rpy.y(), origin.rpy.z() + std::numbers::pi},
           0};
 }
 
-/// Returns the row's origin in its file. Throws InputError if it has none.
+/// Returns the origin of a row of the arm in `file`. Throws InputError if the row has none.
 const LinkOrigin& originIn(const std::string& file, const deflection::Row<double>& row) {
   const auto* origin = std::get_if<LinkOrigin>(&row.placement);
   if (!origin)
@@ -53,7 +53,8 @@ const LinkOrigin& originIn(const std::string& file, const deflection::Row<double
   return *origin;
 }
 
-/// Returns the row's origin in the nominal file. Throws InputError unless it can be replaced.
+/// Returns the origin of a row in the nominal arm file. Throws InputError unless the joint is revolute, without offset
+/// and beta.
 const LinkOrigin& nominalOrigin(const YamlFile& nominal, const deflection::Row<double>& row) {
   const LinkOrigin& origin = originIn(nominal.path, row);
   if (row.joint.type != deflection::JointType::kRevolute || row.joint.offset != 0 || origin.beta != 0)
@@ -69,7 +70,7 @@ void requireSixJoints(const std::string& file, std::size_t joints) {
     throw InputError(file, fmt::format("{} joints", joints), "6, as the kinematics file has origins");
 }
 
-/// Returns the row's origin combined with its lean and its joint's offset; unchanged if it has neither.
+/// Returns the row's origin combined with the row's tilt beta and the joint's offset; unchanged if both are zero.
 LinkOrigin calibratedOrigin(const std::string& file, const deflection::Row<double>& row) {
   const LinkOrigin& own = originIn(file, row);
   if (own.beta == 0 && row.joint.offset == 0) return own;
@@ -78,7 +79,7 @@ LinkOrigin calibratedOrigin(const std::string& file, const deflection::Row<doubl
   return {own.position, deflection::fixedAnglesOf(turn), 0};
 }
 
-/// Returns the second origin, stated in the frame of the first, relative to the frame of the first one's own parent.
+/// Returns the origin `second`, which is relative to the frame of `first`, relative to the parent frame of `first`.
 LinkOrigin behind(const LinkOrigin& first, const LinkOrigin& second) {
   const Eigen::Matrix3d turn = deflection::rotationFromFixedAngles<double>(first.rpy);
   return {first.position + turn * second.position,
@@ -150,7 +151,7 @@ RobotKinematics robotKinematicsOf(const deflection::Arm& arm, const std::string&
   RobotKinematics kinematics;
   requireSixJoints(file, deflection::activeRows(arm).size());
   std::size_t joints = 0;
-  std::optional<LinkOrigin> passive;  // passive rows before the next joint, combined
+  std::optional<LinkOrigin> passive;  // combined origin of the passive rows before the next joint
   for (const auto& row : arm.rows) {
     if (joints == kinematics.origins.size()) break;
     const LinkOrigin own = calibratedOrigin(file, row);

@@ -1,9 +1,9 @@
-// Calibration of a Universal Robots arm as ROS stores it: a YAML file that ur_calibration writes from the controller's
-// numbers, and that ur_description reads as kinematics_config (Universal_Robots_ROS2_Driver).
+// Calibration of a Universal Robots arm in the YAML format of ROS: ur_calibration writes the file from the controller's
+// numbers, and ur_description reads the file as kinematics_config (Universal_Robots_ROS2_Driver).
 //
-// `kinematics` has one origin {x, y, z, roll, pitch, yaw} [m, rad] for each of six joints, as in the joint's URDF, and
-// the hash of the controller's numbers. All origins are near those of the drawing: unlike the controller's numbers,
-// they contain no lengths that cancel.
+// `kinematics` has one origin {x, y, z, roll, pitch, yaw} [m, rad] for each of six joints, as in the robot's URDF, and
+// a hash of the controller's numbers. All origins are close to the nominal values: unlike the controller's numbers, the
+// origins contain no large lengths that cancel.
 #pragma once
 
 #include <array>
@@ -19,21 +19,22 @@ struct RobotKinematics {
   std::string hash;                                   ///< hash of the controller's numbers; empty if the file has none
 };
 
-/// Reads the map of such a file. Throws InputError for a joint or a number that is missing or unknown.
+/// Reads the root map of a kinematics file. Throws InputError for a joint or number that is missing or unknown.
 [[nodiscard]] RobotKinematics readRobotKinematics(const YamlNode& root);
 
-/// Returns the text of the nominal arm's file with these origins in its rows with joints and everything else unchanged.
-/// A first row rotated by half a turn about the base's z, as in the robot's URDF, keeps that rotation. Throws
-/// InputError unless the arm has six rows with joints, by origin, revolute and without offsets. Also refuses an origin
-/// that would move by more than 50 mm or 10 deg, which indicates another model.
+/// Returns the text of the nominal arm's file in which the rows with joints have the origins of `kinematics`, and
+/// everything else is unchanged. A first row rotated by half a turn about the base's z, as in the robot's URDF, keeps
+/// that rotation. Throws InputError unless the arm has six rows with joints, all revolute, with origins and without
+/// offsets. Also throws InputError if an origin would move by more than 50 mm or 10 deg, which indicates another robot
+/// model.
 [[nodiscard]] std::string withRobotKinematics(const YamlFile& nominal, const RobotKinematics& kinematics);
 
-/// Returns the text of such a file, with every number exact to the last bit.
+/// Returns the text of a kinematics file, with every number exact to the last bit.
 [[nodiscard]] std::string robotKinematicsText(const RobotKinematics& kinematics);
 
-/// Returns the origins of an arm's joints, each combined with the offset, the lean and the passive rows before it; a
-/// base rotated by half a turn about z is rotated back. `file` names the arm's file in messages. Throws InputError
-/// unless the arm has six rows with joints, revolute and by origin.
+/// Returns the origins of an arm's joints, each combined with the joint's offset, the row's tilt beta and the passive
+/// rows before it. A base rotated by half a turn about z is rotated back. Messages name the arm's file as `file`.
+/// Throws InputError unless the arm has six rows with joints, all revolute and with origins.
 [[nodiscard]] RobotKinematics robotKinematicsOf(const deflection::Arm& arm, const std::string& file);
 
 }  // namespace tubeplan::app
