@@ -35,7 +35,7 @@ CheckpointFile readCheckpoint(const CheckpointFormat& format, const std::filesys
       refuseDamaged(format, path, "the file has the format " + inQuotes(head.at("format").dump()));
     file.question = head.at("question").get<PlanKey>();
     file.checksum = head.at("checksum");
-    // Files of version 0.1 have none.
+    // Files of version 0.1 have no checksum of the question.
     if (head.contains("question_checksum") && head.at("question_checksum") != questionChecksum(file.question))
       refuseDamaged(format, path, "the file's first line does not match its checksum");
   } catch (const json::exception&) {

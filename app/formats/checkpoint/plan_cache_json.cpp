@@ -14,7 +14,7 @@ using planner::MotionEnds;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Returns a number as JSON, with words for values that are not finite.
+// Returns a number as JSON: "nan", "inf" or "-inf" for values that are not finite.
 json numberJson(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
@@ -73,7 +73,7 @@ json branchJson(const planner::TubeBranch& branch) {
           {"deviation", numberJson(branch.path_deviation)}};
 }
 
-// Reads a branch of a reach, which contains usable branches only.
+// Reads a branch of a tube's reach. A reach contains only branches whose computation converged.
 planner::TubeBranch branchFrom(const json& object) {
   planner::TubeBranch branch;
   branch.status = deflection::BranchStatus::kConverged;

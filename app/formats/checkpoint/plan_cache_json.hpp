@@ -1,4 +1,4 @@
-// A plan's memory as JSON [m, rad, s], every number exact to the last bit.
+// Conversion of a plan's cache to JSON and back [m, rad, s], with every number exact to the last bit.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,8 +9,7 @@ namespace tubeplan::app {
 
 [[nodiscard]] nlohmann::json cacheJson(const planner::PlanCache& cache);
 
-/// Returns the memory of a plan from its JSON. Throws nlohmann::json::exception for anything that cacheJson does not
-/// write.
+/// Returns the plan's cache from its JSON. Throws nlohmann::json::exception for JSON that cacheJson() does not write.
 [[nodiscard]] planner::PlanCache cacheFrom(const nlohmann::json& json);
 
 }  // namespace tubeplan::app

@@ -1,5 +1,5 @@
-// Files with intermediate results of a plan: progress.json during planning, memory.json beside the finished plan. They
-// have two lines: the question with a checksum, and the memory.
+// Files with intermediate results of a plan: progress.json during planning, memory.json next to the finished plan. Both
+// have two lines: the question with checksums, and the results.
 #pragma once
 
 #include <chrono>
@@ -16,28 +16,29 @@ inline constexpr const char* kCacheFile = "memory.json";
 
 class PlanCheckpoint {
  public:
-  /// Prepares the memory of a plan in `folder`; `from` is the folder of an earlier plan, or empty. Throws InputError if
-  /// that has no memory, or a damaged one.
+  /// Prepares the cache of a plan in `folder`; `from` is the folder of an earlier plan, or empty. Throws InputError if
+  /// memory.json of the earlier plan is missing or damaged.
   PlanCheckpoint(std::filesystem::path folder, bool must_resume, const std::string& from);
 
-  /// Returns the fingerprint of the earlier plan's memory; empty without an earlier plan.
+  /// Returns the fingerprint of memory.json of the earlier plan; empty if there is no earlier plan.
   [[nodiscard]] const std::string& fromFingerprint() const { return from_fingerprint_; }
 
-  /// Loads the results for this question: a stopped plan in the folder, else the earlier plan's memory. Reports on
-  /// standard error the results it uses and those it does not. Throws InputError for a stopped plan of another question
-  /// if one must be resumed, and for an earlier plan of another sheet.
+  /// Loads the results for this question from a stopped plan in the folder, otherwise from the earlier plan. Reports on
+  /// standard error which results are used and which are not. Throws InputError for a stopped plan of another question
+  /// if the plan must be resumed, and for an earlier plan of another sheet.
   void begin(const PlanKey& question);
 
   [[nodiscard]] planner::PlanCache& cache() { return cache_; }
 
-  /// Writes progress.json if the last write was at least half a second ago, or longer if writing is slow.
+  /// Writes progress.json if the last write was at least half a second ago, or longer ago if writing is slow.
   void saveNowAndThen();
   void save();
 
-  /// Removes progress.json after the plan is complete.
+  /// Removes progress.json, after the plan is complete.
   void discard();
 
-  /// Returns "the reach of 312 tubes, 40 travels and 80 proofs"; empty if there are no results.
+  /// Returns a summary of the results, "the reach of 312 tubes, 40 travels and 80 proofs"; empty if there are no
+  /// results.
   [[nodiscard]] std::string summary() const;
 
   /// Returns the text of memory.json.

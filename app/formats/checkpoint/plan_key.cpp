@@ -17,9 +17,9 @@ namespace tubeplan::app {
 
 namespace {
 
-// Keys of a cell on which proved motions and postures do not depend. The sheet has its own fingerprint and the base its
-// own part. A plan depends on the tool by the tilt that it allows and, if it enters tubes, its play there, which are
-// parts too.
+// Keys of a cell that modelFingerprint() omits, because proved motions and postures do not depend on them or because
+// they are separate parts of the question. Such parts are the sheet, the base, the tilt that the tool allows and, if
+// the tool enters tubes, the tool's play at the insertion depth.
 constexpr std::array<std::string_view, 10> kOtherKeys{
     "name", "base",        "identify", "tubesheet",   "calibration_tool",
     "park", "model_error", "pair",     "uncertainty", "touched"};
@@ -27,7 +27,8 @@ constexpr std::array<std::string_view, 10> kModelParts{"program",   "arm and sce
                                                        "clearance", "compensation",  "insertion", "tilt allowed",
                                                        "travel",    "sheet"};
 
-/// Appends values without their places and comments; files by their content.
+/// Appends the values of a node, without their line numbers and comments; mesh files are represented by the fingerprint
+/// of their content.
 void append(const YamlNode& node, const std::vector<SceneMesh>& meshes, std::string& text) {
   const auto mesh = std::find_if(meshes.begin(), meshes.end(), [&](const SceneMesh& m) { return m.key == node.path; });
   const std::string& scalar = mesh == meshes.end() ? node.scalar : mesh->fingerprint;
@@ -48,7 +49,7 @@ std::string modelText(const Cell& cell) {
   const YamlNode& root = cell.source.root;
   for (std::size_t k = 0; k < root.items.size(); ++k) {
     if (std::find(kOtherKeys.begin(), kOtherKeys.end(), root.keys[k]) != kOtherKeys.end()) continue;
-    // The arm's file is compared by content: a copy elsewhere is the same arm.
+    // An arm file is represented by its content, so that a copy in another folder counts as the same arm.
     text += root.keys[k] + "=";
     const bool is_arm_file = root.keys[k] == "arm" && !cell.arm_source.text.empty();
     append(is_arm_file ? cell.arm_source.root : root.items[k], cell.meshes, text);
@@ -96,7 +97,8 @@ std::string numbersFingerprint(const Eigen::Ref<const Eigen::MatrixXd>& numbers)
   return fingerprintOf(text);
 }
 
-/// Returns the depth, and the tool's dimensions that determine its play there.
+/// Returns the insertion depth, and those dimensions of the tool that determine the tool's play at this depth; "none"
+/// if the tool does not enter tubes.
 std::string insertionText(const planner::Workcell& model) {
   if (!(model.insertion > 0)) return "none";
   std::string text = fmt::format("{} m by steps of", model.insertion);
@@ -106,7 +108,8 @@ std::string insertionText(const planner::Workcell& model) {
   return text + " m";
 }
 
-/// Returns the fingerprint of the base, and of the arm's numbers as fitted to the touches that placed it.
+/// Returns the fingerprint of the base pose and of the arm's parameters, which may have been fitted to the touches that
+/// determined the base.
 std::string baseFingerprint(const planner::Workcell& model) {
   const auto parameters = deflection::parametersOf(model.arm);
   Eigen::VectorXd numbers(16 + static_cast<Eigen::Index>(parameters.size()));

@@ -1,4 +1,5 @@
-// A campaign's tally on disk, from which a stopped campaign continues, and a finished one with more runs.
+// Tally of a campaign on disk. A stopped campaign continues from the file, and a finished campaign can be extended with
+// more runs.
 #pragma once
 
 #include <chrono>
@@ -16,7 +17,7 @@ inline constexpr const char* kTallyFile = "tally.json";
 inline constexpr CheckpointFormat kTallyFormat{"tubeplan campaign tally 2", "a file written by tubeplan campaign",
                                                "remove it to start again"};
 
-/// Finished runs and their total.
+/// Runs finished so far, and the sum of their results.
 struct TallySoFar {
   RunSet done;
   TallyWords total;
@@ -26,13 +27,13 @@ class TallyCheckpoint {
  public:
   TallyCheckpoint(std::filesystem::path folder, bool must_resume);
 
-  /// Returns the tally in the folder for this question with at most `runs` runs; reports on standard error the results
-  /// it uses and those it does not. Throws InputError for another question if one must be resumed, and for a damaged
-  /// file.
+  /// Returns the stored tally if it belongs to this question and has at most `runs` runs; otherwise nothing. Reports on
+  /// standard error which results are used and which are not. Throws InputError for a damaged file and, if the campaign
+  /// must be resumed, for a missing tally or a tally of another question.
   [[nodiscard]] std::optional<TallySoFar> begin(const PlanKey& question, std::uint64_t runs);
 
-  /// Writes the tally if the last write was at least a second ago, or longer if writing is slow; always writes with
-  /// `must`.
+  /// Writes the tally if the last write was at least a second ago, or longer ago if writing is slow; always writes if
+  /// `must` is true.
   void save(const std::function<TallySoFar()>& tally, bool must);
 
   [[nodiscard]] std::filesystem::path path() const { return folder_ / kTallyFile; }
@@ -43,7 +44,7 @@ class TallyCheckpoint {
   std::filesystem::path folder_;
   bool must_resume_;
   PlanKey question_;
-  Clock::time_point saved_ = Clock::now() - std::chrono::seconds(1);  // the first chunk is saved at once
+  Clock::time_point saved_ = Clock::now() - std::chrono::seconds(1);  // lets the first chunk be saved at once
   Clock::duration pause_ = std::chrono::seconds(1);
 };
 

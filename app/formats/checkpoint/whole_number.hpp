@@ -1,4 +1,4 @@
-// Checked whole numbers from JSON of the program's own files, which may be damaged.
+// Checked conversion of integers from JSON files of this program, which may be damaged.
 #pragma once
 
 #include <concepts>
@@ -9,8 +9,8 @@
 
 namespace tubeplan::app {
 
-/// Converts a value more strictly than the library, which accepts 1e30 and 2.5. Throws the library's exception for
-/// anything but a whole number in the range of the type.
+/// Converts a JSON value to an integer more strictly than nlohmann::json, which accepts 1e30 and 2.5. Throws
+/// nlohmann::json::type_error for anything but an integer in the range of the type.
 template <std::integral Whole>
 Whole wholeNumber(const nlohmann::json& value) {
   if (value.is_number_unsigned() && std::in_range<Whole>(value.get<std::uint64_t>()))
