@@ -82,7 +82,7 @@ std::vector<int> readRowList(const YamlNode& node, const deflection::Arm& arm) {
   return rows;
 }
 
-// Throws InputError for a key without meaning for the design's kind.
+// Throws InputError for a key that has no meaning for the kind of the design's readings.
 void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
   const calibration::MeasurementKindRow& kind = kindOf(design.kind);
   for (const char* key : {"points", "postures_per_point"})
@@ -113,7 +113,7 @@ void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
 
 constexpr int kPosturesOfSurface = 12;
 
-// Returns a design with the kind, points and place of the file and the defaults of that kind.
+// Returns a design with the kind, points and place that the file states, and the defaults for this kind.
 CampaignDesign designOfKind(const YamlNode& root, bool has_sheet) {
   CampaignDesign design;
   design.kind = readKind(root.at("kind"));

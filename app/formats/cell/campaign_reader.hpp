@@ -1,4 +1,4 @@
-// Reader of a measurement campaign's design in YAML.
+// Reader of the design of a measurement campaign, a YAML file.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@ namespace tubeplan::app {
 
 struct CampaignFile {
   calibration::CampaignDesign design;
-  std::optional<int> postures;  ///< number of postures, each read under every load
+  std::optional<int> postures;  ///< number of postures, each measured under every load; nothing if the file states none
 };
 
 /// Reads {kind: position | touch | deflection | distance, at: anywhere | plane | holes, points: known | unknown,
 /// postures, postures_per_point, loads: [...], rows: [...], anchor: [x, y, z], region: {from: [x, y, z], to: [x, y,
-/// z]}, setups, split, sigma, sigmas: [x, y, z], correlations: [xy, xz, yz], turn_sigma, name}. Only the kind is
-/// required, and the anchor for distances. Numbers are in the cell's units; rows have the names of the arm's rows.
-/// Throws InputError, with the line, for anything else.
+/// z]}, setups, split, sigma, sigmas: [x, y, z], correlations: [xy, xz, yz], turn_sigma, name}. Only `kind` is
+/// required, and `anchor` for kind distance. Numbers are in the cell's units; `rows` lists names of rows of the arm.
+/// Throws InputError, with the line, for any other content.
 [[nodiscard]] CampaignFile readCampaignFile(const std::string& path, const deflection::Arm& arm, const Units& units,
                                             bool has_sheet);
 

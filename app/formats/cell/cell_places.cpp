@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLookedThrough = 64 * 1024;  // beginning of a file that is searched [bytes]
+constexpr std::size_t kLookedThrough = 64 * 1024;  // length of the searched beginning of a file [bytes]
 
-/// Returns true if the key `arm` begins a line, or follows a brace or a comma in a file that is one braced map. Arms,
-/// scenes and sheets have no such key. A cell with errors counts too, because nothing else of it is read.
+/// Returns true if the key `arm` begins a line or, in a file that is a flow map, follows a brace or a comma. Arm, scene
+/// and sheet files have no such key. A cell file with errors counts too, because only this key is examined.
 bool isLikeACell(std::string_view text) {
   const auto isQuote = [&](std::size_t at) { return at < text.size() && (text[at] == '"' || text[at] == '\''); };
   const auto first = text.find_first_not_of(" \t\r\n");
@@ -48,7 +48,7 @@ bool isFilled(const fs::path& path) {
   return fs::is_regular_file(path, error) && fs::file_size(path, error) > 0;
 }
 
-/// Allows writing over `file` if the cell is written over itself.
+/// Allows overwriting `file`, an input of the command, if `out` is the cell's own file.
 void allowInPlace(const Cell& cell, const fs::path& out, const std::string& file) {
   std::error_code error;
   auto* record = InputRecord::current();

@@ -1,4 +1,4 @@
-// Output paths of cells, and checks of the files that they replace.
+// Output paths of cells, and checks of the files that would be overwritten.
 #pragma once
 
 #include <filesystem>
@@ -8,22 +8,22 @@
 
 namespace tubeplan::app {
 
-/// Returns true if a file is a cell, also one with errors: it has a key `arm`.
+/// Returns true if a file is a cell, even one with errors: it has a key `arm`.
 [[nodiscard]] bool isCellFile(const std::filesystem::path& file);
 
-/// Returns the path for the arm of a new cell: beside the cell, under its name and "-arm".
+/// Returns the path for the arm file of a new cell: in the cell's folder, with the cell's name and "-arm".
 [[nodiscard]] std::filesystem::path armBeside(const std::filesystem::path& cell);
 
-/// Throws InputError unless a new cell would replace a cell or nothing, and its arm's file one that the replaced cell
-/// names or nothing. Other cells may use any other arm file.
+/// Throws InputError unless a new cell would overwrite only a cell or no file, and its arm only the arm file named by
+/// that cell or no file. Any other arm file may be in use by other cells.
 void requireReplaceable(const std::filesystem::path& cell, bool has_arm_file, const std::string& option);
 
-/// Throws InputError unless `out` can be written (checkWritableFile()) and is a new file or a cell, such as the cell
-/// itself. For use before the work.
+/// Throws InputError unless `out` can be written (checkWritableFile()) and is a new file or a cell; the input `cell`
+/// itself is allowed. For use before a long computation.
 void checkWritableCell(const Cell& cell, const std::filesystem::path& out, const std::string& option);
 
-/// Checks `out` as checkWritableCell() does, and the path of the arm's file beside it, if the arm has a file of its
-/// own. Throws InputError.
+/// Checks `out` as in checkWritableCell() and, if the arm has its own file, the path of the new arm file in the folder
+/// of `out`. Throws InputError.
 void checkWritableCellAndArm(const Cell& cell, const std::filesystem::path& out, const std::string& option);
 
 }  // namespace tubeplan::app

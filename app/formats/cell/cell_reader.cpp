@@ -22,7 +22,7 @@ namespace tubeplan::app {
 
 namespace {
 
-// Reads a covariance in file units: length for the first three coordinates, angle for the others.
+// Reads a 6 x 6 covariance in file units: lengths for the first three coordinates, angles for the last three.
 Matrix6d readCovariance(const YamlNode& node, const Units& units) {
   Matrix6d covariance;
   const auto scale = [&](int i) { return units.factor(i < 3 ? dimension::kLength : dimension::kAngle); };
@@ -63,7 +63,7 @@ void readBase(const YamlNode& node, Cell& cell) {
   }
 }
 
-// Reads the model error: a length, or a map that also states its source.
+// Reads the model error: a length, or a map that also states the origin of the value.
 void readModelError(const YamlNode& node, Cell& cell) {
   ModelError error;
   const bool is_map = node.kind == YamlNode::Kind::kMap;
@@ -79,7 +79,7 @@ void readModelError(const YamlNode& node, Cell& cell) {
   cell.model_error = error;
 }
 
-// Reads the rest position in the file's unit of angle, or of length for a prismatic joint.
+// Reads the park posture, in the file's unit of angle, or of length for prismatic joints.
 void readPark(const YamlNode& node, Cell& cell) {
   const auto& numbers =
       node.list(cell.arm.jointCount(), fmt::format("{} numbers, one for each joint", cell.arm.jointCount()));
@@ -97,14 +97,15 @@ void readPark(const YamlNode& node, Cell& cell) {
   }
 }
 
-/// Returns the row that may be meant, else all rows of the arm.
+/// Returns advice for an unknown row name: a similar name, otherwise all rows of the arm.
 std::string adviceOnRow(const std::string& name, const deflection::Arm& arm) {
   const auto rows = deflection::rowNames(arm);
   const std::string near = suggestion(name, rows);
   return near.empty() ? fmt::format("its rows are {}", fmt::join(rows, ", ")) : near;
 }
 
-// Reads the differences of set-ups of the base from the arm's file: rows that are rigid there, as on a bench.
+// Reads the set-ups of the base that differ from the arm's file: each lists rows that are rigid in the set-up, such as
+// on a bench.
 void readSetups(const YamlNode& node, deflection::Arm& arm) {
   if (node.kind != YamlNode::Kind::kMap) node.fail("SETUP: {rigid: [rows]} for each set-up");
   for (std::size_t k = 0; k < node.items.size(); ++k) {
@@ -133,8 +134,8 @@ void readIdentify(const YamlNode& node, Cell& cell) {
   }
 }
 
-/// Throws InputError if a cell and its arm, which were written together, have different identifiers of their pair: one
-/// of the two files was replaced. Changes by hand keep the identifier.
+/// Throws InputError if a cell and an arm that were written together have different pair identifiers, which means that
+/// one of the two files was replaced. Edits by hand keep the identifier.
 void requireSamePair(const YamlNode& pair, const ArmSource& arm, const Cell& cell) {
   if (pair.text() == arm.pair) return;
   const std::string found = arm.pair.empty() ? "none" : "'" + arm.pair + "'";
@@ -144,7 +145,7 @@ void requireSamePair(const YamlNode& pair, const ArmSource& arm, const Cell& cel
                   "write both again, or remove the key `pair` if another arm is meant");
 }
 
-// Reads the arm: inline, from given text or from its own file.
+// Reads the arm: inline from the cell, from a given text, or from the arm's own file.
 ArmSource readCellArm(const YamlNode& node, const std::optional<std::string>& text, Cell& cell) {
   cell.arm_path = cell.path;
   if (node.kind == YamlNode::Kind::kMap) return readArm(node);
@@ -161,8 +162,8 @@ ArmSource readCellArm(const YamlNode& node, const std::optional<std::string>& te
   return readArm(cell.arm_source.root);
 }
 
-// Returns the direction of the tool from the tip's body, for an arm file without one: a named capsule on the last link
-// that an obstacle allows inside. Nothing if there is none.
+// Returns the tool axis in the frame of the last link, for an arm file that states none: the axis of a named capsule on
+// that link which an obstacle permits inside. Nothing if there is no such capsule.
 std::optional<Eigen::Vector3d> findToolAxis(const planner::Scene& scene) {
   for (const auto& body : scene.bodies) {
     const auto solid = std::dynamic_pointer_cast<const planner::Solid>(body.shape);

@@ -1,4 +1,4 @@
-// Reader of cells: an arm on its base, with the tube sheet, the calibration tool and the scene if the file has them.
+// Reader of cells: an arm on its base, with tube sheet, calibration tool and scene if the file has them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,32 +14,32 @@
 
 namespace tubeplan::app {
 
-/// Cell with the names, units and sources of its files. The numbers of the cell's file are in the arm's units.
+/// Cell with names, units and sources from its files. Numbers in the cell's file are in the units of the arm file.
 struct Cell : CellModel {
   std::string path;
-  std::string name;      ///< the file's stem if the file states none
-  std::string arm_path;  ///< the cell's own path for an inline arm
+  std::string name;      ///< name in the file, otherwise the file's name without extension
+  std::string arm_path;  ///< path of the arm's file; the cell's own path for an inline arm
   Units units;
-  std::vector<SceneMesh> meshes;      ///< meshes that the scene names
-  std::vector<std::string> warnings;  ///< warnings about the scene and the hole map, a sentence each
+  std::vector<SceneMesh> meshes;      ///< mesh files that the scene names
+  std::vector<std::string> warnings;  ///< warnings about the scene and the hole map, one sentence each
 
-  YamlFile source;      ///< the file as read, to write it again with changes
-  YamlFile arm_source;  ///< the arm's file as read; empty for an inline arm
+  YamlFile source;      ///< cell's file as read, so that it can be written with changes
+  YamlFile arm_source;  ///< arm's file as read; empty for an inline arm
 };
 
-/// Reads a cell. Throws InputError, with file, line and key, for anything that is not as documented.
+/// Reads a cell. Throws InputError, with file, line and key, for any content that docs/files.md does not describe.
 [[nodiscard]] Cell readCell(const std::string& path);
 
-/// Reads a cell from text, as if it were the file `path`: names of files in it are relative to there. The arm's file is
-/// not read if its text is given.
+/// Parses a cell from text as if it were the file `path`; names of files in the text are relative to the folder of
+/// `path`. `arm_text`, if given, replaces the content of the arm's file.
 [[nodiscard]] Cell parseCell(const std::string& text, const std::string& path,
                              const std::optional<std::string>& arm_text = std::nullopt);
 
-/// Returns the sheet. Throws InputError if the cell has none; `purpose` continues "needed to ...".
+/// Returns the tube sheet. Throws InputError if the cell has none; `purpose` completes "needed to ..." in the message.
 [[nodiscard]] const tubesheets::Sheet& requireSheet(const Cell& cell, const std::string& purpose);
 [[nodiscard]] const tubesheets::SteppedTool& requireTool(const Cell& cell, const std::string& purpose);
 
-/// Throws InputError if neither the arm's file nor the scene states the direction of the tool.
+/// Throws InputError if neither the arm's file nor the scene states the tool axis; `purpose` completes "needed to ...".
 void requireToolAxis(const Cell& cell, const std::string& purpose);
 
 }  // namespace tubeplan::app

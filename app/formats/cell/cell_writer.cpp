@@ -39,8 +39,8 @@ std::string covarianceText(const Matrix6d& covariance, const Units& units) {
   return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 
-// Returns roll, pitch and yaw that reproduce R to rounding even for a pitch of a right angle: roll comes from the
-// rotation that remains after yaw.
+// Returns roll, pitch and yaw that reproduce R up to rounding even at a pitch of 90 deg, because roll is computed from
+// the rotation that remains after yaw is removed.
 Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& R) {
   const double yaw = std::atan2(R(1, 0), R(0, 0));
   const Eigen::Matrix3d rest = deflection::rotationZ(-yaw) * R;
@@ -54,8 +54,9 @@ std::string withModelError(const std::string& text, const ModelError& error, con
   return withYamlValue(text, "model_error", "{" + map + "}");
 }
 
-/// Returns the model error of a fit. If chi-square accepts the noise, it is the largest error that so many readings
-/// would not reveal: their mean square has a relative uncertainty of sqrt(2 / degrees of freedom).
+/// Returns the model error found by a fit. If chi-square shows no lack of fit, the model error is the largest that this
+/// number of readings would not reveal: the mean square of residuals has a relative uncertainty of sqrt(2 / degrees of
+/// freedom).
 std::optional<ModelError> modelErrorOf(const calibration::Identification& result) {
   if (result.degrees_of_freedom <= 0) return std::nullopt;
   const double freedom = result.degrees_of_freedom;
@@ -79,7 +80,7 @@ std::string withBaseText(std::string text, const Cell& cell, const BaseChange& b
   return base.arm ? withTouched(text, cell, base.touches, *base.arm) : withoutTouched(text);
 }
 
-// Returns the text with the name of a file relative to the new place of the cell.
+// Returns the text with the file name at `key` changed to be relative to the folder of `out`, the cell's new path.
 std::string moved(const std::string& text, const Cell& cell, std::string_view key, const fs::path& out) {
   const YamlNode* node = findNode(cell.source.root, key);
   if (!node || node->kind != YamlNode::Kind::kScalar || fs::path(node->scalar).is_absolute()) return text;
@@ -90,7 +91,7 @@ std::string moved(const std::string& text, const Cell& cell, std::string_view ke
   return withYamlValue(text, key, '"' + name + '"');
 }
 
-/// Returns the numbers of the fitted arm that differ from the cell's, from all stages of the fit.
+/// Returns the parameters of the fitted arm that differ from those of the cell's arm, found by any stage of the fit.
 std::vector<std::pair<std::string, double>> foundNumbers(const Cell& cell, const calibration::Identification& result) {
   std::vector<std::pair<std::string, double>> numbers;
   for (const auto& parameter : deflection::parametersOf(result.fitted.arm)) {
@@ -101,7 +102,7 @@ std::vector<std::pair<std::string, double>> foundNumbers(const Cell& cell, const
   return numbers;
 }
 
-/// Returns the stiffnesses of the cell that the fit made rigid.
+/// Returns the stiffnesses of the cell's arm that the fit replaced by rigid joints or beams.
 std::vector<std::string> givenUp(const Cell& cell, const calibration::Identification& result) {
   std::vector<std::string> names;
   for (const auto& parameter : deflection::parametersOf(cell.arm))
@@ -116,7 +117,7 @@ std::string identifyList(const std::vector<std::string>& names) {
   return fmt::format("[{}]", fmt::join(quoted, ", "));
 }
 
-/// Returns the text without the names of such stiffnesses in `identify`.
+/// Returns the text without the names of given-up stiffnesses in `identify`.
 std::string withoutIdentifying(const std::string& text, const Cell& cell, const std::vector<std::string>& given_up) {
   const auto is_given_up = [&](const std::string& name) {
     return std::find(given_up.begin(), given_up.end(), name) != given_up.end();
@@ -143,7 +144,8 @@ std::optional<Matrix6d> baseCovariance(const calibration::Identification& result
   return found == 36 ? std::optional(covariance) : std::nullopt;
 }
 
-/// Returns a set-up's name for use in a file name, different for each set-up.
+/// Returns a text for file names that is unique for each set-up: the set-up's name, or its number if the name has
+/// unsuitable characters.
 std::string fileNamePart(const calibration::PlacedArm& placed, std::size_t base_pose) {
   const std::string& part = placed.base_poses[base_pose].setup;
   const bool is_plain = !part.empty() && std::all_of(part.begin(), part.end(), [](unsigned char c) {
@@ -152,7 +154,8 @@ std::string fileNamePart(const calibration::PlacedArm& placed, std::size_t base_
   return is_plain ? part : std::to_string(base_pose + 1) + "-of-" + std::to_string(placed.base_poses.size());
 }
 
-/// Returns a cell for each set-up, all with the same arm, because a cell has one base.
+/// Returns one cell file for each set-up with an identified base, because a cell has only one base; all these cells
+/// have the same arm.
 std::vector<TextFile> cellsOfSetups(const std::string& text, const Cell& cell,
                                     const calibration::Identification& result, const fs::path& out) {
   std::vector<TextFile> files;
@@ -167,7 +170,7 @@ std::vector<TextFile> cellsOfSetups(const std::string& text, const Cell& cell,
   return files;
 }
 
-/// Returns the arm on the bases that the files state, for every base pose of the fit.
+/// Returns the arm and every base pose of the fit as read back from the new files.
 calibration::PlacedArm rereadBasePoses(const CellFiles& files, const calibration::PlacedArm& fitted) {
   const Cell cell = files.reread();
   calibration::PlacedArm placed{cell.arm, fitted.base_poses};
@@ -180,7 +183,7 @@ calibration::PlacedArm rereadBasePoses(const CellFiles& files, const calibration
 
 void requireReproduced(const CellFiles& files, const calibration::Identification& result,
                        const std::vector<calibration::Measurement>& readings, const Units& units) {
-  constexpr double kAlike = 0.01, kLeast = 1e-9;  // relative to the error; [m]
+  constexpr double kAlike = 0.01, kLeast = 1e-9;  // tolerance relative to the error; minimum tolerance [m]
   std::vector<calibration::Measurement> used;
   for (const int k : result.used) used.push_back(readings.at(static_cast<std::size_t>(k)));
   const double rms = calibration::judge(rereadBasePoses(files, result.fitted), used).rms;
@@ -199,7 +202,7 @@ void requireReproduced(const CellFiles& files, const calibration::Identification
 }  // namespace
 
 void makePair(std::string& cell, TextFile& arm) {
-  // The identifier is a function of the arm's text: the same arm always has the same one.
+  // The pair identifier is a function of the arm's text, so that equal arms have equal identifiers.
   const std::string pair = '"' + fingerprintOf(withYamlValue(arm.text, "pair", "\"\"")) + '"';
   cell = withYamlValue(cell, "arm", '"' + arm.path.filename().string() + '"');
   cell = withYamlValue(cell, "pair", pair);
@@ -208,7 +211,7 @@ void makePair(std::string& cell, TextFile& arm) {
 
 namespace {
 
-/// Returns the files of the identified cell, without the check that they reproduce the reported error.
+/// Returns the files of the identified cell, before the check that the files reproduce the reported error.
 CellFiles filesOf(const Cell& cell, const calibration::Identification& result, const fs::path& out) {
   const auto numbers = foundNumbers(cell, result);
   const auto rigid = givenUp(cell, result);

@@ -36,7 +36,7 @@ double parseJoint(const std::string& text, const deflection::Joint<double>& join
   if (!value)
     throw InputError(option + " (" + joint.name + ")", inQuotes(text), "a finite number in " + units.nameOf(unit));
   const double q = units.toInternal(*value, unit);
-  constexpr double kSlack = 1e-12;  // tolerance for a value at a limit, after conversion
+  constexpr double kSlack = 1e-12;  // tolerance for a reading at a limit, to allow for rounding of the conversion
   if (q < joint.lower - kSlack || q > joint.upper + kSlack)
     throw InputError(
         option + " (" + joint.name + ")", fmt::format("{} {}", text, units.nameOf(unit)),
@@ -51,7 +51,7 @@ bool namesCsvFile(const std::string& request) {
 
 using tubesheets::ChosenTubeColumn, tubesheets::TubeQuantity;
 
-/// Returns a quantity, and the unit of those that have one: "x_mm" or "row".
+/// Returns the quantity that a column name such as "x_mm" or "row" states, with the unit for lengths.
 ChosenTubeColumn quantityOf(const std::string& name) {
   std::vector<std::string> known;
   for (const TubeQuantity& quantity : tubesheets::tubeQuantities()) {
@@ -76,7 +76,8 @@ std::size_t placeOfChosen(const std::string& theirs, const std::vector<std::stri
                            "give each column a name of its own");
 }
 
-/// Returns the list's table with only these columns: "row=Reihe", "x_mm=list.csv:Lage"; `file` is its name.
+/// Returns the table of a work list, `text`, with only the columns that `columns` assign, such as "row=Reihe" or
+/// "x_mm=list.csv:Lage"; messages name the list as `file`.
 tubesheets::TubeTable tubeTableBy(const std::vector<std::string>& columns, const std::string& text,
                                   const std::string& file) {
   auto table = tubesheets::parseTubeText(text);
@@ -91,7 +92,7 @@ tubesheets::TubeTable tubeTableBy(const std::vector<std::string>& columns, const
   return tubesheets::tubeTableOf(std::move(table), chosen);
 }
 
-/// Returns the chosen columns that do not name another list.
+/// Returns the column assignments that apply to the work list `list`: assignments that name no list, or name `list`.
 std::vector<std::string> columnsOfList(std::vector<std::string> columns, const std::string& list) {
   std::erase_if(columns, [&](const std::string& column) {
     const std::string theirs = column.substr(std::min(column.find('='), column.size() - 1) + 1);

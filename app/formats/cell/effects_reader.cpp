@@ -24,8 +24,9 @@ std::string withoutDigits(std::string text) {
   return text;
 }
 
-/// Returns the symbol for which a parameter may be a misspelling, as "did you mean 'theta1'?"; empty if there is none.
-/// Names of one or two letters are similar to every symbol, so they count only if they differ from one by its number.
+/// Returns a question such as "did you mean 'theta1'?" if a parameter's name may be a misspelt symbol; otherwise empty.
+/// Names of one or two letters resemble every symbol, so such names count only if they differ from a symbol in digits
+/// alone.
 std::string misspeltSymbol(const std::string& name, const std::vector<std::string>& symbols) {
   const bool is_short = name.size() < 3;
   std::vector<std::string> candidates;
@@ -34,7 +35,7 @@ std::string misspeltSymbol(const std::string& name, const std::vector<std::strin
   return suggestion(name, candidates);
 }
 
-/// Throws InputError for an invalid formula, or one with a name that looks like a misspelt symbol.
+/// Throws InputError for an invalid formula, and for a name in it that looks like a misspelt symbol.
 void requireFormula(const deflection::MadeFormula& made, const deflection::Arm& arm, const Units& units,
                     const std::string& where) {
   std::vector<std::string> symbols;
@@ -51,20 +52,20 @@ void requireFormula(const deflection::MadeFormula& made, const deflection::Arm& 
   throw InputError(where, made.found, made.expected, advice);
 }
 
-/// Returns the sentence for an effect that cannot be at a place.
+/// Returns the message for an effect that does not apply at a place of the arm.
 std::string noPlaceText(const deflection::MadeEffect& made, const std::string& name, const std::string& at) {
   if (!made.known.empty()) return fmt::format("this arm has no place {} for the effect {}", inQuotes(at), name);
   return fmt::format("the effect {} cannot be at {}: {}", name, inQuotes(at), made.reason);
 }
 
-/// Returns advice that lists the places for an effect, and the one that may be meant; empty if there are none.
+/// Returns advice that lists the valid places of an effect and suggests the most similar; empty if there are no places.
 std::string placesAdvice(const deflection::MadeEffect& made, const std::string& at) {
   if (made.known.empty()) return "";
   const std::string near = suggestion(at, made.known);
   return fmt::format("choose one of {}{}{}", fmt::join(made.known, ", "), near.empty() ? "" : "; ", near);
 }
 
-/// Returns an effect with its initial numbers: a formula, or an effect of the catalogue.
+/// Returns an effect with its initial parameters: a formula, or an effect of the catalogue.
 Effect effectAtStart(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
   if (node.at("effect").text() == kFormula) {
     const YamlNode& text = node.at(kFormula);
@@ -108,7 +109,7 @@ Effect readEffect(const YamlNode& node, const deflection::Arm& arm, const Units&
   return effect;
 }
 
-/// Reads a number with an optional unit, which must match: "0.15deg".
+/// Reads a number such as "0.15deg"; the unit is optional and must be the file's unit.
 double readSize(const std::string& text, double lower, double upper, Dimension unit, const Units& units,
                 const std::string& where) {
   std::size_t used = 0;
@@ -130,7 +131,7 @@ double readSize(const std::string& text, double lower, double upper, Dimension u
   return internal;
 }
 
-/// Reads the numbers of an effect: "0.15deg" or "softness=0.6,knee=200".
+/// Reads the parameters of an effect from "0.15deg" or "softness=0.6,knee=200".
 void readSizes(const std::string& text, const deflection::Arm& arm, const Units& units, const std::string& where,
                Effect& effect) {
   std::vector<std::string> names;
@@ -165,7 +166,7 @@ deflection::FormulaUnits formulaUnitsOf(const Units& units) {
 
 std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm, const Units& units) {
   std::vector<Effect> effects;
-  deflection::Arm with = arm;  // formulas without a place have numbers that continue from those before
+  deflection::Arm with = arm;  // parameters of formulas without a place are numbered on from those of earlier effects
   for (const YamlNode& item : node.list()) {
     with.effects = effects;
     Effect effect = readEffect(item, with, units);
@@ -181,7 +182,7 @@ std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm
 
 namespace {
 
-/// Returns an effect's numbers in the cell's units: "gap: 0.12", "knee: 200".
+/// Returns the parameters of an effect as texts in the cell's units: "gap: 0.12", "knee: 200".
 std::vector<std::string> numbersText(const deflection::Arm& arm, const Effect& effect, const Units& units,
                                      const char* between) {
   std::vector<std::string> numbers;
@@ -205,7 +206,7 @@ std::string effectsText(const deflection::Arm& arm, const Units& units) {
   for (const Effect& effect : arm.effects) {
     const EffectKind& kind = kindOf(effect);
     std::string item = fmt::format("{{effect: {}, at: \"{}\"", kind.name, deflection::placeText(arm, effect));
-    // A formula contains neither quotes nor backslashes.
+    // The formula needs no escapes: it contains neither quotes nor backslashes.
     if (effect.formula) item += fmt::format(", {}: \"{}\"", kFormula, effect.formula->text);
     for (const auto& number : numbersText(arm, effect, units, ": ")) item += ", " + number;
     items.push_back(item + "}");

@@ -1,10 +1,10 @@
-// Effects of a cell's arm beyond its file: additions after a diagnosis, or hidden ones for practice.
+// Effects of a cell's arm that the arm file does not contain: added after a diagnosis, or hidden for practice.
 //
 //   effects:
 //     - {effect: backlash, at: tool.z, gap: 0.12}
 //     - {effect: formula, at: theta3, formula: "theta3 += c*sin(3*theta1)", c: 0.02}
 //
-// Numbers have the units of the cell; missing ones are neutral.
+// Parameters have the units of the cell; a missing parameter has its neutral value.
 #pragma once
 
 #include <string>
@@ -17,33 +17,33 @@
 
 namespace tubeplan::app {
 
-/// Reads the list of effects. Throws InputError for an unknown effect, place or number, a duplicate, or a number out of
-/// its bounds.
+/// Reads the list of effects. Throws InputError for an unknown effect, place or parameter, a duplicate effect, or a
+/// parameter out of bounds.
 [[nodiscard]] std::vector<deflection::Effect> readEffects(const YamlNode& node, const deflection::Arm& arm,
                                                           const Units& units);
 
-/// Returns an effect with its numbers in the syntax of parseEffect: "base-slip@base:time=5400,x=0.02".
+/// Returns an effect with its parameters in the syntax of parseEffect(): "base-slip@base:time=5400,x=0.02".
 [[nodiscard]] std::string effectText(const deflection::Arm& arm, const deflection::Effect& effect, const Units& units);
 
-/// Returns the arm's effects as a list in flow style, in the syntax of readEffects.
+/// Returns the arm's effects as a YAML list in flow style, in the syntax of readEffects().
 [[nodiscard]] std::string effectsText(const deflection::Arm& arm, const Units& units);
 
-/// Returns a cell's units for use in formulas.
+/// Returns the units in which formulas of a cell are evaluated.
 [[nodiscard]] deflection::FormulaUnits formulaUnitsOf(const Units& units);
 
-/// Parses a formula of the command line, 'theta3 += c*sin(3*theta1)', for an arm with its other effects; `at` is the
-/// place asked for, or empty. Throws InputError, with the argument `where`, also for a parameter without initial value
-/// that looks like a misspelt symbol.
+/// Parses a formula from the command line, such as 'theta3 += c*sin(3*theta1)', for an arm that may have other effects.
+/// `at` is the requested place on the arm, or empty. Throws InputError, naming the argument as `where`, for an invalid
+/// formula and for a parameter without initial value that looks like a misspelt symbol.
 [[nodiscard]] deflection::Effect parseFormula(const std::string& text, const deflection::Arm& arm, const Units& units,
                                               const std::string& where, const std::string& at = "");
 
-/// Returns a line on the units of a formula's numbers in a cell.
+/// Returns a sentence that states the units of a formula's symbols and value in a cell.
 [[nodiscard]] std::string formulaUnitsText(const deflection::Arm& arm, const deflection::Effect& formula,
                                            const Units& units);
 
-/// Effect of the command line: a formula, "backlash@tool.z", "backlash@tool.z:0.15deg" (its first number), or
-/// "stiffening@tool.z:softness=0.6,knee=200" (by name, in the cell's units, which a stated unit must match).
-/// parseEffect() throws InputError, with the argument `where`.
+/// Effect from the command line: a formula, "backlash@tool.z", "backlash@tool.z:0.15deg" (value of its first
+/// parameter), or "stiffening@tool.z:softness=0.6,knee=200" (values by name). Values are in the cell's units; a stated
+/// unit must agree. parseEffect() throws InputError, naming the argument as `where`.
 struct ParsedEffect {
   deflection::Effect effect;
   bool has_sizes = false;

@@ -31,15 +31,15 @@ std::vector<std::string> namesFor(const Cell& cell) {
   return names;
 }
 
-/// Returns the standard deviation of the fit's variable, which for a stiffness is its compliance: `sigma` over the
-/// square of its value.
+/// Returns the standard deviation of the variable that a fit uses. For a stiffness this is the compliance, so `sigma`
+/// is divided by the square of the stiffness.
 double asOfVariable(const deflection::Parameter& parameter, double sigma) {
   return deflection::isStiffness(parameter.quantity) && parameter.path.effect < 0
              ? sigma / (parameter.value * parameter.value)
              : sigma;
 }
 
-/// Sets a prior; returns false if there is no number of that name.
+/// Sets a prior; returns false if no parameter or group of parameters has this name.
 bool takePrior(const std::string& name, double sigma, Cell& cell) {
   for (const auto& group : kGroups)
     if (name == group.name) {

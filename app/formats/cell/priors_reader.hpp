@@ -1,4 +1,4 @@
-// Prior knowledge of the arm's numbers: a cell's `prior`, and --prior on the command line.
+// Reader of priors of the arm's parameters: a cell's `prior`, and --prior on the command line.
 #pragma once
 
 #include <string>
@@ -8,12 +8,13 @@
 
 namespace tubeplan::app {
 
-/// Reads `prior: {length: 0.2, angle: 1.1, tip: 2, forearm.dh.a: 0.05}`: standard deviations, in the cell's units,
-/// about the values of the arm's file. They apply to lengths and angles of the geometry, to the tip, and to single
-/// numbers by their dotted names. Throws InputError for other names and for values that are not above zero.
+/// Reads `prior: {length: 0.2, angle: 1.1, tip: 2, forearm.dh.a: 0.05}`: standard deviations about the values in the
+/// arm's file, in the cell's units. Priors apply to all lengths or angles of the geometry, to the tip, or to a single
+/// parameter by its dotted name. Throws InputError for other names and for standard deviations that are not positive.
 void readPriors(const YamlNode& node, Cell& cell);
 
-/// Sets priors from "NAME=SIGMA" each; "none" removes all priors. Throws InputError as readPriors() does.
+/// Sets priors from texts "NAME=SIGMA"; the text "none" removes all priors. Throws InputError in the cases of
+/// readPriors().
 void takePriors(const std::vector<std::string>& texts, Cell& cell);
 
 }  // namespace tubeplan::app

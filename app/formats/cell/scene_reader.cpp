@@ -37,7 +37,7 @@ Dimension shapeDimensionOf(ShapeQuantity quantity) {
   return dimension::kNone;
 }
 
-// Returns the words that may follow `prefix` ("" or "inside_of.") in the table's keys.
+// Returns the words that may follow `prefix` ("" or "inside_of.") in the keys of the table of shapes.
 std::vector<std::string> nextWords(std::string_view prefix) {
   std::vector<std::string> words;
   for (const ShapeRow& row : planner::sceneShapes()) {
@@ -49,13 +49,13 @@ std::vector<std::string> nextWords(std::string_view prefix) {
   return words;
 }
 
-/// Row of the table and the map with its fields.
+/// Row of the table of shapes, and the YAML map that has the shape's fields.
 struct NamedShape {
   const ShapeRow* row;
   const YamlNode* fields;
 };
 
-// Follows the keys down to a row of the table; `others` are allowed keys beside the shape's.
+// Follows the keys of a node down to a row of the table of shapes; `others` are further keys that the node may have.
 NamedShape findShape(const YamlNode& node, const std::string& prefix, const std::vector<std::string>& others) {
   const std::vector<std::string> words = nextWords(prefix);
   std::vector<std::string> known = others;
@@ -87,7 +87,7 @@ void readField(const YamlNode& node, const planner::ShapeField& field, const Uni
     numbers.push_back(readQuantity(item, units, unit));
 }
 
-/// Inputs for the shapes of a cell, and the meshes found so far.
+/// Inputs for reading the shapes of a cell, and the meshes read so far.
 struct SceneReading {
   const Units& units;
   const std::filesystem::path& folder;
@@ -95,7 +95,8 @@ struct SceneReading {
   std::vector<SceneMesh> meshes;
 };
 
-// Ratios of a mesh's size to the arm's reach beyond which its unit is doubtful, unless the cell states it.
+// Limits of the ratio of a mesh's diagonal to the arm's reach. A mesh beyond these limits may be in another unit, so
+// the cell must state the mesh's unit.
 constexpr double kLargestShare = 3, kSmallestShare = 1. / 150;
 
 void checkSize(const YamlNode& node, const planner::TriangleMesh& mesh, const SceneReading& reading) {
@@ -110,7 +111,7 @@ void checkSize(const YamlNode& node, const planner::TriangleMesh& mesh, const Sc
       fmt::format("state its unit (unit: mm), or unit: {} if that is its size", reading.units.length().name));
 }
 
-/// Returns the mesh [m] of a row that names one, and records its file; nothing for other rows.
+/// Returns the mesh [m] of a shape that names a mesh file, and records the file; nothing for other shapes.
 std::optional<planner::TriangleMesh> readMesh(const NamedShape& shape, SceneReading& reading) {
   const planner::ShapeField* field = planner::findMeshField(*shape.row);
   if (!field) return std::nullopt;
@@ -200,8 +201,8 @@ const YamlNode* findNamed(const YamlNode& list, const std::string& path, const s
   return nullptr;
 }
 
-// Returns the entry that a problem's path names ("obstacle mezzanine: allow", "body tool-tip", "clearance"), or the
-// whole cell.
+// Returns the entry of a cell to which a problem's path refers ("obstacle mezzanine: allow", "body tool-tip",
+// "clearance"); the whole cell if there is no such entry.
 const YamlNode& findProblemNode(const YamlNode& cell, const std::string& path) {
   const YamlNode* found = cell.find(path);
   if (const YamlNode* scene = cell.find("scene"); scene && !found) found = findNamed(*scene, path, "obstacle ");
@@ -232,11 +233,11 @@ SceneSource readScene(const YamlNode& cell, const deflection::Arm& arm, const Un
 
 namespace {
 
-/// Returns moving members without a body along them, which are not checked for contact.
+/// Returns descriptions of moving members of the arm that no body covers, so that their contacts are not checked.
 std::vector<std::string> bareMembers(const planner::Scene& scene, const deflection::Arm& written,
                                      const Eigen::Isometry3d& X_WB) {
-  constexpr double kLong = 0.08;  // share of the arm's reach: shorter members lie within their neighbours' shapes
-  constexpr double kNear = 0.25;  // share of its length, from its middle
+  constexpr double kLong = 0.08;  // fraction of the arm's reach: shorter members lie within their neighbours' shapes
+  constexpr double kNear = 0.25;  // distance of a body from a member's middle, relative to the member's length
   std::vector<std::string> bare;
   const auto [arm, slid] = deflection::anchoredRows(written);
   const auto active = deflection::activeRows(arm);

@@ -1,4 +1,4 @@
-// Reader of a cell's scene: obstacles in the world and shapes on the links, by the planner's table of shapes.
+// Reader of a cell's scene: obstacles in the world frame and bodies on the links, with shapes of the planner's table.
 #pragma once
 
 #include <filesystem>
@@ -14,12 +14,12 @@
 
 namespace tubeplan::app {
 
-/// Mesh file of a scene.
+/// Mesh file that a scene names.
 struct SceneMesh {
-  std::string key;          ///< path of its file name in the cell: "scene[3].mesh.file"
-  std::string obstacle;     ///< name of the obstacle with this shape
-  std::string path;         ///< path of the file
-  std::string fingerprint;  ///< fingerprint of the file's content
+  std::string key;          ///< path of the file's name in the cell: "scene[3].mesh.file"
+  std::string obstacle;     ///< name of the obstacle that has this shape
+  std::string path;         ///< path of the mesh file
+  std::string fingerprint;  ///< fingerprint of the file's bytes
   std::shared_ptr<const planner::MeshShape> shape;
 };
 
@@ -28,14 +28,15 @@ struct SceneSource {
   std::vector<SceneMesh> meshes;
 };
 
-/// Reads the optional keys scene, link_shapes and clearance of a cell; names of files in them are relative to `folder`.
-/// Throws InputError for an unknown shape, link or field, and for the problems of planner::findSceneProblems and
-/// readMeshFile. Also refuses a mesh without a stated unit whose size is implausible for the arm's reach.
+/// Reads the optional keys `scene`, `link_shapes` and `clearance` of a cell; names of files in them are relative to
+/// `folder`. Throws InputError for an unknown shape, link or field, and for problems found by
+/// planner::findSceneProblems and readMeshFile. Also throws InputError for a mesh without a stated unit whose size is
+/// implausible for the arm's reach.
 [[nodiscard]] SceneSource readScene(const YamlNode& cell, const deflection::Arm& arm, const Units& units,
                                     const std::filesystem::path& folder);
 
-/// Returns warnings about the scene: bodies that are always too near each other, members of the arm without a body,
-/// meshes that are not closed, and meshes out of the arm's reach from its base.
+/// Returns warnings about the scene: bodies that are too close to each other in every posture, members of the arm
+/// without a body, meshes that are not closed, and meshes out of the arm's reach from its base.
 [[nodiscard]] std::vector<std::string> sceneWarnings(const planner::Scene& scene, const std::vector<SceneMesh>& meshes,
                                                      const deflection::Arm& arm, const Eigen::Isometry3d& X_WB);
 

@@ -22,9 +22,9 @@ namespace {
 using calibration::CampaignDesign, calibration::CampaignPlace;
 using calibration::kMostReadings;
 
-/// Default error of an unknown base.
-constexpr double kBaseShift = 0.0127;                     // [m] (0.5 in)
-constexpr double kBaseTurn = 0.5 * 0.017453292519943295;  // [rad]
+/// Default standard deviations of an unknown base pose.
+constexpr double kBaseShift = 0.0127;                     // standard deviation of each coordinate [m] (0.5 in)
+constexpr double kBaseTurn = 0.5 * 0.017453292519943295;  // standard deviation about each axis [rad] (0.5 deg)
 
 CampaignFile findDesign(const SimulationRequest& request, const Cell& cell) {
   const bool has_sheet = cell.sheet.has_value();
@@ -111,7 +111,7 @@ BaseError baseErrorOf(const SimulationRequest& request, const Cell& cell, const 
           cell.units.toInternal(request.base_error[1], dimension::kAngle)};
 }
 
-/// Returns the effect with a size that is common in machines: a fifth of the plausible maximum.
+/// Returns the effect with a magnitude that is common in machines: a fifth of the plausible maximum.
 deflection::Effect ofTypicalSize(deflection::Effect effect) {
   const auto& kind = deflection::effectKinds().at(static_cast<std::size_t>(effect.kind));
   for (std::size_t v = 0; v < effect.values.size(); ++v)
@@ -120,7 +120,7 @@ deflection::Effect ofTypicalSize(deflection::Effect effect) {
   return effect;
 }
 
-/// Returns the true arm and bases, including everything hidden from the cell.
+/// Returns the true arm and base poses, including effects and errors that the cell does not know.
 calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cell& cell, const CampaignDesign& design,
                                      const BaseError& base) {
   checkNotNegative("--spread", request.spread, "a fraction of each stiffness, zero or more");
@@ -143,8 +143,8 @@ calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cel
   return drawn;
 }
 
-/// Replaces the centring error by the number of steps that went in; removes touches with none, which carry no
-/// information.
+/// Replaces the centring error in readings by the number of inserted steps; removes readings without an inserted step,
+/// which carry no information.
 void countSteps(const tubesheets::SteppedTool& tool, std::vector<calibration::Measurement>& readings) {
   for (auto& reading : readings) reading.own[0] = tubesheets::stepsInserted(tool, reading.own[1]);
   std::erase_if(readings, [](const auto& reading) { return reading.own[0] == 0; });

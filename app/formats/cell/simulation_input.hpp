@@ -1,4 +1,4 @@
-// Simulated measurements of a cell: from the request to the readings and the truth behind them.
+// Simulated measurements of a cell: conversion of a request to readings, with the true arm that produced them.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 
 namespace tubeplan::app {
 
-/// Options of a simulation in the cell's units, as typed.
+/// Options of a simulation as typed, in the cell's units.
 struct SimulationRequest {
-  std::string design;  ///< name of a row of the table, or path of a design file
+  std::string design;  ///< name of a built-in design, or path of a design file
   std::optional<int> readings;
   std::vector<double> loads, base_error;
   std::vector<std::string> hide;
@@ -24,12 +24,12 @@ struct SimulationRequest {
   std::uint64_t seed = 1;
 };
 
-/// Standard deviation of the base's place about that of the cell.
+/// Standard deviations of the true base pose about the cell's base pose; zero for a known base.
 struct BaseError {
   double shift = 0, turn = 0;  // standard deviation of each coordinate [m] and about each axis [rad]
 };
 
-/// Complete inputs of a simulation.
+/// Complete inputs of a simulation, in internal units.
 struct SimulationTask {
   calibration::CampaignDesign design;
   int readings = 0;
@@ -37,10 +37,11 @@ struct SimulationTask {
   calibration::CampaignTruth truth;
 };
 
-/// Returns the inputs of a simulation. Throws InputError for requests that cannot be measured or hidden.
+/// Returns the inputs of a simulation. Throws InputError for a design that cannot be measured and for effects that
+/// cannot be hidden.
 [[nodiscard]] SimulationTask prepareSimulation(const Cell& cell, const SimulationRequest& request);
 
-/// Simulates the campaign; the true arm is clear of the cell's scene at every reading.
+/// Simulates the campaign; at every reading the true arm is free of contact with the cell's scene.
 [[nodiscard]] calibration::SimulatedCampaign simulateReadings(const Cell& cell, const SimulationTask& task,
                                                               std::uint64_t seed,
                                                               const calibration::CampaignHooks& hooks);

@@ -1,4 +1,4 @@
-// Writer of a simulated campaign's truth, beside its readings.
+// Writer of the true parameters behind simulated readings, a file next to the readings.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,16 @@ struct TruthFile {
   const calibration::SimulatedCampaign& campaign;
   std::uint64_t seed = 1;
   double spread = 0;
-  double base_shift = 0, base_turn = 0;  ///< standard deviations of the base's place [m, rad]
+  double base_shift = 0, base_turn = 0;  ///< standard deviations of the true base about the cell's base [m, rad]
 };
 
-/// Returns YAML in the cell's units: cell, design, seed, readings, sigma, encoder_sigma (by joint), spread, base_error;
-/// `parameters` (those under identify: name, value, nominal, unit), `bases` (setup, position, rpy), `points` (name,
-/// position), `hidden`.
+/// Returns YAML in the cell's units with the keys cell, design, seed, readings, units, sigma, encoder_sigma (of each
+/// joint), spread and base_error, and the lists `parameters` (those under identify: name, value, nominal, unit),
+/// `bases` (setup, position, rpy), `points` (name, position) and `hidden`.
 [[nodiscard]] std::string truthYaml(const TruthFile& file);
 
-/// Returns the arm's numbers that the cell's `identify` names, in file order, with `geometry` and `tool.tip` as single
-/// numbers.
+/// Returns the arm's parameters that the cell's `identify` names, in file order; `geometry` and `tool.tip` are expanded
+/// to single parameters.
 [[nodiscard]] std::vector<deflection::Parameter> identifiedParameters(const Cell& cell);
 
 }  // namespace tubeplan::app

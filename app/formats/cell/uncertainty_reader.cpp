@@ -29,7 +29,7 @@ constexpr KindOfNumber kKinds[] = {
     {"zero", dimension::kAngle, &ArmUncertainty::zero},          {"axis", dimension::kAngle, &ArmUncertainty::axis},
     {"length", dimension::kLength, &ArmUncertainty::length},     {"tip", dimension::kLength, &ArmUncertainty::tip}};
 
-/// Returns the dimension of a number of the arm, or of the base's step; nothing if there is no such number.
+/// Returns the dimension of a parameter of the arm or of a base step component; nothing if the name is unknown.
 std::optional<Dimension> dimensionOfNumber(const std::string& name, const deflection::Arm& arm) {
   const auto& steps = calibration::baseStepNames();
   if (const auto step = std::find(steps.begin(), steps.end(), name); step != steps.end())
@@ -44,7 +44,7 @@ double readSigma(const YamlNode& node, const Units& units, Dimension dimension) 
   return sigma;
 }
 
-/// Reads the lower triangle without its diagonal, a list for each number except the first.
+/// Reads the lower triangle of a correlation matrix without its diagonal: one list for each parameter except the first.
 MatrixXd readCorrelation(const YamlNode& node, std::size_t numbers) {
   constexpr double kRounding = 1e-5;
   const auto count = static_cast<Index>(numbers);

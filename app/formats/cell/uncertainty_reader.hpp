@@ -1,4 +1,4 @@
-// Uncertainty of the arm's numbers: reader and writer of a cell's `uncertainty`.
+// Uncertainty of the arm's parameters: reader and writer of a cell's `uncertainty`.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 namespace tubeplan::app {
 
 /// Reads `uncertainty: {stiffness: 0.1, weight: 0.02, zero: 0.04, axis: 0.02, length: 0.015, tip: 0.02, determined:
-/// {numbers: [...], sigma: [...], correlation: [[...], ...]}}`, or `none`. Parts left out have their defaults. Shares
-/// are plain numbers; all else is in the cell's units. Throws InputError for anything else.
+/// {numbers: [...], sigma: [...], correlation: [[...], ...]}}`, or `none`. Missing keys have default values. Fractions
+/// are plain numbers; all other values are in the cell's units. Throws InputError for any other value.
 [[nodiscard]] calibration::ArmUncertainty readUncertainty(const YamlNode& node, const Cell& cell);
 
-/// Returns the text of the whole value, in the units of the arm's cell.
+/// Returns the YAML text of the value of `uncertainty`, in the cell's units.
 [[nodiscard]] std::string uncertaintyText(const calibration::ArmUncertainty& uncertainty, const deflection::Arm& arm,
                                           const Units& units);
 
-/// Returns the uncertainty without the numbers of effects that the arm no longer has.
+/// Returns the uncertainty without parameters that the arm no longer has, such as those of removed effects.
 [[nodiscard]] calibration::ArmUncertainty knownOf(calibration::ArmUncertainty uncertainty, const deflection::Arm& arm);
 
 }  // namespace tubeplan::app

@@ -38,7 +38,7 @@ planner::Workcell workcellOf(const Cell& cell, const std::string& purpose) {
   refuseWhatIsNotPlannedFor(cell, purpose);
   planner::Workcell work;
   work.arm = cell.arm;
-  work.arm.mountings.clear();  // set-ups on a bench do not apply: the arm is planned for on its own mounting
+  work.arm.mountings.clear();  // the planned arm is on its own mounting, to which the set-ups on a bench do not apply
   work.X_WB = cell.X_WB;
   if (cell.base_covariance) work.base_covariance = *cell.base_covariance;
   work.sheet = requireSheet(cell, purpose);

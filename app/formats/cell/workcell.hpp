@@ -6,11 +6,12 @@
 
 namespace tubeplan::app {
 
-/// Returns the planner's model of a cell. Throws InputError if the cell has no tube sheet or no calibration tool, or an
-/// arm that the planner does not support; `purpose` continues "needed to ...".
+/// Returns the planner's model of a cell. Throws InputError if the cell has no tube sheet or calibration tool, or if
+/// the planner does not support the arm; `purpose` completes "needed to ..." in the message.
 [[nodiscard]] planner::Workcell workcellOf(const Cell& cell, const std::string& purpose);
 
-/// Throws InputError for an arm with a joint without limits of speed and acceleration, whose moves would take no time.
+/// Throws InputError for an arm with a joint that has neither a speed nor an acceleration limit, because its motions
+/// would take no time.
 void requireSpeeds(const Cell& cell);
 
 }  // namespace tubeplan::app
