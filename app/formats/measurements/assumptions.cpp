@@ -24,7 +24,8 @@ const calibration::MistakeKind* mistakeOf(const std::string& assumption) {
   return calibration::findMistakeKind(assumption.substr(0, assumption.find('=')));
 }
 
-/// Applies one assumption; `is_sigma_settled` is true if another assumption states the noise.
+/// Applies one assumption to the readings and the cell; `is_sigma_settled` is true if another assumption states the
+/// noise.
 void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable& table, Cell& cell) {
   const std::size_t equals = assumption.find('=');
   const std::string name = assumption.substr(0, equals);
@@ -43,8 +44,9 @@ void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable
   if (mend->frees_base) cell.base_known = false;
 }
 
-/// Returns the subject of an assumption; of two with the same subject only one can hold. A unit's subject is the text
-/// before it. For any other kind the value is part of the subject, since several values may hold.
+/// Returns the subject of an assumption; only one assumption about each subject can hold. For an assumption about a
+/// unit, the subject is the text before the unit. For other kinds it includes the value, since several values may hold
+/// at once.
 std::string subjectOf(const std::string& assumption) {
   const std::size_t equals = assumption.find('=');
   const auto* kind = mistakeOf(assumption);
@@ -53,7 +55,7 @@ std::string subjectOf(const std::string& assumption) {
   return assumption.substr(0, colon == std::string::npos ? equals : colon);
 }
 
-/// Returns the assumptions that apply: the last one about each subject.
+/// Returns the assumptions that apply: the last assumption about each subject.
 std::vector<std::string> inForce(const std::vector<std::string>& assume) {
   std::vector<std::string> kept;
   for (const auto& text : assume)

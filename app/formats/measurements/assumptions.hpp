@@ -1,4 +1,4 @@
-// Assumptions of the user about errors in readings (--assume), and readings corrected accordingly in memory.
+// Assumptions of the user about errors in readings (--assume), and correction of the readings in memory.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace tubeplan::app {
 
-/// Name of the assumption that nothing is wrong, despite the checks.
+/// Name of the assumption that the readings are right although checks find mistakes.
 inline constexpr const char* kAsIs = "as-is";
 
 /// Returns the syntax of all assumptions: "coordinates=UNIT, loads=UNIT, ...".
 [[nodiscard]] std::string assumptionsText();
 
-/// Applies each NAME=VALUE in turn, as in calibration::mistakeKinds(). Of contradictory ones, such as two units of the
-/// coordinates, the last one applies. Returns true if `as-is` is among them, which allows readings that look wrong.
-/// Throws InputError for an unknown name or value.
+/// Applies assumptions NAME=VALUE in turn, with the names of calibration::mistakeKinds(). Of contradictory assumptions,
+/// such as two units of the coordinates, the last applies. Returns true if the assumption `as-is` is given, which
+/// permits readings that look wrong. Throws InputError for an unknown name or value.
 bool takeAssumptions(const std::vector<std::string>& assume, MeasurementTable& table, Cell& cell);
 
 }  // namespace tubeplan::app

@@ -14,7 +14,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Header of a table from which known columns are taken one by one; the rest is unknown.
+/// Header of a table, from which known columns are taken by name; columns that are never taken are unknown.
 class Header {
  public:
   Header(const tubesheets::CsvTable& table, const std::string& file) : table_(table), file_(file) {}
@@ -31,7 +31,7 @@ class Header {
     missing(name);
   }
 
-  /// Takes the column quantity_UNIT with a unit of that kind.
+  /// Takes the column `quantity_UNIT`, where UNIT is any unit of the given kind; nothing if there is no such column.
   std::optional<NumberColumn> takeNumber(const std::string& quantity, UnitKind kind) {
     std::optional<NumberColumn> found;
     for (const std::string& unit : unitNames(kind)) {
@@ -114,7 +114,7 @@ NumberColumn takeJoint(Header& header, const deflection::Joint<double>& joint) {
 void takeJoints(Header& header, const deflection::Arm& arm, MeasurementColumns& columns) {
   for (const auto& joint : arm.joints()) columns.joints.push_back(takeJoint(header, joint));
   for (const auto* joint : deflection::sideJoints(arm)) columns.side_joints.push_back(takeJoint(header, *joint));
-  for (const auto& joint : arm.joints())  // allowed in a filled-in run sheet, but not used
+  for (const auto& joint : arm.joints())  // near_ columns are allowed in a filled-in run sheet, but not used
     (void)header.takeNumber(kNearPrefix + jointColumnName(joint), unitKindOf(joint));
   for (const auto& joint : arm.joints())
     if (const auto approach_direction = header.take(jointColumnName(joint) + "_dir"))
@@ -124,7 +124,7 @@ void takeJoints(Header& header, const deflection::Arm& arm, MeasurementColumns& 
                 fmt::format("one for each of the {} joints, or none", columns.joints.size()), "");
 }
 
-/// Takes the kinds' own columns beside positions.
+/// Takes the columns of quantities that belong to particular kinds of readings.
 void takeOwn(Header& header, MeasurementColumns& columns) {
   for (const auto& kind : calibration::measurementKinds())
     for (const auto& [name, quantity] : kind.columns) {

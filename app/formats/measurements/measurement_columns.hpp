@@ -1,4 +1,4 @@
-// Columns of a measurement table: their indices, units and meanings.
+// Columns of a measurement table, with their indices, units and meanings.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@
 
 namespace tubeplan::app {
 
-/// Column of numbers with the unit in its name.
+/// Column of numbers, with the unit in the column's name.
 struct NumberColumn {
   std::size_t index = 0;
-  const Unit* unit = nullptr;  ///< unit in the name; null for a plain number
+  const Unit* unit = nullptr;  ///< unit in the column's name; null for a plain number
   std::string name;
 };
 
-/// Columns of the three components of a vector.
+/// Columns of the three components of a vector; nothing for a missing column.
 using ColumnTriple = std::array<std::optional<NumberColumn>, 3>;
 
 struct MeasurementColumns {
@@ -29,30 +29,31 @@ struct MeasurementColumns {
   std::optional<NumberColumn> load, sigma, turn_sigma;
   deflection::OfEachCondition<std::optional<NumberColumn>> conditions;
   ColumnTriple place, tool_point, sigmas, correlations, direction, force, moment;
-  std::vector<NumberColumn> joints;              ///< columns of the joints, one for each active row
-  std::vector<NumberColumn> side_joints;         ///< columns of the joints of side chains
-  std::vector<std::size_t> approach_directions;  ///< columns `<joint>_dir`, one for each active row, or empty
-  std::map<std::string, NumberColumn> own;       ///< columns of the kinds' own quantities, by name
+  std::vector<NumberColumn> joints;              ///< columns of joint readings, one for each active row of the arm
+  std::vector<NumberColumn> side_joints;         ///< columns of joint readings in side chains, one for each joint
+  std::vector<std::size_t> approach_directions;  ///< indices of the columns `<joint>_dir`, one per active row, or empty
+  std::map<std::string, NumberColumn> own;  ///< columns of quantities of particular kinds of readings, keyed by name
 };
 
-/// Prefix of a joint's name in the columns of proposed readings that measure the joint: its expected value.
+/// Prefix of a joint's name in columns of expected joint readings. They occur in proposed readings that measure the
+/// joints.
 inline constexpr const char* kNearPrefix = "near_";
 
-/// Advice for a table from another program.
+/// Advice in messages for a table from another program.
 inline constexpr const char* kReadForeign = "let `tubeplan readings` make a measurement table of the file";
 
-/// Returns the kind of units for numbers of a quantity.
+/// Returns the kind of units in which a quantity is stated.
 [[nodiscard]] UnitKind unitKindOf(deflection::Quantity quantity);
 
-/// Returns the kind of units for a joint's readings.
+/// Returns the kind of units of a joint's readings: length for a prismatic joint, otherwise angle.
 [[nodiscard]] UnitKind unitKindOf(const deflection::Joint<double>& joint);
 
-/// Returns the name of a condition's column: with the file's unit, `temperature_degF`, or with its own,
-/// `humidity_percent`.
+/// Returns the name of a condition's column with its unit, from the file (`temperature_degF`) or fixed
+/// (`humidity_percent`).
 [[nodiscard]] std::string conditionColumn(const deflection::ConditionKind& kind, const Units& units);
 
-/// Returns the columns of a table. Throws InputError for columns that are unknown or missing, occur in two units, or
-/// have no known unit.
+/// Returns the columns of a table. Throws InputError for an unknown or missing column, for a quantity with columns in
+/// two units, and for a column with an unknown unit.
 [[nodiscard]] MeasurementColumns findColumns(const tubesheets::CsvTable& table, const std::string& file,
                                              const deflection::Arm& arm);
 

@@ -30,7 +30,7 @@ Eigen::VectorXd readJoints(const RowReader& row, const std::vector<NumberColumn>
   return q;
 }
 
-/// Returns three numbers that must be given together; nothing if all are missing.
+/// Returns three numbers of a row that must be given together; nothing if all three are missing.
 std::optional<Eigen::Vector3d> readTriple(const RowReader& row, const ColumnTriple& columns, const char* names) {
   const Eigen::Vector3d numbers(row.numberOrNaN(columns[0]), row.numberOrNaN(columns[1]), row.numberOrNaN(columns[2]));
   const auto missing = numbers.array().isNaN().count();
@@ -46,7 +46,8 @@ std::optional<calibration::TipWrench> readWrench(const RowReader& row, const Mea
   return calibration::TipWrench{force.value_or(Eigen::Vector3d::Zero()), moment.value_or(Eigen::Vector3d::Zero())};
 }
 
-/// Returns individual standard deviations of the coordinates, for kinds that measure them.
+/// Returns the separate standard deviations of x, y and z; nothing if the row states none. Throws InputError for kinds
+/// of readings that do not measure coordinates.
 std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const MeasurementColumns& columns,
                                           const MeasurementKindRow& kind) {
   const auto sigmas = readTriple(row, columns.sigmas, "coordinates' sigma_x, sigma_y, sigma_z");
@@ -59,7 +60,8 @@ std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const Measuremen
   return sigmas;
 }
 
-/// Returns the correlations of the coordinates' errors, which require individual standard deviations.
+/// Returns the correlations between the errors of x, y and z, which require separate standard deviations; nothing if
+/// the row states no correlations.
 std::optional<Eigen::Vector3d> readCorrelations(const RowReader& row, const MeasurementColumns& columns,
                                                 const std::optional<Eigen::Vector3d>& sigmas) {
   const auto correlations = readTriple(row, columns.correlations, "correlations rho_xy, rho_xz, rho_yz");
@@ -85,7 +87,7 @@ std::optional<Eigen::Vector3d> directionOfRow(const RowReader& row, const Measur
   return direction->normalized();
 }
 
-/// Returns the row of the arm whose frame is read, by its name; nothing for the tool.
+/// Returns the index of the arm's row whose frame was measured, from the row's name; nothing for the tool.
 std::optional<int> readRowOfArm(const RowReader& row, const MeasurementColumns& columns, const MeasurementKindRow& kind,
                                 const deflection::Arm& arm) {
   const std::string name = row.textOr(columns.row);
@@ -131,7 +133,8 @@ bool readSplit(const RowReader& row, const std::optional<std::size_t>& column) {
   return true;
 }
 
-// Returns the centre of a hole by its name; the sheet's frame is the world's.
+// Returns the centre of a hole in the world frame, which is the sheet's frame; nothing if the sheet or a hole's name is
+// missing.
 std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const MeasurementColumns& columns,
                                           const std::string& point, const tubesheets::Sheet* sheet) {
   const auto name = tubesheets::parseTubeName(point);
@@ -143,7 +146,7 @@ std::optional<Eigen::Vector3d> holeCentre(const RowReader& row, const Measuremen
   return Eigen::Vector3d(tube->x, tube->y, 0);
 }
 
-/// Returns a column's name with all possible units: "distance_in (or _mm, _cm, _m, _ft)".
+/// Returns the name of a column with all units that it may have: "distance_in (or _mm, _cm, _m, _ft)".
 std::string columnText(const calibration::MeasuredColumn& column) {
   if (column.quantity == deflection::Quantity::kNone) return column.name;
   const auto units = unitNames(unitKindOf(column.quantity));
@@ -159,7 +162,7 @@ Eigen::Vector3d readOwn(const RowReader& row, const MeasurementColumns& columns,
   return own;
 }
 
-/// Throws InputError for too few of the kind's own numbers: some kinds need one, the others all.
+/// Throws InputError if measured values of the reading's kind are missing: some kinds require one value, others all.
 void checkOwn(const RowReader& row, const MeasurementKindRow& kind, const Measurement& m) {
   if (calibration::statesEnough(m)) return;
   const std::size_t count = kind.columns.size();
@@ -191,7 +194,7 @@ void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measu
 }  // namespace
 
 double RowReader::number(std::size_t index) const {
-  constexpr double kMost = 1e30;  // larger than any quantity, but with squares that can be summed
+  constexpr double kMost = 1e30;  // larger than any quantity, but small enough that sums of squares are finite
   const auto value = tubesheets::parseNumber(field(index));
   if (!value)
     fail(index, field(index).empty() ? "nothing" : inQuotes(field(index)), "a finite number",

@@ -1,4 +1,4 @@
-// Reader of one row of a measurement table.
+// Reader of a row of a measurement table.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace tubeplan::app {
 
-/// Row of a table with functions to read its fields and to report errors in them.
+/// Row of a table, with functions that read fields and throw errors with the position in the file.
 class RowReader {
  public:
   RowReader(const tubesheets::CsvTable& table, const tubesheets::CsvRow& row, const std::string& file)
@@ -23,15 +23,15 @@ class RowReader {
   [[nodiscard]] const std::string& field(std::size_t index) const { return row_.fields[index]; }
   [[nodiscard]] std::string textOr(const std::optional<std::size_t>& index) const { return index ? field(*index) : ""; }
   [[nodiscard]] double number(std::size_t index) const;
-  [[nodiscard]] double number(const NumberColumn& column) const;  ///< returns the number in internal units
+  [[nodiscard]] double number(const NumberColumn& column) const;  ///< returns a field's number in internal units
 
-  /// Returns NaN if there is no such column or its field is empty.
+  /// Returns a field's number in internal units; NaN if the column does not exist or the field is empty.
   [[nodiscard]] double numberOrNaN(const std::optional<NumberColumn>& column) const;
 
   [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected,
                          const std::string& advice = "") const;
 
-  /// Throw InputError::saying() at a column, or at the row.
+  /// Throw InputError::saying(), located at a column of the row or, for failRow(), at the whole row.
   [[noreturn]] void failSaying(std::size_t column, const std::string& what, const std::string& advice = "") const;
   [[noreturn]] void failRow(const std::string& what, const std::string& advice = "") const;
 
@@ -43,13 +43,12 @@ class RowReader {
   const std::string& file_;
 };
 
-/// Returns the reading of a row; one relative to another reading has no reference yet. Throws InputError naming line
-/// and column.
+/// Returns the reading in a row; a relative reading still lacks its reference. Throws InputError with line and column.
 [[nodiscard]] calibration::Measurement readMeasurement(const RowReader& row, const MeasurementColumns& columns,
                                                        const deflection::Arm& arm, const tubesheets::Sheet* sheet);
 
-/// Returns the reference of a relative reading, by its id: any other reading of the same set-up, of any kind. `known`
-/// has the readings by id. Throws InputError naming line and column.
+/// Returns the reference of the relative reading `m`: any other reading of the same set-up, whose id the row states.
+/// `known` has all readings, keyed by id. Throws InputError with line and column.
 [[nodiscard]] std::shared_ptr<const calibration::Measurement> readReference(
     const RowReader& row, const MeasurementColumns& columns,
     const std::map<std::string, const calibration::Measurement*>& known, const calibration::Measurement& m);

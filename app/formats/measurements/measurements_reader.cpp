@@ -27,7 +27,7 @@ std::vector<calibration::NamedUnit> unitsOf(UnitKind kind) {
   return units;
 }
 
-/// Returns the units in the names of the columns; without a name for quantities without a column.
+/// Returns the units in the names of the columns; the unit's name is empty for a quantity without a column.
 calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
   calibration::ReadingUnits units;
   units.coordinates.name = units.loads.name = "";
@@ -58,7 +58,7 @@ calibration::ReadingUnits unitsOf(const MeasurementColumns& columns) {
   return units;
 }
 
-/// Returns the indices of the columns for the measured values of a kind; empty if the table has none of them.
+/// Returns the indices of the columns for measured values of a kind of readings; empty if the table has no such column.
 std::vector<std::size_t> placesOfValues(const calibration::MeasurementKindRow& kind,
                                         const MeasurementColumns& columns) {
   const auto values = calibration::valueColumnsOf(kind);
@@ -74,7 +74,7 @@ std::vector<std::size_t> placesOfValues(const calibration::MeasurementKindRow& k
   return places;
 }
 
-/// Returns words for the measured values of a kind: "x, y, z", "its distance", "its joints' readings".
+/// Returns a phrase for the measured values of a kind of readings: "x, y, z", "its distance", "its joints' readings".
 std::string valuesOf(const calibration::MeasurementKindRow& kind) {
   const auto values = calibration::valueColumnsOf(kind);
   if (values.has_joints) return "its joints' readings";
@@ -87,11 +87,11 @@ std::string valuesOf(const calibration::MeasurementKindRow& kind) {
   return fmt::format("{}{}", values.has_place ? "" : "its ", fmt::join(names, ", "));
 }
 
-/// Throws InputError, for all of them at once, if rows of a run sheet are not filled in.
+/// Throws InputError if rows of a run sheet are not filled in, with one message for all of these rows.
 void requireFilledIn(const tubesheets::CsvTable& table, const MeasurementColumns& columns, const std::string& file) {
   constexpr std::size_t kMostNamed = 12;
   std::vector<const tubesheets::CsvRow*> blank;
-  const calibration::MeasurementKindRow* kind = nullptr;  // kind of the first blank row
+  const calibration::MeasurementKindRow* kind = nullptr;  // kind of reading in the first blank row
   for (const auto& row : table.rows) {
     const auto* of_row = calibration::findMeasurementKind(row.fields[columns.kind]);
     if (!of_row) continue;
@@ -122,8 +122,8 @@ void requireFilledIn(const tubesheets::CsvTable& table, const MeasurementColumns
 
 namespace {
 
-/// Copies a property of a surface, as a ball's radius, from the reading that states it to all readings of that surface.
-/// Throws InputError if readings state different values.
+/// Copies a property of a surface, such as a ball's radius, from the reading that states it to all readings of the
+/// surface. Throws InputError if two readings state different values.
 void shareGivenNumbers(std::vector<Measurement>& readings, const std::string& file) {
   std::map<std::string, const Measurement*> stated;
   for (const auto& reading : readings) {
@@ -154,7 +154,7 @@ bool isPastLimits(const Measurement& reading, const deflection::Arm& arm) {
 
 namespace {
 
-/// Returns advice to write the reading one turn back, if it is within the limits; else empty.
+/// Returns advice to write a joint reading shifted by one turn if this brings it within the limits; otherwise empty.
 std::string turnText(const deflection::Joint<double>& joint, double q, const MeasurementTable::JointColumn& column) {
   const auto back = calibration::oneTurnBack(joint, q);
   return back ? fmt::format("a whole turn back it is {} {}, which is within: write that",

@@ -1,4 +1,4 @@
-// Reader of measurements: comma-separated text with units in the names of the columns.
+// Reader of measurement tables: comma-separated text with units in the column names.
 #pragma once
 
 #include <string>
@@ -11,44 +11,46 @@
 
 namespace tubeplan::app {
 
-/// Returns the readings of a file, in its order. Columns: id, kind, point, setup, load_UNIT, `<joint>_UNIT` for every
-/// joint of the arm, x_UNIT, y_UNIT, z_UNIT, distance_UNIT, sigma_UNIT, `<joint>_dir`, CONDITION_UNIT, split (fit,
-/// held-out); only id, kind and the joints are required. A touch without coordinates takes them from the sheet, if its
-/// point is a hole's name (R10C20).
+/// Reads the measurements in a file, in file order. Columns: id, kind, point, setup, load_UNIT, `<joint>_UNIT` for
+/// every joint of the arm, x_UNIT, y_UNIT, z_UNIT, distance_UNIT, sigma_UNIT, `<joint>_dir`, CONDITION_UNIT, split
+/// (fit, held-out); only id, kind and the joints are required. A touch without coordinates has those of a hole of the
+/// sheet if its point is the hole's name (R10C20).
 ///
-/// Throws InputError naming the line and column. Reasons are an unknown, double or missing column, an unknown unit, a
-/// number that is none or not finite, an unknown kind or a double id. Others are empty rows of a run sheet, missing or
-/// incomplete coordinates, a point that is not on the sheet, and a joint reading past its limits.
+/// Throws InputError with line and column. Causes in the table are an unknown, duplicate or missing column, an unknown
+/// unit, a number that is invalid or not finite, an unknown kind, and a duplicate id. Causes in the readings are empty
+/// rows of a run sheet, missing or incomplete coordinates, a point that is not on the sheet, and a joint reading beyond
+/// its limits.
 [[nodiscard]] std::vector<calibration::Measurement> readMeasurements(const std::string& path,
                                                                      const deflection::Arm& arm,
                                                                      const tubesheets::Sheet* sheet = nullptr);
 
-/// Readings with the properties of their columns.
+/// Readings of a table, with the units of the table's columns.
 struct MeasurementTable {
   struct JointColumn {
-    std::string name, unit;  ///< name of the column and of its unit: "theta1_deg", "deg"
-    double factor = 1;       ///< factor to internal units [rad or m per unit]
+    std::string name, unit;  ///< names of the column and of its unit: "theta1_deg", "deg"
+    double factor = 1;       ///< internal units [rad or m] per unit of the column
   };
   std::vector<calibration::Measurement> readings;
-  std::vector<JointColumn> joints;  ///< columns of the joints, in the order of the arm
+  std::vector<JointColumn> joints;  ///< columns of joint readings, in the order of the arm's joints
   calibration::ReadingUnits units;
 };
 
-/// Returns readings with the units of their columns, including readings past joint limits. Relative readings may also
-/// refer to those in `before`. Throws InputError as readMeasurements() does.
+/// Parses readings and the units of their columns; joint readings may be beyond their limits. A relative reading may
+/// also refer to a reading in `before`. Otherwise throws InputError in the cases of readMeasurements(); messages name
+/// the text as `file`.
 [[nodiscard]] MeasurementTable parseMeasurementTable(const std::string& text, const std::string& file,
                                                      const deflection::Arm& arm,
                                                      const tubesheets::Sheet* sheet = nullptr,
                                                      const std::vector<calibration::Measurement>& before = {});
 
-/// Throws InputError, with the advice, for the first joint reading past its limits.
+/// Throws InputError, with `advice`, for the first joint reading beyond its joint's limits.
 void requireWithinLimits(const MeasurementTable& table, const deflection::Arm& arm, const std::string& file,
                          const std::string& advice = "");
 
-/// Returns true if a joint reading is past its limits by more than its own noise.
+/// Returns true if any joint reading is beyond its joint's limits by more than a tolerance for noise.
 [[nodiscard]] bool isPastLimits(const calibration::Measurement& reading, const deflection::Arm& arm);
 
-/// Returns the readings of a text as readMeasurements() does; `file` is its name in messages.
+/// Parses the text of a measurement table as readMeasurements() does; messages name the text as `file`.
 [[nodiscard]] std::vector<calibration::Measurement> parseMeasurements(const std::string& text, const std::string& file,
                                                                       const deflection::Arm& arm,
                                                                       const tubesheets::Sheet* sheet = nullptr);

@@ -23,7 +23,7 @@ namespace {
 
 using calibration::Measurement, calibration::MeasuredColumn, calibration::ProposedMeasurement;
 
-/// Column of the table: its name, and the function that returns a reading's field.
+/// Column of the written table: a name, and a function that returns the field of a reading.
 struct Column {
   std::string name;
   std::function<std::string(const Measurement&)> field;
@@ -44,12 +44,12 @@ std::string columnName(const MeasuredColumn& column, const Units& units) {
   return fmt::format("{}_{}", column.name, units.nameOf(dimensionOf(column.quantity)));
 }
 
-/// Returns true if the measured values of a reading are its joints.
+/// Returns true if the measured values of a reading are its joint readings.
 bool isMeasuredByJoints(const Measurement& reading) {
   return calibration::valueColumnsOf(calibration::kindOf(reading)).has_joints;
 }
 
-/// Kind of table: finished readings, or readings to be made.
+/// Kind of table: completed readings, or a run sheet of readings to be made.
 enum class TableOf { kReadings, kRunSheet };
 
 class Table {
@@ -114,7 +114,7 @@ class Table {
       });
   }
 
-  /// Returns true for a reading of a run sheet whose joints are still to be measured.
+  /// Returns true for a reading of a run sheet whose joint readings are still to be measured.
   [[nodiscard]] bool isBlank(const Measurement& m) const { return is_sheet_ && isMeasuredByJoints(m); }
 
   [[nodiscard]] std::string jointField(const Measurement& m, Eigen::Index k) const {
@@ -174,7 +174,7 @@ class Table {
           [this](const auto& m) { return numberOrNothing(units_.toFile(m.turn_sigma, dimension::kAngle)); });
   }
 
-  /// Adds the own columns of all kinds among the readings.
+  /// Adds the columns of quantities that belong to particular kinds, for all kinds among the readings.
   void addOwn() {
     std::set<std::string> added;
     for (const auto& kind : calibration::measurementKinds()) {

@@ -1,4 +1,4 @@
-// Writer of measurements in the format of readMeasurements().
+// Writer of measurement tables in the format of readMeasurements().
 #pragma once
 
 #include <string>
@@ -11,24 +11,24 @@
 
 namespace tubeplan::app {
 
-/// Returns the readings in their order, numbers in these units to 12 digits. Columns: id, kind, point, setup, load, a
-/// reading for every joint, x, y, z, the kinds' own, tool_x to tool_z, dx, dy, dz, sigma, sigma_x to sigma_z, rho_xy to
-/// rho_yz, turn_sigma, from, row, the joints' senses, conditions, split. Empty columns are left out, except id, kind,
-/// point, load, joints, x, y, z and sigma.
+/// Returns the text of a table with the readings in their order and numbers in `units`, to 12 digits. Columns: id,
+/// kind, point, setup, load, a reading for every joint, x, y, z, quantities of particular kinds, tool_x to tool_z, dx,
+/// dy, dz, sigma, sigma_x to sigma_z, rho_xy to rho_yz, turn_sigma, from, row, approach directions of the joints,
+/// conditions, split. Empty columns are left out, except id, kind, point, load, joints, x, y, z and sigma.
 [[nodiscard]] std::string measurementsCsv(const std::vector<calibration::Measurement>& readings,
                                           const deflection::Arm& arm, const Units& units);
 
-/// Returns a run sheet: the table of proposed readings, with empty columns for the measured values
-/// (calibration/measurements/value_columns.hpp) and for conditions. If the joints are measured (in a touch), columns
-/// near_<joint> have their expected values.
+/// Returns a run sheet: a table of proposed readings with empty columns for the measured values
+/// (calibration/measurements/value_columns.hpp) and for conditions. If the joint readings are to be measured (in a
+/// touch), columns `near_<joint>` contain their expected values.
 [[nodiscard]] std::string runSheetCsv(const std::vector<calibration::ProposedMeasurement>& proposed,
                                       const deflection::Arm& arm, const Units& units);
 
-/// Columns of a run sheet to fill in for one of its readings.
+/// Columns of a run sheet that are to be filled in for one of the proposed readings.
 struct FillIn {
-  std::vector<std::string> columns;   ///< columns of measured values
-  int least = 0;                      ///< minimum number of filled columns for a valid reading
-  std::vector<std::string> optional;  ///< columns of conditions that the readings so far state
+  std::vector<std::string> columns;   ///< columns of the measured values
+  int least = 0;                      ///< minimum number of `columns` that must be filled in for a valid reading
+  std::vector<std::string> optional;  ///< columns of those conditions that earlier readings state
 };
 [[nodiscard]] FillIn fillInOf(const calibration::ProposedMeasurement& proposed, const deflection::Arm& arm,
                               const Units& units);

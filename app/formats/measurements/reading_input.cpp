@@ -30,8 +30,8 @@ namespace {
 
 using calibration::Identification, calibration::Measurement;
 
-/// Returns warnings about set-ups of the cell that no reading names. With a mistyped name the rows of such a set-up
-/// would be compliant without notice.
+/// Returns warnings about set-ups of the cell to which no reading refers. If readings had a mistyped name, the rows
+/// that are rigid in the set-up would count as flexible without notice.
 std::vector<std::string> unnamedSetups(const deflection::Arm& arm, const std::vector<Measurement>& readings) {
   std::vector<std::string> named, warnings;
   for (const auto& reading : readings)
@@ -45,11 +45,11 @@ std::vector<std::string> unnamedSetups(const deflection::Arm& arm, const std::ve
   return warnings;
 }
 
-/// Returns a warning about a fit that may have shrunk the arm. Touches of points at unknown positions contain no
-/// length, except a ball's radius, and a smaller arm fits them better.
+/// Returns a warning if a fit may have shrunk the arm; otherwise empty. Touches of points at unknown positions do not
+/// determine any length, except through a ball's radius, and fit a smaller arm better.
 std::string shrunkenArm(const Identification& result, const std::vector<Measurement>& readings) {
-  constexpr double kTooGood = 0.5;  // limit of chi-square per degree of freedom
-  constexpr int kMany = 30;         // degrees of freedom from which this cannot be chance
+  constexpr double kTooGood = 0.5;  // chi-square per degree of freedom below which a fit is suspicious
+  constexpr int kMany = 30;         // degrees of freedom from which such a small chi-square cannot be chance
   const bool is_blind = std::all_of(readings.begin(), readings.end(), [](const Measurement& reading) {
     return hasUnknownPlace(reading) && std::isnan(reading.own[0]);
   });
@@ -73,8 +73,8 @@ void settleCounts(std::vector<Measurement>& readings, const Cell& cell, const st
   settleSteps(readings, *cell.tool, file);
 }
 
-/// Sets the sigma of a reading of angles only to their noise times the lever. Throws InputError for a reading of angles
-/// without turn_sigma.
+/// Sets the sigma of a reading that measures only angles to the noise of the angles times a lever. Throws InputError
+/// for a reading of angles without turn_sigma.
 void stateTurnSigma(Measurement& reading, const std::string& file, const Cell& cell) {
   const auto& kind = kindOf(reading);
   if (kind.turn_rows == 0) return;
@@ -133,7 +133,7 @@ CellReadings readCellReadings(const std::string& cell, const ReadingFiles& measu
 
 namespace {
 
-/// Sets the units of quantities without a column to those of the cell.
+/// Sets the units of quantities that have no column to the units of the cell.
 void nameUnits(const Cell& cell, calibration::ReadingUnits& units) {
   const auto name = [](const Unit& unit, calibration::NamedUnit& named) {
     if (named.name.empty()) named = {std::string(unit.name), unit.factor};
@@ -153,10 +153,10 @@ bool isAnyPastLimits(const MeasurementTable& table, const Cell& cell) {
                              [&](const Measurement& reading) { return isPastLimits(reading, cell.arm); });
 }
 
-/// Advice for joint readings past their limits: a mistake that would explain them, if there is one.
+/// Advice on joint readings beyond their limits: a mistake that would explain them; empty if there is none.
 struct LimitAdvice {
   std::string text;
-  bool brings_back = false;  ///< true: after its correction all readings are within limits
+  bool brings_back = false;  ///< true if all readings are within limits after the mistake is corrected
 };
 LimitAdvice adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
   const auto checks = calibration::checkMeasurements(asChecked(table, cell));
@@ -168,8 +168,8 @@ LimitAdvice adviceOnLimits(const MeasurementTable& table, const Cell& cell) {
   return {fmt::format("{}? try --assume {}", mistake->sentence, mistake->assume), !isAnyPastLimits(mended, of_mended)};
 }
 
-/// Shifts readings by a whole turn to within their limits, unless the correction of a mistake would bring all of them
-/// within. Throws InputError, with the advice, for readings that stay past their limits.
+/// Shifts joint readings by a whole turn to bring them within their limits. Throws InputError, with advice, if readings
+/// remain beyond their limits, or if the correction of a mistake would bring all readings within limits.
 std::optional<calibration::MeasurementCheck> settleLimits(MeasurementTable& table, const std::string& file,
                                                           const Cell& cell) {
   if (!isAnyPastLimits(table, cell)) return std::nullopt;
@@ -191,7 +191,7 @@ MeasurementTable tableOf(const std::string& text, const std::string& file, const
   return table;
 }
 
-/// Returns the joined tables of all files. Throws InputError for an id that occurs twice.
+/// Returns one table with the readings of all files. Throws InputError for an id that occurs twice.
 MeasurementTable tableOfAll(const ReadingFiles& files, const Cell& cell, const MeasurementOptions& options) {
   MeasurementTable all;
   std::set<std::string> ids;
