@@ -22,14 +22,14 @@ namespace {
 using deflection::Arm, deflection::JointType;
 using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::Vector3d;
 
-constexpr double kSamePlacement = 1e-9;  // tolerance for the text as read again [m, rad]
+constexpr double kSamePlacement = 1e-9;  // tolerance of poses after the new text is read again [m, rad]
 
 bool isSamePlace(const Vector3d& a, const Vector3d& b, double tolerance) {
   return (a - b).norm() <= tolerance * std::max(1., a.norm());
 }
 bool isSameTurn(const Matrix3d& a, const Matrix3d& b, double tolerance) { return (a - b).norm() <= tolerance; }
 
-/// Returns the fixed angles of R nearest to `written`, of both solutions and all whole turns.
+/// Returns the roll, pitch and yaw of R that are nearest to `written`, among both solutions and all whole turns.
 Vector3d anglesNear(const Matrix3d& R, const Vector3d& written) {
   constexpr double kHalfTurn = std::numbers::pi;
   const auto near = [&](Vector3d rpy) {
@@ -41,7 +41,7 @@ Vector3d anglesNear(const Matrix3d& R, const Vector3d& written) {
   return (one - written).norm() <= (other - written).norm() ? one : other;
 }
 
-/// Returns a joint's offset, with those of the joints that it follows.
+/// Returns a joint's offset plus the offsets of the joints that it follows, each multiplied by the joint's ratio.
 double offsetOf(const Arm& arm, const deflection::Joint<double>& joint) {
   double offset = joint.offset;
   for (const auto& followed : joint.follows)
@@ -49,7 +49,7 @@ double offsetOf(const Arm& arm, const deflection::Joint<double>& joint) {
   return offset;
 }
 
-/// Returns the pose of a row's frame in that of the row before, with its joint at `shift` [rad or m].
+/// Returns the pose of a row's frame relative to the previous row's frame, with the row's joint at `shift` [rad or m].
 Isometry3d poseOfRow(const deflection::Row<double>& row, double shift) {
   Isometry3d X = Isometry3d::Identity();
   X.linear() = deflection::rotationFromPrevious(row);
@@ -77,7 +77,7 @@ bool isSameRow(const deflection::Row<double>& a, const deflection::Row<double>& 
          std::ranges::equal(a.joint.follows, b.joint.follows, isSame);
 }
 
-/// Throws InputError unless an arm has the rows of the arm in its URDF.
+/// Throws InputError unless `arm` has the same rows as `in_file`, the arm that was read from the URDF file.
 void requireSameRows(const Arm& in_file, const Arm& arm, const std::string& file) {
   const char* advice = "--into takes the URDF file that the arm was imported from, with the same --tip";
   for (std::size_t k = 0; k < std::min(in_file.rows.size(), arm.rows.size()); ++k) {
@@ -108,7 +108,7 @@ class UrdfEditor {
 
   UrdfEdit edit() {
     out_.left_out = beyondUrdf(arm_);
-    Isometry3d X_CL = Isometry3d::Identity();  // rotation of the axis of the row before
+    Isometry3d X_CL = Isometry3d::Identity();  // rotation of z to the joint axis of the previous row
     for (std::size_t k = 0; k < arm_.rows.size(); ++k) {
       const Isometry3d X_LL = poseOfRow(arm_.rows[k], shiftOf(k)), X_CL_here = read_.joints[k].X_CL;
       changeOrigin(read_.joints[k], X_CL * X_LL * X_CL_here.inverse());
@@ -123,7 +123,7 @@ class UrdfEditor {
   }
 
  private:
-  /// Returns the difference of a row's joint from the file [rad or m].
+  /// Returns the change of a row's joint offset relative to the URDF file [rad or m].
   [[nodiscard]] double shiftOf(std::size_t k) const {
     return offsetOf(arm_, arm_.rows[k].joint) - offsetOf(read_.arm, read_.arm.rows[k].joint);
   }
@@ -182,7 +182,7 @@ class UrdfEditor {
     }
   }
 
-  /// Changes the tool by the last fixed joint after the rows; adds one if there is none.
+  /// Changes the tool through the last fixed joint after the rows; adds a fixed joint if there is none.
   void changeTool(const Isometry3d& X_CL) {
     const Isometry3d was = poseOfTool(read_.arm), is = poseOfTool(arm_);
     if (isSamePlace(was.translation(), is.translation(), kAsWritten) &&
@@ -237,7 +237,7 @@ class UrdfEditor {
                              "write it as plain elements and attributes, or export without --into");
   }
 
-  /// Reads the new text and checks that every frame has the arm's pose. Throws InputError otherwise.
+  /// Reads the new text and throws InputError unless every frame has the pose of the arm's frame.
   void checkAgain() const {
     const UrdfArm again = parseUrdf(out_.text, file_, tip_);
     requireSameRows(again.arm, arm_, file_);
@@ -255,7 +255,7 @@ class UrdfEditor {
   UrdfArm read_;
   UrdfTags tags_;
   XmlChanges changes_;
-  std::string tip_;  ///< name of the tool's link in the edited text
+  std::string tip_;  ///< name of the tip link in the edited text
   UrdfEdit out_;
 };
 

@@ -25,7 +25,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 using Link = UrdfTree::Link;
 
-/// Returns the smallest rotation of z to the joint's axis.
+/// Returns the smallest rotation of the z axis to the joint's axis; identity for a fixed joint.
 Isometry3d alignment(const UrdfTree::Joint& joint) {
   Isometry3d X = Isometry3d::Identity();
   if (joint.type != "fixed")
@@ -38,7 +38,7 @@ bool isTurning(const UrdfTree::Joint& joint) { return joint.type == "revolute" |
 
 using Chain = std::vector<const Link*>;
 
-/// Returns the links from the first after the root to this one. Throws InputError for links in a closed loop.
+/// Returns the links from the first link after the root to `tip`. Throws InputError if the links form a closed loop.
 Chain chainTo(const UrdfTree& tree, const Link& tip, const std::string& file) {
   Chain chain;
   for (const Link* link = &tip; link->joint; link = link->parent) {
@@ -78,7 +78,8 @@ const Link& findTip(const UrdfTree& tree, const std::string& name, const std::st
                            "name one by --tip: " + alternatives(tips));
 }
 
-/// Converter of the chain to rows; `X_LK` is the pose of a link's frame K in its row's frame L.
+/// Converter of a chain of links to rows of an arm; `X_LK` is the pose of a link's frame K relative to its row's frame
+/// L.
 class ChainReader {
  public:
   ChainReader(const UrdfTree& tree, const Link& tip, const std::string& file)
@@ -115,7 +116,7 @@ class ChainReader {
     return std::any_of(links_.begin(), links_.end(), [&](const Link* other) { return other == &link; });
   }
 
-  /// Adds a joint and returns its origin.
+  /// Appends a joint to the output and returns the joint's origin.
   Isometry3d addJoint(const UrdfTree::Joint& joint, const Isometry3d& X_CL) {
     const Isometry3d X_PC = joint.origin.pose();
     out_.joints.push_back({joint.name, X_PC, X_CL, joint.origin.rpy});
@@ -134,7 +135,7 @@ class ChainReader {
     addBody(out_.arm.rows.size() - 1, link, X_LK_.back());
   }
 
-  /// Returns a unique name without the characters that have a meaning in paths to an arm's numbers.
+  /// Returns a unique name of a row without characters that have a meaning in paths of parameters.
   [[nodiscard]] std::string nameOfRow(std::string name) const {
     std::replace_if(
         name.begin(), name.end(), [](char c) { return c == '.' || c == '[' || c == ']' || c == ' '; }, '_');
@@ -162,7 +163,7 @@ class ChainReader {
     return joint;
   }
 
-  /// Sets limits; two zeros mean a joint without stated limits.
+  /// Sets a joint's limits; if both are zero, the file states no limits for the joint.
   void setLimits(const UrdfTree::Joint& from, deflection::Joint<double>& joint) {
     const double lower = from.limits->lower, upper = from.limits->upper;
     if (lower == 0 && upper == 0) {
@@ -178,9 +179,9 @@ class ChainReader {
     joint.upper = upper;
   }
 
-  /// Coupling of a joint to one with a reading of its own, combined over those between.
+  /// Coupling of a joint to a leader with a reading of its own, combined over intermediate joints with `mimic`.
   struct Following {
-    std::size_t leader;  ///< index in links_
+    std::size_t leader;  ///< index of the leader in links_
     double ratio, offset;
   };
 
@@ -203,7 +204,7 @@ class ChainReader {
     return found;
   }
 
-  /// Converts a joint that mimics another to a passive row that follows it.
+  /// Converts a joint with `mimic` to a passive row that follows another joint.
   void addFollowing(std::size_t k) {
     const UrdfTree::Joint& from = *links_[k]->joint;
     if (!from.mimic) return;
@@ -225,7 +226,7 @@ class ChainReader {
     for (const auto& solid : link.solids) addShape(out_.arm.rows[row].name, solid, X_LK);
   }
 
-  /// Adds bodies beside the chain: fixed parts are carried along, moving branches are left out.
+  /// Adds the links beside the chain: fixed links become bodies of their row, moving branches are left out.
   void addAside(std::size_t row, const Link& link, const Isometry3d& X_LK) {
     for (const auto& child : link.children) {
       if (isOnChain(*child)) continue;
@@ -239,7 +240,7 @@ class ChainReader {
     }
   }
 
-  /// Records solids fixed to the root as left out, because they do not move with a row.
+  /// Records solids fixed to the root as left out, because no row moves them.
   void leaveOutStanding(const Link& link) {
     if (!link.solids.empty())
       out_.left_out.push_back(
@@ -281,13 +282,13 @@ class ChainReader {
   const UrdfTree& tree_;
   const std::string& file_;
   Chain links_;
-  std::size_t last_moving_ = 0;   ///< number of rows: links up to the last one with a moving joint
-  std::vector<Isometry3d> X_LK_;  ///< pose of the link in each row
+  std::size_t last_moving_ = 0;   ///< number of rows: links up to the last link with a moving joint
+  std::vector<Isometry3d> X_LK_;  ///< pose of each link of the chain relative to its row's frame
   bool has_inertia_ = false;
   UrdfArm out_;
 };
 
-/// Returns sentences on data for the controllers of the chain's joints, one for each sort.
+/// Returns sentences on controller data of the chain's joints that an arm does not contain, one for each kind of data.
 std::vector<std::string> leftToControllers(const Chain& chain) {
   using Words = UrdfTree::ControllerWords;
   const struct {

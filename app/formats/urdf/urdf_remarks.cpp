@@ -18,12 +18,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kDegreeOfTurn = std::numbers::pi / 180;
-constexpr double kRounded = 5e-3;     // largest rounding error of an angle, as in 3.14, 1.57 and 6.28 [rad]
-constexpr double kSeenAtTip = 1e-5;   // smallest error at the tip that an instrument sees [m]
-constexpr double kManyDigits = 1e-6;  // rounding error of an angle with many digits, as 3.141593 [rad]
-constexpr double kFarApart = 20;      // implausible distance of two joints [m]
+constexpr double kRounded = 5e-3;     // largest rounding error of an angle such as 3.14, 1.57 or 6.28 [rad]
+constexpr double kSeenAtTip = 1e-5;   // smallest error at the tip that an instrument resolves [m]
+constexpr double kManyDigits = 1e-6;  // rounding error of an angle with many digits, such as 3.141593 [rad]
+constexpr double kFarApart = 20;      // implausible distance between two joints [m]
 
-/// Returns the position of each joint of the chain at zero readings [m]; the last entry is the tip.
+/// Returns the positions of a chain's joints at zero readings [m]; the last entry is the tip.
 std::vector<Vector3d> placesOf(const std::vector<const UrdfTree::Link*>& chain) {
   std::vector<Vector3d> places;
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
@@ -35,15 +35,16 @@ std::vector<Vector3d> placesOf(const std::vector<const UrdfTree::Link*>& chain) 
   return places;
 }
 
-/// Returns the number of decimals of an angle.
+/// Returns the number of decimals in the shortest text of an angle.
 int decimalsIn(double angle) {
   const std::string text = fmt::format("{}", angle);
   const std::size_t point = text.find('.');
   return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
 }
 
-/// Round angle written with few digits, and its rounding error `off` [rad]. Measured angles have more digits than the
-/// error suggests. Two decimals are enough for multiples of a right angle; other multiples of 30 and 45 deg need three.
+/// Round angle that was written with few digits, and its rounding error `off` [rad]. An angle with more digits than its
+/// deviation from a round angle explains was measured. Two decimals are enough for multiples of a right angle; other
+/// multiples of 30 and 45 deg need three.
 struct RoundedAngle {
   double degrees, off;
 };
@@ -64,7 +65,7 @@ std::string remarkOnPlace(const UrdfTree::Joint& joint) {
   return fmt::format("its origin is {:.4g} m from its parent's: millimetres in a file of metres?", far);
 }
 
-/// Returns a remark on the limits of a revolute joint that may be in degrees; else empty.
+/// Returns a remark if the limits of a revolute joint may be in degrees; otherwise empty.
 std::string remarkOnLimits(const UrdfTree::Joint& joint) {
   constexpr double kTwoTurns = 4 * std::numbers::pi, kTwoTurnsInDegrees = 720;
   if (joint.type != "revolute" || !joint.limits) return "";
@@ -74,10 +75,10 @@ std::string remarkOnLimits(const UrdfTree::Joint& joint) {
                      joint.limits->lower, joint.limits->upper);
 }
 
-/// Sum of rounding errors too small for remarks of their own.
+/// Sum of those rounding errors that are too small for separate remarks.
 struct SmallRounding {
   std::vector<std::string> joints;
-  double turn = 0, move = 0;  // sums for the tip [rad, m]
+  double turn = 0, move = 0;  // sums of rotations and displacements of the tip [rad, m]
 
   void add(const std::string& joint, double off, double lever) {
     if (joints.empty() || joints.back() != joint) joints.push_back(joint);
@@ -92,7 +93,7 @@ struct SmallRounding {
   }
 };
 
-/// Returns a remark on an angle; empty if there is none. Adds small rounding errors to `small` instead.
+/// Returns a remark on an angle; empty if there is none. A small rounding error is added to `small` instead.
 std::string remarkOnAngle(double angle, double lever, const std::string& joint, SmallRounding& small) {
   if (std::abs(angle) > 2 * std::numbers::pi + kRounded)
     return fmt::format("rpy {:g} is more than a turn: degrees in a file of radians?", angle);

@@ -1,4 +1,4 @@
-// Remarks on suspicious numbers of a URDF file.
+// Remarks on suspicious values in a URDF file.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace tubeplan::app {
 
-/// Returns remarks on the joints of a chain of links from the root on. They concern round angles with too few digits
-/// for an exact tip, angles and limits that may be in degrees, and positions that may be in millimetres. Changes
-/// nothing.
+/// Returns remarks on the joints of a chain, given as the links from the root outwards. They concern round angles with
+/// too few digits for an exact tip, angles and limits that may be in degrees, and positions that may be in millimetres.
+/// Changes no values.
 [[nodiscard]] std::vector<std::string> remarksOnNumbers(const std::vector<const UrdfTree::Link*>& chain);
 
 }  // namespace tubeplan::app

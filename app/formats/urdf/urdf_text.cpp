@@ -14,13 +14,14 @@ using Eigen::Vector3d;
 
 constexpr std::string_view kXmlBlanks = " \t\r\n";
 
-/// Begin and end of a piece that is skipped, with any tags in it.
+/// Begin and end marks of a piece of XML that is skipped together with any tags in it.
 struct PassedOver {
   std::string_view begin, end;
 };
 constexpr PassedOver kPassedOver[] = {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}, {"<!", ">"}};
 
-/// Reads the attributes after a tag's name; returns the index of the tag's > or />, or npos if it does not end.
+/// Reads the attributes after a tag's name. Returns the index of the > or /> that ends the tag; npos if the tag does
+/// not end.
 std::size_t readAttributes(std::string_view text, std::size_t at, XmlTag& tag) {
   for (;;) {
     at = text.find_first_not_of(kXmlBlanks, at);
@@ -34,7 +35,7 @@ std::size_t readAttributes(std::string_view text, std::size_t at, XmlTag& tag) {
   }
 }
 
-/// Returns the tag that begins at an index; nothing if it does not end.
+/// Returns the tag that begins at index `begin`; nothing if the tag does not end.
 std::optional<XmlTag> tagAt(std::string_view text, std::size_t begin) {
   XmlTag tag;
   tag.closes = text.substr(begin + 1).starts_with('/');
@@ -51,8 +52,8 @@ std::optional<XmlTag> tagAt(std::string_view text, std::size_t begin) {
   return tag;
 }
 
-/// Returns the first tag from an index on; comments, declarations and raw text (CDATA) are skipped. The text must be
-/// well-formed: after an error there are no more tags.
+/// Returns the first tag at or after index `from`; skips comments, declarations and raw text (CDATA). The text must be
+/// well-formed: no tags are found after a syntax error.
 std::optional<XmlTag> nextXmlTag(std::string_view text, std::size_t from) {
   for (std::size_t at = text.find('<', from); at != std::string_view::npos; at = text.find('<', at)) {
     const auto passed = std::ranges::find_if(
@@ -65,8 +66,8 @@ std::optional<XmlTag> nextXmlTag(std::string_view text, std::size_t from) {
   return {};
 }
 
-/// Returns the names of a robot's own elements, in the order of the file, as the reader has them: with entities
-/// resolved and blanks for breaks.
+/// Returns the names of the robot's own elements of a kind, in file order and as readUrdfTree() has them: with entities
+/// resolved, and with blanks in place of line breaks.
 std::vector<std::string> namesInRobot(const tinyxml2::XMLDocument& document, const char* element) {
   std::vector<std::string> names;
   const auto* robot = document.FirstChildElement("robot");
@@ -79,7 +80,7 @@ std::vector<std::string> namesInRobot(const tinyxml2::XMLDocument& document, con
   return names;
 }
 
-/// Walk over the tags that records those of the robot's own joints.
+/// Walk over all tags of a text, which records the tags of the robot's own joints.
 class JointTagWalk {
  public:
   JointTagWalk(std::string_view text, std::vector<std::string> names) : text_(text), names_(std::move(names)) {}

@@ -1,4 +1,4 @@
-// Tags of a URDF text with their places, and changes of single values that leave every other byte unchanged.
+// Tags of a URDF text with their positions, and changes of single values that leave every other byte unchanged.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,52 +12,52 @@
 
 namespace tubeplan::app {
 
-/// Attribute of a tag; `value` is part of the text, without its quotes and with its entities as written.
+/// Attribute of a tag; `value` is a view of the text between the quotes, with entities as written.
 struct XmlAttribute {
   std::string_view name, value;
 };
 
-/// Tag of a text; `whole` includes < and >.
+/// Tag of an XML text; `whole` includes < and >.
 struct XmlTag {
   std::string_view whole, name;
   std::vector<XmlAttribute> attributes;
-  bool opens = false;   ///< true for `<a>` and `<a/>`
-  bool closes = false;  ///< true for `</a>` and `<a/>`
+  bool opens = false;   ///< true for a tag that opens an element: `<a>` and `<a/>`
+  bool closes = false;  ///< true for a tag that closes an element: `</a>` and `<a/>`
 
-  /// Returns the attribute of that name; null if there is none.
+  /// Returns the attribute with the given name; null if there is none.
   [[nodiscard]] const XmlAttribute* find(std::string_view attribute) const;
 };
 
 struct UrdfJointTags {
   XmlTag joint;
-  std::optional<XmlTag> origin, limit;  ///< first `<origin>` and `<limit>` of the joint
+  std::optional<XmlTag> origin, limit;  ///< first `<origin>` and `<limit>` in the joint
 };
 
-/// Tags of a URDF file; all views refer to the text.
+/// Tags of a URDF file, as views of its text.
 struct UrdfTags {
-  std::map<std::string, UrdfJointTags> joints;  ///< tags of the joints, by name
+  std::map<std::string, UrdfJointTags> joints;  ///< tags of the robot's joints, keyed by joint name
   std::set<std::string> links;
   std::string_view robot_end;  ///< end tag `</robot>`
 };
 
-/// Returns the joints of a URDF text, as readUrdfTree reads them, without those that transmissions and controllers
-/// name.
+/// Returns the tags of a URDF text for the joints that readUrdfTree() reads, without elements in transmissions and
+/// controllers that merely refer to joints.
 [[nodiscard]] UrdfTags urdfTagsOf(std::string_view text);
 
-/// Accuracy of numbers with the twelve digits of an arm file [m, rad].
+/// Tolerance for values that an arm file states to twelve digits [m, rad].
 inline constexpr double kAsWritten = 5e-11;
 
-/// Returns true if two numbers are equal to the digits of an arm file; infinities must be equal.
+/// Returns true if two numbers are equal to the precision of an arm file; infinities must be equal.
 [[nodiscard]] bool isAsWritten(double a, double b);
 
-/// Returns numbers to twelve decimals, finer than any instrument, without trailing zeros.
+/// Returns numbers to twelve decimals, finer than any instrument resolves, without trailing zeros.
 [[nodiscard]] std::string decimalOf(double value);
 [[nodiscard]] std::string decimalsOf(const Eigen::Vector3d& v);
 
-/// Returns three numbers as written, with changed ones as new decimals.
+/// Returns the text of three numbers, in which numbers that differ between `was` and `is` are replaced by new decimals.
 [[nodiscard]] std::string withNumbers(std::string_view written, const Eigen::Vector3d& was, const Eigen::Vector3d& is);
 
-/// Replacements of pieces of a text that do not overlap. Every piece is a view of the text.
+/// Replacements of non-overlapping pieces of a text. Every piece must be a view of the text.
 class XmlChanges {
  public:
   explicit XmlChanges(std::string_view text) : text_(text) {}
@@ -65,7 +65,7 @@ class XmlChanges {
   void replace(std::string_view piece, std::string by);
   void insertBehind(std::string_view piece, std::string more);
 
-  /// Sets the value of an attribute; a missing attribute is added after the others.
+  /// Sets the value of an attribute; a missing attribute is added after the tag's other attributes.
   void setAttribute(const XmlTag& tag, std::string_view attribute, const std::string& value);
 
   [[nodiscard]] std::string changedText();

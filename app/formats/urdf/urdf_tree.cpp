@@ -24,13 +24,13 @@ using tinyxml2::XMLDocument, tinyxml2::XMLElement;
 
 constexpr double kAnyNumber = -std::numeric_limits<double>::infinity();
 
-/// Returns an attribute's text; empty if there is no such element or attribute.
+/// Returns the text of an attribute; empty if the element or the attribute does not exist.
 std::string attributeOf(const XMLElement* element, const char* name) {
   const char* value = element ? element->Attribute(name) : nullptr;
   return value ? value : "";
 }
 
-/// Returns finite numbers separated by blanks; nothing if a word is not a number.
+/// Returns the finite numbers in a text, separated by blanks; nothing if there are none or a word is not a number.
 std::optional<std::vector<double>> writtenNumbers(std::string_view text) {
   std::vector<double> numbers;
   for (text = tubesheets::trimBlanks(text); !text.empty(); text = tubesheets::trimBlanks(text)) {
@@ -45,12 +45,12 @@ std::optional<std::vector<double>> writtenNumbers(std::string_view text) {
   return numbers;
 }
 
-/// Returns the place of an element with a name: "robot.urdf:12 (joint elbow)".
+/// Returns the location of a named element for messages: "robot.urdf:12 (joint elbow)".
 std::string placeOf(const XMLElement& named, const std::string& file) {
   return fmt::format("{}:{} ({} {})", file, named.GetLineNum(), named.Name(), nameInLine(attributeOf(&named, "name")));
 }
 
-/// Returns advice for a text that is not a number.
+/// Returns advice on a text that is not a number; empty if the cause is unknown.
 const char* adviceOn(std::string_view text) {
   if (text.find('$') != std::string_view::npos) return "convert xacro files first: xacro FILE > robot.urdf";
   if (text.find(',') != std::string_view::npos) return "numbers have a decimal point and stand apart by blanks";
@@ -59,7 +59,7 @@ const char* adviceOn(std::string_view text) {
   return "";
 }
 
-/// Returns the text of an attribute that its element requires. Throws InputError if it is missing.
+/// Returns the text of a required attribute. Throws InputError if the attribute is missing or empty.
 std::string requiredText(const XMLElement* element, const char* attribute, const std::string& where) {
   std::string text = attributeOf(element, attribute);
   if (text.empty())
@@ -68,7 +68,7 @@ std::string requiredText(const XMLElement* element, const char* attribute, const
   return text;
 }
 
-/// Throws InputError for unknown attributes: with a mistyped one, the intended value would be zero.
+/// Throws InputError for unknown attributes: if an attribute were mistyped, the intended value would silently be zero.
 void checkAttributes(const XMLElement* element, const std::vector<std::string>& known, const std::string& where) {
   for (const auto* attribute = element ? element->FirstAttribute() : nullptr; attribute; attribute = attribute->Next())
     if (std::ranges::find(known, attribute->Name()) == known.end())
@@ -77,7 +77,7 @@ void checkAttributes(const XMLElement* element, const std::vector<std::string>& 
                        alternatives(known), suggestion(attribute->Name(), known));
 }
 
-/// Returns the child elements of this name.
+/// Returns the child elements with the given name.
 template <typename Element>
 std::vector<Element*> childrenOf(Element& element, const char* name) {
   std::vector<Element*> children;
@@ -86,12 +86,12 @@ std::vector<Element*> childrenOf(Element& element, const char* name) {
   return children;
 }
 
-/// Returns the name and text of an element, as " offset 0.2"; empty if it has no text.
+/// Returns the name and text of an element, such as " offset 0.2"; empty if the element has no text.
 std::string wordsIn(const XMLElement* element) {
   return element && element->GetText() ? fmt::format(" {} {}", element->Name(), nameInLine(element->GetText())) : "";
 }
 
-/// Returns descriptions of the robot's `<transmission>`s, by the names of their joints.
+/// Returns descriptions of the robot's `<transmission>` elements, keyed by joint name.
 std::map<std::string, std::string> transmissionsOf(XMLElement& robot) {
   std::map<std::string, std::string> words_by_joint;
   for (XMLElement* transmission : childrenOf(robot, "transmission")) {
@@ -121,8 +121,8 @@ std::string linkNamedBy(const XMLElement& joint, const char* element) {
   return attributeOf(joint.FirstChildElement(element), "link");
 }
 
-/// Replaces line breaks in attributes by blanks. Throws InputError for control characters, which may be written by
-/// their numbers.
+/// Replaces line breaks and tabs in attributes by blanks. Throws InputError for control characters, which XML can
+/// encode as numeric references.
 void settleAttributes(XMLElement& element, const std::string& file) {
   for (auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
     std::string value = attribute->Value();
@@ -138,7 +138,7 @@ void settleAttributes(XMLElement& element, const std::string& file) {
     settleAttributes(*child, file);
 }
 
-/// Numbers of the child elements of an element. Throws InputError for invalid ones.
+/// Reader of numbers in the child elements of an element. Throws InputError for invalid numbers.
 class UrdfNumbers {
  public:
   UrdfNumbers(const XMLElement& parent, std::string where) : parent_(parent), where_(std::move(where)) {}
@@ -155,7 +155,7 @@ class UrdfNumbers {
     return numbers ? Eigen::Vector3d(numbers->data()) : otherwise;
   }
 
-  /// Returns a required length [m].
+  /// Returns a required length [m], zero or more.
   double length(const char* element, const char* attribute) const {
     return find(element, attribute, 1, "a length in m", 0, true)->front();
   }
@@ -170,8 +170,8 @@ class UrdfNumbers {
   }
 
  private:
-  /// Returns `count` numbers of the first element of that name; nothing if they are missing. Throws InputError for a
-  /// number below `least`.
+  /// Returns the `count` numbers in an attribute of the first child element called `name`; nothing if the attribute is
+  /// missing and not required. Throws InputError for invalid numbers and for a number below `least`.
   [[nodiscard]] std::optional<std::vector<double>> find(const char* name, const char* attribute, std::size_t count,
                                                         const char* expected, double least, bool is_required) const {
     const XMLElement* element = parent_.FirstChildElement(name);
@@ -187,7 +187,7 @@ class UrdfNumbers {
   std::string where_;
 };
 
-/// Returns the solid of a link: a box, a cylinder, a sphere or a mesh.
+/// Returns the solid of a link: box, cylinder, sphere or mesh.
 UrdfTree::Solid solidOf(const XMLElement& geometry, const std::string& kind, const UrdfTree::Origin& origin,
                         const std::string& where) {
   const UrdfNumbers numbers(geometry, where);
@@ -200,7 +200,7 @@ UrdfTree::Solid solidOf(const XMLElement& geometry, const std::string& kind, con
   return solid;
 }
 
-/// Returns the names of a kind of elements, in the order of the file. Throws InputError for a missing or double name.
+/// Returns the names of all elements of a kind, in file order. Throws InputError for a missing or duplicate name.
 std::vector<std::string> namesOfKind(const XMLElement& robot, const char* kind, const std::string& file) {
   std::vector<std::string> names;
   std::set<std::string> seen;
@@ -295,7 +295,7 @@ class TreeReader {
       throw InputError::saying(file_, "the robot has no links", "check that the file describes links and joints");
   }
 
-  /// Throws InputError unless there is one root and every other link has one joint to its parent.
+  /// Throws InputError unless the links form a tree: one root, and exactly one joint to a parent for every other link.
   void checkTree(const std::vector<std::string>& links) const {
     const std::set<std::string> known(links.begin(), links.end());
     std::map<std::string, std::string> carrier;
@@ -353,7 +353,7 @@ class TreeReader {
                                      : fmt::format("a collision of link {}: it has no solid", link.name));
   }
 
-  /// Returns the mass of a link [kg]. Its inertia has no effect and may be missing.
+  /// Returns the mass of a link [kg]. The inertia tensor has no effect and may be missing.
   [[nodiscard]] double massOf(const XMLElement& inertial, const XMLElement& link) const {
     const std::string mass = attributeOf(inertial.FirstChildElement("mass"), "value");
     const auto number = writtenNumbers(mass);

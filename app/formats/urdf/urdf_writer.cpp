@@ -22,7 +22,7 @@ using ArmRow = deflection::Row<double>;
 
 std::string triple(const Vector3d& v) { return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z()); }
 
-/// Returns the text of a row's total mass [kg] at its centre in the row's frame.
+/// Returns the URDF text of a row's total mass [kg] at the centre of mass in the row's frame; empty without mass.
 std::string inertialText(const deflection::RowWeight& row) {
   if (!(row.weight > 0)) return "";
   return fmt::format(
@@ -31,7 +31,7 @@ std::string inertialText(const deflection::RowWeight& row) {
       triple(row.moment_R / row.weight), row.weight / kWeightOfKilogram);
 }
 
-/// Returns true if the z of the drawn tool frame is the tool's axis, to the twelve digits of an arm file.
+/// Returns true if the z axis of the drawn tool frame is the tool axis, to the twelve digits of an arm file.
 bool keepsToolFrame(const Arm& arm) { return arm.R_LT.col(2).isApprox(arm.tool_axis_L, 1e-10); }
 
 bool hasStiffness(const ArmRow& row) { return row.beam || std::isfinite(row.joint_stiffness.minCoeff()); }
@@ -60,7 +60,7 @@ class UrdfWriter {
   }
 
  private:
-  /// Returns a name that no row has.
+  /// Returns a link name that no row has, by appending underscores to `name`.
   [[nodiscard]] std::string unusedName(std::string name) const {
     while (deflection::findRow(arm_, name)) name += '_';
     return name;
@@ -100,8 +100,8 @@ class UrdfWriter {
     return text + fmt::format(" velocity=\"{:.17g}\"/>\n", std::isfinite(joint.max_speed) ? joint.max_speed : 0);
   }
 
-  /// Returns the text for a joint that follows one other. URDF refers to that one's reading, so its offset is added
-  /// here.
+  /// Returns the text of `<mimic>` for a joint that follows another joint. URDF refers to the reading of the followed
+  /// joint, so the offset of that joint is added here.
   std::string mimicText(const ArmRow& row) {
     if (row.joint.follows.empty()) return "";
     if (row.joint.follows.size() > 1)

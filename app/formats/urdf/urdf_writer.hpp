@@ -10,21 +10,21 @@ namespace tubeplan::app {
 
 struct UrdfText {
   std::string text;
-  std::vector<std::string> left_out;  ///< data that URDF cannot express, a sentence each
+  std::vector<std::string> left_out;  ///< data of the arm that URDF cannot express, one sentence each
 };
 
-/// Returns the rigid arm [m, rad, kg]: rows as links, weights as masses at their common centre, and the tip as the link
-/// `tip` with its z along the tool's axis.
+/// Returns the arm as a rigid robot in URDF [m, rad, kg]: rows become links, weights become masses at their common
+/// centre, and the tip becomes the link `tip`, whose z axis is the tool axis.
 [[nodiscard]] UrdfText urdfOf(const deflection::Arm& arm);
 
-/// Returns data of an arm that no URDF can express, a sentence each.
+/// Returns data of an arm that no URDF can express, one sentence each.
 [[nodiscard]] std::vector<std::string> beyondUrdf(const deflection::Arm& arm);
 
-/// Returns the rotation of the tip's frame relative to the last row's: the tool frame if its z is the tool's axis, else
-/// the smallest rotation that makes it so.
+/// Returns the rotation of the tip frame relative to the last row's frame: the drawn tool frame if its z axis is the
+/// tool axis, otherwise the smallest rotation that turns z to the tool axis.
 [[nodiscard]] Eigen::Matrix3d urdfTipTurn(const deflection::Arm& arm);
 
-/// Returns a text for use within an attribute in double quotes.
+/// Returns a text escaped for an XML attribute in double quotes.
 [[nodiscard]] std::string xmlEscaped(const std::string& text);
 
 }  // namespace tubeplan::app
