@@ -20,8 +20,8 @@ const ForeignRow* firstRowWith(const ForeignTable& table, std::size_t column) {
   return found == table.rows.end() ? nullptr : &*found;
 }
 
-/// Returns true for an angle or a number in another form than the first. Fields that are neither are refused later, by
-/// their reader.
+/// Returns true for an angle or a number in a notation other than `form`. Fields that are neither are rejected later,
+/// by their reader.
 bool isOfAnotherForm(std::string_view field, const std::optional<SixtiethForm>& form) {
   if (const auto angle = parseSexagesimal(field)) return form != angle->form;
   return form && signedNumber(field);
@@ -31,8 +31,8 @@ struct NumberRange {
   double least = std::numeric_limits<double>::infinity(), most = -least;
 };
 
-/// Returns the range of a column named an hour angle or a right ascension; nothing for other columns, without numbers,
-/// or with fields that are not numbers.
+/// Returns the range of the numbers in a column whose heading names an hour angle or a right ascension. Returns nothing
+/// for other columns, columns without numbers, and columns with fields that are not numbers.
 std::optional<NumberRange> rangeOfHourAngle(const ForeignTable& table, std::size_t column) {
   constexpr std::array<std::string_view, 5> kHourNames{"ha", "hourangle", "hourang", "ra", "rightascension"};
   const std::string name = parseHeading(table.columns[column]).name;

@@ -13,13 +13,14 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Column and the factor of its numbers: "log.csv:S*-0.00012" or "S/1341.4".
+/// Name of a column and a factor for the column's numbers, from "log.csv:S*-0.00012" or "S/1341.4".
 struct ScaledName {
   std::string column;
   double factor = 1;
 };
 
-/// Returns the interpretations of a text: as a whole, and split at its last * or / if a number follows.
+/// Returns the interpretations of a text: as a column's name and, if a number follows the last * or /, as a name with a
+/// factor or divisor.
 std::vector<ScaledName> readingsOf(const std::string& text) {
   std::vector<ScaledName> readings{{text}};
   const std::size_t at = text.find_last_of("*/");
@@ -31,7 +32,8 @@ std::vector<ScaledName> readingsOf(const std::string& text) {
   return readings;
 }
 
-/// Returns the index of a quantity, and the unit if the name states one: "x_mm" or "x".
+/// Returns the index of the quantity that a name such as "x_mm" or "x" denotes, and the unit in the name; the unit is
+/// null if the name states none.
 std::pair<std::size_t, const Unit*> targetOf(const std::string& name, const std::vector<ColumnTarget>& targets) {
   std::vector<std::string> known;
   for (std::size_t k = 0; k < targets.size(); ++k) {

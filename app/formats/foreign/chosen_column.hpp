@@ -1,4 +1,4 @@
-// Columns of foreign tables assigned by the user: "x_mm=X", "theta1_deg=log.csv:S*-0.00012".
+// Columns of foreign tables that the user assigns to quantities: "x_mm=X", "theta1_deg=log.csv:S*-0.00012".
 #pragma once
 
 #include <string>
@@ -11,11 +11,12 @@ namespace tubeplan::app {
 struct ChosenColumn {
   std::size_t target = 0;  ///< index of the quantity in columnTargets()
   std::size_t table = 0, column = 0;
-  const Unit* unit = nullptr;  ///< unit of the numbers; null if the name states none
-  double factor = 1;           ///< factor of the numbers: after the column, * and a factor or / and a divisor
+  const Unit* unit = nullptr;  ///< unit of the column's numbers; null if the name states none
+  double factor = 1;           ///< factor of the column's numbers, given after the column as * FACTOR or / DIVISOR
 };
 
-/// Parses an assignment. Throws InputError for an unknown quantity and for a column that is missing or occurs twice.
+/// Parses an assignment of a column. Throws InputError for an unknown quantity and for a column that is missing or
+/// occurs twice.
 [[nodiscard]] ChosenColumn parseChosenColumn(const std::string& chosen, const std::vector<ForeignTable>& tables,
                                              const std::vector<ColumnTarget>& targets);
 

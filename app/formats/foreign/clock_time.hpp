@@ -1,4 +1,4 @@
-// Clock times in text form.
+// Parser of clock times.
 #pragma once
 
 #include <optional>
@@ -8,31 +8,31 @@
 
 namespace tubeplan::app {
 
-/// Order of day and month in a date that ends with the year.
+/// Order of day and month in dates that end with the year.
 enum class DateOrder { kDayFirst, kMonthFirst };
 
-/// Returns the name for --dates: "day-first", "month-first".
+/// Returns the name of an order for the option --dates: "day-first" or "month-first".
 [[nodiscard]] const char* nameOf(DateOrder order);
 
-/// Returns the seconds of "2026-11-01 10:00:00.123", also with a T between, of "3/5/2024 11:50:00 AM", or of "10:00:00"
-/// since midnight; nothing for any other text. Dates with points have the day first. Only differences are meaningful:
-/// zones and leap seconds are ignored.
+/// Returns the seconds of "2026-11-01 10:00:00.123" (or with a T between date and time), of "3/5/2024 11:50:00 AM", or
+/// of "10:00:00" since midnight; nothing for any other text. In dates with points the day comes first. Only differences
+/// are meaningful: time zones and leap seconds are ignored.
 [[nodiscard]] std::optional<double> clockSeconds(std::string_view text, DateOrder order = DateOrder::kMonthFirst);
 
-/// Returns true for a clock time in either order of day and month.
+/// Returns true if a text is a clock time in at least one order of day and month.
 [[nodiscard]] bool isClockTime(std::string_view text);
 
-/// Returns the orders in which every row is valid that is a time in one of them; only the first if both give the same
-/// differences.
+/// Returns the orders of day and month in which all clock times among the rows are valid; only the first order if both
+/// give the same differences between rows.
 [[nodiscard]] std::vector<DateOrder> dateOrders(const std::vector<std::string>& rows);
 
-/// Times of consecutive rows.
+/// Times of consecutive rows of a table.
 struct ClockTimes {
-  std::vector<std::optional<double>> seconds;  ///< seconds of each row by clockSeconds(), with days added
-  std::vector<std::size_t> midnights;          ///< rows from which one more day is added
+  std::vector<std::optional<double>> seconds;  ///< time of each row [s], with days added after midnight; or nothing
+  std::vector<std::size_t> midnights;          ///< indices of rows from which one more day is added
 };
 
-/// Returns the times of rows. A clock without a date that goes back by half a day or more has passed midnight.
+/// Returns the times of rows. If a clock without a date goes back by half a day or more, it has passed midnight.
 [[nodiscard]] ClockTimes clockTimes(const std::vector<std::string>& rows, DateOrder order = DateOrder::kMonthFirst);
 
 }  // namespace tubeplan::app

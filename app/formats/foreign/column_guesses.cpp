@@ -1,4 +1,4 @@
-// findNames and guessColumns: likely columns of quantities, before the user's choice.
+// findNames() and guessColumns(): likely columns of quantities, before the user assigns columns.
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -12,7 +12,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Returns the likely columns of forms' numbers with their targets; none for a form that is ambiguous.
+/// Returns likely columns for the numbers of forms, each with the index of its target; none for an ambiguous form.
 std::vector<std::pair<std::size_t, ColumnGuess>> guessForms(const std::vector<ForeignTable>& tables,
                                                             const std::vector<std::vector<ForeignHeading>>& headings,
                                                             const std::vector<ColumnTarget>& targets,

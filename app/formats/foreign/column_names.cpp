@@ -16,7 +16,8 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Returns the number of text columns at the front: the collection, the group and the name of a tracker's point.
+/// Returns the number of text columns before the first number, such as the collection, group and name of a tracker's
+/// point.
 std::size_t textsInFront(const ForeignTable& table) {
   const auto& first = table.rows.front().fields;
   const auto isNumber = [](const std::string& field) { return tubesheets::parseNumber(field).has_value(); };
@@ -28,23 +29,24 @@ bool areDifferent(const ForeignTable& table, std::size_t column) {
   return std::ranges::all_of(table.rows, [&](const auto& row) { return seen.insert(row.fields[column]).second; });
 }
 
-/// Returns true if a column may contain running numbers: whole numbers that all differ.
+/// Returns true if a column may contain running numbers: integers that all differ.
 bool areCounts(const ForeignTable& table, std::size_t column) {
   return areDifferent(table, column) && std::ranges::all_of(table.rows, [&](const auto& row) {
            return tubesheets::parseInteger(row.fields[column]).has_value();
          });
 }
 
-/// Returns the last of the text columns whose fields all differ, else the last one; nothing if there are none.
+/// Returns the last of the `texts` text columns whose fields all differ, otherwise the last text column; nothing if
+/// there are no text columns.
 std::optional<std::size_t> pointAmong(const ForeignTable& table, std::size_t texts) {
   for (std::size_t c = texts; c-- > 0;)
     if (areDifferent(table, c)) return c;
   return texts > 0 ? std::optional(texts - 1) : std::nullopt;
 }
 
-/// Returns the headings of a table without any, by its number of columns. Text columns are first, the last of which
-/// names the point. A running number may follow before a position, or the point's if no text column differs by row.
-/// Last are the joints, the position, or both.
+/// Returns headings for a table that has none, deduced from the number of columns. Text columns come first; the last of
+/// them names the point. A running number may follow them before a position; it names the point if no text column
+/// distinguishes the rows. The last columns are the joints, the position, or both.
 std::vector<ForeignHeading> headingsByShape(const ForeignTable& table, const std::vector<ColumnTarget>& targets) {
   std::vector<std::string> joints;
   for (const auto& target : targets)
@@ -56,10 +58,10 @@ std::vector<ForeignHeading> headingsByShape(const ForeignTable& table, const std
   };
   const auto point = pointAmong(table, texts);
   const bool is_named = point && areDifferent(table, *point);
-  const std::size_t counted = columns - texts - 1;  // number of columns after the first number
+  const std::size_t counted = columns - texts - 1;  // number of columns after the first numeric column
   const bool may_be_counted = !is_named && isWhole(counted) && counted != joints.size() && areCounts(table, texts);
   const bool is_counted = !isWhole(columns - texts);
-  if (is_counted ? !may_be_counted : texts > 1 && may_be_counted) return headings;  // unknown, or ambiguous
+  if (is_counted ? !may_be_counted : texts > 1 && may_be_counted) return headings;  // unknown or ambiguous columns
   if (is_counted)
     headings[texts].name = texts == 0 ? "id" : "point";
   else if (point)
@@ -73,10 +75,10 @@ std::vector<ForeignHeading> headingsByShape(const ForeignTable& table, const std
   return headings;
 }
 
-/// Returns the name of a heading that is assigned to this target and no other.
+/// Returns the internal name of headings that are assigned to this target and to no other target.
 std::string settledName(const ColumnTarget& target) { return "=" + target.quantity; }
 
-/// Renumbers joints from one if they are numbered from zero: q0 to q5 for six joints, without a q6.
+/// Renumbers joints from one if their headings are numbered from zero, such as q0 to q5 for six joints without a q6.
 void countFromOne(std::vector<std::vector<ForeignHeading>>& tables, std::size_t joints) {
   const auto find = [&](const std::string& name) -> ForeignHeading* {
     for (auto& headings : tables)
@@ -93,14 +95,15 @@ void countFromOne(std::vector<std::vector<ForeignHeading>>& tables, std::size_t 
   }
 }
 
-/// Names of an arm's joints in controllers, from the base on.
+/// Names of an arm's joints in robot controllers, from the base outwards.
 const std::vector<std::vector<std::string>> kControllersNames{
     {"s", "l", "u", "r", "b", "t"},
     {"s", "l", "e", "u", "r", "b", "t"},
     {"base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3"},
 };
 
-/// Assigns a controller's names if one table has all of them and they are as many as the joints: then T is no time.
+/// Assigns a controller's joint names if one table has all of them and they are as many as the joints; the heading T
+/// then means a joint, not a time.
 void settleControllersNames(std::vector<std::vector<ForeignHeading>>& tables,
                             const std::vector<const ColumnTarget*>& joints) {
   for (auto& headings : tables)
@@ -118,8 +121,8 @@ void settleControllersNames(std::vector<std::vector<ForeignHeading>>& tables,
     }
 }
 
-/// Assigns joints by their own names, which precede numbers among the joints: `slide, A1, A2`. Numbers then count the
-/// remaining joints only, if there are as many: `slide, J1, J2`.
+/// Assigns joints by their own names, which take precedence over numbers: `slide, A1, A2`. If there are as many numbers
+/// as remaining joints, the numbers count only these: `slide, J1, J2`.
 void settleNames(std::vector<std::vector<ForeignHeading>>& tables, const std::vector<ColumnTarget>& targets) {
   const auto called = [&](const std::string& name) {
     std::vector<ForeignHeading*> found;
@@ -153,8 +156,8 @@ void settleNames(std::vector<std::vector<ForeignHeading>>& tables, const std::ve
   }
 }
 
-/// Assigns joints named between the same words, unless a heading already names a joint or several sets of columns are
-/// possible.
+/// Assigns joints whose headings share the words around the joint's name or number, unless a heading already names a
+/// joint or several sets of columns are possible.
 void settlePattern(const std::vector<ForeignTable>& tables, std::vector<std::vector<ForeignHeading>>& headings,
                    const std::vector<ColumnTarget>& targets) {
   const auto isJoint = [&](const ForeignHeading& heading) {
@@ -170,9 +173,9 @@ void settlePattern(const std::vector<ForeignTable>& tables, std::vector<std::vec
     if (isNumbered(target)) headings[patterns.front().table][patterns.front().columns[k++]].name = settledName(target);
 }
 
-/// Assigns all joints. Numbers from zero become numbers from one. Joints are assigned by their own names, by letters
-/// (S, L, U, R, B, T of Yaskawa) or, for the remaining ones, by numbers; else all by jointPatterns(), if that gives one
-/// set.
+/// Assigns all joints. Numbers from zero first become numbers from one. Joints are then assigned by their own names, by
+/// letters (S, L, U, R, B, T of Yaskawa) or, for the remaining joints, by numbers. If no heading names a joint,
+/// jointPatterns() assigns all of them, provided that it finds only one set of columns.
 void settleJoints(const std::vector<ForeignTable>& tables, std::vector<std::vector<ForeignHeading>>& headings,
                   const std::vector<ColumnTarget>& targets) {
   countFromOne(headings, static_cast<std::size_t>(std::ranges::count_if(targets, isNumbered)));
@@ -180,7 +183,8 @@ void settleJoints(const std::vector<ForeignTable>& tables, std::vector<std::vect
   settlePattern(tables, headings, targets);
 }
 
-/// Renames surveyors' axes, if one table has all three and no column is named x, y or z.
+/// Renames the axes of surveyors (east, north, elevation) to x, y and z if one table has all three and no column is
+/// named x, y or z.
 void takeSurveyAxes(std::vector<std::vector<ForeignHeading>>& tables) {
   static const std::array<std::set<std::string>, 3> kNames{
       {{"east", "easting", "e"}, {"north", "northing", "n"}, {"elev", "elevation", "up", "height", "h"}}};

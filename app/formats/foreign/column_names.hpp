@@ -1,4 +1,4 @@
-// Names of the columns of foreign tables: from their headings, or from the table's shape if it has none.
+// Names of columns in foreign tables, from the headings or, without headings, from the number of columns.
 #pragma once
 
 #include <vector>
@@ -8,20 +8,20 @@
 
 namespace tubeplan::app {
 
-/// Returns true if a heading has a name of the target and no contradictory unit: "x (deg)" is no position. Pulses are
-/// valid for joints only.
+/// Returns true if a heading has a name of the target and no contradictory unit: "x (deg)" is not a position. Encoder
+/// pulses are valid for joints only.
 [[nodiscard]] bool fits(const ColumnTarget& target, const ForeignHeading& heading);
 
-/// Returns the unit of a column's numbers: from its heading, else from a line above the table, else the usual one; null
-/// if none is stated. Throws InputError if the last two differ.
+/// Returns the unit of a column's numbers: from the heading, otherwise from a line above the table, otherwise from
+/// `usual` (--units); null if none of them states it. Throws InputError if the line and `usual` differ.
 [[nodiscard]] const Unit* unitOf(const ForeignTable& table, const ForeignHeading& heading, UnitKind kind,
                                  const UsualUnits& usual);
 
-/// Returns the headings of one table, empty for columns of unknown content.
+/// Returns the headings of one table; a heading is empty if the column's content is unknown.
 [[nodiscard]] std::vector<ForeignHeading> columnNames(const ForeignTable& table,
                                                       const std::vector<ColumnTarget>& targets);
 
-/// Returns the headings of every table, with each joint identified and surveyors' axes named x, y and z.
+/// Returns the headings of all tables, in which each joint is identified and surveyors' axes are named x, y and z.
 [[nodiscard]] std::vector<std::vector<ForeignHeading>> columnNames(const std::vector<ForeignTable>& tables,
                                                                    const std::vector<ColumnTarget>& targets);
 

@@ -1,4 +1,4 @@
-// columnTargets: all quantities of a measurement table, with their names in other programs.
+// columnTargets(): all quantities of a measurement table, with their names in other programs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -84,7 +84,7 @@ std::vector<ColumnTarget> columnTargets(const deflection::Arm& arm) {
       text("setup", {"setup"}),
       text("split", {"split"}),
       text("from", {"from"}),
-      text("row", {"armrow", "link", "linkname"}),  // without `row`, which counts rows in any list
+      text("row", {"armrow", "link", "linkname"}),  // not the alias `row`, which counts rows in other tables
       number("load", UnitKind::kForce, {"load", "payload", "mass", "weight"}),
   };
   addJoints(arm, targets);

@@ -65,7 +65,7 @@ class ColumnTaker {
     parts_.push_back(column);
   }
 
-  /// Adds the forms whose numbers the user chose; all numbers of a form must be from one table.
+  /// Adds the forms to whose numbers the user assigned columns; all columns of a form must be in one table.
   void takeChosenForms() {
     while (!parts_.empty()) {
       const WrittenForm& form = *targets_[parts_.front().target].form;
@@ -94,7 +94,7 @@ class ColumnTaker {
     return {tables_, headings_, choice_.units, free_, std::move(joints)};
   }
 
-  /// Returns true if a column states a component of the orientation or position directly.
+  /// Returns true if a column directly states a component of an orientation or a position.
   [[nodiscard]] bool hasColumns(Stated stated) const {
     return std::ranges::any_of(columnsOf(stated).columns, [&](const char* name) {
       return isTaken(indexOf(name)) || hasFreeColumn(search(), targets_[indexOf(name)]);
@@ -105,7 +105,8 @@ class ColumnTaker {
     return static_cast<std::size_t>(std::ranges::find(targets_, quantity, &ColumnTarget::quantity) - targets_.begin());
   }
 
-  /// Adds the form of that name; without a name, the only form, unless columns state the same directly.
+  /// Adds the form with the given name. If the name is empty, adds the only form that fits, unless columns state the
+  /// quantity directly.
   void takeForm(Stated stated, const std::string& name) {
     const bool is_chosen = isTaken(indexOf(columnsOf(stated).columns.front()));
     if (is_chosen || (name.empty() && hasColumns(stated))) return;
@@ -210,7 +211,8 @@ class ColumnTaker {
         fmt::format("write --units {0}, or --column {1}_{0}={2}", exampleOf(kind), quantity, theirs));
   }
 
-  /// Throws InputError for whole numbers of many turns: pulses rather than angles, whatever unit is assumed.
+  /// Throws InputError for joint readings that are integers of many turns in the assumed unit, because they are
+  /// probably encoder pulses.
   void refusePulses(const ColumnTarget& joint, std::size_t table, std::size_t column, const Unit& unit) const {
     constexpr double kMostTurns = 20;
     double most = 0;
@@ -235,14 +237,14 @@ class ColumnTaker {
   [[nodiscard]] bool isClock(std::size_t table, std::size_t column) const {
     return isClockTime(firstField(table, column));
   }
-  /// Returns true for a time in an unknown format, which is left out like a date.
+  /// Returns true for a column of times in an unknown format, which is left out.
   [[nodiscard]] bool isOtherTime(std::size_t target, std::size_t table, std::size_t column) const {
     const std::string& field = firstField(table, column);
     return targets_[target].unit == UnitKind::kTime && !field.empty() && !tubesheets::parseNumber(field) &&
            !isClock(table, column);
   }
 
-  /// Throws InputError for several sets of columns that could be the joints.
+  /// Throws InputError because several sets of columns could be the joints.
   [[noreturn]] void severalPatterns(const std::vector<JointColumns>& patterns) const {
     std::vector<std::string> sets, columns;
     for (const auto& [table, of_joints] : patterns)
@@ -275,7 +277,7 @@ class ColumnTaker {
   const ColumnChoice& choice_;
   const std::string& kind_;
   std::vector<std::vector<ForeignHeading>> headings_;
-  std::vector<ChosenColumn> parts_;  ///< chosen numbers of forms
+  std::vector<ChosenColumn> parts_;  ///< columns that the user assigned to numbers of forms
   FreeColumns free_;
   std::vector<TakenColumn> taken_;
 };

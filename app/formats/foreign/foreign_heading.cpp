@@ -20,7 +20,7 @@ struct UnitWord {
   std::string_view name;
 };
 
-/// Words for units beside the names in the program's files.
+/// Words for units that foreign tables use in addition to the names in Tubeplan's files.
 constexpr UnitWord kUnitWords[] = {
     {"centimeters", UnitKind::kLength, "cm"},
     {"centimetres", UnitKind::kLength, "cm"},
@@ -47,7 +47,8 @@ constexpr UnitWord kUnitWords[] = {
     {"hours", UnitKind::kTime, "h"},
 };
 
-/// Units of surveyors and telescopes only. The program's files have deg instead, of which each has a fixed number.
+/// Units of angle that only surveyors and telescopes use. Tubeplan's files have degrees instead; each of these units is
+/// a fixed number of degrees.
 constexpr double kOneDegree = std::numbers::pi / 180;
 constexpr Unit kForeignAngles[] = {{UnitKind::kAngle, "gon", 0.9 * kOneDegree},
                                    {UnitKind::kAngle, "h", kDegreesPerHour* kOneDegree},

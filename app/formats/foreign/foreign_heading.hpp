@@ -1,4 +1,4 @@
-// Headings of foreign tables: a name, and the unit if the heading states one.
+// Headings of foreign tables: a name and, if stated, a unit.
 #pragma once
 
 #include <string>
@@ -10,35 +10,34 @@
 namespace tubeplan::app {
 
 struct ForeignHeading {
-  std::string name;            ///< name in lower-case letters and digits: "joint1" for "Joint 1 [deg]"
-  const Unit* unit = nullptr;  ///< stated unit; null if there is none
-  bool is_count = false;       ///< true for counts of encoder pulses, which have no unit
+  std::string name;  ///< name in lower-case letters and digits, without the unit: "joint1" for "Joint 1 [deg]"
+  const Unit* unit = nullptr;  ///< unit that the heading states; null if there is none
+  bool is_count = false;       ///< true for encoder pulses, whose size in a unit is unknown
 };
 
-/// Returns the unit of a word or sign: "mm", "Millimeters", "inches", "°", "gon" (which the program's own files do not
-/// have); null if it is none.
+/// Returns the unit that a word or sign denotes: "mm", "Millimeters", "inches", "°", "gon" (which Tubeplan's own files
+/// do not have); null for any other word.
 [[nodiscard]] const Unit* findUnitWord(std::string_view word);
 [[nodiscard]] bool isUnitWord(std::string_view word);
 
-/// Returns the unit if it is of that kind, else null. For angles, `h` means hours of angle.
+/// Returns `unit` if it is of the given kind, otherwise null. For angles, `h` means hours of angle instead of time.
 [[nodiscard]] const Unit* unitOfKind(const Unit* unit, UnitKind kind);
 
-/// Returns the unit of angles in sixtieths of hours ("hms") or of degrees ("dms"), whose numbers parseSexagesimal()
-/// reads.
+/// Returns the unit of angles in sixtieths of hours ("hms") or of degrees ("dms"), which parseSexagesimal() parses.
 [[nodiscard]] const Unit* sixtiethsOfHours();
 [[nodiscard]] const Unit* sixtiethsOfDegrees();
 
-/// Unit in the program's files for numbers of a foreign unit, and their factor: gon and hours become deg.
+/// Unit in Tubeplan's files that replaces a foreign unit, and the conversion factor: gon and hours become degrees.
 struct OwnUnit {
   const Unit* unit = nullptr;
   double factor = 1;
 };
 [[nodiscard]] OwnUnit ownUnitOf(const Unit& unit);
 
-/// Returns the names of all units of a kind that findUnitWord() knows.
+/// Returns the names of all units of the given kind that findUnitWord() knows.
 [[nodiscard]] std::vector<std::string> foreignUnitNames(UnitKind kind);
 
-/// Parses a heading, whose unit is in brackets or after the last blank, underscore, comma or slash.
+/// Parses a heading; its unit is in brackets or follows the last blank, underscore, comma or slash.
 [[nodiscard]] ForeignHeading parseHeading(std::string_view text);
 
 }  // namespace tubeplan::app

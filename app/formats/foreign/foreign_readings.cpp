@@ -67,14 +67,15 @@ class ForeignReader {
   }
   [[nodiscard]] bool isTaken(const std::string& quantity) const { return find(quantity) != nullptr; }
 
-  /// Returns the column with the names of a table's rows: the chosen one, else by the headings.
+  /// Returns the column that names the rows of table t: the column assigned to points or ids, otherwise the result of
+  /// findNames().
   [[nodiscard]] std::optional<std::size_t> keyOf(std::size_t t) const {
     for (const char* quantity : {"point", "id"})
       if (const auto* column = find(quantity); column && column->table == t) return column->column;
     return findNames(table(t), targets_);
   }
 
-  /// Throws InputError for a file without any used column.
+  /// Throws InputError for a file of which no column is used.
   void refuseUnused() const {
     for (std::size_t t = 0; t < request_.tables.size(); ++t)
       if (!isUsed(t))
@@ -82,7 +83,7 @@ class ForeignReader {
                                  "say which columns they are (--column x_mm=COLUMN), or leave the file out");
   }
 
-  /// Matches the rows of all tables with those of the table with the joints.
+  /// Matches the rows of all tables with the rows of the table that contains the joints.
   void joinTables() {
     const auto joint =
         std::find_if(taken_.begin(), taken_.end(), [&](const auto& c) { return targets_[c.target].is_joint; });
@@ -131,7 +132,7 @@ class ForeignReader {
                        factor);
   }
 
-  /// Notes columns that look like an orientation, if the readings have none.
+  /// Notes columns that look like an orientation but are not used, if the readings have no orientation.
   void sayTurnLeftOut(std::size_t t, const std::set<std::size_t>& used) {
     if (isTaken(columnsOf(Stated::kTurn).columns.front())) return;
     const auto headings = columnNames(request_.tables, targets_);
@@ -144,7 +145,7 @@ class ForeignReader {
                                           namesOf(forms.front(), request_.tables)));
   }
 
-  /// Throws InputError if the requested kind measures an orientation and no column states one.
+  /// Throws InputError if the requested kind of readings measures an orientation but no column states one.
   void requireTurn() const {
     const StatedColumns& turn = columnsOf(Stated::kTurn);
     if (request_.kind.empty() || !neededForms({request_.kind}, {}).contains(Stated::kTurn)) return;
@@ -168,8 +169,8 @@ class ForeignReader {
     return rowOf(column, k).fields[column.column];
   }
 
-  /// Finds the readings' ids, which must differ: ids, else points' names, else running numbers for points measured
-  /// repeatedly.
+  /// Determines the ids of the readings, which must be unique: the table's ids, otherwise point names, otherwise
+  /// running numbers if points were measured repeatedly.
   void findIds() {
     const TakenColumn* column = find("id");
     if (!column) column = find("point");
@@ -202,7 +203,7 @@ class ForeignReader {
     return "touch";
   }
 
-  /// Returns true if all points have names of holes, whose positions the sheet gives.
+  /// Returns true if all points have names of holes, whose positions the sheet states.
   [[nodiscard]] bool areHoles() const {
     const TakenColumn& point = *find("point");
     for (std::size_t k = 0; k < joined_.rows[joined_.lead].size(); ++k)
@@ -222,7 +223,7 @@ class ForeignReader {
     return table(column.table).rows[joined_.rows[column.table][k]];
   }
 
-  /// Returns true for an empty field; for a form, if any of its columns is empty.
+  /// Returns true if the column's field is empty or, for a form, if any field of the form is empty.
   [[nodiscard]] bool isEmptyAt(const TakenColumn& column, std::size_t k) const {
     if (!column.form) return isBlankField(fieldOf(column, k));
     const auto& fields = rowOf(column, k).fields;
@@ -266,7 +267,7 @@ class ForeignReader {
     refuseField(column, column.column, k, "a time as the other rows have it");
   }
 
-  /// Returns the description of a valid field in that unit.
+  /// Returns a description of valid fields in a unit, for messages.
   [[nodiscard]] static const char* expectedOf(const Unit* unit, const std::string& field) {
     if (unit == sixtiethsOfHours()) return "hours as 12:34:56.7 or 12h34m56.7s, minutes and seconds within 60";
     if (unit == sixtiethsOfDegrees()) return "degrees as 12:34:56.7 or 12d34'56.7\", minutes and seconds within 60";
@@ -279,7 +280,7 @@ class ForeignReader {
                      inQuotes(rowOf(column, k).fields[at]), expected, "");
   }
 
-  /// Returns one component of the value that the columns of a form state together.
+  /// Returns one component of the orientation or position that the columns of a form state together.
   [[nodiscard]] std::string formField(const TakenColumn& column, std::size_t k) const {
     const FormColumns& columns = *column.form;
     const auto& fields = rowOf(column, k).fields;
@@ -306,7 +307,7 @@ class ForeignReader {
                      "correct the row or say what the columns are");
   }
 
-  /// Converts clock times to seconds from the first reading that states one.
+  /// Converts clock times to seconds since the first reading that states a time.
   void readClocks() {
     for (const auto& column : taken_) {
       if (targets_[column.target].unit != UnitKind::kTime) continue;
@@ -326,8 +327,7 @@ class ForeignReader {
     }
   }
 
-  /// Returns the order of day and month in the dates. Throws InputError if the dates are ambiguous and the user chose
-  /// none.
+  /// Returns the order of day and month in dates. Throws InputError if the order is ambiguous and the user chose none.
   [[nodiscard]] DateOrder dateOrderOf(const TakenColumn& column, const std::vector<std::string>& fields) const {
     constexpr std::array kOrders{DateOrder::kDayFirst, DateOrder::kMonthFirst};
     if (const std::string& asked = request_.choice.dates; !asked.empty()) {
@@ -350,9 +350,9 @@ class ForeignReader {
   std::vector<TakenColumn> taken_;
   JoinedRows joined_;
   std::vector<std::string> ids_;
-  std::vector<std::string> unknown_numbers_;                          ///< columns of numbers without a use
-  std::string kind_;                                                  ///< kind of readings if the table names none
-  std::map<std::size_t, std::vector<std::optional<double>>> clocks_;  ///< [s] by target, for every row of the table
+  std::vector<std::string> unknown_numbers_;                          ///< columns of numbers that no quantity uses
+  std::string kind_;                                                  ///< kind of readings if the table states none
+  std::map<std::size_t, std::vector<std::optional<double>>> clocks_;  ///< times of the rows [s], keyed by target
   ForeignReadings out_;
 };
 

@@ -14,11 +14,11 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Words that may occur beside the units: "length mm, angle deg".
+/// Words that may accompany the units in a line such as "length mm, angle deg".
 constexpr std::array<std::string_view, 8> kBesideUnits{"length", "lengths",  "angle",   "angles",
                                                        "linear", "distance", "angular", "and"};
 
-/// Returns the units in a text; none if it contains anything but units and words beside them.
+/// Returns the units in a text; empty if the text contains any word other than units and kBesideUnits.
 std::vector<const Unit*> unitsIn(std::string_view text) {
   std::vector<const Unit*> units;
   constexpr std::string_view kApart = " \t,;/()[]:=";
@@ -37,8 +37,8 @@ std::vector<const Unit*> unitsIn(std::string_view text) {
 /// Returns true if a line states units and nothing else.
 bool statesUnits(std::string_view line) { return !unitsIn(tubesheets::behindUnits(line)).empty(); }
 
-/// Returns the units stated by lines with the word unit or units, a colon or an equals sign, and only units after it.
-/// Throws InputError if two lines differ.
+/// Returns the units stated by lines that have the word `unit` or `units`, a colon or an equals sign, and then only
+/// units. Throws InputError if two lines state different units of a kind.
 std::map<UnitKind, StatedUnit> statedUnits(const std::vector<std::string>& lines, const std::string& file) {
   std::map<UnitKind, StatedUnit> stated;
   for (const auto& line : lines)

@@ -15,21 +15,21 @@ using ForeignRow = tubesheets::CsvRow;
 
 struct StatedUnit {
   const Unit* unit = nullptr;
-  std::string line;  ///< line that states the unit
+  std::string line;  ///< line of the file that states the unit
 };
 
-/// Table of a text, with its file's name for messages.
+/// Table in a text from another program, with the file's name for messages.
 struct ForeignTable : tubesheets::TextTable {
   std::string file;
   std::map<UnitKind, StatedUnit> units;  ///< units stated by separate lines, for columns whose headings state none
-  std::vector<std::string> remarks;      ///< remarks on the conversion of the file's numbers, a sentence each
+  std::vector<std::string> remarks;      ///< remarks on the conversion of the file's numbers, one sentence each
 };
 
-/// Returns true for a field that means "no value" in tables without empty fields: "-", "NaN", "n/a".
+/// Returns true for a field that means "no value": "-", "NaN", "n/a".
 [[nodiscard]] bool isBlankField(std::string_view field);
 
-/// Parses the table in a text, which is found by its rows of numbers (tubesheets/text_table.hpp), with the units stated
-/// in lines around it. Pointing data of telescopes are converted by parsePointingData(). Throws InputError for a text
+/// Parses the table in a text, located by its rows of numbers (tubesheets/text_table.hpp), and the units stated in
+/// lines around it. Pointing data of telescopes are converted by parsePointingData(). Throws InputError for a text
 /// without a valid table.
 [[nodiscard]] ForeignTable parseForeignTable(std::string_view text, const std::string& file);
 

@@ -16,9 +16,9 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr double kSame = 1e-9;  // tolerance for equal values of two forms [rad] or [m]
+constexpr double kSame = 1e-9;  // tolerance for equal results of two forms [rad or m]
 
-/// Returns true if a column is the only one possible for a joint.
+/// Returns true if a joint has no other possible column than this.
 bool isOnlyJoint(const FormSearch& search, std::size_t table, std::size_t column) {
   FreeColumns others = search.free;
   others[table][column] = false;
@@ -28,7 +28,8 @@ bool isOnlyJoint(const FormSearch& search, std::size_t table, std::size_t column
   });
 }
 
-/// Returns the free column of a table with that name; nothing if there are several or it states another unit.
+/// Returns the free column of table t with the given name; nothing if there are several or the heading states another
+/// kind of unit.
 std::optional<std::size_t> columnCalled(const FormSearch& search, std::size_t t, const std::string& name,
                                         const std::optional<UnitKind>& unit) {
   std::optional<std::size_t> found;
@@ -46,7 +47,7 @@ bool hasColumn(const ForeignTable& table, const std::string& name) {
          std::ranges::any_of(table.columns, [&](const auto& column) { return parseHeading(column).name == name; });
 }
 
-/// Returns the columns of a table with the headings of a form; nothing unless all exist.
+/// Returns the columns of table t with the headings of a form; nothing unless all columns exist.
 std::optional<FormColumns> columnsCalled(const FormSearch& search, std::size_t t, const WrittenForm& form,
                                          const FormHeadings& names) {
   FormColumns found{&form, t, {}, {}, hasColumn(search.tables[t], names.beside)};
@@ -70,7 +71,7 @@ bool hasUnits(const FormColumns& columns) {
   return true;
 }
 
-/// Returns the plausibility of the least plausible row.
+/// Returns how plausible a table's numbers are in a form: the plausibility of the least plausible row.
 FormFit fitOf(const FormColumns& columns, const ForeignTable& table) {
   FormFit fit = FormFit::kUsual;
   if (!hasUnits(columns)) return fit;
@@ -87,7 +88,8 @@ bool readAlike(const FormColumns& a, const FormColumns& b, const std::vector<For
   });
 }
 
-/// Removes forms less plausible than the best one, and notes this in the others with the same columns.
+/// Removes forms in which the numbers are less plausible than in the best form, and notes the removal in remaining
+/// forms with the same columns.
 void excludeByNumbers(std::vector<FormColumns>& forms, const std::vector<ForeignTable>& tables) {
   std::vector<FormFit> fits;
   for (const auto& columns : forms) fits.push_back(fitOf(columns, tables[columns.table]));
@@ -101,7 +103,7 @@ void excludeByNumbers(std::vector<FormColumns>& forms, const std::vector<Foreign
   forms = std::move(left);
 }
 
-/// Removes forms if another one of the same columns is indicated by a further column.
+/// Removes forms if a further column of the table indicates another form of the same columns.
 void excludeByColumns(std::vector<FormColumns>& forms) {
   std::vector<FormColumns> decided;
   std::ranges::copy_if(forms, std::back_inserter(decided), &FormColumns::is_beside);

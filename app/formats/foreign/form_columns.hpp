@@ -1,4 +1,5 @@
-// Search for columns of foreign tables that together state an orientation or a position, and for their form.
+// Search for columns of foreign tables that together state an orientation or a position, and for the form of their
+// numbers.
 #pragma once
 
 #include <map>
@@ -12,10 +13,10 @@
 
 namespace tubeplan::app {
 
-/// Marks of unassigned columns: one list for each table, one mark for each column.
+/// Flags of columns that are still unassigned: one list for each table, with one flag for each column.
 using FreeColumns = std::vector<std::vector<bool>>;
 
-/// Inputs of a search for forms: the tables with their free columns, and the joints without a column so far.
+/// Inputs of a search for forms: tables with their free columns, and joints that have no column yet.
 struct FormSearch {
   const std::vector<ForeignTable>& tables;
   const std::vector<std::vector<ForeignHeading>>& headings;
@@ -24,34 +25,36 @@ struct FormSearch {
   std::vector<const ColumnTarget*> joints;
 };
 
-/// Returns true if a free column has a name of the target.
+/// Returns true if the heading of a free column matches a name of the target.
 [[nodiscard]] bool hasFreeColumn(const FormSearch& search, const ColumnTarget& target);
 
-/// Returns the requested kind, else the kinds stated in the rows.
+/// Returns the kind `asked` or, if it is empty, the kinds stated in the rows.
 [[nodiscard]] std::set<std::string> kindsOf(const FormSearch& search, const std::string& asked);
 
-/// Returns the quantities that readings of those kinds need, or a position if no kind is stated, and those whose form
-/// the user chose. Each has the name of the chosen form, or an empty one.
+/// Returns the quantities for which a form is needed: those measured by readings of the given kinds (a position if
+/// there are no kinds), and those whose form the user chose. Each is mapped to the name of the chosen form, or to an
+/// empty name.
 [[nodiscard]] std::map<Stated, std::string> neededForms(const std::set<std::string>& kinds, const ColumnChoice& choice);
 
-/// Returns every form whose headings occur in one table, each once; with a name, only that form. A column that is the
-/// last one possible for a joint belongs to the joint: q1 to q4 are joints if there are no others.
+/// Returns every form whose headings occur in one table; if `name` is not empty, only the form of this name. The last
+/// possible column for a joint is reserved for the joint: q1 to q4 are joints if no other columns can be.
 [[nodiscard]] std::vector<FormColumns> formsByHeadings(const FormSearch& search, Stated stated,
                                                        const std::string& name);
 
-/// Returns the forms that remain after exclusion by columns beside them, by the numbers of the rows, and of forms that
-/// give the same result as one before them.
+/// Returns the forms that remain after three exclusions: forms contradicted by a further column, forms in which rows
+/// are implausible, and forms with the same results as an earlier form.
 [[nodiscard]] std::vector<FormColumns> decideForms(std::vector<FormColumns> forms,
                                                    const std::vector<ForeignTable>& tables);
 
-/// Returns the only remaining form; nothing if there is none. Throws InputError if several remain.
+/// Returns the only form that decideForms() leaves; nothing if `found` is empty. Throws InputError if several forms
+/// remain.
 [[nodiscard]] std::optional<FormColumns> onlyForm(const std::vector<FormColumns>& found,
                                                   const std::vector<ForeignTable>& tables);
 
-/// Returns the numbers of a row in internal units; nothing if a field is not a number.
+/// Returns the numbers of a form in a row, in internal units; nothing if a field is not a number.
 [[nodiscard]] std::optional<FormNumbers> numbersOf(const FormColumns& columns, const ForeignRow& row);
 
-/// Returns the quoted headings of the columns, with the file.
+/// Returns the quoted headings of the columns and the name of their file, for messages.
 [[nodiscard]] std::string namesOf(const FormColumns& columns, const std::vector<ForeignTable>& tables);
 
 }  // namespace tubeplan::app

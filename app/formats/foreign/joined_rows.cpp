@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Matching row of another table for each row of the leading table.
+/// Index of the matching row in another table, for each row of the leading table; nothing for a row without a match.
 using Partners = std::vector<std::optional<std::size_t>>;
 
 class RowJoiner {
@@ -60,8 +60,8 @@ class RowJoiner {
     return partnersByOrder(t);
   }
 
-  /// Throws InputError if both tables name their rows by text: names must match, unlike running numbers, which may
-  /// count anything.
+  /// Throws InputError if both tables name their rows by text, because such names should match. Running numbers need
+  /// not match, because they may count anything.
   void refuseOtherNames(std::size_t t, std::size_t ours, std::size_t theirs) const {
     const auto areNames = [](const ForeignTable& table, std::size_t column) {
       return std::none_of(table.rows.begin(), table.rows.end(),

@@ -1,4 +1,4 @@
-// Matching of the rows of foreign tables that belong to one reading.
+// Matching of rows in foreign tables that belong to the same reading.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,18 @@
 namespace tubeplan::app {
 
 struct JoinedRows {
-  std::vector<std::vector<std::size_t>> rows;  ///< matching rows: reading k has row rows[t][k] of table t
-  std::size_t lead = 0;                        ///< table whose rows the others match
-  std::string how;                             ///< way of matching: "by name", "row by row"; empty for one table
-  std::vector<std::string> left_out;           ///< rows without a match, a sentence for each table
+  std::vector<std::vector<std::size_t>> rows;  ///< row indices: reading k combines row rows[t][k] of each table t
+  std::size_t lead = 0;                        ///< index of the leading table, with whose rows all others are matched
+  std::string how;                             ///< method of matching: "by name", "row by row"; empty for one table
+  std::vector<std::string> left_out;           ///< rows without a match, one sentence for each table
 };
 
-/// Matches the rows of every table with those of the leading one: by name if both have a column of names, else by order
-/// if they are equally many. Throws InputError for tables that do not match.
+/// Matches the rows of every table with the rows of table `lead`: by name if both tables have a column of names
+/// (`names`), otherwise by order if they have equally many rows. Throws InputError for tables that do not match.
 [[nodiscard]] JoinedRows joinRows(const std::vector<ForeignTable>& tables, std::size_t lead,
                                   const std::vector<std::optional<std::size_t>>& names);
 
-/// Returns a point's name without the groups before it: "P1" of "A::Group::P1".
+/// Returns a point's name without the groups in front: "P1" for "A::Group::P1".
 [[nodiscard]] std::string pointName(const std::string& field);
 
 }  // namespace tubeplan::app

@@ -13,14 +13,14 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Words of lower-case letters or of digits: "left_arm/J1" becomes left, arm, j, 1.
+/// Words of a name, each of lower-case letters or of digits: left, arm, j, 1 for "left_arm/J1".
 using NameWords = std::vector<std::string>;
 
 const std::set<std::string> kJointWordsAnywhere{"joint",    "joints",    "axis", "axes",    "angle", "angles",
                                                 "position", "positions", "pos",  "encoder", "theta", "jt"};
-const std::set<std::string> kJointLetters{"j", "a", "q"};  // directly before the number
+const std::set<std::string> kJointLetters{"j", "a", "q"};  // letters directly before a joint's number
 
-/// Words for quantities of a joint other than its reading.
+/// Words in headings that denote quantities of a joint other than the joint's reading.
 const std::set<std::string> kOtherQuantities{"velocity", "velocities", "vel",   "speed",  "acceleration", "acc",
                                              "effort",   "efforts",    "eff",   "torque", "torques",      "tau",
                                              "current",  "currents",   "force", "forces", "temperature",  "temp",
@@ -47,14 +47,14 @@ NameWords wordsOf(const std::string& text) {
   return words;
 }
 
-/// Returns the words of a heading without its unit.
+/// Returns the words of a heading without the word that states its unit.
 NameWords wordsOf(const std::string& column, const ForeignHeading& heading) {
   NameWords words = wordsOf(column);
   if (heading.unit && !words.empty() && isUnitWord(words.back())) words.pop_back();
   return words;
 }
 
-/// Returns the names without their common first and last words.
+/// Returns the names without those first and last words that all of them have in common.
 std::vector<NameWords> withoutShared(std::vector<NameWords> names) {
   const auto areAlike = [&](auto word) {
     return std::ranges::all_of(
@@ -69,7 +69,7 @@ std::vector<NameWords> withoutShared(std::vector<NameWords> names) {
 
 bool isPlainNumber(const NameWords& words) { return words.size() == 1 && isDigit(words.front().front()); }
 
-/// Returns the possible names of the joints: for each way to name them, a list with one name for each joint.
+/// Returns the possible namings of the joints, each as a list with one name for each joint.
 std::vector<std::vector<NameWords>> waysToCall(const std::vector<const ColumnTarget*>& joints) {
   std::vector<NameWords> own, from_one, from_zero;
   for (std::size_t k = 0; k < joints.size(); ++k) {
@@ -83,7 +83,7 @@ std::vector<std::vector<NameWords>> waysToCall(const std::vector<const ColumnTar
   return ways;
 }
 
-/// Words before and after a name in a heading.
+/// Words before and after a joint's name or number in a heading.
 struct Around {
   NameWords before, behind;
   auto operator<=>(const Around&) const = default;
@@ -98,7 +98,7 @@ std::vector<Around> aroundName(const NameWords& heading, const NameWords& name) 
   return found;
 }
 
-/// Returns true if the words around a joint's name or number agree with a joint's reading.
+/// Returns true if the words around a joint's name or number are compatible with a joint reading.
 bool speaksOfJoints(const Around& around, bool is_number) {
   NameWords all = around.before;
   all.insert(all.end(), around.behind.begin(), around.behind.end());
@@ -124,7 +124,7 @@ std::vector<JointColumns> jointPatterns(const std::vector<ForeignTable>& tables,
   for (std::size_t t = 0; t < tables.size(); ++t) {
     if (!tables[t].has_heading) continue;
     for (const auto& names : waysToCall(joints)) {
-      std::map<Around, std::vector<std::vector<std::size_t>>> columns;  // columns of each joint
+      std::map<Around, std::vector<std::vector<std::size_t>>> columns;  // columns of each joint by surrounding words
       for (std::size_t c = 0; c < headings[t].size(); ++c) {
         const NameWords words = wordsOf(tables[t].columns[c], headings[t][c]);
         for (std::size_t k = 0; k < joints.size(); ++k) {

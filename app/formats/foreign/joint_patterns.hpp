@@ -1,4 +1,4 @@
-// Joint columns whose headings have the same words around each joint's name or number: `panda_joint1`,
+// Search for joint columns whose headings have the same words around each joint's name or number: `panda_joint1`,
 // `joint_1_position`, `/joint_states/position[0]`.
 #pragma once
 
@@ -10,20 +10,20 @@
 
 namespace tubeplan::app {
 
-/// Columns of one table, one for each joint of the chain to the tip.
+/// Columns of one table, one for each joint on the chain to the tip.
 struct JointColumns {
   std::size_t table = 0;
-  std::vector<std::size_t> columns;  ///< columns in the order of the joints
+  std::vector<std::size_t> columns;  ///< column indices, in the order of the joints
 
   friend bool operator==(const JointColumns&, const JointColumns&) = default;
 };
 
-/// Returns true if a joint may be named by its number: one of the chain to the tip.
+/// Returns true if headings may identify a joint by number, which is the case for joints on the chain to the tip.
 [[nodiscard]] bool isNumbered(const ColumnTarget& target);
 
-/// Returns all sets of columns that name all joints between the same words. They name them by the joints' names, by
-/// these without their common words, or by numbers from 0 or 1 beside a word for joints or positions. Sets with words
-/// for speeds, torques and the like are excluded.
+/// Returns all sets of columns whose headings name all joints between the same words. The names are those of the
+/// joints, the same names without their common words, or numbers from 0 or 1 next to a word for joints or positions.
+/// Sets with words for speeds, torques and similar quantities are excluded.
 [[nodiscard]] std::vector<JointColumns> jointPatterns(const std::vector<ForeignTable>& tables,
                                                       const std::vector<std::vector<ForeignHeading>>& headings,
                                                       const std::vector<ColumnTarget>& targets);

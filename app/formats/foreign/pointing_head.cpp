@@ -17,7 +17,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Returns the fields of a line, separated by blanks or, within angles, by colons.
+/// Returns the fields of a line, which are separated by blanks or, within angles, by colons.
 std::vector<std::string> fieldsIn(std::string text) {
   std::ranges::replace(text, ':', ' ');
   std::istringstream words(text);
@@ -51,8 +51,8 @@ void takeOptions(const std::string& file, const PointingLine& line, PointingHead
   }
 }
 
-/// Reads latitude d m s, then the date, temperature [degC] and pressure [hPa]; further parameters of refraction may
-/// follow.
+/// Reads the record of the site: latitude (d m s), date, temperature [degC] and pressure [hPa]; parameters of
+/// refraction may follow.
 void takePlace(const std::string& file, const std::vector<PointingLine>& lines, std::size_t k, PointingHead& head) {
   constexpr std::size_t kLatitude = 3, kTemperatureAt = 6, kPressureAt = 7, kMost = 12;
   if (k >= lines.size() || !areAllNumbers(lines[k].fields) || lines[k].fields.size() < kLatitude ||

@@ -1,4 +1,4 @@
-// Lines of telescopes' pointing data, and the head above the observations: options and the record of the site.
+// Lines of telescope pointing data, and the head before the observations: option records and the record of the site.
 #pragma once
 
 #include <optional>
@@ -14,30 +14,31 @@ struct PointingLine {
   std::vector<std::string> fields;
 };
 
-/// Returns the lines up to END, without empty ones and comments.
+/// Returns the lines before END, without empty lines and comments.
 [[nodiscard]] std::vector<PointingLine> pointingLines(std::string_view text);
 
-/// Returns true if there are fields and all of them are numbers.
+/// Returns true if there is at least one field and all fields are numbers.
 [[nodiscard]] bool areAllNumbers(const std::vector<std::string>& fields);
 
-/// Returns true for an option record: ": ALTAZ".
+/// Returns true if a line is an option record: ": ALTAZ".
 [[nodiscard]] bool isPointingOption(const PointingLine& line);
 
-/// Returns the place of a line: "sky.dat:5".
+/// Returns the location of a line for messages: "sky.dat:5".
 [[nodiscard]] std::string lineOf(const std::string& file, const PointingLine& line);
 
-/// Returns the angle of two or three numbers, the first with the sign, in the unit of the first. Throws InputError for
-/// a first number beyond `most` and for minutes or seconds out of range.
+/// Returns the angle in `count` fields of a line, two or three numbers of which each counts in sixtieths of the
+/// previous number. The first number has the sign and determines the unit. Throws InputError if the first number
+/// exceeds `most`, or if minutes or seconds are out of range.
 [[nodiscard]] double sixtiethsIn(const std::string& file, const PointingLine& line, std::size_t from, std::size_t count,
                                  double most);
 
-/// Mount, site and weather from the options and the record of the site.
+/// Mount, site and weather from the option records and the record of the site.
 struct PointingHead {
   std::optional<bool> is_altaz;
   bool is_without_diurnal = false;
   double latitude = 0;
   std::optional<double> temperature, pressure;
-  std::size_t rows_from = 0;  ///< index of the first observation
+  std::size_t rows_from = 0;  ///< index of the first line with an observation
 };
 
 /// Reads the lines between the caption and the observations. Throws InputError for unknown options and records.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kAltazNumbers = 4, kStarNumbers = 14, kMeanNumbers = 17, kMostAuxiliary = 3;
 constexpr std::size_t kSiderealMinutesAt = 13;
-constexpr std::size_t kEquinoxAt = 8;  // index of the equinox in rows with proper motions, of seconds in others
+constexpr std::size_t kEquinoxAt = 8;  // index of the equinox in rows with proper motions; else an index of seconds
 
 class PointingParser {
  public:
@@ -57,7 +57,8 @@ class PointingParser {
     refuseSidereal(line);
   }
 
-  /// Throws InputError for a sidereal time with seconds, which would be read as minutes and an auxiliary reading.
+  /// Throws InputError for a sidereal time with a separate number of seconds, which would be read as an auxiliary
+  /// reading.
   void refuseSidereal(const PointingLine& line) const {
     if (!is_stars_ || width_ == kStarNumbers) return;
     for (std::size_t row = head_.rows_from; row < lines_.size(); ++row)
@@ -67,7 +68,7 @@ class PointingParser {
                      "hours and minutes with decimals, as 16 23.130", "write the seconds as decimals of the minutes");
   }
 
-  /// Returns the angle of a right ascension or a sidereal time [deg].
+  /// Returns a right ascension or sidereal time, stated in hours, as an angle [deg].
   [[nodiscard]] double hours(const PointingLine& line, std::size_t from, std::size_t count) const {
     const double value = sixtiethsIn(file_, line, from, count, 24);
     if (value < 0) throw InputError(lineOf(file_, line), inQuotes(line.fields[from]) + " hours", "0 to 24");
@@ -153,9 +154,9 @@ class PointingParser {
   std::vector<PointingLine> lines_;
   PointingHead head_;
   ForeignTable table_;
-  std::size_t width_ = 0;  ///< numbers in each observation
+  std::size_t width_ = 0;  ///< number of fields in each observation
   bool is_stars_ = false;
-  double greatest_refraction_ = 0;  ///< largest refraction of the observations [deg]
+  double greatest_refraction_ = 0;  ///< largest refraction among the observations [deg]
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ using tubesheets::parseNumber, tubesheets::trimBlanks;
 
 constexpr std::size_t kMostParts = 3;
 
-/// Signs after degrees, minutes and seconds, some in several notations.
+/// Signs after degrees or hours, minutes and seconds; each has several notations.
 using SixtiethMarks = std::array<std::vector<std::string_view>, kMostParts>;
 
 const SixtiethMarks& marksOf(SixtiethForm form) {
@@ -27,7 +27,8 @@ const SixtiethMarks& marksOf(SixtiethForm form) {
   return form == SixtiethForm::kHours ? kHourMarks : kDegreeMarks;
 }
 
-/// Removes leading digits from the text and returns their number; it may have decimals only with `may_be_broken`.
+/// Removes an unsigned number from the start of the text and returns the number, or nothing if there is none. Decimals
+/// are allowed only if `may_be_broken` is true.
 std::optional<double> takeDigits(std::string_view& text, bool may_be_broken) {
   std::size_t length = 0;
   const auto isDigit = [&](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
@@ -42,7 +43,7 @@ std::optional<double> summed(bool is_negative, const std::vector<double>& parts)
   return are_sixtieths ? std::optional(sumOfSixtieths(is_negative, parts)) : std::nullopt;
 }
 
-/// Parses two or three numbers separated by a colon or by blanks.
+/// Parses an angle of two or three numbers separated by colons or by blanks.
 std::optional<double> parseApart(std::string_view text, char between, bool is_negative) {
   std::vector<double> parts;
   for (bool is_last = false; !is_last;) {
@@ -66,7 +67,7 @@ bool takeMark(std::string_view& text, const std::vector<std::string_view>& marks
   return false;
 }
 
-/// Parses two or three numbers with signs after them; the sign of the third may be missing.
+/// Parses an angle of two or three numbers with signs after them; the third sign may be missing.
 std::optional<double> parseMarked(std::string_view text, const SixtiethMarks& marks, bool is_negative) {
   std::vector<double> parts;
   while (!text.empty()) {

@@ -1,4 +1,5 @@
-// Angles in sixtieths: hours or degrees, minutes and seconds, as telescopes, surveyors and almanacs write them.
+// Parser of angles in sixtieths: hours or degrees, minutes and seconds, as telescopes, surveyors and almanacs write
+// them.
 #pragma once
 
 #include <optional>
@@ -9,28 +10,28 @@ namespace tubeplan::app {
 
 inline constexpr double kDegreesPerHour = 15;
 
-/// Notation of an angle: "12:34:56.7", "12 34 56.7", "12h34m56.7s", or as 12d34'56.7", with d or °.
+/// Notation of an angle in sixtieths: "12:34:56.7", "12 34 56.7", "12h34m56.7s", or 12d34'56.7" with d or °.
 enum class SixtiethForm { kColons, kBlanks, kHours, kDegrees };
 
 struct Sexagesimal {
-  double value = 0;  ///< angle in hours or degrees, as the form states
+  double value = 0;  ///< angle in hours or degrees, as `form` states
   SixtiethForm form = SixtiethForm::kColons;
 };
 
-/// Returns the finite number of a field, also with a plus sign; nothing for any other text.
+/// Returns the finite number in a field, which may have a plus sign; nothing for any other text.
 [[nodiscard]] std::optional<double> signedNumber(std::string_view field);
 
-/// Returns true for a possible number of minutes or seconds; 60 is allowed because 59.99 may be rounded to it.
+/// Returns true for a possible number of minutes or seconds; 60 is allowed because it may be a rounded 59.99.
 [[nodiscard]] constexpr bool isSixtieth(double number) { return number >= 0 && number <= 60; }
 
-/// Returns the sum of unsigned numbers, each in sixtieths of the one before, with the sign applied.
+/// Returns the signed sum of unsigned numbers, each of which counts in sixtieths of the previous number.
 [[nodiscard]] double sumOfSixtieths(bool is_negative, std::span<const double> parts);
 
-/// Returns the angle of two or three numbers with at most one sign in front; the last may have decimals, with a point
-/// or a comma. Nothing for any other text, such as a plain number.
+/// Parses an angle of two or three numbers with at most one sign in front; the last number may have decimals, with a
+/// point or a comma. Returns nothing for any other text, such as a plain number.
 [[nodiscard]] std::optional<Sexagesimal> parseSexagesimal(std::string_view field);
 
-/// Returns true if the form may mean hours or degrees.
+/// Returns true if the notation leaves open whether the angle is in hours or degrees.
 [[nodiscard]] constexpr bool isBare(SixtiethForm form) {
   return form == SixtiethForm::kColons || form == SixtiethForm::kBlanks;
 }

@@ -12,8 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kRounded = 1e-3;            // rounding of angles with few decimals [rad]
-constexpr double kQuaternionRounded = 2e-3;  // rounding of the norm of a quaternion with three decimals
+constexpr double kRounded = 1e-3;            // rounding error of angles with few decimals [rad]
+constexpr double kQuaternionRounded = 2e-3;  // rounding error of a quaternion's norm with three decimals
 
 template <const deflection::TurnForm& form>
 Eigen::Vector3d rollPitchYaw(const FormNumbers& n) {

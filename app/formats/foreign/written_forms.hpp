@@ -15,19 +15,19 @@ namespace tubeplan::app {
 
 enum class Stated { kTurn, kPlace };
 
-/// Columns of a measurement table for an orientation or a position.
+/// Columns of a measurement table that state an orientation or a position.
 struct StatedColumns {
-  const char* word;    ///< name in messages
-  const char* option;  ///< option that chooses the form
+  const char* word;    ///< name of the quantity in messages
+  const char* option;  ///< command-line option that chooses the form
   std::array<const char*, 3> columns;
   UnitKind unit;
 };
 [[nodiscard]] const StatedColumns& columnsOf(Stated stated);
 
-/// Numbers of one row in internal units; the fourth is used by quaternions only.
+/// Numbers of a form in one row, in internal units; only quaternions use the fourth number.
 using FormNumbers = std::array<double, 4>;
 
-/// Plausibility of numbers in a form.
+/// Plausibility of a row's numbers in a form.
 enum class FormFit { kUsual, kUnusual, kImpossible };
 
 struct FormNumber {
@@ -36,26 +36,26 @@ struct FormNumber {
 };
 
 struct FormHeadings {
-  std::vector<std::string> names;  ///< heading of each number, as parseHeading() returns names
-  std::string beside = {};         ///< heading of another column of the table that indicates this form; may be empty
+  std::vector<std::string> names;  ///< heading of each number, in the notation of parseHeading()
+  std::string beside = {};         ///< heading of a further column that indicates this form; may be empty
 };
 
-/// Form of an orientation or a position. Forms with the same headings are distinguished by their numbers, by other
+/// Form of an orientation or a position. Forms with the same headings are distinguished by their numbers, by further
 /// columns, or by the user.
 struct WrittenForm {
   const char* name;
-  const char* words;  ///< description, and programs that write it
+  const char* words;  ///< description of the form, and programs that write it
   Stated stated;
   std::vector<FormNumber> numbers;
   std::vector<FormHeadings> headings;
-  Eigen::Vector3d (*read)(const FormNumbers& numbers);  ///< returns roll, pitch, yaw [rad], or x, y, z [m]
+  Eigen::Vector3d (*read)(const FormNumbers& numbers);  ///< converts to roll, pitch, yaw [rad], or to x, y, z [m]
   FormFit (*fit)(const FormNumbers& numbers);
-  const char* usual;  ///< rule for its numbers, as a clause after its name
+  const char* usual;  ///< rule for the form's numbers, as a clause that follows the form's name
 };
 
 [[nodiscard]] std::span<const WrittenForm> writtenForms();
 
-/// Returns the names of the forms of an orientation or a position, for options.
+/// Returns the names of all forms of an orientation or a position, for command-line options.
 [[nodiscard]] std::vector<std::string> formNames(Stated stated);
 
 }  // namespace tubeplan::app
