@@ -1,4 +1,5 @@
-// Reach of bodies about the rows' origins, however the rows are written: the basis of bounds on their travel.
+// Distances of body points from the origins of the arm's rows, independent of where along its joint axis the arm file
+// puts an origin: the basis of bounds on the travel of the bodies.
 #pragma once
 
 #include <vector>
@@ -9,12 +10,12 @@
 namespace tubeplan::planner {
 
 struct AnchoredReach {
-  deflection::Arm arm;             ///< the arm with its rows' origins near each other
-  std::vector<double> body_reach;  ///< greatest distance of a body point from each row's origin there [m]
+  deflection::Arm arm;  ///< the arm, with the rows' origins moved along the joint axes so that they are near each other
+  std::vector<double> body_reach;  ///< greatest distance of a body point from the moved origin of each row [m]
 };
 
-/// Moves the rows' origins together. `body_reach` has the same distances from the origins as written, which are kept
-/// where those do not move.
+/// Moves the rows' origins along the joint axes. `body_reach` has the greatest distances from the origins as the arm
+/// has them; distances of rows whose origin does not move are kept.
 [[nodiscard]] AnchoredReach anchoredReachOf(const deflection::Arm& arm, const Scene& scene,
                                             std::vector<double> body_reach);
 

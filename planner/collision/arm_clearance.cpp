@@ -24,7 +24,7 @@ using Eigen::Isometry3d, Eigen::Vector3d;
 constexpr double kLeastDeflectionFactor = 1.1;
 constexpr int kSampledPostures = 96;
 
-/// Returns the scene of a travel, in which the tool may not touch what it may touch on approach.
+/// Returns the scene for travel between tubes: without the contacts that `allow` lists permit the tool on approach.
 Scene travelScene(Scene scene) {
   if (scene.links.empty()) return scene;
   const std::string& tool = scene.links.back().name;
@@ -53,7 +53,7 @@ std::vector<LinkReach> linksOf(const AnchoredReach& anchored) {
                  : joint.type == deflection::JointType::kPrismatic ? LinkReach::Joint::kPrismatic
                                                                    : LinkReach::Joint::kRevolute;
     link.follows = joint.follows;
-    // A slide lengthens the step from the row before it to its own frame.
+    // A slide lengthens the step between the origin of the row before the slide and the origin of the slide's own row.
     if (!links.empty()) links.back().step += deflection::slideLength(joint);
     links.push_back(link);
   }
@@ -86,8 +86,8 @@ double deflectionFactor(const Workcell& cell) {
     if (bent.kinematics.status != deflection::KinematicsStatus::kConverged) continue;
     for (int k = 0; k < bent.position_B.cols(); ++k) {
       const double extra = (bent.position_B.col(k) - straight.position_B.col(k)).norm();
-      // Levers below a quarter of the reach are not used: short ones are bounded by their longest posture, not by this
-      // one.
+      // Levers below a quarter of the reach are not used: a lever that is short here is longer in another posture,
+      // which determines the bound of its joint.
       most = std::max(most, 1 + extra / std::max(straight.position_B.col(k).norm(), reach / 4));
     }
   }

@@ -1,4 +1,4 @@
-// Clearance of the arm, bent by its weight and load, from everything that it must not touch.
+// Clearance of the arm, deflected by its weight and load, from every obstacle and body that it must not touch.
 #pragma once
 
 #include <memory>
@@ -14,27 +14,27 @@ namespace tubeplan::planner {
 class NearestPairs;
 struct NearestPair;
 
-/// Rule for the tool at the sheet: it may enter holes only while it approaches or retreats; in a travel it keeps clear
-/// of the sheet like every body.
+/// Rule for contact of the tool with the sheet. The tool may enter holes only while it approaches or retreats; during a
+/// travel it keeps clear of the sheet like every other body.
 enum class ContactRule { kTravel, kApproach };
 
-/// Bound on the travel of any body point, including changes of the deflection (deflection_travel.hpp). If that is not
-/// proved, the largest change over sampled postures replaces it.
+/// Bound on the travel of any body point, including changes of the deflection (deflection_travel.hpp). If the
+/// deflection's bound is not proved, the largest change over sampled postures replaces it.
 struct ArmTravel {
   TravelBound bound;
   double jump = 0;  ///< distance subtracted from every margin [m]
   bool is_proved = false;
-  std::string reason;  ///< reason if not proved
+  std::string reason;  ///< reason why the bound is not proved; empty if the bound is proved
 };
 [[nodiscard]] ArmTravel armTravelOf(const Workcell& cell, const std::vector<double>& body_reach);
 
 /// Joint values of many postures [rad, m], one column for each.
 using PostureColumns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The margins of many postures, and the full clearance of the tightest one (or of one with a NaN margin, if there is
-/// any).
+/// Margins of many postures, and the full clearance of the posture with the least margin, or of a posture with a NaN
+/// margin if there is one.
 struct MarginsSideBySide {
-  std::vector<double> margins;  ///< [m]
+  std::vector<double> margins;  ///< margin of each posture [m]
   std::size_t tightest = 0;
   Clearance clearance;
 };
@@ -42,29 +42,29 @@ struct MarginsSideBySide {
 /// Clearance of postures of one workcell. Const use from several threads is safe.
 class ArmClearance {
  public:
-  /// `padding`: number of standard deviations of the base's place to subtract from every distance to fixed obstacles,
+  /// `padding`: number of standard deviations of the base's pose to subtract from every distance to fixed obstacles,
   /// propagated to each body in each posture.
   explicit ArmClearance(const Workcell& cell, double padding = 0);
   ~ArmClearance();
 
   [[nodiscard]] const BasePadding& padding() const { return padding_; }
 
-  /// Returns the least margin at joint readings q, on the deflected shape, less the bow of bent members between their
-  /// frames. A shape that does not converge has a NaN margin, with the reason in `other`.
+  /// Returns the least margin of the deflected shape at the joint readings q, reduced by the bow of bent members
+  /// between their frames. A shape that does not converge has a NaN margin, with the reason in `other`.
   [[nodiscard]] Clearance at(const Eigen::VectorXd& q, ContactRule rule) const;
 
-  /// Returns the clearance with `spare` [m] subtracted from the margin: a plan's reserve, so that a proof by another
-  /// method succeeds too.
+  /// Returns the clearance with `spare` [m] subtracted from the margin. The planner keeps this reserve so that a proof
+  /// by another method succeeds too.
   [[nodiscard]] Clearance withSpare(const Eigen::VectorXd& q, ContactRule rule, double spare) const;
 
-  /// Returns the margins of one or more postures, computed as many side by side as the processor has lanes. Each has
-  /// the same bits as alone.
+  /// Returns the margins of one or more postures, computed side by side in the kernel lanes of the processor. Each
+  /// margin has the same bits as if its posture were computed alone.
   [[nodiscard]] MarginsSideBySide together(const PostureColumns& q, ContactRule rule) const;
 
   /// Returns the bound on any body point's travel, including changes of the deflection.
   [[nodiscard]] const TravelBound& travel() const { return travel_.bound; }
 
-  /// Returns the bound with its proof, or the reason why it is not proved.
+  /// Returns the bound on travel with its proof, or with the reason why it is not proved.
   [[nodiscard]] const ArmTravel& armTravel() const { return travel_; }
 
   [[nodiscard]] const Workcell& cell() const { return cell_; }
@@ -77,17 +77,18 @@ class ArmClearance {
 
   const Workcell& cell_;
   BasePadding padding_;
-  std::unique_ptr<PreparedArms> arms_;  ///< the scenes by rule, and an arm for each calling thread
+  std::unique_ptr<PreparedArms> arms_;  ///< prepared scenes of both contact rules, and an arm for each calling thread
   ArmTravel travel_;
 };
 
-/// Returns the ratio of a point's speed to its speed on a rigid arm, because the deflection changes with the joints. It
-/// is the largest for the tip over a lattice of postures under this load, with a margin of a tenth; at least 1.1.
-/// Sampled, not proved.
+/// Returns the factor by which a point may move faster than on a rigid arm, because the deflection changes with the
+/// joints. The factor is the largest ratio found for the tip over a lattice of postures under this load, with the
+/// excess over 1 increased by a tenth; at least 1.1. Sampled, not proved.
 [[nodiscard]] double deflectionFactor(const Workcell& cell);
 
-/// Returns the poses of the rows' bodies in the world: each row's frame, turned so that its member lies along the bent
-/// member's chord. `bow` receives the greatest distance of a bent member from its chord [m]; it may be null.
+/// Returns the poses of the rows' bodies in the world: each row's frame, turned so that its member lies along the chord
+/// of the bent member. Empty if the deflected shape does not converge. `bow` receives the greatest distance of a bent
+/// member from its chord [m]; may be null.
 std::vector<Eigen::Isometry3d> bodyFrames(const Workcell& cell, const Eigen::VectorXd& q, double* bow);
 
 }  // namespace tubeplan::planner

@@ -1,4 +1,4 @@
-// Clearance of the arm from everything that it must not touch, in one posture.
+// Clearance in one posture of the arm from every obstacle and body that it must not touch.
 #pragma once
 
 #include <limits>
@@ -9,23 +9,25 @@
 
 namespace tubeplan::planner {
 
-/// The nearest approach in one posture.
+/// Nearest approach of the arm in one posture to anything that it must not touch.
 struct Clearance {
-  /// lower bound of the true distance [m], negative if bodies overlap; infinite if there is nothing to touch
+  /// lower bound of the true distance [m]; negative if bodies overlap, infinite if the scene has nothing to touch
   double distance = std::numeric_limits<double>::quiet_NaN();
-  /// distance less the clearance that the scene requires [m]; free if zero or more; NaN: could not be computed, and is
-  /// not free
+  /// distance minus the clearance that the scene requires [m]. The posture is free if the margin is zero or more; NaN
+  /// means that it could not be computed, and counts as not free.
   double margin = std::numeric_limits<double>::quiet_NaN();
-  std::string body;   ///< the arm's body that comes nearest
-  std::string other;  ///< obstacle or other body that it comes nearest to
-  /// Nearest point of the body [m].
+  std::string body;  ///< body of the arm that comes nearest to `other`
+  /// Obstacle or other body of the arm that `body` comes nearest to; the reason if the margin is NaN.
+  std::string other;
+  /// Point of the nearest approach, in the world [m].
   Eigen::Vector3d point_W = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 };
 
-/// Returns "forearm is 0.0021 m from divider, 0.0064 m required" [m].
+/// Returns a sentence such as "forearm is 0.0021 m from divider, 0.0064 m required".
 [[nodiscard]] std::string describe(const Clearance& clearance);
 
-/// Returns the greatest distance of any body point of each link from the origin of its frame [m]; 0 without bodies.
+/// Returns for each link the greatest distance of a body point from the origin of the link's frame [m]; 0 for a link
+/// without bodies.
 [[nodiscard]] std::vector<double> bodyReachOf(const Scene& scene);
 
 }  // namespace tubeplan::planner

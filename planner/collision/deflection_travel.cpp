@@ -15,20 +15,21 @@ namespace {
 
 using deflection::Arm;
 
-constexpr double kMostBending = 0.1;  // of one element, the limit of the law of bending [rad]
+constexpr double kMostBending = 0.1;  // greatest bending of one element for which its law of bending is valid [rad]
 constexpr int kMostTerms = 200;
-constexpr double kBowShare = 0.3;  // change of a member's bow from the chord, as a share of the motion of its end
+// change of a member's bow from its chord, as a fraction of the motion of the member's end
+constexpr double kBowShare = 0.3;
 
-/// Place of flexibility, with greatest values over every posture and slides fully extended. A row's origin is the place
-/// of its joint's element, the far end of its member that of its beam.
+/// A flexible element, with the greatest values over all postures with every slide fully extended. The element of a
+/// joint is at its row's origin; the element of a beam is at the far end of its member.
 struct FlexiblePlace {
   int row;
-  double compliance;  ///< [rad/(N m)]
-  double length;      ///< of the member, or of a slide's bar; 0 for a joint [m]
-  double moment;      ///< per unit of gravity: first moment about the near end of everything beyond [N m]
-  double weight;      ///< beyond the near end [N]
-  double reach;       ///< of any body point beyond, from the near end [m]
-  double bending;     ///< [rad]
+  double compliance;  ///< compliance of the element [rad/(N m)]
+  double length;      ///< length of the member or of a slide's bar; 0 for a joint [m]
+  double moment;      ///< greatest first moment of all weight beyond the near end, about the near end [N m]
+  double weight;      ///< weight beyond the near end [N]
+  double reach;       ///< greatest distance of a body point beyond the near end from that end [m]
+  double bending;     ///< greatest rotation of the element [rad]
 };
 
 double weightOf(const deflection::Row<double>& row, double length) {
@@ -37,7 +38,8 @@ double weightOf(const deflection::Row<double>& row, double length) {
   return weight;
 }
 
-/// Returns the first moment of a row; lumps are `lumps` beyond the row's origin, plus their own distance.
+/// Returns the first moment of a row's weight about its origin [N m]. Lumps are `lumps` [m] further out than their own
+/// distances.
 double momentOf(const deflection::Row<double>& row, double length, double lumps) {
   double moment = row.weight.distributed * length * length / 2 + row.weight.end * length;
   for (const auto& lump : row.weight.lumps) moment += std::abs(lump.weight) * (lumps + lump.at.norm());
@@ -56,10 +58,10 @@ double complianceOf(const deflection::Row<double>& row, deflection::ElementPlace
 
 class Bound {
  public:
-  /// `load` [N] hangs on the tip.
+  /// `load`: weight that hangs from the tip [N].
   Bound(const AnchoredReach& anchored, double load) : arm_(anchored.arm) {
     const int rows = static_cast<int>(arm_.rows.size());
-    // From the tip inwards: the loads beyond each place.
+    // Sums the loads beyond each element, from the tip inwards.
     double weight = load, moment = 0, reach = 0;
     for (int row = rows - 1; row >= 0; --row) {
       const auto& numbers = arm_.rows[static_cast<std::size_t>(row)];
@@ -82,7 +84,7 @@ class Bound {
     return std::ranges::all_of(places_, [](const FlexiblePlace& place) { return place.bending <= kMostBending; });
   }
 
-  /// Returns the travel per radian that a row is turned, or per metre that it slides; not finite if the series does not
+  /// Returns the travel per radian that a row turns, or per metre that it slides; infinite if the series does not
   /// converge.
   [[nodiscard]] double travelBy(int row) const {
     const bool is_slide = arm_.rows[static_cast<std::size_t>(row)].joint.type == deflection::JointType::kPrismatic;
@@ -103,23 +105,24 @@ class Bound {
 
  private:
   struct Hanging {
-    double moment, weight;  ///< about the row's origin [N m]; [N]
+    double moment, weight;  ///< first moment about the row's origin [N m]; weight beyond it [N]
   };
 
-  /// Returns the part of a row that bends, with slides fully extended [m].
+  /// Returns the vector along the bending length of a row, with slides fully extended [m].
   static Eigen::Vector3d barOf(const deflection::Row<double>& row, const Eigen::Vector3d& member) {
     if (row.joint.type != deflection::JointType::kPrismatic) return member;
     return deflection::slideLength(row.joint) * Eigen::Vector3d::UnitZ();
   }
 
-  /// Returns the first gain of an element's rotation [rad/rad]: the joint turns everything beyond it, of which an
-  /// element further out carries its own part alone.
+  /// Returns an element's rotation per joint rotation before the coupling between elements [rad/rad]. The joint turns
+  /// everything beyond it; an element further out carries only the loads beyond that element.
   [[nodiscard]] double gainedByTurn(const FlexiblePlace& place, int row) const {
     return place.compliance * std::min(place.moment, at_origin_[static_cast<std::size_t>(row)].moment);
   }
 
-  /// Returns the first gain by a slide [rad/m]. A longer bar bends more, because its compliance grows with its length.
-  /// Elements before it carry the bar's load further out, and the added weight of the bar.
+  /// Returns an element's rotation per slide travel before the coupling between elements [rad/m]. A longer bar bends
+  /// more, because its compliance grows with its length. Elements before the bar carry its load further out, and carry
+  /// the added weight of the bar.
   [[nodiscard]] double gainedBySlide(const FlexiblePlace& place, int row) const {
     if (place.row > row) return 0;
     if (place.row == row && place.length > 0) return kLengthening * place.compliance / place.length * place.moment;
@@ -127,7 +130,7 @@ class Bound {
     return place.compliance * (at_origin_[static_cast<std::size_t>(row)].weight + bar_weight * place.reach);
   }
 
-  /// Returns the displacement of a member's end per rotation that it gains.
+  /// Returns the displacement of a member's end per rotation of the member [m/rad].
   static double displacement(const FlexiblePlace& place) { return place.length * (1 + 2 * place.bending); }
 
   void add(FlexiblePlace place) {
@@ -136,7 +139,7 @@ class Bound {
     places_.push_back(place);
   }
 
-  /// Computes how the rotation of one element turns the others.
+  /// Fills the matrix of the rotation of each element per rotation of each other element.
   void spread() {
     const auto count = static_cast<Eigen::Index>(places_.size());
     spread_ = Eigen::MatrixXd::Zero(count, count);
@@ -145,13 +148,14 @@ class Bound {
         const FlexiblePlace& here = places_[static_cast<std::size_t>(e)];
         const FlexiblePlace& there = places_[static_cast<std::size_t>(other)];
         const double by_displacement = there.weight * displacement(there);
-        // Rotations before an element, its own included, turn gravity relative to the loads beyond it.
+        // Rotations before an element, and its own rotation, turn gravity relative to the loads beyond the element.
         const double moment = other < e ? here.moment : there.moment + by_displacement;
         spread_(e, other) = here.compliance * moment;
       }
   }
 
-  /// Returns the motion of a point beyond all rotations, including that of frames along bent chords and of their bow.
+  /// Returns the motion of a point beyond all elements [m], including the rotation of frames along bent chords and the
+  /// bow of members.
   [[nodiscard]] double moved(const Eigen::VectorXd& rotations) const {
     double travel = 0;
     for (std::size_t e = 0; e < places_.size(); ++e) {
@@ -164,7 +168,7 @@ class Bound {
 
   const Arm& arm_;
   std::vector<FlexiblePlace> places_;
-  std::vector<Hanging> at_origin_;  ///< by rows
+  std::vector<Hanging> at_origin_;  ///< loads beyond the origin of each row
   Eigen::MatrixXd spread_;
 };
 

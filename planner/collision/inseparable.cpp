@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kPostures = 1000;
 
-/// Returns the rows' frames in the base without deflection; empty if an effect has no value there.
+/// Returns the rows' frames in the base frame, without deflection; empty if an effect has no value at q.
 std::vector<Isometry3d> rigidFrames(const deflection::Arm& arm, const Eigen::VectorXd& q) {
   deflection::Posture posture;
   posture.q = q;
@@ -47,7 +47,7 @@ std::vector<std::pair<int, int>> inseparableBodies(const deflection::Arm& arm, c
           !mayTouch(scene.bodies[static_cast<std::size_t>(a)], scene.bodies[static_cast<std::size_t>(b)]))
         pairs.emplace_back(a, b);
   if (pairs.empty()) return pairs;
-  // Few pairs are left after the first posture, mostly none.
+  // Few pairs remain after the first posture, mostly none.
   for (const auto& q : deflection::latticeStarts(arm, kPostures)) {
     const auto X_BL = rigidFrames(arm, q);
     if (X_BL.empty()) continue;

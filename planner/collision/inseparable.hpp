@@ -1,5 +1,5 @@
-// Bodies of the nominal arm that are too near each other in every posture, such as a wrist's flange in the forearm's
-// end.
+// Pairs of bodies of the nominal arm that are too near each other in every posture, such as a wrist flange inside the
+// end of the forearm.
 #pragma once
 
 #include <utility>
@@ -10,9 +10,9 @@
 
 namespace tubeplan::planner {
 
-/// Returns the pairs to be judged (areJudged()) that are nearer than the scene's clearance at each of 1,000 postures
-/// all over the joints' limits, by rigid kinematics. No plan could keep them apart, so that Scene::inseparable lists
-/// them instead. The pairs are indices of bodies, the smaller first.
+/// Returns the pairs subject to areJudged() that are nearer than the scene's clearance in each of 1,000 postures spread
+/// over the joint limits, computed with rigid kinematics. No plan could keep such bodies apart, so Scene::inseparable
+/// lists them instead. A pair holds two indices of bodies, the smaller first.
 [[nodiscard]] std::vector<std::pair<int, int>> inseparableBodies(const deflection::Arm& arm, const Scene& scene);
 
 }  // namespace tubeplan::planner

@@ -23,7 +23,7 @@ double halfLengthOf(const Capsule& capsule) { return 0.5 * (capsule.to - capsule
 
 struct KnownObstacle {
   PairKind kind;
-  bool is_itself;  ///< false: it is replaced by a solid around it
+  bool is_itself;  ///< false if a solid around the obstacle replaces it
 };
 
 KnownObstacle boxOf(const Isometry3d& X_WC, const Vector3d& half, bool is_itself, PlainObstacle& plain) {
@@ -52,7 +52,7 @@ KnownObstacle cylinderOf(const CylinderSolid& cylinder, PlainObstacle& plain) {
   return {PairKind::kCylinder, true};
 }
 
-/// Returns the description of a shape that the kernels do not know: a sphere of infinite radius around it.
+/// Returns the description of a shape that the kernels do not support: a sphere of infinite radius around the shape.
 KnownObstacle unknown(PlainObstacle& plain) {
   return capsuleOf({Vector3d::Zero(), Vector3d::Zero(), std::numeric_limits<double>::infinity()}, false, plain);
 }
@@ -76,7 +76,8 @@ KnownObstacle plainOf(const Shape& shape, PlainObstacle& plain) {
   return capsuleOf(solid->around(), solid->isCapsule(), plain);
 }
 
-/// Returns the order of cost. Cheap pairs come first, because their results make most of the others unnecessary.
+/// Returns the rank of a pair's cost. Cheap pairs come first, because their results make most expensive pairs
+/// unnecessary.
 int costOf(PairKind kind) { return kind == PairKind::kBox || kind == PairKind::kCylinder ? 1 : 0; }
 
 }  // namespace
@@ -144,7 +145,8 @@ Separation NearestPairs::separationOf(const deflection::PlacedRows& placed, int 
                                     : obstacle.separationFrom(X_WB, *solids_[body]);
 }
 
-/// Shapes that are no solids may have a better bound than the kernel's.
+/// Returns true if the obstacle is known to be farther than `distance`: shapes that are not solids may have a better
+/// bound than the kernel's.
 bool NearestPairs::isFarther(const deflection::PlacedRows& placed, int lane, const kernels::PlainPair& pair,
                              double distance) const {
   if (pair.kind == PairKind::kBodyAndBody) return false;
@@ -189,7 +191,7 @@ NearestPair NearestPairs::findPadded(const deflection::PlacedRows& placed, int l
   for (const auto& body : bodies_)
     if (!placed.X_WL(body.row, lane).matrix().allFinite()) return found;
   found.distance = std::numeric_limits<double>::infinity();
-  std::vector<double> padded(scene_.bodies.size(), -1);  // in any direction, once computed
+  std::vector<double> padded(scene_.bodies.size(), -1);  // padding of each body in any direction; -1 until computed
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const kernels::PlainPair& pair = pairs_[k];
     double away = 0;

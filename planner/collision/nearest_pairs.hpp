@@ -1,9 +1,9 @@
-// The nearest pairs of many placed postures, found side by side: for each posture the one with the least margin.
+// Pair of bodies, or of a body and an obstacle, with the least margin in each of many postures, found side by side.
 //
-// Capsules are measured by kernels, from planes, spheres, boxes, cylinders and each other
-// (kernels/distance_kernel.hpp). For every other pair (a mesh, an arm's body that is no capsule) a kernel gives a lower
-// bound, by the capsule around the body and the box around the mesh; only if that is less than the least distance so
-// far is the pair itself computed, posture by posture.
+// Kernels compute the distances of capsules from planes, spheres, boxes, cylinders and each other
+// (kernels/distance_kernel.hpp). For every other pair (a mesh, or a body of the arm that is not a capsule) a kernel
+// computes a lower bound from the capsule around the body and the box around the mesh. The distance of such a pair
+// itself is computed only if its lower bound is less than the least distance so far, posture by posture.
 #pragma once
 
 #include <span>
@@ -19,24 +19,25 @@ namespace tubeplan::planner {
 /// The nearest approach of one posture.
 struct NearestPair {
   double distance = std::numeric_limits<double>::quiet_NaN();  ///< distance with the meaning of Clearance::distance [m]
-  int pair = -1;                                               ///< -1 if there is nothing to touch
+  int pair = -1;  ///< index of the nearest pair among the pairs of the scene; -1 if there is nothing to touch
 };
 
-/// A scene prepared for many queries, which are const and safe from several threads at once.
+/// A scene prepared for many queries. Queries are const, and safe from several threads at once.
 class NearestPairs {
  public:
   /// The scene must be free of problems (findSceneProblems()).
   explicit NearestPairs(Scene scene);
 
-  /// Finds one pair for each posture placed; NaN if the shape does not converge or a pose is not finite.
+  /// Finds the nearest pair of each placed posture; its distance is NaN if the shape does not converge or a pose is not
+  /// finite.
   void find(const deflection::PlacedRows& placed, std::span<NearestPair> found) const;
 
-  /// Finds the pair of one posture, with the padding of the base subtracted from every distance to fixed obstacles.
-  /// This is done pair by pair, without a kernel.
+  /// Finds the nearest pair of one posture, with the padding of the base subtracted from every distance to fixed
+  /// obstacles. Pairs are computed one by one, without a kernel.
   [[nodiscard]] NearestPair findPadded(const deflection::PlacedRows& placed, int lane,
                                        const BasePadding& padding) const;
 
-  /// Returns the result of find() for the posture in a lane, with names and point.
+  /// Returns the result of find() for the posture in a lane, with the names of the pair and its nearest point.
   [[nodiscard]] Clearance named(const deflection::PlacedRows& placed, int lane, const NearestPair& found) const;
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -54,8 +55,9 @@ class NearestPairs {
   std::vector<kernels::PlainBody> bodies_;
   std::vector<kernels::PlainObstacle> obstacles_;
   std::vector<kernels::PairKind> obstacle_kinds_;
-  std::vector<bool> obstacle_is_plain_;    ///< true: the kernel has the obstacle itself, not a solid around it
-  std::vector<kernels::PlainPair> pairs_;  ///< the exact ones first
+  /// True if the kernel has the obstacle itself, false if it has a solid around the obstacle.
+  std::vector<bool> obstacle_is_plain_;
+  std::vector<kernels::PlainPair> pairs_;  ///< pairs with an exact kernel distance first
   int exact_ = 0;
 };
 

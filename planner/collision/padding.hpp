@@ -1,9 +1,9 @@
-// Uncertainty of a body's place caused by the uncertainty of the base's calibration.
+// Uncertainty of a body's position caused by the uncertainty of the base's calibration.
 //
-// A point p moves by t + w x (p - p_WB) if the base has an error of a shift t and a small rotation w. Its standard
-// deviation is a convex function of p, in every direction, so that none within a capsule exceeds that of the capsule's
-// ends plus the rotation's part over its radius. It changes by no more than the rotation's deviation for each metre
-// that p moves.
+// A point p moves by t + w x (p - p_WB) if the base has an error of a shift t and a small rotation w. The standard
+// deviation of this motion, in every direction, is a convex function of p. Within a capsule it therefore never exceeds
+// its value at the capsule's ends plus the rotation's standard deviation times the capsule's radius. Per metre that p
+// moves, it changes by no more than the rotation's standard deviation.
 #pragma once
 
 #include "planner/scene/shape.hpp"
@@ -11,7 +11,7 @@
 
 namespace tubeplan::planner {
 
-/// A multiple `sigmas` of the standard deviation of a cell's base, propagated to the bodies of a posture. Const use
+/// A multiple `sigmas` of the standard deviation of a base's pose, propagated to the bodies of a posture. Const use
 /// from several threads is safe.
 class BasePadding {
  public:
@@ -20,16 +20,16 @@ class BasePadding {
 
   [[nodiscard]] bool isNone() const { return sigmas_ == 0; }
 
-  /// Returns the padding of any point of the body in any direction [m].
+  /// Returns an upper bound of the padding of any point of the body in any direction [m].
   [[nodiscard]] double of(const Capsule& body_W) const;
 
-  /// Returns the padding of any point of the body along a direction of unit length [m], as needed for a plane.
+  /// Returns an upper bound of the padding of any point of the body along a unit vector [m], as needed for a plane.
   [[nodiscard]] double along(const Eigen::Vector3d& direction_W, const Capsule& body_W) const;
 
-  /// Returns the padding towards an obstacle [m]: along its normal if it is a plane.
+  /// Returns the padding towards an obstacle [m]: along the obstacle's normal if it is a plane, else in any direction.
   [[nodiscard]] double towards(const Shape& obstacle, const Capsule& body_W) const;
 
-  /// Returns the largest change of the padding per metre that a body's point moves.
+  /// Returns the largest change of the padding per metre of motion of a body's point [m/m].
   [[nodiscard]] double slope() const { return slope_; }
 
  private:

@@ -7,7 +7,8 @@
 namespace tubeplan::planner {
 namespace {
 
-/// Returns the greatest distance [m] of any point from each link's frame onwards from that frame's origin.
+/// Returns for each link the greatest distance of any point of this link or the links beyond from the origin of the
+/// link's frame [m].
 std::vector<double> reachesBeyond(std::span<const LinkReach> links) {
   std::vector<double> beyond(links.size());
   for (std::size_t i = links.size(); i-- > 0;) {

@@ -1,4 +1,4 @@
-// Upper bound on the travel of any point of the arm in a straight joint motion.
+// Upper bound on the travel of any point of the arm during a straight motion in joint space.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,10 +9,11 @@
 
 namespace tubeplan::planner {
 
-/// Bound on the travel in a motion straight in joint space: the sum of |dq_j| times `reach_per_joint[j]`. For a
-/// revolute joint this is the greatest distance of any body point beyond it from its axis [m/rad], and as much for each
-/// frame that follows it with its ratio; for a sliding one 1 [m/m]. The sum also bounds the approach of two of the
-/// arm's own bodies, because only the joints between them matter.
+/// Bound on the travel during a straight motion in joint space: the sum of |dq_j| times `reach_per_joint[j]`. For a
+/// revolute joint, `reach_per_joint` is the greatest distance of any body point beyond the joint from its axis [m/rad],
+/// plus the distance beyond each frame that follows the joint times the ratio of that frame. For a sliding joint it is
+/// 1 [m/m]. The sum also bounds the approach of two bodies of the arm towards each other, because only the joints
+/// between them matter.
 struct TravelBound {
   Eigen::VectorXd reach_per_joint;
 
@@ -22,22 +23,24 @@ struct TravelBound {
   }
 };
 
-/// Lengths of a link that matter for travel.
+/// Lengths of a link that determine the travel of its points.
 struct LinkReach {
-  /// Greatest distance between the origins of this link's frame and the next one's [m]; unused for the last.
+  /// Greatest distance between the origins of this link's frame and the next link's frame [m]; unused for the last
+  /// link.
   double step = 0;
-  double body = 0;  ///< greatest distance of a body point from the frame's origin (bodyReachOf) [m]
+  double body = 0;  ///< greatest distance of a body point from the origin of the link's frame (bodyReachOf()) [m]
   enum class Joint {
     kNone,
     kRevolute,
-    /// Joint that ends at this frame, about or along its z.
+    /// Slide along the z axis of this frame; a revolute joint turns about that axis.
     kPrismatic
   } joint = Joint::kNone;
-  std::vector<deflection::FollowedJoint> follows = {};  ///< joints that turn a frame without a joint of its own
+  /// Joints of other links that also turn this link's frame, with their ratios.
+  std::vector<deflection::FollowedJoint> follows = {};
 };
 
 /// Returns a bound that holds in every posture. `factor` (1 or more) covers effects that the lengths do not include:
-/// links that lengthen, and changes of the arm's deflection during the motion.
+/// lengthening of links, and changes of the arm's deflection during the motion.
 [[nodiscard]] TravelBound travelBoundOf(std::span<const LinkReach> links, double factor);
 
 }  // namespace tubeplan::planner

@@ -1,9 +1,11 @@
-// Distances of segments from obstacles and each other, side by side. See lanes.hpp for the numbers.
+// Distances of line segments from obstacles and from each other, for several postures side by side. See lanes.hpp for
+// the numeric types.
 //
-// Distances from planes, spheres and other segments are closed forms. Along a segment the squared distance from a box
-// or a cylinder is convex: its slope's zero is found by Newton steps kept within a bracket, as in segment_distance.hpp,
-// each lane until it converges. The result is the gap between the planes that support the two across the points found:
-// never more than the distance, wherever the search ended.
+// Distances from planes, spheres and other segments have closed forms. Along a segment the squared distance from a box
+// or a cylinder is convex. The zero of its slope is found by Newton steps kept within a bracket, as in
+// segment_distance.hpp; each lane steps until it converges. The result is the gap between the parallel planes that
+// support the segment and the solid, perpendicular to the line through the two points found. This gap never exceeds the
+// distance, wherever the search ended.
 #pragma once
 
 #include "deflection/revolute_chain/row_kernel.hpp"
@@ -14,7 +16,7 @@ namespace {
 using namespace tubeplan::planner::kernels;
 
 constexpr double kContactGap = 1e-9;   // a smaller gap counts as contact [m]
-constexpr double kFinestStep = 1e-15;  // smallest Newton step, as a share of the segment
+constexpr double kFinestStep = 1e-15;  // smallest Newton step, as a fraction of the segment
 constexpr int kMostSteps = 100;
 
 struct Segment {
@@ -24,8 +26,8 @@ struct Segment {
 inline Real squared(Vec v) { return dot(v, v); }
 inline Real clamped(Real x, Real low, Real high) { return least(greatest(x, low), high); }
 
-/// Returns the squared distance of two segments (Ericson 2005, 5.1.9). The nearest points have an end of one, or lie on
-/// the common perpendicular; all of these are tried.
+/// Returns the squared distance of two segments (Ericson 2005, 5.1.9). The nearest points include an end of a segment,
+/// or lie on the common perpendicular; all these candidates are computed.
 inline Real squaredDistance(const Segment& a, const Segment& b) {
   const Real zero = constant(0), one = constant(1);
   const Vec along_a = a.to - a.from, along_b = b.to - b.from, offset = a.from - b.from;
@@ -47,7 +49,7 @@ struct Slope {
   Real slope, curvature;
 };
 
-/// Returns the place on the segment, 0 to 1, where the slope is zero; `asked` are the lanes that matter.
+/// Returns the position along the segment, from 0 to 1, where the slope is zero. `asked`: lanes whose result is used.
 template <class SlopeAt>
 inline Real levelPlace(Bits asked, const SlopeAt& slope_at) {
   const Real zero = constant(0), one = constant(1);
@@ -71,8 +73,8 @@ inline Real levelPlace(Bits asked, const SlopeAt& slope_at) {
   return select(at_start, zero, select(at_end, one, s));
 }
 
-/// Returns the gap across the points found. `reach` is the solid's extent towards the segment, for a direction of
-/// length 1.
+/// Returns the gap between segment and solid along the line through the two points found. `reach` returns the solid's
+/// extent towards the segment along a unit vector.
 template <class Reach>
 inline Real gapAcross(const Segment& segment, Vec on_segment, Vec on_solid, Real radius, const Reach& reach) {
   const Vec way = on_solid - on_segment;
@@ -82,7 +84,7 @@ inline Real gapAcross(const Segment& segment, Vec on_segment, Vec on_solid, Real
   return select(isLess(constant(kContactGap), distance), gap, -greatest(radius, constant(kContactGap)));
 }
 
-/// Returns the distance of a capsule from the box of half size `half` about the origin.
+/// Returns the distance of a capsule from a box of half dimensions `half` centred on the origin.
 inline Real distanceFromBox(Bits asked, const Segment& segment, Real radius, Vec half) {
   const Real zero = constant(0);
   const Vec along = segment.to - segment.from;
@@ -107,7 +109,8 @@ inline Real distanceFromBox(Bits asked, const Segment& segment, Real radius, Vec
   });
 }
 
-/// Returns the distance of a capsule from the cylinder about z.
+/// Returns the distance of a capsule from a cylinder along z centred on the origin. `thick`: radius of the cylinder
+/// [m].
 inline Real distanceFromCylinder(Bits asked, const Segment& segment, Real radius, Real thick, Real half) {
   const Real zero = constant(0);
   const Vec along = segment.to - segment.from;
@@ -129,7 +132,7 @@ inline Real distanceFromCylinder(Bits asked, const Segment& segment, Real radius
   });
 }
 
-/// Returns the square of a point's distance outside the box.
+/// Returns the squared distance of a point outside the box from the box; zero inside.
 inline Real squaredBeyondBox(Vec p, Vec half) {
   const Real zero = constant(0);
   return squared({greatest(absolute(p.x) - half.x, zero), greatest(absolute(p.y) - half.y, zero),

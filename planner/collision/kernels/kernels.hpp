@@ -1,4 +1,5 @@
-// The clearance kernels for this processor: the same numbers, bit for bit, for several postures at a time.
+// The clearance kernels that this processor supports. All return bitwise identical results, for different numbers of
+// postures at a time.
 #pragma once
 
 #include <span>
@@ -12,10 +13,10 @@ struct Kernel {
   void (*nearest)(const PlainScene&, const double* frames, const FoundPairs&);
 };
 
-/// Returns the kernels, as many as deflection/revolute_chain/kernels.hpp has and of the same widths.
+/// Returns the clearance kernels, with the same lane counts as the kernels of deflection/revolute_chain/kernels.hpp.
 std::span<const Kernel> kernels();
 
-/// Returns the kernel of that width.
+/// Returns the kernel with that number of lanes.
 const Kernel& kernelOf(int lanes);
 
 }  // namespace tubeplan::planner::kernels

@@ -1,8 +1,9 @@
-// The nearest pair of each of the postures side by side. See plain_cell.hpp for the input.
+// Nearest pair of each of several postures computed side by side. See plain_cell.hpp for the input.
 //
-// Pairs are taken one after the other, all postures at once. Before a search, or two segments, the sphere around the
-// capsule decides whether a pair can be nearer than the nearest so far; a lane where it cannot is unchanged even
-// if its neighbours continue, so that every posture has the same bits whatever its neighbours.
+// Pairs are computed one after the other, each for all postures at once. Before an iterative search, or a distance of
+// two segments, the sphere around the capsule decides whether the pair can be nearer than the nearest pair so far. A
+// lane where it cannot is left unchanged even if other lanes continue, so that the bits of a posture's result do not
+// depend on the other lanes.
 #pragma once
 
 #include "planner/collision/kernels/distance_kernel.hpp"
@@ -11,8 +12,8 @@ namespace {
 
 constexpr double kInfinity = __builtin_inf();
 
-/// Returns true if bodies within `reach` of their middles, which have that squared distance, can be nearer than
-/// `limit`.
+/// Returns true in the lanes where two bodies can be nearer than `limit`. `squared_apart`: squared distance of their
+/// centres; `reach`: sum of the bodies' extents about their centres.
 inline Bits mayBeNearer(Real squared_apart, Real limit, double reach) {
   const Real most = limit + reach;
   return isLess(constant(0), most) & ~isLess(most * most, squared_apart);
@@ -24,7 +25,7 @@ inline Vec inFrame(const PlainPose& X_CW, Vec p) { return same(X_CW.p) + turnedB
 
 struct Found {
   Real distance;
-  Bits asked;  ///< lanes where it may be less than the limit
+  Bits asked;  ///< lanes where the distance may be less than the limit
 };
 
 inline Found capsulesApart(const Segment& a, const PlainBody& body, const Segment& b, double radius, double half_length,
@@ -86,7 +87,7 @@ inline Found look(const PlainScene& scene, const PlainPair& pair, const FoundPai
   }
 }
 
-/// Finds the nearest pair. `frames` are laid out as in PlacedRows, with the stride of the results.
+/// Finds the nearest pair of each lane. `frames` has the layout of PlacedRows and the stride of `out`.
 inline void findNearest(const PlainScene& scene, const double* frames, const FoundPairs& out) {
   for (int i = 0; i < scene.body_count; ++i) {
     const PlainBody& body = scene.bodies[i];

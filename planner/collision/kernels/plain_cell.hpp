@@ -1,8 +1,10 @@
-// A cell as plain numbers: the input of the clearance kernels.
+// A cell as arrays of plain numbers: the input of the clearance kernels.
 //
-// Postures stand side by side: entry l of each array belongs to lane l, numbers of a posture are `stride` apart.
+// Postures are side by side: entry l of each array belongs to lane l, and consecutive values of a posture are `stride`
+// apart.
 //
-// Included by sources that are compiled for different processors: nothing here may have code of its own.
+// This header is included by sources that are compiled for different processors: nothing here may generate code of its
+// own.
 #pragma once
 
 #include "deflection/revolute_chain/plain_rows.hpp"
@@ -11,18 +13,20 @@ namespace tubeplan::planner::kernels {
 
 using deflection::simd::kMostLanes, deflection::simd::PlainPose;
 
-/// A capsule in the frame of the row that carries it; around the body, if that is another solid.
+/// A capsule in the frame of the row that carries it [m]: the body itself, or a capsule around a body of another shape.
 struct PlainBody {
   int row;
   double from[3], to[3], radius, half_length;
 };
 
-/// An obstacle [m]; numbers that a kind of pair does not need are zero.
+/// An obstacle [m] in the world W or, if it is a box or a cylinder, in its own frame C. Values that the kind of pair
+/// does not need are zero.
 struct PlainObstacle {
-  double from[3], to[3];       ///< ends of a capsule; `from` is a point of a plane or the centre of a sphere
-  double normal[3];            ///< normal of a plane, of length 1
-  double radius, half_length;  ///< sizes of a sphere, a capsule, or a cylinder about z of C
-  double half[3];              ///< half sizes of a box along the axes of C
+  double from[3], to[3];  ///< ends of a capsule; `from` is a point of a plane or the centre of a sphere
+  double normal[3];       ///< normal of a plane, of length 1
+  /// Radius of a sphere, or radius and half length of a capsule or of a cylinder about z of C.
+  double radius, half_length;
+  double half[3];  ///< half dimensions of a box along the axes of C
   PlainPose X_CW;
 };
 
@@ -33,7 +37,8 @@ struct PlainPair {
   int body, other;
 };
 
-/// A scene, with the pairs first whose distance the kernel computes, then those for which it computes a lower bound.
+/// A scene. Pairs whose distance the kernel computes exactly come first, then pairs for which it computes a lower
+/// bound.
 struct PlainScene {
   const PlainBody* bodies;
   const PlainObstacle* obstacles;
@@ -42,10 +47,12 @@ struct PlainScene {
 };
 
 struct FoundPairs {
-  double* ends;      ///< 6 for each body: both ends in the world
-  double* distance;  ///< least distance of the exact pairs [m]
-  double* nearest;   ///< index of that pair; -1 if there is none
-  double* bounds;    ///< lower bounds of the other pairs, one for each [m]
+  double* ends;      ///< six values for each body: both ends of its capsule in the world [m]
+  double* distance;  ///< least distance over the exact pairs [m]
+  double* nearest;   ///< index of the exact pair with the least distance; -1 if there is none
+  /// Lower bounds of the distances of the pairs after the exact pairs, one for each pair [m]; infinite where the bound
+  /// is no less than `distance`.
+  double* bounds;
   long stride;
 };
 
