@@ -14,13 +14,13 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Travel by one joint [m]: distances from the straight move at which a detour is searched, and step sizes of its
-// shaping.
+// Displacements by one joint, as travel of the arm's furthest point [m]: offsets from the straight move at which a
+// detour is searched, and step sizes for shaping the detour.
 constexpr std::array kSideways{0.03, 0.06, 0.12, 0.25, 0.5, 1.0};
 constexpr std::array kFinerAndFiner{0.8, 0.4, 0.2, 0.1, 0.05, 0.025, 0.012};
-constexpr int kAttemptsForOneMore = 8;    // attempts of which one adds another waypoint
-constexpr long kMostChecks = 200'000;     // of postures, for one detour
-constexpr double kLeastTimeSaved = 1e-3;  // [s]
+constexpr int kAttemptsForOneMore = 8;    // one attempt in this many adds a waypoint
+constexpr long kMostChecks = 200'000;     // largest number of postures checked for one detour
+constexpr double kLeastTimeSaved = 1e-3;  // least saving for which a shape is replaced [s]
 
 bool isWithinLimits(const VectorXd& q, const MotionProblem& problem) {
   return (q.array() >= problem.lower.array()).all() && (q.array() <= problem.upper.array()).all();
@@ -28,14 +28,15 @@ bool isWithinLimits(const VectorXd& q, const MotionProblem& problem) {
 
 bool isFree(const MotionCheckResult& check) { return check.status == MotionCheckStatus::kFree; }
 
-/// Returns joint steps that move the arm's furthest point by about one metre each; zero for a joint that moves nothing.
+/// Returns joint steps that move the arm's furthest point by about one metre each; zero for a joint that moves no
+/// point.
 VectorXd stepsPerMetre(const MotionProblem& problem) {
   const VectorXd& reach = problem.travel.reach_per_joint;
   const double least = 1e-3 * reach.maxCoeff();
   return reach.unaryExpr([least](double r) { return r > least ? 1 / r : 0.0; });
 }
 
-/// Returns postures beside the middle, with one joint or two displaced.
+/// Returns postures around the middle, with one or two joints displaced, within the joint limits.
 std::vector<VectorXd> posturesBeside(const VectorXd& middle, const MotionProblem& problem) {
   const VectorXd steps = stepsPerMetre(problem);
   std::vector<VectorXd> postures;
@@ -69,7 +70,7 @@ struct Shaping {
 
   [[nodiscard]] bool isSpent() const { return checks - checks_before > kMostChecks; }
 
-  /// Takes the shape if it is quicker and free.
+  /// Replaces the best waypoints with `shape` if its flow is faster and proved free. Returns true if it did.
   bool take(Waypoints shape) {
     if (isSpent()) return false;
     const double now = flowTime(shape, problem);
@@ -93,7 +94,7 @@ struct Shaping {
     }
   }
 
-  /// Moves all joints of a waypoint, or adds another beside it.
+  /// Displaces all joints of a random inner waypoint; in some attempts first adds a waypoint before it.
   void moveOne(const VectorXd& steps) {
     Waypoints moved = best;
     const std::size_t k = 1 + generator() % (best.size() - 2);

@@ -1,5 +1,5 @@
-// Optimisation of detours round an obstacle: found through one posture if possible, and shaped so that the arm flows
-// through its waypoints in the least time that local search finds.
+// Optimisation of detours around an obstacle: found through one posture if possible, and shaped by local search so that
+// the arm passes through the waypoints in the least time.
 #pragma once
 
 #include <vector>
@@ -10,22 +10,22 @@ namespace tubeplan::planner {
 
 using Waypoints = std::vector<Eigen::VectorXd>;
 
-/// Returns the time [s] without stops at the waypoints; the problem must have speeds.
+/// Returns the duration of the motion without stops at the waypoints [s]; the problem must have joint speeds.
 [[nodiscard]] double flowTime(const Waypoints& waypoints, const MotionProblem& problem);
 
-/// Checks the flow. Returns the least proved margin along it [m] and the tightest posture met; blocked if any part is
-/// not proved free.
+/// Checks the motion without stops at the waypoints. Returns its least proved margin [m] and the tightest posture met;
+/// blocked if any part is not proved free. `checks` is increased by the number of postures checked.
 [[nodiscard]] MotionCheckResult checkFlow(const Waypoints& waypoints, const MotionProblem& problem,
                                           const MotionCheckOptions& options, long& checks);
 
-/// Returns the quickest proved detour through one posture beside the middle of the straight move; empty if none of
-/// those tried is free.
+/// Returns the fastest proved detour through one posture near the middle of the straight move; empty if no posture
+/// tried gives a free detour.
 [[nodiscard]] Waypoints detourByOnePosture(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1,
                                            const MotionProblem& problem, const MotionCheckOptions& options,
                                            long& checks);
 
-/// Moves, removes and adds inner waypoints of a proved flow at random, in decreasing steps, if that saves time and the
-/// flow stays proved. The same seed gives the same flow.
+/// Moves, removes and adds inner waypoints of a proved motion at random, in decreasing steps, as long as this saves
+/// time and the motion stays proved free. The same seed gives the same waypoints.
 void quicken(Waypoints& waypoints, const MotionProblem& problem, const MotionPlannerOptions& options, long& checks);
 
 }  // namespace tubeplan::planner

@@ -11,15 +11,15 @@
 namespace tubeplan::planner {
 namespace {
 
-constexpr std::size_t kLanes = 8;          // largest number of any processor
-constexpr std::size_t kMostTogether = 64;  // postures checked together; those behind a blocking one are wasted
+constexpr std::size_t kLanes = 8;          // largest number of kernel lanes on any processor
+constexpr std::size_t kMostTogether = 64;  // postures computed together; postures behind a blocked one are wasted
 
 struct Sample {
-  double s;       ///< place on the motion, 0 to 1
-  double margin;  ///< [m]
+  double s;       ///< position along the motion, from 0 to 1
+  double margin;  ///< margin at `s` [m]
 };
 
-/// A posture with its full clearance.
+/// A position along the motion with the full clearance of its posture.
 struct Named {
   double s;
   Clearance clearance;
@@ -52,7 +52,7 @@ class MotionProof {
     const Sample start = sampleAt(0), goal = travel_ > 0 ? sampleAt(1) : start;
     if (isBlocked()) return;
     result_.proved_margin = std::min(start.margin, goal.margin);
-    // Breadth first: the obstacle of a motion is mostly met within the first few halvings.
+    // Breadth first: a blocked motion is mostly found within the first few bisections.
     std::deque<Stretch> open;
     if (travel_ > 0) open.push_back({start, goal});
     for (std::size_t left = 0; !open.empty(); --left) {
@@ -78,8 +78,8 @@ class MotionProof {
 
   double travelOf(const Stretch& stretch) const { return travel_ * (stretch.b.s - stretch.a.s); }
 
-  /// Returns the lower bound of the margin on the stretch, at the place where the remainders of both ends' margins are
-  /// equal.
+  /// Returns a lower bound on the margin along the segment: the value where the bounds that decrease from its two ends
+  /// meet.
   double lowerBound(const Stretch& stretch) const {
     const double middle = 0.5 * (stretch.a.margin + stretch.b.margin - travelOf(stretch));
     return std::min({stretch.a.margin, stretch.b.margin, middle});
@@ -98,7 +98,7 @@ class MotionProof {
     return true;
   }
 
-  /// Computes the margins at several places ahead. This changes no result; it only comes sooner.
+  /// Computes the margins at several positions in advance. The results do not change; they are only computed earlier.
   void askTogether(const std::vector<double>& places) {
     if (!side_by_side_ || places.size() < 2) return;
     PostureColumns q(q0_.size(), static_cast<Eigen::Index>(places.size()));
@@ -108,8 +108,8 @@ class MotionProof {
     named_.push_back({places[found.tightest], std::move(found.clearance)});
   }
 
-  /// Computes the middles of the next stretches to be halved. Free lanes take the middles of those halves that will
-  /// probably need it.
+  /// Computes the midpoints of the next segments to be bisected. Unused lanes compute the midpoints of the halves that
+  /// will probably be bisected again.
   void askForMiddles(const std::deque<Stretch>& open, std::size_t count) {
     if (!side_by_side_) return;
     std::vector<double> places, further;
@@ -131,7 +131,7 @@ class MotionProof {
     askTogether(places);
   }
 
-  /// Returns true if the halves would be proved with the mean of the ends' margins in the middle.
+  /// Returns true if both halves would be proved if the margin at the midpoint were the mean of the two ends' margins.
   [[nodiscard]] bool halvesWillDo(const Stretch& stretch) const {
     const Sample middle{middleOf(stretch), 0.5 * (stretch.a.margin + stretch.b.margin)};
     return isProved({stretch.a, middle}, middle.margin - 0.25 * travelOf(stretch));
@@ -168,7 +168,7 @@ class MotionProof {
     is_named_ = true;
   }
 
-  /// Returns true if the last posture is blocked.
+  /// Returns true, and records the result, if the least margin so far is negative or NaN.
   bool isBlocked() {
     if (result_.tightest.margin >= 0) return false;
     block("");
@@ -184,12 +184,13 @@ class MotionProof {
 
   const Eigen::VectorXd &q0_, &q1_;
   const PostureClearance& clearance_of_;
-  const SideBySideClearance* side_by_side_;  ///< `clearance_of_` for several postures at once, if it can be called so
+  /// `clearance_of_` for several postures at once; null if `clearance_of_` is not a SideBySideClearance.
+  const SideBySideClearance* side_by_side_;
   const double travel_;
   const MotionCheckOptions& options_;
-  std::vector<Sample> known_;  ///< computed ahead
+  std::vector<Sample> known_;  ///< margins computed in advance
   std::vector<Named> named_;   ///< the tightest posture of each batch
-  bool is_named_ = true;       ///< true: `tightest` has its names, not a margin alone
+  bool is_named_ = true;       ///< true if `tightest` has the names of its pair, not only a margin
   MotionCheckResult result_;
 };
 

@@ -26,7 +26,7 @@ double costOf(const MotionProblem& problem, const Waypoints& waypoints) {
   return sum;
 }
 
-/// Returns the problem of a posture; empty if it is allowed.
+/// Returns the reason why a posture is not allowed; empty if it is allowed.
 std::string postureProblem(const VectorXd& q, const MotionProblem& problem) {
   for (Eigen::Index j = 0; j < q.size(); ++j)
     if (!(q[j] >= problem.lower[j] && q[j] <= problem.upper[j]))
@@ -36,7 +36,7 @@ std::string postureProblem(const VectorXd& q, const MotionProblem& problem) {
   return clearance.margin >= 0 ? "" : describe(clearance);
 }
 
-/// Shortens a path by joining two places on it directly, if that is proved free and costs less.
+/// Shortens a path by connecting two points on it directly, if the connection is proved free and costs less.
 class Shortcutter {
  public:
   Shortcutter(const MotionProblem& problem, const MotionPlannerOptions& options, long& checks)
@@ -50,7 +50,7 @@ class Shortcutter {
   }
 
  private:
-  /// A place on the path: on the stretch from waypoint `stretch`, at the share `s` of it.
+  /// A point on the path: on the segment that begins at waypoint `stretch`, at the fraction `s` of the segment.
   struct Place {
     std::size_t stretch;
     double s;
@@ -79,7 +79,7 @@ class Shortcutter {
     shorter.push_back(at(waypoints, b));
     shorter.insert(shorter.end(), waypoints.begin() + b.stretch + 1, waypoints.end());
     if (!(costOf(problem_, shorter) < costOf(problem_, waypoints))) return;
-    // Parts of proved stretches are proved except for rounding; they are checked again to be certain.
+    // Parts of proved segments are proved except for rounding; they are checked again to exclude rounding errors.
     const std::size_t i = a.stretch;
     if (isFree(shorter[i + 1], shorter[i + 2]) && isFree(shorter[i], shorter[i + 1]) &&
         isFree(shorter[i + 2], shorter[i + 3]))
@@ -108,7 +108,7 @@ class Shortcutter {
   std::mt19937_64 generator_;
 };
 
-/// Proves every stretch and records the result. Returns false if one is not free.
+/// Proves every segment of the plan and records the result. Returns false if a segment is not free.
 bool proveStretches(const MotionProblem& problem, const MotionPlannerOptions& options, MotionPlan& plan) {
   plan.proved_margin = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
@@ -131,7 +131,7 @@ void takeQuickest(Waypoints flow, const MotionProblem& problem, const MotionPlan
   takeFlow(std::move(flow), problem, options.check, plan);
 }
 
-/// Finds a detour through one posture, if there is one.
+/// Finds a detour through one posture; returns false if there is none.
 bool goRound(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem, const MotionPlannerOptions& options,
              MotionPlan& plan) {
   if (!problem.speeds) return false;
@@ -141,7 +141,7 @@ bool goRound(const VectorXd& q0, const VectorXd& q1, const MotionProblem& proble
   return true;
 }
 
-/// Makes the arm flow through the waypoints if that is proved free and saves time.
+/// Replaces the stops at the waypoints by continuous motion if it is proved free and saves time.
 void letFlow(const MotionProblem& problem, const MotionPlannerOptions& options, MotionPlan& plan) {
   if (!problem.speeds || !(flowTime(plan.waypoints, problem) < plan.cost)) return;
   const MotionCheckResult check = checkFlow(plan.waypoints, problem, options.check, plan.checks);
@@ -158,7 +158,8 @@ std::string noPathReason(const MotionSearchResult& search, const MotionCheckResu
   return reason;
 }
 
-/// Finds a detour of straight stretches, by the roadmap or by a search; false, with the reason, if there is none.
+/// Finds a detour of straight segments with the roadmap or, failing that, a search. Returns false if there is none,
+/// with the reason in the plan.
 bool findWay(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem, const MotionPlannerOptions& options,
              const MotionCheckResult& straight, MotionPlan& plan) {
   plan.status = MotionPlanStatus::kNoPath;
@@ -229,7 +230,8 @@ MotionPlan planMotion(const VectorXd& q0, const VectorXd& q1, const MotionProble
     letFlow(problem, options, plan);
     return plan;
   }
-  // Every stretch was proved when it was added, and the result is the same if clearance depends on the posture alone.
+  // Every segment was proved when it was added; a repeated proof succeeds if the clearance depends on the posture
+  // alone.
   plan.waypoints.clear();
   return stopAt(MotionPlanStatus::kNoPath,
                 "a motion proved free was not free when checked again: its clearance changes between calls");

@@ -1,5 +1,5 @@
-// A free motion between two postures: straight in joint space if that is proved free, else found by search and
-// shortened.
+// A free motion between two postures: straight in joint space if the straight move is proved free, else a detour that
+// is found by search and shortened.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +15,30 @@ namespace tubeplan::planner {
 
 struct RoadmapWay;
 
-/// Motion problem, with joints in rad (m for a sliding one). A limit may be infinite: the search then stays within half
-/// a turn beyond start and goal.
+/// Problem of a motion between two postures, with joint values in rad (m for a sliding joint). A joint limit may be
+/// infinite: the search then stays within half a turn beyond start and goal.
 struct MotionProblem {
   Eigen::VectorXd lower, upper;
   PostureClearance clearance_of;
   TravelBound travel;
-  /// Cost of a straight move, such as its time; shortening reduces the sum. If empty, the travel bound.
+  /// Returns the cost of a straight move, such as its duration; shortening a path reduces the sum of costs. If empty,
+  /// the travel bound is the cost.
   std::function<double(const Eigen::VectorXd&, const Eigen::VectorXd&)> cost;
-  /// Speeds of the joints. If given, a detour flows through its waypoints without stops (flowing_timing.hpp), if that
-  /// can be proved free, and is optimised.
+  /// Speeds of the joints. If given, a detour is optimised and passes its waypoints without stops (flowing_timing.hpp)
+  /// if that motion is proved free.
   std::optional<JointSpeeds> speeds = std::nullopt;
-  /// Source of detours that is tried before a search (roadmap.hpp); counts the postures checked.
+  /// Returns a detour from a roadmap (roadmap.hpp), tried before a search; adds the number of postures checked to
+  /// `checks`.
   std::function<RoadmapWay(const Eigen::VectorXd&, const Eigen::VectorXd&, long& checks)> roadmap = {};
 };
 
 struct MotionPlannerOptions {
   std::uint64_t seed = 1;
-  int max_iterations = 3000;  ///< iterations of the search; no clock is used, so that a plan depends on its seed alone
-  double range = 0;           ///< longest step of the search, as travel [m]; 0: a fifth of the joint space's diagonal
+  /// Largest number of iterations of the search; no clock is used, so that a plan depends on its seed alone.
+  int max_iterations = 3000;
+  double range = 0;  ///< longest step of the search, as travel [m]; 0: a fifth of the diagonal of the joint space
   int shortcut_attempts = 100;
-  int shaping_attempts = 1500;  ///< attempts per step size to optimise a detour
+  int shaping_attempts = 1500;  ///< attempts per step size to shape a detour
   MotionCheckOptions check = {};
 };
 
@@ -43,28 +46,32 @@ enum class MotionPlanStatus { kNotRun, kFree, kNoPath, kStartBlocked, kGoalBlock
 
 struct MotionPlan {
   MotionPlanStatus status = MotionPlanStatus::kNotRun;
-  std::string reason;  ///< obstacle in the way, if there is no path
-  /// Start and goal included; each straight stretch between them (or the flow) is proved free.
+  std::string reason;  ///< reason why there is no path, such as the blocking obstacle; empty if there is a path
+  /// Waypoints, with start and goal included. Each straight segment between them, or the motion without stops, is
+  /// proved free.
   std::vector<Eigen::VectorXd> waypoints;
-  bool straight = false;  ///< true: start and goal alone
-  /// True: no path, because the ends lie in parts of the free space that the roadmap does not connect.
+  bool straight = false;  ///< true if the path has start and goal alone
+  /// True if there is no path because the roadmap has start and goal in disconnected parts of the free space.
   bool apart = false;
-  bool flows = false;  ///< true: passes the waypoints without stops; that flow is then proved free
-  /// largest distance of the deflected tip from the line between its ends, if it had to follow it; else NaN [m]
+  bool flows = false;  ///< true if the motion passes the waypoints without stops; that motion is then proved free
+  /// Largest distance of the deflected tip from the straight line between its positions at start and goal [m]; NaN if
+  /// the tip need not follow a line.
   double line_deviation = std::numeric_limits<double>::quiet_NaN();
   double cost = std::numeric_limits<double>::quiet_NaN();
-  double proved_margin = std::numeric_limits<double>::quiet_NaN();  ///< least over the stretches [m]
-  Clearance tightest;  ///< the tightest posture met on the path; if there is none, what blocks the straight move
-  int iterations = 0;  ///< iterations of the search
+  double proved_margin = std::numeric_limits<double>::quiet_NaN();  ///< least proved margin over all segments [m]
+  /// Clearance of the tightest posture met on the path; if there is no path, of the posture that blocks the straight
+  /// move.
+  Clearance tightest;
+  int iterations = 0;  ///< iterations of the search; 0 if none was run
   long checks = 0;     ///< number of postures checked
 };
 
-/// Makes the flow through waypoints the plan's path, with its proved margin; no path if a part of it is not proved
-/// free. The problem must have speeds.
+/// Makes the motion through `flow` without stops the plan's path, with its proved margin. The plan has no path if any
+/// part of the motion is not proved free. The problem must have joint speeds.
 void takeFlow(std::vector<Eigen::VectorXd> flow, const MotionProblem& problem, const MotionCheckOptions& options,
               MotionPlan& plan);
 
-/// Plans from q0 to q1. The same problem, options and seed give the same waypoints, to the bit.
+/// Plans a motion from q0 to q1. The same problem, options and seed give bitwise identical waypoints.
 [[nodiscard]] MotionPlan planMotion(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const MotionProblem& problem,
                                     const MotionPlannerOptions& options = {});
 

@@ -25,10 +25,10 @@ namespace og = ompl::geometric;
 using Eigen::VectorXd;
 using Space = ob::RealVectorStateSpace;
 
-/// Coordinates of the search in metres of travel, so that one range suits revolute and sliding joints, near and far
-/// ones.
+/// Coordinates of the search in metres of travel, so that one step length suits revolute and sliding joints, near the
+/// base or the tip.
 struct TravelCoordinates {
-  VectorXd scale;  ///< [m per rad (or m)]
+  VectorXd scale;  ///< travel per rad (or m) of each joint [m]
   VectorXd lower, upper;
 
   static TravelCoordinates of(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem) {
@@ -52,7 +52,7 @@ struct TravelCoordinates {
   }
 };
 
-/// A sampler with its own seed; OMPL's samplers draw from a generator whose seed is global to the process.
+/// A sampler with its own seed; the samplers of OMPL draw from a generator whose seed is global to the process.
 class SeededSampler : public ob::StateSampler {
  public:
   SeededSampler(const ob::StateSpace* space, std::uint64_t seed) : ob::StateSampler(space), generator_(seed) {}
@@ -79,7 +79,7 @@ class SeededSampler : public ob::StateSampler {
   std::mt19937_64 generator_;
 };
 
-/// Shared data of the checkers: the clearance of each posture and motion, and the counts of blocking pairs.
+/// Shared data of the posture and motion checkers: the problem, the counts of postures checked and of blocking pairs.
 struct Referee {
   const MotionProblem& problem;
   const MotionPlannerOptions& options;
@@ -146,7 +146,8 @@ ob::StateSpacePtr makeSpace(const TravelCoordinates& coordinates, std::uint64_t 
   return space;
 }
 
-/// Returns the path's postures; its ends are the exact start and goal, not their images after scaling and back.
+/// Returns the path's postures. The first and last are the exact start and goal, without the rounding of scaling them
+/// back and forth.
 std::vector<VectorXd> waypointsOf(const og::PathGeometric& path, const TravelCoordinates& coordinates,
                                   const VectorXd& q0, const VectorXd& q1) {
   std::vector<VectorXd> waypoints;
@@ -164,10 +165,10 @@ bool allStretchesFree(const std::vector<VectorXd>& waypoints, Referee& referee) 
 
 }  // namespace
 
-// Searches with OMPL 1.5.2, with these precautions: one planner, space and problem for one query (trees of an earlier
-// one are not wholly forgotten), a linear list of neighbours (the tree-shaped one is broken after a rebuild and draws
-// from the global generator), exact solutions alone (an approximate one may start at the goal), and a second proof of
-// the whole path.
+// Searches with OMPL 1.5.2, with these precautions: a new planner, space and problem definition for every query (trees
+// of an earlier query are not wholly discarded); a linear list of neighbours (the tree-shaped list is broken after a
+// rebuild and draws from the global generator); exact solutions alone (an approximate solution may start at the goal);
+// and a second proof of the whole path.
 MotionSearchResult searchMotion(const VectorXd& q0, const VectorXd& q1, const MotionProblem& problem,
                                 const MotionPlannerOptions& options) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);

@@ -1,4 +1,4 @@
-// The search for a detour, by OMPL's RRT-Connect; this header hides its types.
+// The search for a detour with RRT-Connect from OMPL; this header hides the types of OMPL.
 #pragma once
 
 #include <map>
@@ -10,19 +10,19 @@
 
 namespace tubeplan::planner {
 
-/// Number of times that each pair of names was in the way.
+/// Number of times that each pair of names blocked the search.
 using BlockerCounts = std::map<std::pair<std::string, std::string>, int>;
 
 struct MotionSearchResult {
-  /// Path from start to goal exactly, each stretch proved free; empty if none was found.
+  /// Path from exactly the start to exactly the goal, each segment proved free; empty if none was found.
   std::vector<Eigen::VectorXd> waypoints;
   int iterations = 0;
   long checks = 0;  ///< number of postures checked
   BlockerCounts blockers;
 };
 
-/// Grows two trees from start and goal until they meet or the iterations are used up. Both ends must be free and within
-/// limits.
+/// Grows two trees, from the start and the goal, until they meet or all iterations are used. Start and goal must be
+/// free and within the joint limits.
 [[nodiscard]] MotionSearchResult searchMotion(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1,
                                               const MotionProblem& problem, const MotionPlannerOptions& options);
 

@@ -22,12 +22,12 @@ using Eigen::VectorXd;
 
 constexpr int kMostDrawsPerPosture = 50;
 constexpr int kEnoughAttachments = 6;
-constexpr int kBridgeAttempts = 3;  // searches between two parts
+constexpr int kBridgeAttempts = 3;  // searches between two parts of the roadmap
 
 VectorXd randomPosture(const MotionProblem& problem, std::mt19937_64& generator) {
   VectorXd q(problem.lower.size());
   for (Eigen::Index j = 0; j < q.size(); ++j) {
-    // A joint without limits turns once around.
+    // A joint without limits is sampled over one full turn.
     const double low = std::isfinite(problem.lower[j]) ? problem.lower[j] : -std::numbers::pi;
     const double high = std::isfinite(problem.upper[j]) ? problem.upper[j] : std::numbers::pi;
     q[j] = randomBetween(low, high, generator);
@@ -65,7 +65,7 @@ void Roadmap::addRandomPostures() {
   }
 }
 
-/// Returns each posture with its nearest ones, every pair once.
+/// Returns the pairs of each posture and its nearest neighbours, every pair once.
 std::vector<Roadmap::Candidate> Roadmap::candidates() const {
   const auto count = static_cast<std::size_t>(postures());
   std::vector<std::vector<Candidate>> nearest(count);
@@ -126,7 +126,7 @@ std::vector<Roadmap::Edge> Roadmap::attach(const VectorXd& q, long& checks) cons
   return joined;
 }
 
-/// Returns Dijkstra's shortest path from any of the first to any of the second; empty if there is none.
+/// Returns the nodes on Dijkstra's shortest path from any node of `from` to any node of `to`; empty if there is none.
 std::vector<int> Roadmap::quickest(const std::vector<Edge>& from, const std::vector<Edge>& to) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<double> cost(postures_.size(), kInfinity), last(postures_.size(), kInfinity);
@@ -202,7 +202,8 @@ std::vector<int> Roadmap::partsOf(const std::vector<VectorXd>& postures) const {
   return parts;
 }
 
-/// Searches between some pairs of nearest nodes, the nearest first. Returns straight stretches, or none.
+/// Searches for a path between some pairs of nearest nodes of two parts, starting with the nearest pair. Returns
+/// straight segments; empty if none is found.
 std::vector<VectorXd> Roadmap::wayBetween(const std::vector<int>& from, const std::vector<int>& to,
                                           MotionPlannerOptions options) const {
   std::vector<Candidate> nearest;
@@ -254,7 +255,7 @@ void Roadmap::addWay(const std::vector<VectorXd>& way) {
 bool Roadmap::bridge(const std::vector<VectorXd>& postures, const MotionPlannerOptions& options) {
   const auto joined = attachAll(postures);
   const std::vector<int> root = rootsWith(joined);
-  std::map<int, int> asked;  // postures of each part
+  std::map<int, int> asked;  // number of postures attached to each part
   for (const auto& list : joined)
     if (!list.empty()) ++asked[root[static_cast<std::size_t>(list.front().to)]];
   if (asked.size() < 2) return false;
@@ -264,7 +265,7 @@ bool Roadmap::bridge(const std::vector<VectorXd>& postures, const MotionPlannerO
   const int main =
       std::ranges::max_element(asked, [](const auto& a, const auto& b) { return a.second < b.second; })->first;
   asked.erase(main);
-  // One search at a time, because OMPL's planners share knowledge of their spaces.
+  // One search at a time, because OMPL's planners share data about their spaces.
   bool found = false;
   for (const auto& [part, count] : asked) {
     const auto way = wayBetween(nodes.at(part), nodes.at(main), options);

@@ -1,7 +1,8 @@
-// Free postures joined by straight moves that were proved free: built once for an arm among its obstacles, and used for
+// Free postures connected by straight moves that are proved free: built once for an arm and its obstacles, and used for
 // every detour (probabilistic roadmap: Kavraki, Svestka, Latombe and Overmars 1996).
 //
-// Its answers depend on the scene, its own seed and the postures that it was bridged for, never on earlier queries.
+// A roadmap's answers depend on the scene, the seed and the postures that bridge() was called with, never on earlier
+// queries.
 #pragma once
 
 #include <cstdint>
@@ -14,38 +15,41 @@ namespace tubeplan::planner {
 
 struct RoadmapOptions {
   std::uint64_t seed = 1;
-  int random_postures = 1200;  ///< anywhere within the limits, in addition to those given
-  int neighbours = 12;         ///< number of neighbours to which a posture is joined if the move is free
-  int attachments = 24;        ///< number of postures tried to join an end
+  /// Number of free postures drawn within the joint limits, in addition to the given postures.
+  int random_postures = 1200;
+  int neighbours = 12;   ///< number of nearest neighbours that a posture is connected to if the move is free
+  int attachments = 24;  ///< number of nearest postures tried to attach a start or goal
   MotionCheckOptions check = {};
 };
 
 enum class RoadmapStatus {
   kNotRun,
   kFound,
-  kApart,       ///< both ends are joined to it, but to parts without a connection
-  kUnattached,  ///< an end is joined to none of its postures
+  kApart,       ///< start and goal are both attached, but to disconnected parts of the roadmap
+  kUnattached,  ///< the start or the goal cannot be attached to any posture
 };
 
 struct RoadmapWay {
   RoadmapStatus status = RoadmapStatus::kNotRun;
-  std::vector<Eigen::VectorXd> waypoints;  ///< both ends included; each stretch is proved free
+  /// Path with start and goal included, each segment proved free; empty unless found.
+  std::vector<Eigen::VectorXd> waypoints;
 };
 
 class Roadmap {
  public:
-  /// `postures` [rad], such as ends of travels, become nodes; blocked ones are left out. The problem must have a cost.
+  /// Builds the roadmap. `postures` [rad], such as ends of travels, become nodes; blocked postures are left out. The
+  /// problem must have a cost function.
   Roadmap(const MotionProblem& problem, std::vector<Eigen::VectorXd> postures, const RoadmapOptions& options = {});
 
-  /// Returns the quickest path over its edges. Const use from several threads is safe if the problem's functions are.
+  /// Returns the quickest path along the edges. Const use from several threads is safe if the problem's functions are.
   [[nodiscard]] RoadmapWay between(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, long& checks) const;
 
-  /// Returns the part of the free space of each posture, as connected by edges and the postures themselves: numbers
-  /// from 0, -1 for a posture that is joined to nothing.
+  /// Returns for each posture the number, from 0, of the part of the free space that it lies in, as connected by edges
+  /// and by the postures themselves; -1 for a posture that cannot be attached.
   [[nodiscard]] std::vector<int> partsOf(const std::vector<Eigen::VectorXd>& postures) const;
 
-  /// Searches connections between the parts of these postures that no edge joins: from each part to the one with the
-  /// most of the postures, between postures near each other. Returns true if one was found; it then becomes edges.
+  /// Searches connections between the disconnected parts that contain `postures`: from each part to the part with the
+  /// most postures, between nodes near each other. Returns true if a connection was found; its moves become edges.
   bool bridge(const std::vector<Eigen::VectorXd>& postures, const MotionPlannerOptions& options);
 
   [[nodiscard]] int postures() const { return static_cast<int>(postures_.size()); }
@@ -65,7 +69,8 @@ class Roadmap {
   [[nodiscard]] std::vector<Candidate> candidates() const;
   void join();
   [[nodiscard]] std::vector<std::vector<Edge>> attachAll(const std::vector<Eigen::VectorXd>& postures) const;
-  /// Returns the lowest node of each node's part, with the parts that a list of attachments joins merged.
+  /// Returns for each node the lowest node of its part; parts to which the same posture is attached are merged.
+  /// `joined`: attachments of each posture.
   [[nodiscard]] std::vector<int> rootsWith(const std::vector<std::vector<Edge>>& joined) const;
   [[nodiscard]] std::vector<Eigen::VectorXd> wayBetween(const std::vector<int>& from, const std::vector<int>& to,
                                                         MotionPlannerOptions options) const;

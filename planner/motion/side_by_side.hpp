@@ -1,4 +1,4 @@
-// A clearance that can be computed for many postures together, at less cost than one after the other.
+// A clearance function that computes many postures together, at less cost than one after the other.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,18 @@
 
 namespace tubeplan::planner {
 
-/// A PostureClearance for many postures. The proof of a motion recognises it (std::function::target), and computes a
-/// whole level of its bisection together.
+/// A PostureClearance that also takes many postures. The proof of a motion recognises this type
+/// (std::function::target), and computes a whole level of its bisection together.
 struct SideBySideClearance {
   PostureClearance alone;
-  /// Function for many postures, with the same results as `alone`, bit for bit.
+  /// Returns the margins of many postures, bitwise identical to the results of `alone`.
   std::function<MarginsSideBySide(const PostureColumns&)> many;
 
   Clearance operator()(const Eigen::VectorXd& q) const { return alone(q); }
 };
 
-/// Returns the clearance of an arm with `spare` [m] subtracted; `clearance` must outlive it.
+/// Returns the function for an arm's clearance with `spare` [m] subtracted from the margin. `clearance` must outlive
+/// the function.
 [[nodiscard]] PostureClearance sideBySide(const ArmClearance& clearance, ContactRule rule, double spare);
 
 }  // namespace tubeplan::planner
