@@ -11,17 +11,18 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr int kChords = 8;          // for a parabola that turns
-constexpr int kMostRepairs = 1000;  // each lengthens what is too short; a leg as long as its ramps always fits
+constexpr int kChords = 8;  // number of chords for a curved phase
+// each repair lengthens the legs that are too short; a leg as long as its ramps always fits
+constexpr int kMostRepairs = 1000;
 constexpr double kRepair = 1.02;
 
-/// Legs of the polyline, all with a length, with the time of each at its constant speed.
+/// Legs of the polyline, without legs of zero length, with the duration of each leg at constant speed.
 struct Legs {
   std::vector<VectorXd> ways;
   std::vector<double> times;
 
   [[nodiscard]] std::size_t size() const { return ways.size(); }
-  /// Returns the speed on a leg; zero before the first and after the last.
+  /// Returns the joint speeds on leg k; zero before the first leg and after the last.
   [[nodiscard]] VectorXd speed(std::ptrdiff_t k) const {
     if (k < 0 || k >= static_cast<std::ptrdiff_t>(size())) return VectorXd::Zero(ways.front().size());
     return ways[static_cast<std::size_t>(k)] / times[static_cast<std::size_t>(k)];
@@ -36,14 +37,15 @@ Legs legsOf(const std::vector<VectorXd>& waypoints, const JointSpeeds& speeds) {
     const VectorXd way = waypoints[k] - waypoints[k - 1];
     if (way.isZero(0)) continue;
     legs.ways.push_back(way);
-    // With speed at both ends a leg may be quicker than from rest to rest: repairs begin at half of that time.
+    // A leg with speed at both ends may take less time than from rest to rest: repairs begin at half the rest-to-rest
+    // time.
     legs.times.push_back(
         std::max(slowest(way, speeds.max_speed), 0.5 * std::sqrt(slowest(way, speeds.max_acceleration))));
   }
   return legs;
 }
 
-/// Returns the time of the speed change at each corner, including rest at both ends.
+/// Returns the duration of the speed change at each corner [s], including those from and to rest at the ends.
 std::vector<double> cornerTimes(const Legs& legs, const JointSpeeds& speeds) {
   std::vector<double> times;
   for (std::ptrdiff_t k = 0; k <= static_cast<std::ptrdiff_t>(legs.size()); ++k)
@@ -51,8 +53,8 @@ std::vector<double> cornerTimes(const Legs& legs, const JointSpeeds& speeds) {
   return times;
 }
 
-/// Lengthens legs until half of the corners at their ends fits into each. All are lengthened together, so that the
-/// reverse path takes the same times.
+/// Lengthens legs until half of the corner at each end fits into every leg; returns the corner durations [s], empty if
+/// that fails. All legs are lengthened together, so that the reverse path takes the same times.
 std::vector<double> fitCorners(Legs& legs, const JointSpeeds& speeds) {
   std::vector<double> corners = cornerTimes(legs, speeds);
   for (int repair = 0; repair < kMostRepairs; ++repair) {
@@ -68,7 +70,7 @@ std::vector<double> fitCorners(Legs& legs, const JointSpeeds& speeds) {
   return {};
 }
 
-/// Returns the moves end to end, for waypoints that can only be travelled with stops, or need no corners.
+/// Returns a flow of stop-to-stop moves, for waypoints that have no corners or cannot be passed without stops.
 TimedFlow restingFlow(const std::vector<VectorXd>& waypoints, const JointSpeeds& speeds) {
   TimedFlow flow;
   flow.end = waypoints.back();

@@ -1,8 +1,9 @@
-// A polyline travelled without rest at its inner waypoints: straight stretches at constant speed, joined by parabolas
-// that cut the corners (linear segments with parabolic blends: Paul, Robot Manipulators, 1981, chapter 5).
+// A polyline travelled without stops at its inner waypoints: straight segments at constant speed, connected by
+// parabolas that cut the corners (linear segments with parabolic blends: Paul, Robot Manipulators, 1981, chapter 5).
 //
-// A parabola lasts b and begins and ends b/2 from the waypoint's time; it is at most |v' - v| b / 8 from the corner.
-// The arm moves, and is proved free, along chords of the parabolas: rows of a path are joined by straight lines.
+// A parabola of duration b begins b/2 before the waypoint's time and ends b/2 after it. Its distance from the corner is
+// at most |v' - v| b / 8, with speeds v before and v' after the corner. The arm moves, and is proved free, along chords
+// of the parabolas, because consecutive rows of a path are connected by straight lines.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,10 +13,11 @@
 
 namespace tubeplan::planner {
 
-/// A phase of constant acceleration, from `start` until the next phase.
+/// A phase of the motion with constant acceleration, from `start` until the next phase.
 struct FlowPhase {
-  double start = 0, duration = 0;             ///< [s]
-  Eigen::VectorXd from, speed, acceleration;  ///< rad, rad/s, rad/s^2 (m for a slide)
+  double start = 0, duration = 0;  ///< start time and duration of the phase [s]
+  /// Joint values at the start [rad], speeds there [rad/s] and accelerations [rad/s^2] (m for a slide).
+  Eigen::VectorXd from, speed, acceleration;
 
   [[nodiscard]] Eigen::VectorXd at(double time_in_phase) const;
 };
@@ -23,19 +25,19 @@ struct FlowPhase {
 struct TimedFlow {
   std::vector<FlowPhase> phases;
   Eigen::VectorXd end;
-  double duration = 0;  ///< [s]
+  double duration = 0;  ///< duration of the whole motion [s]
 };
 
-/// Times a flow from rest at the first waypoint to rest at the last, with no joint beyond its limits. There must be one
-/// waypoint or more; a single one gives a flow without phases. Asserts that the limits are usable
+/// Times a motion from rest at the first waypoint to rest at the last, within the limits of all joints. There must be
+/// one waypoint or more; a single waypoint gives a flow without phases. Asserts that the limits are usable
 /// (findSpeedProblems()).
 [[nodiscard]] TimedFlow timeFlow(const std::vector<Eigen::VectorXd>& waypoints, const JointSpeeds& speeds);
 
-/// Returns postures at most `max_step` [s] apart, evenly within each straight phase, and at the ends of the chords of
-/// each curved one. Times are strictly increasing; empty for a flow without phases.
+/// Returns postures at most `max_step` [s] apart, evenly spaced within each straight phase, and at the ends of the
+/// chords of each curved phase. Times are strictly increasing. Empty for a flow without phases.
 [[nodiscard]] std::vector<TimedPosture> sampleFlow(const TimedFlow& flow, double max_step);
 
-/// Returns the postures between which the samples are straight, for any step: ends of phases and of chords.
+/// Returns the ends of phases and chords: the postures between which samples of any step lie on straight lines.
 [[nodiscard]] std::vector<Eigen::VectorXd> cornersOf(const TimedFlow& flow);
 
 }  // namespace tubeplan::planner

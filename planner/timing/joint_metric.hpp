@@ -8,27 +8,29 @@
 
 namespace tubeplan::planner {
 
-/// Limits of each joint, all above zero. A joint with infinite acceleration starts and stops at once.
+/// Speed and acceleration limits of each joint, all above zero. A joint with infinite acceleration starts and stops at
+/// once.
 struct JointSpeeds {
-  Eigen::VectorXd max_speed;         ///< [rad/s]
-  Eigen::VectorXd max_acceleration;  ///< [rad/s^2]
+  Eigen::VectorXd max_speed;         ///< greatest speed of each joint [rad/s]
+  Eigen::VectorXd max_acceleration;  ///< greatest acceleration of each joint [rad/s^2]
 };
 
-/// Returns what is wrong with `speeds` for an arm of `joints` joints, one sentence each; empty if usable.
+/// Returns the problems of `speeds` for an arm of `joints` joints, one sentence each; empty if usable.
 [[nodiscard]] std::vector<std::string> findSpeedProblems(const JointSpeeds& speeds, Eigen::Index joints);
 
-/// Returns the least time [s] of any motion of every joint from q0 to q1, from rest to rest: the slowest joint's own
-/// triangle or trapezoid. A motion through further postures, curved or not, never takes less.
+/// Returns the least time [s] of any rest-to-rest motion of all joints from q0 to q1: the duration of the slowest
+/// joint's own triangular or trapezoidal speed profile. A motion through further postures, curved or not, never takes
+/// less.
 [[nodiscard]] double moveDuration(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, const JointSpeeds& speeds);
 
-/// Returns the least time [s] along the straight line in joint space, with one profile for all joints. It is at least
-/// moveDuration(), and equal to it if one ratio of speed to acceleration holds for all joints. Stopping on the way
-/// never gains.
+/// Returns the least time [s] along the straight line in joint space, with one speed profile for all joints. It is at
+/// least moveDuration(), with equality if all joints have the same ratio of speed to acceleration. Intermediate stops
+/// never save time.
 [[nodiscard]] double straightMoveDuration(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1,
                                           const JointSpeeds& speeds);
 
-/// Returns the time [s] of a rest-to-rest move of unit length with greatest speed 1/cruise_seconds [1/s] and greatest
-/// acceleration 1/ramp_seconds2 [1/s^2]. If both are zero, the time is zero.
+/// Returns the duration [s] of a rest-to-rest move of unit length with greatest speed 1/cruise_seconds [1/s] and
+/// greatest acceleration 1/ramp_seconds2 [1/s^2]. If both arguments are zero, the duration is zero.
 [[nodiscard]] inline double unitMoveDuration(double cruise_seconds, double ramp_seconds2) {
   if (ramp_seconds2 > cruise_seconds * cruise_seconds) return 2 * std::sqrt(ramp_seconds2);
   return cruise_seconds > 0 ? cruise_seconds + ramp_seconds2 / cruise_seconds : 0;
