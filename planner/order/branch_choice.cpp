@@ -20,8 +20,8 @@ std::string orderProblem(const Route& route, const std::vector<int>& order) {
   return "";
 }
 
-// Computes the times to reach each posture of `node` from the postures of the node before, with the best predecessor of
-// each.
+// Computes the least time to reach each posture of `node` from the postures of the node before, and records the best
+// predecessor of each posture of `node`.
 void extendLayer(const PostureTable& table, int before, int node, const Eigen::ArrayXd& times_before,
                  Eigen::ArrayXd& times, std::vector<int>& came_from) {
   deflection::resizeOrEmpty(times, table.last(node) - table.first(node), 1);

@@ -1,4 +1,4 @@
-// The best posture at each tube for a given order, and the usual row-by-row order.
+// The best posture at each tube for a given order of visits, and the usual row-by-row order.
 #pragma once
 
 #include <limits>
@@ -14,26 +14,26 @@ enum class BranchChoiceStatus { kNotRun, kSolved, kForbiddenMove, kBadInput };
 struct BranchChoice {
   BranchChoiceStatus status = BranchChoiceStatus::kNotRun;
   std::string reason;
-  std::vector<int> branches;  ///< branch at each place in the order
-  /// Time with start, end and extra times [s]; infinite if forbidden.
+  std::vector<int> branches;  ///< index of the branch chosen for each visit, in the order of visits
+  /// Travel time with moves from start and to end, and extra times [s]; infinite if every choice has a forbidden move.
   double travel_time = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Finds the branches that make the given order quickest, exactly (shortest path through the layers of postures).
-/// `order` names visits, each at most once; it may leave visits out.
+/// Finds the branches that minimise the travel time of the given order, exactly (shortest path through the layers of
+/// postures). `order` names visits, each at most once; it may leave visits out.
 [[nodiscard]] BranchChoice bestBranches(const Route& route, const std::vector<int>& order);
 
 class PostureTable;
 
-/// Chooses the posture of each node in prepared data: nodes of the route in order, with start and end nodes if there
-/// are any. Returns the time [s], in which a forbidden move counts `kForbiddenTime`.
+/// Chooses the posture of each node for the least time. `node_order` has the nodes of the table in order, with start
+/// and end nodes if there are any. Returns the time [s], in which a forbidden move counts `kForbiddenTime`.
 double choosePostures(const PostureTable& table, const std::vector<int>& node_order, std::vector<int>& posture_of_node);
 
-/// Returns the order of visits with the start and end nodes added at its ends.
+/// Returns the order of visits with the start node added before it and the end node after it, if there are any.
 [[nodiscard]] std::vector<int> withEndNodes(const PostureTable& table, const std::vector<int>& order);
 
-/// Returns the order row after row, with every second row backwards. `rows` and `columns` have one number for each
-/// visit.
+/// Returns the order of visits row after row, with every second row backwards. `rows` and `columns` have the row and
+/// the column of each visit.
 [[nodiscard]] std::vector<int> serpentineOrder(const std::vector<int>& rows, const std::vector<int>& columns);
 
 }  // namespace tubeplan::planner

@@ -9,7 +9,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr int kMostVisits = 20;  // bits of a set
+constexpr int kMostVisits = 20;  // largest number of visits; a set of visits has one bit for each
 
 using VisitSet = std::uint32_t;
 
@@ -20,7 +20,7 @@ Eigen::MatrixXd timesBy(const PostureTable& table, double (PostureTable::*time)(
   return times;
 }
 
-/// Returns for each visit the visits that must precede it.
+/// Returns for each visit the visits that must precede it. `zones`: zone of each visit; empty if there are none.
 std::vector<VisitSet> visitsBefore(int visits, const std::vector<int>& zones) {
   std::vector<VisitSet> before(static_cast<std::size_t>(visits), 0);
   if (zones.empty()) return before;
@@ -30,14 +30,14 @@ std::vector<VisitSet> visitsBefore(int visits, const std::vector<int>& zones) {
   return before;
 }
 
-/// Returns the order without visits: from the start to the end posture, if there are both.
+/// Returns the order for a route without visits: from the start posture to the end posture, if both are given.
 ExactOrder betweenEnds(const PostureTable& table, const Eigen::MatrixXd& times) {
   ExactOrder order{{}, table.postures() == 2 ? times(0, 1) : 0};
   for (int p = 0; p < table.postures(); ++p) order.postures.push_back(p);
   return order;
 }
 
-/// Dynamic programme: fills a table by set of visits and last posture, and reads the quickest order from it.
+/// Dynamic programme: fills a table over sets of visits and last postures, and reads the quickest order from the table.
 class Programme {
  public:
   Programme(const PostureTable& table, const Eigen::MatrixXd& times, const std::vector<int>& zones)
@@ -113,10 +113,10 @@ class Programme {
   const PostureTable& table_;
   const Eigen::MatrixXd& times_;
   std::vector<VisitSet> before_;
-  int standing_;  // postures of visits
+  int standing_;  // number of postures of all visits
   VisitSet all_;
-  Eigen::ArrayXXd least_;      // by posture and set [s]
-  Eigen::ArrayXXi came_from_;  // the posture before
+  Eigen::ArrayXXd least_;      // least time by last posture and set of visits [s]
+  Eigen::ArrayXXi came_from_;  // previous posture, by last posture and set of visits; -1 if there is none
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ int widestJoint(const PostureTable& table) {
   return widest;
 }
 
-// A short sorted list of the best `count` nodes, each once.
+// A short sorted list of the nearest `count` nodes, each listed once.
 class BestNodes {
  public:
   explicit BestNodes(std::size_t count) : count_(count) {}
@@ -47,7 +47,7 @@ class BestNodes {
   std::vector<Neighbour> list_;
 };
 
-// Postures in the order of one joint; no move is quicker than that joint's difference at full speed.
+// Postures sorted by the value of one joint; no move takes less time than the difference of that joint at full speed.
 struct Sweep {
   explicit Sweep(const PostureTable& table)
       : joint(widestJoint(table)), sorted(table.postures()), place(table.postures()) {

@@ -1,5 +1,5 @@
-// The nearest other nodes of each node of a route, by the least straight time over their branches. Internal to the
-// ordering.
+// The nearest other nodes of each node of a route, sorted by the least straight time over the branches of both nodes.
+// Internal to the ordering.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@ namespace tubeplan::planner {
 
 struct Neighbour {
   int node;
-  double time;  ///< straight, least over the branches, without extra time [s]
+  double time;  ///< least time of a straight move over the branches of both nodes, without extra time [s]
 };
 
-/// Returns up to `count` neighbours for each node, nearest first; ties by number. Exact, by a sweep along the joint
-/// with the widest spread.
+/// Returns up to `count` neighbours for each node, nearest first, ties in the order of node numbers. The lists are
+/// exact; they are found by a sweep along the joint with the widest range of values.
 [[nodiscard]] std::vector<std::vector<Neighbour>> nearestNeighbours(const PostureTable& table, int count);
 
 }  // namespace tubeplan::planner

@@ -10,20 +10,25 @@
 namespace tubeplan::planner {
 namespace {
 
-constexpr double kFirstStep = 1;  // as a share of the distance to the known time
-constexpr int kPatience = 10;     // steps without gain before the share falls
+// first step length, as a fraction of the difference between the known time and the bound
+constexpr double kFirstStep = 1;
+constexpr int kPatience = 10;  // steps without improvement before the step fraction is reduced
 constexpr double kFall = 0.8;
-// Weight of the latest tree in the running mean. Prices of postures flip whole nodes and need a long memory.
+// Weight of the latest tree in the running mean. Prices of postures can change the posture of a whole node, and need a
+// long memory.
 constexpr double kMeanShareByNodes = 0.3, kMeanShareByPostures = 0.03;
 constexpr std::size_t kCutsOfRound = 10;
 constexpr int kMostPosturesToCut = 1000;
-constexpr double kWorthwhile = 2e-3;  // gain of cuts in a round, or possible in all, as a share of the bound
-constexpr int kIdleCutRounds = 3;     // successive rounds with less gain, because borders help one another
+// improvement by cuts in a round, or still possible in all, as a fraction of the bound
+constexpr double kWorthwhile = 2e-3;
+// successive rounds with less improvement; several are allowed, because cuts take effect together
+constexpr int kIdleCutRounds = 3;
 
 enum class Detail { kNodes, kPostures };
 
-// Returns the violations of the conditions by a tree, in the order of the prices. By nodes, the ends of all postures
-// are taken together: with one posture a node there are no others, and with several it is best for the first steps.
+// Returns how much a tree violates each condition, in the order of the prices. With Detail::kNodes, the edge ends of
+// all postures of a node are counted together: this is complete with one posture per node, and best for the first steps
+// with several.
 std::vector<double> violations(const PostureTable& table, const PairGraph& graph, const PricedTree& tree,
                                Detail detail) {
   const std::size_t first_cut = tree.ends.size() + tree.pair_ends.size();
@@ -55,7 +60,7 @@ class Ascent {
     best_.of_pair.assign(graph_.pairPrices(), 0.0);
   }
 
-  // Proves the bound at the best prices so far and adds the missing edges to the graph.
+  // Proves the bound at the best prices so far, and adds edges of the complete tree to the sparse graph.
   void prove() {
     const PricedTree tree = graph_.completeTree(best_);
     proved_ = std::max(proved_, tree.bound);
@@ -63,7 +68,7 @@ class Ascent {
     best_.of_pair.resize(graph_.pairPrices(), 0.0);
   }
 
-  // Adds borders that the trees of the last climb cross too seldom. Returns false if there are none.
+  // Adds cuts that the trees of the last climb cross too seldom. Returns false if there are none.
   bool cut() {
     const std::size_t most = std::min(kCutsOfRound, PairGraph::kMostCuts - graph_.cuts());
     const auto cuts = findCrossedTooSeldom(table_, neighbours_, meanUse(), most);
@@ -72,8 +77,7 @@ class Ascent {
     return !cuts.empty();
   }
 
-  // Improves the best prices along a running mean of the trees' violations (the volume method of Barahona and Anbil,
-  // 2000).
+  // Improves the best prices along a running mean of the trees' violations (volume method: Barahona and Anbil 2000).
   void climb(int steps, double first_share, Detail detail) {
     const double mean_share = detail == Detail::kNodes ? kMeanShareByNodes : kMeanShareByPostures;
     double share = first_share;
@@ -102,7 +106,7 @@ class Ascent {
     }
   }
 
-  // Returns true if the mean use of edges is kept, to find borders by.
+  // Returns true if the mean use of edges is recorded in order to find cuts.
   bool countsUse() const {
     return table_.postures() > table_.nodes() && table_.visits() <= options_.cuts_up_to &&
            table_.postures() <= kMostPosturesToCut && graph_.cuts() < PairGraph::kMostCuts;
@@ -127,7 +131,7 @@ class Ascent {
     return prices;
   }
 
-  // Returns false for the price of a pair or a cut that is zero and cannot fall further.
+  // Returns false for the price of a pair or a cut that is zero and cannot decrease further.
   bool counts(std::size_t k, double mean) const {
     const std::size_t postures = best_.of_posture.size(), first_cut = postures + best_.of_pair.size();
     return k < postures || mean > 0 || (k < first_cut ? best_.of_pair[k - postures] : best_.of_cut[k - first_cut]) > 0;
@@ -149,9 +153,9 @@ class Ascent {
   std::vector<std::vector<Neighbour>> neighbours_;
   PairGraph graph_;
   Prices best_;
-  EdgeUse use_;  // by the trees of the climb so far, over the scale: the latest count most
+  EdgeUse use_;  // use of edges by the trees of the climb so far, divided by the scale; the latest trees weigh most
   double use_scale_ = 1;
-  double proved_ = 0;  // times are not negative
+  double proved_ = 0;  // a valid bound, because times are never negative
   int iterations_ = 0;
 };
 
@@ -172,7 +176,7 @@ OneTreeBound oneTreeBound(const Route& route, const OneTreeOptions& options) {
   }
   const PostureTable table(route);
   Ascent ascent(table, options);
-  // A tree on the complete graph takes a quarter of a second for 4,674 visits: none is begun after a stop.
+  // A tree on the complete graph takes a quarter of a second for 4,674 visits: none is started after a stop.
   const auto is_stopped = [&] { return options.stop && options.stop(); };
   if (!is_stopped()) ascent.prove();
   const int rounds = std::max(1, options.rounds);

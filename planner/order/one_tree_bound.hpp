@@ -1,10 +1,10 @@
 // A proved lower bound on the travel time of any route.
 //
-// A route is a path, so it is a spanning tree whose visits have two edges each (free ends count as one), both in one
-// branch. The bound is the smallest spanning tree after Lagrangian prices for these conditions (see priced_tree.hpp),
-// which extends Held and Karp (1970, 1971) to several branches. Prices are found on a sparse graph; the bound itself is
-// always taken on the complete one. Prices alone let a tree be half in one family of postures and half in another;
-// borders that every route must cross (posture_cuts.hpp) stop that.
+// A route is a path, so it is a spanning tree in which each visit has two edge ends (a free end of the route counts as
+// one), both at the same branch. The bound is the cost of the cheapest spanning tree with Lagrangian prices for these
+// conditions (see priced_tree.hpp), which extends Held and Karp (1970, 1971) to several branches. Prices are found on a
+// sparse graph; the bound itself is always computed on the complete graph. With prices alone, a relaxed route may take
+// half of one family of postures and half of another. Cuts that every route must cross (posture_cuts.hpp) prevent that.
 #pragma once
 
 #include <functional>
@@ -16,15 +16,16 @@
 namespace tubeplan::planner {
 
 struct OneTreeOptions {
-  int iterations = 1500;    ///< number of subgradient steps on the sparse graph, in all
-  int rounds = 4;           ///< number of trees on the complete graph; each adds its edges to the sparse one
-  int neighbours = 10;      ///< neighbours of each visit in the sparse graph
+  int iterations = 1500;  ///< total number of subgradient steps on the sparse graph
+  int rounds = 4;       ///< number of trees on the complete graph; the edges of each tree are added to the sparse graph
+  int neighbours = 10;  ///< neighbours of each visit in the sparse graph
   int complete_up_to = 30;  ///< number of visits up to which the complete graph is used throughout
-  int cuts_up_to = 100;     ///< number of visits up to which problems with a few branches each add border cuts
-  int cut_rounds = 12;      ///< rounds of cuts after the other rounds, while they gain enough
-  /// Time of a known route, which controls the step size [s].
+  int cuts_up_to = 100;     ///< number of visits up to which cuts are added, if the visits have several branches
+  /// Largest number of rounds with cuts after the other rounds; these rounds end once the improvement is small.
+  int cut_rounds = 12;
+  /// Travel time of a known route, which controls the step size [s].
   double known_time = std::numeric_limits<double>::quiet_NaN();
-  std::function<bool()> stop;  ///< called at every step; the bound so far is valid if it stops
+  std::function<bool()> stop;  ///< called at every step; returns true to stop, and the bound found so far stays valid
 };
 
 enum class OneTreeStatus { kNotRun, kSolved, kBadInput };
@@ -32,11 +33,11 @@ enum class OneTreeStatus { kNotRun, kSolved, kBadInput };
 struct OneTreeBound {
   OneTreeStatus status = OneTreeStatus::kNotRun;
   std::string reason;
-  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< [s]
+  double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< lower bound of the travel time [s]
   int iterations = 0;
 };
 
-/// Computes the bound. It holds for every route of straight moves, with or without further stops, because straight
+/// Computes the bound. It holds for every route of straight moves, with or without intermediate stops, because straight
 /// times obey the triangle inequality. Extra times are ignored, because they are not proved.
 [[nodiscard]] OneTreeBound oneTreeBound(const Route& route, const OneTreeOptions& options = {});
 

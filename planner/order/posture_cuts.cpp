@@ -7,12 +7,12 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr double kLeastUse = 1e-3;   // least use of an edge that counts
+constexpr double kLeastUse = 1e-3;   // least mean use of an edge that is considered
 constexpr double kEnough = 0.95;     // flow that counts as one crossing
-constexpr double kLeastFlow = 1e-6;  // least remaining capacity of an edge
+constexpr double kLeastFlow = 1e-6;  // least residual capacity of an edge that a path may use
 constexpr int kSources = 4;          // number of visits from which flows start
 
-/// Flows through used edges; all postures of a visit form one end.
+/// Flow network of the used edges; all postures of a visit together form one source or sink.
 class UsedEdges {
  public:
   UsedEdges(const PostureTable& table, const EdgeUse& use) : table_(table), full_(table.postures()) {
@@ -27,8 +27,8 @@ class UsedEdges {
 
   [[nodiscard]] bool isUsed(int posture) const { return !full_[posture].empty(); }
 
-  /// Returns the greatest flow between two visits, or at least kEnough of it. `reached`: the side of `from` if it is
-  /// less.
+  /// Returns the maximum flow between two visits, or some flow of at least kEnough. If the flow is less than kEnough,
+  /// `reached` has the postures on the source side of the minimum cut.
   double flow(int from, int to, std::vector<char>& reached) {
     left_ = full_;
     double sum = 0;
@@ -46,7 +46,7 @@ class UsedEdges {
     double left;
   };
 
-  /// Returns a posture of the visit `to` with capacity left on a path to it; -1 if there is none.
+  /// Returns a posture of the visit `to` that is reached by a path with residual capacity; -1 if there is none.
   int search(int from, int to, std::vector<char>& reached) {
     reached.assign(full_.size(), 0);
     came_from_.assign(full_.size(), {-1, -1});
@@ -78,7 +78,8 @@ class UsedEdges {
 
   const PostureTable& table_;
   std::vector<std::vector<Edge>> full_, left_;
-  std::vector<std::pair<int, int>> came_from_;  ///< posture and its edge
+  /// Previous posture on the path and index of the edge from it; -1 if there is none.
+  std::vector<std::pair<int, int>> came_from_;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace tubeplan::planner {
 namespace {
 
-/// Returns the values by posture and joint, rearranged so that those of each node's postures for one joint are
+/// Returns values given by posture and joint, rearranged so that the values of one joint for all postures of a node are
 /// adjacent.
 std::vector<double> jointByJoint(const PostureTable& table, const std::vector<double>& values, int stride) {
   std::vector<double> by_joint;
@@ -21,7 +21,7 @@ std::vector<double> jointByJoint(const PostureTable& table, const std::vector<do
   return by_joint;
 }
 
-/// Applies unitMoveDuration() to each: `seconds` are cruising times on input, durations on output.
+/// Applies unitMoveDuration() to each element of `seconds`: cruising times on input, durations on output [s].
 template <class Ramps>
 void makeDurations(Eigen::ArrayXd& seconds, const Ramps& ramps) {
   seconds = (ramps > seconds.square()).select(2 * ramps.sqrt(), (seconds > 0).select(seconds + ramps / seconds, 0.));

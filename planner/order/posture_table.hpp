@@ -1,6 +1,6 @@
-// All postures of a route in one flat table, with the time of a move between two of them. Internal to the ordering.
+// All postures of a route in one flat table, with the times of moves between them. Internal to the ordering.
 //
-// Nodes: the visits, then the start posture, then the end posture, if given. Postures of a node are consecutive.
+// Nodes are the visits, then the start posture, then the end posture, if given. Postures of a node are consecutive.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,32 +22,33 @@ class PostureTable {
   [[nodiscard]] int visits() const { return visits_; }
   [[nodiscard]] int nodes() const { return static_cast<int>(first_.size()) - 1; }
   [[nodiscard]] int postures() const { return first_.back(); }
-  [[nodiscard]] int startNode() const { return start_node_; }  ///< -1 if there is none
-  [[nodiscard]] int endNode() const { return end_node_; }      ///< -1 if there is none
+  [[nodiscard]] int startNode() const { return start_node_; }  ///< node of the start posture; -1 if there is none
+  [[nodiscard]] int endNode() const { return end_node_; }      ///< node of the end posture; -1 if there is none
   [[nodiscard]] int first(int node) const { return first_[node]; }
-  [[nodiscard]] int last(int node) const { return first_[node + 1]; }  ///< one past the last
+  [[nodiscard]] int last(int node) const { return first_[node + 1]; }  ///< one past the node's last posture
   [[nodiscard]] int nodeOf(int posture) const { return node_of_[posture]; }
   [[nodiscard]] int joints() const { return joints_; }
-  /// Returns the joint value divided by its greatest speed [s]: differences are lower bounds of the time of a move.
+  /// Returns the joint value divided by the greatest speed of the joint [s]: the difference of two postures is a lower
+  /// bound on the time of a move.
   [[nodiscard]] double scaled(int posture, int joint) const { return by_speed_[posture * stride_ + joint]; }
 
-  /// Returns the time [s] along the straight line, without extra time.
+  /// Returns the time of the straight move between two postures [s], without extra time.
   [[nodiscard]] double straight(int a, int b) const {
     const double cruise_seconds = greatestDifference(by_speed_, a, b);
     return unitMoveDuration(cruise_seconds,
                             one_ratio_ ? ratio_ * cruise_seconds : greatestDifference(by_acceleration_, a, b));
   }
-  /// Returns the time of the straight line with extra time [s]; forbidden moves cost `kForbiddenTime`.
+  /// Returns the time of the straight move plus extra time [s]; a forbidden move costs `kForbiddenTime` in addition.
   [[nodiscard]] double cost(int a, int b) const { return has_extra_ ? straight(a, b) + extra(a, b) : straight(a, b); }
-  /// Computes the costs to all postures of `node`, with the same bits as cost().
+  /// Computes the costs [s] from `posture` to all postures of `node`, bitwise identical to cost().
   void costsTo(int node, int posture, Eigen::ArrayXd& times) const;
-  /// Returns 1 if all postures of `node` are in the set, 0 if none is, else -1.
+  /// Returns 1 if all postures of `node` are in the set, 0 if none is, -1 if only some are.
   [[nodiscard]] int sideOf(int node, const std::vector<char>& inside) const;
-  /// Returns the posture of `node` that costs least to reach from `posture`.
+  /// Returns the posture of `node` with the least cost from `posture`.
   [[nodiscard]] int nearestPosture(int posture, int node) const;
 
  private:
-  static constexpr int kStep = 4;  // number of joints compared at a time
+  static constexpr int kStep = 4;  // number of joints compared at once
 
   [[nodiscard]] double extra(int a, int b) const;
   [[nodiscard]] bool mayCostExtra(int node) const {
@@ -72,13 +73,15 @@ class PostureTable {
   int start_node_ = -1;
   int end_node_ = -1;
   bool has_extra_;
-  bool one_ratio_ = false;  // true: one ratio of speed to acceleration for all joints, so that one difference is enough
-  double ratio_ = 0;        // [s]
+  // true: all joints have the same ratio of speed to acceleration, so that one difference gives both times
+  bool one_ratio_ = false;
+  double ratio_ = 0;  // ratio of speed to acceleration [s]
   std::vector<int> first_, node_of_;
-  std::vector<char> with_extra_;  // flags by visit, nonzero if a move to or from it may have extra time; empty: any may
-  std::vector<double> by_speed_;  // posture x joint: value / max_speed
-  std::vector<double> by_acceleration_;  // posture x joint: value / max_acceleration
-  // Values of `by_speed_` and `by_acceleration_` node by node: joint x posture.
+  // flag for each visit, nonzero if a move to or from it may have extra time; empty: any may
+  std::vector<char> with_extra_;
+  std::vector<double> by_speed_;         // posture x joint: value / max_speed [s]
+  std::vector<double> by_acceleration_;  // posture x joint: value / max_acceleration [s^2]
+  // Values of `by_speed_` and `by_acceleration_`, for each node as joint x posture.
   std::vector<double> by_joint_, by_joint_acceleration_;
 };
 

@@ -18,10 +18,10 @@ bool joinsBothEnds(const PostureTable& table, int a, int b) { return a >= table.
 
 }  // namespace
 
-// The cheapest known link of a node to the tree.
+// The cheapest known link from a node to the tree.
 struct PairGraph::Link {
   double price = kInfinity;
-  int from = -1, to = -1;  // postures
+  int from = -1, to = -1;  // indices of the link's postures
   std::size_t from_price = kNoPrice, to_price = kNoPrice;
 };
 
@@ -53,7 +53,7 @@ class PairGraph::Sum {
     for (int p = 0; p < table_.postures(); ++p) worth[p] = 2 * prices_.of_posture[p];
     for (std::size_t k = 0; k < prices_.of_pair.size(); ++k) worth[graph_.postureOfPrice(k)] += prices_.of_pair[k];
     for (int node = 0; node < table_.nodes(); ++node) takePostures(node, worth);
-    tree_.bound = sum_ - 1e-12 * magnitude_;  // rounding must not raise it
+    tree_.bound = sum_ - 1e-12 * magnitude_;  // rounding must not raise the bound
     return std::move(tree_);
   }
 
@@ -63,8 +63,8 @@ class PairGraph::Sum {
     magnitude_ += std::abs(value);
   }
 
-  // Takes the posture of greatest worth; equal ones share, in proportion to their use, so that less correction is
-  // needed.
+  // Takes the postures of greatest worth at a node. Postures of equal worth share the node in proportion to their edge
+  // ends, so that prices need less correction.
   void takePostures(int node, const std::vector<double>& worth) {
     const double greatest = *std::max_element(worth.begin() + table_.first(node), worth.begin() + table_.last(node));
     add(-greatest);
@@ -91,8 +91,8 @@ class PairGraph::Sum {
     ++tree_.ends[posture];
   }
 
-  // Adds the ends of the route: a given start or end posture has one more end; a free end takes the cheapest visit, two
-  // free ends take two visits.
+  // Adds the ends of the route. A given start or end posture has one more edge end; a free end is added at the cheapest
+  // visit, two free ends at the two cheapest visits.
   void addRouteEnds() {
     for (int node = table_.visits(); node < table_.nodes(); ++node) addEnd(node);
     const int free_ends = 2 - (table_.nodes() - table_.visits());

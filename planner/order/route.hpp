@@ -1,4 +1,5 @@
-// The ordering problem: tubes to visit, the postures (branches) that reach each, and the time of a move between two.
+// The ordering problem: tubes to visit, the postures (branches) that reach each tube, and the time of a move between
+// two postures.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,23 +14,23 @@
 
 namespace tubeplan::planner {
 
-/// A tube, with one or more postures that reach it [rad].
+/// A tube to visit, with one or more postures that reach it [rad].
 struct Visit {
   std::vector<Eigen::VectorXd> branches;
 };
 
-/// Values of a visit's index that mean the start and the end posture (branch 0).
+/// Visit indices that stand for the start and the end posture (branch 0).
 inline constexpr int kStartPosture = -1;
 inline constexpr int kEndPosture = -2;
 
-/// Time [s] that a move takes beyond its straight line, >= 0, the same both ways; infinite for a forbidden move.
-/// Arguments: visit and branch at one end, visit and branch at the other.
+/// Time [s] that a move takes in addition to its straight line: zero or more, equal in both directions, infinite for a
+/// forbidden move. Arguments: visit and branch at one end, visit and branch at the other end.
 using ExtraTime = std::function<double(int visit_a, int branch_a, int visit_b, int branch_b)>;
 
-/// A sparse table of extra times; usable as an `ExtraTime`. Moves that it does not contain have none.
+/// A sparse table of extra times; usable as an `ExtraTime`. Moves that the table does not contain have no extra time.
 class EdgePenalties {
  public:
-  /// Sets (replaces) the extra time [s] of one move, in both directions. At most 2^24 visits of 255 branches.
+  /// Sets or replaces the extra time [s] of one move, in both directions. At most 2^24 visits with 255 branches each.
   void set(int visit_a, int branch_a, int visit_b, int branch_b, double seconds);
   [[nodiscard]] double operator()(int visit_a, int branch_a, int visit_b, int branch_b) const;
   [[nodiscard]] std::size_t size() const { return seconds_.size(); }
@@ -41,22 +42,22 @@ class EdgePenalties {
 
  private:
   std::unordered_map<std::uint64_t, double> seconds_;
-  std::vector<char> touched_;  // flags by visit, so that most moves need no search
+  std::vector<char> touched_;  // flag for each visit, so that most moves need no look-up
 };
 
-/// A route visits every tube once, in any order, from rest to rest. Without `start` (`end`) it begins (ends) at any
-/// tube.
+/// A route visits every tube once, in any order, from rest to rest. Without `start` it begins at any tube; without
+/// `end` it ends at any tube.
 struct Route {
   std::vector<Visit> visits;
   JointSpeeds speeds;
-  std::optional<Eigen::VectorXd> start;  ///< [rad]
-  std::optional<Eigen::VectorXd> end;    ///< [rad]
-  ExtraTime extra_time;                  ///< may be empty
-  /// Flags by visit, nonzero if a move to or from it may have extra time. Empty: any may.
+  std::optional<Eigen::VectorXd> start;  ///< start posture [rad]; the route may begin at any tube if there is none
+  std::optional<Eigen::VectorXd> end;    ///< end posture [rad]; the route may end at any tube if there is none
+  ExtraTime extra_time;                  ///< extra times of moves; empty if no move has extra time
+  /// Flag for each visit, nonzero if a move to or from it may have extra time. Empty: any move may.
   std::vector<char> with_extra;
 };
 
-/// Returns what is wrong with the problem, one sentence each; empty if it can be solved.
+/// Returns the problems of a route, one sentence each; empty if it can be solved.
 [[nodiscard]] std::vector<std::string> findRouteProblems(const Route& route);
 
 }  // namespace tubeplan::planner

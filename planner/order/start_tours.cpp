@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kNarrowView = 3, kWideView = 60;  // rounds of averaging over neighbours
 
-// Returns for each node the posture from which its neighbours are quickest to reach, on average over a region that
-// grows with the rounds.
+// Returns for each node the posture from which neighbouring nodes are quickest to reach, averaged over a region that
+// grows with the number of rounds.
 std::vector<int> locallyQuickest(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours,
                                  int rounds) {
   std::vector<std::vector<int>> beside(table.postures());
@@ -37,10 +37,10 @@ std::vector<int> locallyQuickest(const PostureTable& table, const std::vector<st
   return quickest;
 }
 
-// A growing route. Its last place is a node with one posture, or any posture (-1).
+// A growing route. At its last node it is at one posture, or at any of the node's postures (-1).
 class NearestNeighbourTour {
  public:
-  // `only` names the one posture allowed at each node, or is empty.
+  // `only`: index of the one posture allowed at each node; empty if all are allowed.
   NearestNeighbourTour(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours,
                        std::vector<int> only = {})
       : table_(table),

@@ -1,4 +1,4 @@
-// Nearest-neighbour routes as starts of the search. Internal to the ordering.
+// Nearest-neighbour routes as initial orders of the local search. Internal to the ordering.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace tubeplan::planner {
 
-/// Returns orders of all visits. One uses the least time over the branches of two visits. One for each branch of its
-/// first visit always takes the nearest posture, so that the arm keeps to one branch while it can. Some stay in the
-/// branch in which a tube's neighbourhood, narrow or wide, is quickest to cross, so that the arm changes branch between
-/// regions.
+/// Returns several orders of all visits. The first uses the least time over the branches of two visits. One order for
+/// each branch of the first visit always takes the nearest posture, so that the arm stays in one branch as long as
+/// possible. Further orders take at each tube the branch in which a narrow or wide neighbourhood is quickest to cross,
+/// so that the arm changes branch between regions.
 [[nodiscard]] std::vector<std::vector<int>> startTours(const PostureTable& table,
                                                        const std::vector<std::vector<Neighbour>>& neighbours);
 

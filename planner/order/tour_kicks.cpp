@@ -1,4 +1,4 @@
-// The random perturbations of the tour search, small and local so that repairing one costs little.
+// Random perturbations (kicks) of the tour search, small and local so that repairing a kick costs little.
 #include <algorithm>
 #include <cmath>
 
@@ -7,11 +7,11 @@
 namespace tubeplan::planner {
 namespace {
 
-constexpr int kLongestKick = 30;  // places
+constexpr int kLongestKick = 30;  // largest number of positions in the tour
 constexpr int kBranchKickEvery = 16;
 
 // Returns a random number below `bound`. The standard distributions differ between libraries; the small bias of the
-// remainder does not matter here.
+// modulo operation does not matter here.
 int below(int bound, std::mt19937_64& random) { return static_cast<int>(random() % static_cast<std::uint64_t>(bound)); }
 
 }  // namespace
@@ -43,7 +43,7 @@ bool TourSearch::swapSegments(std::mt19937_64& random) {
   return true;
 }
 
-// Puts a visit in another branch and lets those behind it follow as smoothly as possible.
+// Puts a visit in another branch, and puts each following visit in its nearest posture.
 bool TourSearch::switchBranches(std::mt19937_64& random) {
   const int start = below(size(), random), length = 1 + below(std::min(kLongestKick, size() - 2), random);
   int node = tour_[start];

@@ -10,7 +10,8 @@
 namespace tubeplan::planner {
 namespace {
 
-constexpr double kLeastGain = 1e-8;  // [s]; above the rounding of sums that include forbidden moves
+// least gain of a move [s]; above the rounding errors of sums that include forbidden moves
+constexpr double kLeastGain = 1e-8;
 
 }  // namespace
 
@@ -48,7 +49,8 @@ std::vector<int> TourSearch::order() const {
 }
 
 double TourSearch::costAt(int node_a, int posture_a, int node_b) const {
-  // Infinitely cheap: breaking this edge never gains, and a comparison with the NaN of breaking and making it is false.
+  // Infinitely cheap: breaking this edge never gains, and comparisons with the NaN of breaking and remaking it are
+  // false.
   if (node_a >= visits_ && node_b >= visits_) return -std::numeric_limits<double>::infinity();
   if (node_a == free_anchor_ || node_b == free_anchor_) return 0;
   return table_.cost(posture_a, posture_of_node_[node_b]);
@@ -102,8 +104,8 @@ bool TourSearch::changeBranch(int node) {
   return false;
 }
 
-// Replaces the edge from `a` to its neighbour on one side by a shorter one to `c`, in every way that closes the tour
-// again.
+// Replaces the edge from `a` to its neighbour on one side by a shorter edge to `c`. Tries every method of closing the
+// tour again.
 bool TourSearch::moveFrom(int a, Side side) {
   const int b = beside(a, side);
   const double now = cost(a, b);
@@ -146,7 +148,8 @@ bool TourSearch::tryTwoOpt(int a, int b, const Junction& at, double gain_so_far)
   return true;
 }
 
-// Moves one of the stretches beside `at.node`, so that their common last node is adjacent to it.
+// Moves one of the segments to either side of `at.node`, so that the common last node of the segments is adjacent to
+// `at.node`.
 bool TourSearch::tryOrOpt(const Stretches& stretches, const Junction& at, double gain_so_far) {
   const double beyond = gain_so_far + cost(at.node, at.beyond), behind = gain_so_far + cost(at.node, at.behind);
   for (int i = 0; i < stretches.size; ++i) {
@@ -161,7 +164,7 @@ bool TourSearch::tryOrOpt(const Stretches& stretches, const Junction& at, double
   return false;
 }
 
-// Tries another branch of a single visit at its new place.
+// Moves a single visit to the junction, in another branch.
 bool TourSearch::tryOtherBranch(const Stretches& stretches, const Junction& at, double now) {
   const Segment& segment = stretches.segments[0];
   const int node = segment.last;
@@ -189,8 +192,8 @@ bool TourSearch::insert(const Segment& segment, int c, int d, bool keeps_sense, 
   return true;
 }
 
-// Moves a segment: before [first..last] after .. c d  ->  before after .. c [last..first] d; or, if it keeps its
-// direction, before [first..last] after .. d c  ->  before after .. d [first..last] c.
+// Moves a segment: before [first..last] after .. c d  ->  before after .. c [last..first] d; if it keeps its direction:
+// before [first..last] after .. d c  ->  before after .. d [first..last] c.
 void TourSearch::moveSegment(const Segment& segment, int c, int d, bool keeps_sense) {
   const auto [before, first, last, after] = segment;
   const int near = keeps_sense ? d : c, far = keeps_sense ? c : d;
@@ -199,7 +202,7 @@ void TourSearch::moveSegment(const Segment& segment, int c, int d, bool keeps_se
   if (keeps_sense && first != last) exchange(near, last, first, far);
 }
 
-// Replaces edges a-b and c-d, met in the same direction, by a-c and b-d.
+// Replaces edges a-b and c-d, traversed in the same direction, by a-c and b-d.
 void TourSearch::exchange(int a, int b, int c, int d) {
   if (next(a) == b) {
     reversePlaces(place_[b], place_[c]);
@@ -208,7 +211,7 @@ void TourSearch::exchange(int a, int b, int c, int d) {
   }
 }
 
-// Reverses the shorter of the two sides: as a closed tour the result is the same.
+// Reverses the given positions or all the others, whichever are fewer: the closed tour is the same.
 void TourSearch::reversePlaces(int from, int to) {
   int length = to - from + 1;
   if (length <= 0) length += size();

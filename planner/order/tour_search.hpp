@@ -1,8 +1,7 @@
 // Local search on the order of a route: 2-opt, Or-opt and branch changes, with local kicks. Internal to the ordering.
 //
-// The open route is kept as a closed tour. Its ends are anchors: the start and end postures, and one free anchor at
-// no cost unless both ends are given. Anchors that belong together are joined by an edge so cheap that no move gains
-// by breaking it.
+// The open route is stored as a closed tour. Its ends are anchors: the start and end postures, and one free anchor at
+// no cost unless both ends are given. Edges between anchors are so cheap that no move gains by breaking them.
 #pragma once
 
 #include <cstdint>
@@ -18,30 +17,30 @@ class TourSearch {
  public:
   TourSearch(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours);
 
-  /// Starts from a route: all visits in order, and the posture of every node.
+  /// Starts from a route: `order` has all visits, `posture_of_node` the posture of every node.
   void restart(const std::vector<int>& order, const std::vector<int>& posture_of_node);
-  /// Applies moves until none of the neighbourhood reduces the time.
+  /// Applies moves until no move of the neighbourhood reduces the time.
   void improve();
-  /// Applies `count` local kicks one after the other, and keeps those that lose nothing.
+  /// Applies `count` local kicks one after the other, and keeps each kick that does not increase the time.
   void kick(long count, std::mt19937_64& random);
 
-  [[nodiscard]] std::vector<int> order() const;  ///< visits, first to last
+  [[nodiscard]] std::vector<int> order() const;  ///< indices of visits, first to last
 
  private:
-  struct Change {  // either positions reversed, or a node's posture replaced
+  struct Change {  // either a range of positions reversed, or a node's posture replaced
     int node = -1;
     int first = 0, second = 0;
   };
-  struct Segment {  // a stretch of the tour: before, first .. last, after
+  struct Segment {  // a segment of the tour: before, first .. last, after
     int before, first, last, after;
   };
-  struct Junction {  // a place for insertion: a node with its two neighbours
+  struct Junction {  // a position for insertion: a node with its two neighbours
     int node, beyond, behind;
   };
   static constexpr int kLongestInsertion = 3;
-  struct Stretches {  // stretches of growing length, all with the same last node
+  struct Stretches {  // segments of increasing length, all with the same last node
     Segment segments[kLongestInsertion];
-    double saved[kLongestInsertion];  // time saved by closing the tour behind them [s]
+    double saved[kLongestInsertion];  // time saved by removing each segment and closing the tour [s]
     int size = 0;
   };
   enum class Side { kNext, kPrevious };
@@ -53,7 +52,7 @@ class TourSearch {
   [[nodiscard]] double cost(int node_a, int node_b) const { return costAt(node_a, posture_of_node_[node_a], node_b); }
   [[nodiscard]] double costAt(int node_a, int posture_a, int node_b) const;
 
-  /// Computes the costs of each posture of `node_a` to the present posture of `node_b`.
+  /// Computes the cost from each posture of `node_a` to the present posture of `node_b` [s].
   void costsFrom(int node_a, int node_b, Eigen::ArrayXd& times) const;
 
   void improveDirty();
@@ -80,8 +79,8 @@ class TourSearch {
   int visits_;
   int free_anchor_ = -1;
   std::vector<int> tour_, place_, posture_of_node_;
-  std::vector<Change> changes_;  // since the last kick, for undo
-  double gained_ = 0;            // since the last kick
+  std::vector<Change> changes_;  // changes since the last kick, for undo()
+  double gained_ = 0;            // time gained since the last kick [s]
   Eigen::ArrayXd times_, other_times_;
   std::vector<int> dirty_;
   std::vector<char> is_dirty_;

@@ -16,11 +16,11 @@
 namespace tubeplan::planner {
 namespace {
 
-constexpr double kTrialShare = 0.08;   // share of all kicks for each start tour
-constexpr double kFinishShare = 0.32;  // share of all kicks for the best of them
-constexpr double kFewBranches = 4;     // average branches per visit above which there are fewer kicks
+constexpr double kTrialShare = 0.08;   // fraction of all kicks for each start tour
+constexpr double kFinishShare = 0.32;  // fraction of all kicks for the best start tour
+constexpr double kFewBranches = 4;     // mean number of branches per visit above which there are fewer kicks
 constexpr long kKicksBetweenStops = 1000;
-constexpr int kLegs = 8;  // stretches of kicks, each followed by the exact branch choice
+constexpr int kLegs = 8;  // rounds of kicks, each followed by the exact branch choice
 
 struct Candidate {
   std::vector<int> order;
@@ -34,7 +34,7 @@ Candidate withBestPostures(const PostureTable& table, const std::vector<int>& or
   return candidate;
 }
 
-// Alternates local search and exact branch choice, until neither gains.
+// Alternates local search and exact branch choice until neither reduces the time.
 Candidate settled(const PostureTable& table, TourSearch& search, Candidate candidate) {
   for (;;) {
     search.restart(candidate.order, candidate.posture_of_node);
@@ -56,8 +56,8 @@ Candidate kicked(const PostureTable& table, TourSearch& search, const Candidate&
   return next.time < candidate.time ? next : candidate;
 }
 
-/// Returns the best of the start tours after a short search of each, side by side. Each has a seed of its own, so that
-/// the threads do not matter.
+/// Returns the best start tour after a short search from each of them in parallel. Each search has its own seed, so
+/// that the result does not depend on the threads.
 Candidate bestOfTrials(const PostureTable& table, const std::vector<std::vector<Neighbour>>& neighbours, long kicks,
                        const VisitOrderOptions& options) {
   auto tours = startTours(table, neighbours);
@@ -92,8 +92,8 @@ struct Searched {
   double lower_bound = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Returns the number of kicks. A kick tries every branch of the visits about it: with many, fewer are made in the same
-/// time.
+/// Returns the number of kicks. A kick tries every branch of the visits near it: with many branches, fewer kicks are
+/// made in the same time.
 long kicksFor(const PostureTable& table, const VisitOrderOptions& options) {
   const long kicks = std::clamp<long>(static_cast<long>(options.kicks_per_visit) * table.visits(), options.least_kicks,
                                       std::max(options.least_kicks, options.most_kicks));
@@ -101,7 +101,7 @@ long kicksFor(const PostureTable& table, const VisitOrderOptions& options) {
   return std::lround(static_cast<double>(kicks) * std::min(1., std::sqrt(kFewBranches / branches)));
 }
 
-/// Searches an order, and computes the bound at the same time: it only needs a time near the best.
+/// Searches an order, and computes the bound in parallel: the bound only needs a time near the best.
 Searched searched(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
   const auto neighbours = nearestNeighbours(table, options.neighbours);
   const long kicks = kicksFor(table, options);
@@ -125,7 +125,7 @@ Searched searched(const Route& route, const PostureTable& table, const VisitOrde
   return result;
 }
 
-/// Solves exactly; the quickest order of straight moves is the best possible bound.
+/// Orders the visits exactly; the quickest order of straight moves is the best possible lower bound.
 Searched exact(const Route& route, const PostureTable& table, const VisitOrderOptions& options) {
   const ExactOrder order = exactOrder(table, timesWithExtra(table));
   Searched result;

@@ -1,4 +1,4 @@
-// Order and branches of the visits for the least travel time.
+// Order and branches of the visits with the least travel time.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,21 @@ namespace tubeplan::planner {
 
 struct VisitOrderOptions {
   std::uint64_t seed = 1;
-  int kicks_per_visit = 30;    ///< local perturbations; the effort is a count, so that a run is repeatable
+  /// Local perturbations per visit; the effort is a count, so that a run can be repeated exactly.
+  int kicks_per_visit = 30;
   int least_kicks = 20'000;    ///< least number of kicks, for small problems
   int most_kicks = 2'000'000;  ///< largest number of kicks, for large problems
-  int neighbours = 8;          ///< number of other visits that a move of the local search may join to a visit
-  double most_exact_work = kMostExactWork;  ///< largest work of problems that are solved exactly (exact_order.hpp)
-  bool with_bound = true;  ///< false: lower_bound and gap stay NaN (the bound does not depend on extra times)
+  int neighbours = 8;          ///< number of nearest other visits that the local search may connect to a visit
+  double most_exact_work = kMostExactWork;  ///< largest work up to which problems are solved exactly (exact_order.hpp)
+  /// False: lower_bound and optimality_gap stay NaN (the bound does not depend on extra times).
+  bool with_bound = true;
   OneTreeOptions bound;
-  /// An order of all visits to start from; only local search improves it, and nothing else is tried.
+  /// An order of all visits to start from; it is improved by local search alone, without other starts or kicks. May be
+  /// empty.
   std::vector<int> start;
-  /// An additional start of the search, if it is not empty: an order of all visits found before.
+  /// An order of all visits, found before, as an additional start of the search; may be empty.
   std::vector<int> hint;
-  /// Called now and then, from several threads. Once it returns true, the result is not the search's best.
+  /// Called now and then, from several threads. Once it returns true, the search stops before its best result.
   std::function<bool()> stop;
 };
 
@@ -35,9 +38,9 @@ enum class VisitOrderStatus { kNotRun, kSolved, kForbiddenMove, kBadInput };
 struct VisitOrder {
   VisitOrderStatus status = VisitOrderStatus::kNotRun;
   std::string reason;
-  std::vector<int> order;     ///< visits, first to last
-  std::vector<int> branches;  ///< branch at each place in the order: that of order[k]
-  /// Straight moves and extra times, start and end included [s].
+  std::vector<int> order;     ///< indices of visits, first to last
+  std::vector<int> branches;  ///< index of the branch at visit order[k]
+  /// Time of straight moves and extra times, with the moves from start and to end [s].
   double travel_time = std::numeric_limits<double>::quiet_NaN();
   double lower_bound = std::numeric_limits<double>::quiet_NaN();     ///< proved lower bound of the travel time [s]
   double optimality_gap = std::numeric_limits<double>::quiet_NaN();  ///< (travel_time - lower_bound) / lower_bound
@@ -45,7 +48,7 @@ struct VisitOrder {
 
 /// Orders the visits by nearest-neighbour starts, 2-opt and Or-opt with neighbour lists, alternating with the exact
 /// branch choice, and local double-bridge kicks. A few visits are ordered exactly. The same input and seed give the
-/// same route, on any number of threads; `extra_time` is called from several at once.
+/// same route, on any number of threads; `extra_time` is called from several threads at once.
 [[nodiscard]] VisitOrder orderVisits(const Route& route, const VisitOrderOptions& options = {});
 
 }  // namespace tubeplan::planner

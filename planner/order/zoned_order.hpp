@@ -1,4 +1,4 @@
-// The order of visits with zones: one zone after another, each starting where the one before ended. Internal to the
+// The order of visits with zones: one zone after another, each starting where the previous zone ended. Internal to the
 // planning of visits.
 #pragma once
 
@@ -8,17 +8,18 @@
 
 namespace tubeplan::planner {
 
-/// Orders the visits like orderVisits(); `zones` has one number for each visit, from 0 and without gaps. Each zone is
-/// searched on its own, so the order is the best of its zones, not of all. The bound holds for every order that keeps
-/// to the zones.
+/// Orders the visits like orderVisits(); `zones` has the zone of each visit, from 0 and without gaps. Each zone is
+/// searched separately, so that the order is the best of each zone, not of all zones together. The bound holds for
+/// every order that completes one zone before the next.
 [[nodiscard]] VisitOrder orderByZones(const Route& route, const std::vector<int>& zones,
                                       const VisitOrderOptions& options);
 
-/// Returns a proved lower bound [s] of every route that keeps to the zones: the sum of the zones' own bounds and of the
-/// quickest moves from each to the next.
+/// Returns a proved lower bound [s] of every route that completes one zone before the next: the sum of the bounds of
+/// the zones and of the quickest moves from each zone to the next.
 [[nodiscard]] double zonedBound(const Route& route, const std::vector<int>& zones, const OneTreeOptions& options = {});
 
-/// Returns the travel time [s] of the usual order, row after row within each zone, with the best branches.
+/// Returns the travel time [s] of the usual order, row after row within each zone, with the best branches; NaN if a
+/// list does not have one value for each visit.
 [[nodiscard]] double rowByRowTime(const Route& route, const std::vector<int>& zones, const std::vector<int>& rows,
                                   const std::vector<int>& columns);
 
