@@ -28,8 +28,8 @@ const CompensationRow& rowOf(Compensation mode) {
   return *std::find_if(kModes.begin(), kModes.end(), [&](const auto& row) { return row.mode == mode; });
 }
 
-/// The approach to a branch's goal. Its via points, at equal heights from the goal down to the standoff, are doubled
-/// until the placer's own tip keeps to the vertical midway between them.
+/// Approach to the goal of one branch. Via points lie at equal spacing from the goal down to the standoff. Their number
+/// is doubled until the tip of the placer's model stays on the vertical midway between via points.
 class Approach {
  public:
   Approach(const Vector3d& goal_W, TubeBranch& branch) : goal_W_(goal_W), branch_(&branch), postures_{branch.q} {}
@@ -38,7 +38,7 @@ class Approach {
   [[nodiscard]] const VectorXd& lowest() const { return postures_.back(); }
   [[nodiscard]] const std::vector<VectorXd>& middles() const { return middles_; }
 
-  /// Returns the place at a share of the standoff below the goal.
+  /// Returns the point below the goal by a fraction `share` of the standoff [m].
   [[nodiscard]] Vector3d placeAt(double share, double standoff) const {
     return goal_W_ - share * standoff * kHoleAxis_W;
   }
@@ -50,7 +50,7 @@ class Approach {
     if (!fails(via)) postures_.push_back(via.q);
   }
 
-  /// Adds one via point between every two.
+  /// Adds one via point between each pair of consecutive via points.
   void addBetween(std::span<const deflection::Branch> vias) {
     std::vector<VectorXd> denser{postures_.front()};
     for (std::size_t k = 0; k < vias.size(); ++k) {
@@ -66,7 +66,7 @@ class Approach {
     for (std::size_t k = 0; k + 1 < postures_.size(); ++k) middles_.push_back((postures_[k] + postures_[k + 1]) / 2);
   }
 
-  /// Ends the refinement if the tip is near enough to the vertical at the middles, or if no more via points are
+  /// Ends the refinement if the tip is near enough to the vertical at every midpoint, or if no more via points are
   /// allowed.
   void judge(std::span<const Vector3d> tips_W, const CompensationOptions& options) {
     double worst = 0;
@@ -103,7 +103,7 @@ void dropClosed(std::vector<Approach>& approaches) {
   std::erase_if(approaches, [](const Approach& approach) { return !approach.isOpen(); });
 }
 
-/// Adds the first via points of all branches: halfway down, then at the standoff.
+/// Adds the first via points of all branches: halfway down to the standoff, then at the standoff.
 void goDown(ToolPlacer& placer, double standoff, std::vector<Approach>& approaches) {
   for (const double share : {0.5, 1.}) {
     std::vector<Vector3d> places;
@@ -118,7 +118,7 @@ void goDown(ToolPlacer& placer, double standoff, std::vector<Approach>& approach
   }
 }
 
-/// Judges all approaches by the tips midway between their via points.
+/// Judges all approaches by the tip positions midway between via points.
 void judgeMiddles(ToolPlacer& placer, const CompensationOptions& options, std::vector<Approach>& approaches) {
   std::vector<VectorXd> postures;
   for (Approach& approach : approaches) {
@@ -153,7 +153,7 @@ void makeDenser(ToolPlacer& placer, double standoff, std::vector<Approach>& appr
   dropClosed(approaches);
 }
 
-/// Adds as many via points as keep the placer's tip within the tolerance of its straight line.
+/// Adds as many via points as are needed to keep the tip of the placer's model within tolerance of the vertical line.
 void addApproaches(ToolPlacer& placer, const CompensationOptions& options, std::vector<Approach> approaches) {
   if (options.max_via_points < 3) {
     for (Approach& approach : approaches) approach.fail("the tip leaves the hole's axis between via points");
@@ -167,7 +167,8 @@ void addApproaches(ToolPlacer& placer, const CompensationOptions& options, std::
   }
 }
 
-/// The two models of a mode: one for the goal, one for the approach. Each is created on first use.
+/// The models of a compensation mode: flexible and rigid, for the goal and for the approach. Each is created on first
+/// use.
 class Modes {
  public:
   Modes(const Workcell& cell, const CompensationOptions& options) : cell_(cell), options_(options), tips_(cell) {}
@@ -181,7 +182,8 @@ class Modes {
     ToolPlacer& via = options_.mode == Compensation::kViaPoint ? flexible() : rigid();
     std::vector<Approach> approaches;
     for (TubeBranch& branch : branches)
-      // The goal in the approach's own model: for goal-point compensation, the rigid place of the flexible goal.
+      // The goal on the approach's model: for goal-point compensation, the rigid model's tip at the flexible goal
+      // posture.
       if (branch.status == BranchStatus::kConverged) approaches.emplace_back(via.tipsAt({branch.q}).front(), branch);
     addApproaches(via, options_, std::move(approaches));
     for (TubeBranch& branch : branches)

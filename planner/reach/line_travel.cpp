@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector3d, Eigen::VectorXd;
 
-// Share of the line; postures that differ over less belong to different branches.
+// Shortest segment as a fraction of the line; postures that still need a via point there belong to different branches.
 constexpr double kShortest = 1. / 2048;
-constexpr int kMostTries = 6;  // attempts, each with via points to half the tolerance of the one before
+constexpr int kMostTries = 6;  // attempts, each with via points refined to half the tolerance of the previous attempt
 
 double distanceFromLine(const Vector3d& p, const Vector3d& from, const Vector3d& to) {
   const Vector3d along = (to - from).stableNormalized();
@@ -40,7 +40,7 @@ LineTravels::LineTravels(const Workcell& cell, JointSpeeds speeds, const deflect
                          const LineTravelOptions& options)
     : speeds_(std::move(speeds)), options_(options), placer_(cell, cell.arm, inverse) {}
 
-/// Returns the deviation of the tips at the corners and midway between them.
+/// Returns the largest distance of the tip from the line at the corners and midway between them [m].
 double LineTravels::deviationOf(const std::vector<VectorXd>& corners, const Vector3d& from_W, const Vector3d& to_W) {
   std::vector<VectorXd> postures = middlesOf(corners);
   postures.insert(postures.end(), corners.begin(), corners.end());
@@ -49,8 +49,9 @@ double LineTravels::deviationOf(const std::vector<VectorXd>& corners, const Vect
   return worst;
 }
 
-/// Adds a via point on the line in the middle of every stretch whose tip leaves it; false, with the reason, if one
-/// cannot be reached.
+/// Adds a via point on the line in the middle of every segment on which the tip leaves the line. Returns false, with
+/// the reason in `travel`, if a via point cannot be reached. `shares`: position of each waypoint along the line, from 0
+/// to 1.
 bool LineTravels::refine(double tolerance, const Vector3d& from_W, const Vector3d& to_W, std::vector<double>& shares,
                          LineTravel& travel) {
   const auto fail = [&travel](LineTravelStatus status, std::string reason) {

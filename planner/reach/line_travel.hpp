@@ -1,5 +1,6 @@
-// Straight travel of the tool from one standoff to another, as a camera moves along a row at constant height. The
-// deflected tip stays on the line, with every via point solved on the flexible model (Calkins 1994, section 4.3.2).
+// Straight travel of the tool from one standoff to another, such as for a camera that moves along a row at constant
+// height. The deflected tip stays on the line: every via point is solved on the flexible model (Calkins 1994, section
+// 4.3.2).
 #pragma once
 
 #include <limits>
@@ -21,13 +22,13 @@ enum class LineTravelStatus { kNotRun, kOnLine, kNotReached, kOtherPosture, kToo
 
 struct LineTravel {
   LineTravelStatus status = LineTravelStatus::kNotRun;
-  std::string reason;                      ///< reason if there is none
-  std::vector<Eigen::VectorXd> waypoints;  ///< both ends included; to be passed without stops
-  /// Largest distance of the tip from the line along that flow [m].
+  std::string reason;                      ///< reason why there is no straight travel; empty if there is one
+  std::vector<Eigen::VectorXd> waypoints;  ///< start and goal included; to be passed without stops
+  /// Largest distance of the tip from the line during the motion without stops [m].
   double deviation = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Travels from one posture to another. Postures of different branches are not joined by a line: kOtherPosture.
+/// Straight travels between postures. Postures of different branches cannot be connected along a line: kOtherPosture.
 /// Collisions are not checked.
 class LineTravels {
  public:

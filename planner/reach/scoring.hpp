@@ -1,4 +1,4 @@
-// Centring of the tool under each hole by the true arm, and the number of steps of the stepped tool that enter.
+// Centring of the true arm's tool under each hole, and the number of steps of the stepped tool that enter the hole.
 #pragma once
 
 #include <vector>
@@ -7,30 +7,33 @@
 
 namespace tubeplan::planner {
 
-/// Response of the true arm when sent to joint readings q.
+/// Result of sending the true arm to commanded joint readings.
 struct Centring {
-  double error = std::numeric_limits<double>::quiet_NaN();  ///< lateral distance from tip to hole axis at the goal [m]
-  /// Tip minus hole, sheet axes [m].
+  /// Lateral distance from the tip to the hole's axis at the goal [m].
+  double error = std::numeric_limits<double>::quiet_NaN();
+  /// Tip position minus hole centre, along the axes of the sheet [m].
   Eigen::Vector2d offset = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
   double height = std::numeric_limits<double>::quiet_NaN();  ///< height of the tip above the face [m]
-  /// Largest distance of the tip from the axis during the approach [m].
+  /// Largest distance of the tip from the hole's axis during the approach [m].
   double approach_deviation = std::numeric_limits<double>::quiet_NaN();
-  /// Lateral shift per length along the tool's axis, at the goal.
+  /// Tilt of the tool at the goal: lateral shift per unit length along the hole's axis.
   Eigen::Vector2d lean = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
-  int steps = -1;  ///< number of the tool's steps that enter, its lean over their lengths included
+  /// Number of the tool's steps that enter the hole, with the tilt over the steps' lengths included; -1 if not
+  /// computed.
+  int steps = -1;
 };
 
-/// Scores one visit against the truth. `tip_error_W` [m] is the error of the true arm beyond its own model, in this
-/// posture.
+/// Scores one visit against the true arm. `tip_error_W` [m] is the tip error of the true arm that its model `truth`
+/// does not include, in this posture.
 [[nodiscard]] Centring scoreVisit(const Workcell& truth, const Eigen::Vector3d& hole_W, const TubeBranch& visit,
                                   const Eigen::Vector3d& tip_error_W = Eigen::Vector3d::Zero());
 
-/// Scores one visit with a prepared model of the truth.
+/// Scores one visit with a prepared prediction of the true arm's tips; `tips` must belong to `truth`.
 [[nodiscard]] Centring scoreVisit(TipPrediction& tips, const Workcell& truth, const Eigen::Vector3d& hole_W,
                                   const TubeBranch& visit,
                                   const Eigen::Vector3d& tip_error_W = Eigen::Vector3d::Zero());
 
-/// Returns how many of the scored visits took 0, 1, ... steps.
+/// Returns the number of scored visits in which 0, 1, ..., `steps` steps of the tool entered.
 [[nodiscard]] std::vector<int> countSteps(const std::vector<Centring>& scores, int steps);
 
 }  // namespace tubeplan::planner

@@ -1,4 +1,4 @@
-// Predicted tips of a workcell's model for many postures, with the results of predictTip() and lateralDeviation().
+// Tip predictions of a workcell's model for many postures, identical to predictTip() and lateralDeviation().
 #pragma once
 
 #include <cmath>
@@ -8,10 +8,11 @@
 
 namespace tubeplan::planner {
 
-/// Returns the larger of two numbers; NaN if either is NaN.
+/// Returns the larger of two values; NaN if one of them is NaN.
 inline double worseOf(double a, double b) { return a <= b || std::isnan(b) ? b : a; }
 
-/// Predictor of tips of one workcell; each thread needs its own. Results are NaN if a shape does not converge.
+/// Predicts tip positions of one workcell. Each thread needs its own object. Results are NaN if a shape does not
+/// converge.
 class TipPrediction {
  public:
   /// `cell` must outlive this object, and must not change.

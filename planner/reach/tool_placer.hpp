@@ -1,4 +1,4 @@
-// Conversion between places of the tool in the world and joint readings, for one model of a cell.
+// Conversion between tool positions in the world and joint readings, for one model of a cell.
 #pragma once
 
 #include <vector>
@@ -9,19 +9,19 @@
 
 namespace tubeplan::planner {
 
-/// Places the tool with the true or the rigid arm; cell and arm must outlive it. The tool points along the holes' axis
-/// as far as the arm can.
+/// Places the tool with the flexible or the rigid arm; `cell` and `arm` must outlive this object. The tool points along
+/// the holes' axis as far as the arm can.
 class ToolPlacer {
  public:
   ToolPlacer(const Workcell& cell, const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options);
 
   [[nodiscard]] std::vector<deflection::Branch> allBranches(const Eigen::Vector3d& tip_W);
 
-  /// Returns one branch for each place, from a start near it.
+  /// Returns one branch for each tip position [m], found from the start posture with the same index.
   [[nodiscard]] std::vector<deflection::Branch> near(const std::vector<Eigen::Vector3d>& tips_W,
                                                      const std::vector<Eigen::VectorXd>& starts);
 
-  /// Returns the tips in the world [m]; NaN if the shape does not converge.
+  /// Returns the tip position of each posture in the world [m]; NaN if the shape does not converge.
   [[nodiscard]] std::vector<Eigen::Vector3d> tipsAt(const std::vector<Eigen::VectorXd>& postures);
 
  private:

@@ -10,7 +10,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-/// Progress of a branch before it failed; the furthest failure is the most informative.
+/// The test that a branch failed, in the order of the tests; the latest failure is the most informative.
 enum class Hurdle { kNone, kKinematics, kStandoff, kApproach, kTube };
 
 struct BranchVerdict {
@@ -21,11 +21,11 @@ struct BranchVerdict {
 
 constexpr double kSameTilt = 0.0044;  ///< a quarter of a degree [rad]
 
-/// Least number of joints: three hold the tip's place, two more tilt the tool.
+/// Least number of joints that control the tilt: three hold the tip's position, two more tilt the tool.
 constexpr Eigen::Index kJointsThatTilt = 5;
 
-/// Leaves out branches with more tilt than the others. With fewer joints the remaining tilt is not controlled, so that
-/// all branches are kept.
+/// Removes branches with more tilt than the least. An arm with fewer joints does not control its tilt, so that all its
+/// branches are kept.
 void keepUpright(const deflection::Arm& arm, std::vector<TubeBranch>& branches) {
   if (branches.size() < 2 || arm.jointCount() < kJointsThatTilt) return;
   const double least = std::ranges::min_element(branches, {}, &TubeBranch::tilt)->tilt;
@@ -67,7 +67,8 @@ TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOpti
   Hurdle furthest = Hurdle::kNone;
   const Workcell& cell = clearance.cell();
   const Eigen::Vector3d hole_W = holeCentre(cell.sheet.tubes.at(tube));
-  CompensationOptions compensation = options.compensation;  // its standoff is below the face, not below the goal
+  // `options.compensation.standoff` is below the face, not below the goal
+  CompensationOptions compensation = options.compensation;
   compensation.standoff += cell.insertion + clearance.padding().along(kHoleAxis_W, {hole_W, hole_W, 0});
   for (auto& branch : compensate(cell, visitPlace(cell, cell.sheet.tubes.at(tube)), compensation)) {
     const BranchVerdict verdict = judge(clearance, hole_W, branch, options);

@@ -1,4 +1,4 @@
-// Tubes that the arm can serve, with their branches, and reasons for the others.
+// Tubes that the arm can serve, with their branches; for all other tubes, the reason.
 #pragma once
 
 #include <string>
@@ -13,21 +13,22 @@ namespace tubeplan::planner {
 struct TubeReachOptions {
   CompensationOptions compensation;
   MotionCheckOptions check;
-  /// Number of standard deviations of the base's place, kept beyond the scene's clearance. A standoff is further below
-  /// its hole by their size there, so that `compensation.standoff` remains.
+  /// Number of standard deviations of the base's pose that are kept in addition to the scene's clearance. A standoff is
+  /// lowered by the same number of deviations along the hole's axis, so that `compensation.standoff` remains.
   double padding = 0;
-  double spare = 5.08e-4;  ///< reserve of a plan beyond the scene's clearance [m] (0.020 in)
+  double spare = 5.08e-4;  ///< reserve of a plan in addition to the scene's clearance [m] (0.020 in)
 };
 
 enum class ReachStatus { kNotRun, kReachable, kUnreachable };
 
 struct TubeReach {
   ReachStatus status = ReachStatus::kNotRun;
-  int tube = -1;  ///< index in the sheet
-  /// Usable ones: reach the hole, within limits, clear at the hole and during the whole approach.
+  int tube = -1;  ///< index of the tube in the sheet
+  /// Usable branches: they reach the hole within the joint limits, and are clear at the hole and during the whole
+  /// approach.
   std::vector<TubeBranch> branches;
-  std::string reason;  ///< obstacle to the branch that came furthest, if there is no usable one
-  Clearance blocking;  ///< pair in the way, if that is a collision
+  std::string reason;  ///< failure of the branch that passed most tests; empty if there is a usable branch
+  Clearance blocking;  ///< pair of bodies that collides, if the failure is a collision
 };
 
 [[nodiscard]] TubeReach reachTube(const ArmClearance& clearance, int tube, const TubeReachOptions& options = {});
