@@ -17,17 +17,17 @@ double leastOfBox(const AlignedBox3d& box, const Vector3d& direction) {
   return direction.dot(box.center()) - 0.5 * direction.cwiseAbs().dot(box.sizes());
 }
 
-/// Search for the triangle nearest to a body, in the mesh's frame. Most triangles that are no nearer are excluded by
-/// the plane that separates the nearest one from the body.
+/// Search for the triangle nearest to a body, in the mesh's frame. The plane that separates the nearest triangle so far
+/// from the body excludes most triangles that are no nearer.
 class NearestTriangle {
  public:
-  /// The body lies within `radius` of the segment; triangles at `enough` or more are ignored.
+  /// The body lies within `radius` of the segment; triangles at a distance of `enough` or more are ignored [m].
   NearestTriangle(const Vector3d& from, const Vector3d& to, double radius, double enough)
       : from_(from), to_(to), around_(from.cwiseMin(to), from.cwiseMax(to)), radius_(radius) {
     least.distance = enough;
   }
 
-  /// Searches with `gap_to(triangle)` in frame F; `reach(direction)` is the body's extent in that direction.
+  /// Searches with `gap_to(triangle)` in frame F; `reach(direction)` returns the body's extent in that direction.
   template <class GapTo, class Reach>
   void search(const TriangleTree& tree, const GapTo& gap_to, const Reach& reach) {
     const auto bound = [&](const AlignedBox3d& box, double enough) {
@@ -66,7 +66,7 @@ TriangleGap nearestTriangle(const TriangleTree& tree, const Vector3d& from, cons
 
 MeshShape::MeshShape(const TriangleMesh& mesh, const Isometry3d& X_FM) : survey_(surveyMesh(mesh)), tree_(mesh, X_FM) {}
 
-/// Returns true if a point is inside; doubtful cases count as inside.
+/// Returns true if a point is inside a closed mesh; uncertain cases count as inside.
 bool MeshShape::isInside(const Vector3d& p) const { return survey_.isClosed() && tree_.windingNumber(p) != 0; }
 
 double MeshShape::pointDistance(const Vector3d& p) const {

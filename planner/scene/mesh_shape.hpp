@@ -1,4 +1,4 @@
-// A mesh as an obstacle or body.
+// A triangle mesh as an obstacle or a body.
 #pragma once
 
 #include "planner/scene/shape.hpp"
@@ -6,8 +6,8 @@
 
 namespace tubeplan::planner {
 
-/// A shape of triangles. A closed mesh is solid: a body wholly inside touches it. An open one is its triangles alone,
-/// without thickness.
+/// A shape of triangles. A closed mesh is solid: a body wholly inside is in contact with the mesh. An open mesh is a
+/// surface without thickness.
 class MeshShape : public Shape {
  public:
   /// `mesh` must be free of problems; its frame M is placed at X_FM.

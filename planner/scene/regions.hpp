@@ -1,4 +1,4 @@
-// The regions of the table of scene shapes (scene_shapes.cpp), for code that needs them by kind.
+// The regions in the table of scene shapes (scene_shapes.cpp), for code that depends on the kind of region.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace tubeplan::planner {
 
-/// The inside of a sphere as a region; exact for every body.
+/// The inside of a sphere as a region; its distance is exact for every body.
 class SphereInterior : public Shape {
  public:
   SphereInterior(const Eigen::Vector3d& centre, double radius) : centre_(centre), radius_(radius) {}
@@ -34,7 +34,7 @@ class SphereInterior : public Shape {
   double radius_;
 };
 
-/// The side of a plane that its normal points to; exact for every body.
+/// The half space on the side of a plane that the normal points to; its distance is exact for every body.
 class HalfSpace : public Shape {
  public:
   HalfSpace(const Eigen::Vector3d& point, const Eigen::Vector3d& normal)

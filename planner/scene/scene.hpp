@@ -1,4 +1,4 @@
-// The scene as data: obstacles in the world, bodies of the links, and what may touch what.
+// The scene as data: obstacles in the world, bodies of the links, and permitted contacts.
 #pragma once
 
 #include <string>
@@ -9,59 +9,61 @@
 
 namespace tubeplan::planner {
 
-/// A row of the arm, in order from the base. A row that does not move (passive) is one body with the row before it.
+/// A row of the arm, in order from the base. A row that does not move (passive) forms one rigid part with the row
+/// before it.
 struct Link {
   std::string name;
   bool moves = true;
 };
 
-/// A solid or a region, fixed in the world.
+/// An obstacle fixed in the world: a solid to avoid, or a region to stay in.
 struct Obstacle {
   std::string name;
   ShapePointer shape;
-  std::vector<std::string> allow;  ///< links or bodies that may touch it
+  std::vector<std::string> allow;  ///< names of links or bodies that may touch the obstacle
 };
 
 /// A solid carried by a link, in the link's own frame.
 struct Body {
   std::string link;
-  int frame_index = -1;            ///< index of the link in Scene::links, and of its frame among the given poses
-  std::string name;                ///< optional; the default is the link's name
-  ShapePointer shape;              ///< must be a Solid
-  std::vector<std::string> allow;  ///< obstacles, links or bodies that may touch it
+  int frame_index = -1;            ///< index of the link in Scene::links, and of the link's frame among the given poses
+  std::string name;                ///< name in reports; if empty, the link's name is used
+  ShapePointer shape;              ///< shape of the body; must be a Solid
+  std::vector<std::string> allow;  ///< names of obstacles, links or bodies that may touch this body
 };
 
 struct Scene {
   std::vector<Link> links;
   std::vector<Obstacle> obstacles;
   std::vector<Body> bodies;
-  double clearance = 0;  ///< least distance between all bodies that may not touch [m]
-  /// Pairs of bodies that are always too near (inseparableBodies()), as indices with the smaller first: not judged, but
-  /// reported.
+  double clearance = 0;  ///< least distance to keep between bodies and obstacles that may not touch [m]
+  /// Pairs of bodies that are always too near (inseparableBodies()), as indices with the smaller first. They are
+  /// reported, but not checked.
   std::vector<std::pair<int, int>> inseparable = {};
 };
 
-/// A fault of a scene. `path` names its place (`obstacle mezzanine: allow`).
+/// A fault of a scene. `path` names the faulty field (`obstacle mezzanine: allow`).
 struct SceneProblem {
   std::string path;
-  std::string found;          ///< value found; without an expected one, a sentence of what is wrong
+  std::string found;          ///< value found; if `expected` is empty, a sentence that states the problem
   std::string expected = {};  ///< value expected; empty unless a value is wrong
 };
 
-/// Returns every problem of a scene: repeated or missing names, a link that the arm lacks, a shape missing or unfit for
-/// a body, an `allow` that names nothing, a clearance that is negative or not finite. Empty: the scene is usable.
+/// Returns every problem of a scene: repeated or missing names, a link that the arm lacks, a shape that is missing or
+/// unfit for a body, an unknown name in `allow`, a clearance that is negative or not finite. Empty: the scene is
+/// usable.
 [[nodiscard]] std::vector<SceneProblem> findSceneProblems(const Scene& scene);
 
-/// Returns the name of a body in reports: its own or its link's.
+/// Returns the name of a body in reports: the body's own name or, if empty, the link's name.
 [[nodiscard]] const std::string& bodyLabel(const Body& body);
 
-/// Return true if the two may touch by the `allow` list of either.
+/// Return true if contact is permitted by the `allow` list of the obstacle or the body, or of one of the two bodies.
 [[nodiscard]] bool mayTouch(const Obstacle& obstacle, const Body& body);
 [[nodiscard]] bool mayTouch(const Body& a, const Body& b);
 
-/// Returns true if two bodies, by their indices, are judged against one another unless they may touch. Bodies on one
-/// piece or at a common joint are not, because they always touch, nor are inseparable ones. Rows that do not move are
-/// one piece with the row before them.
+/// Returns true if two bodies, given by index, are checked against each other unless they may touch. Bodies on one
+/// rigid part or on both sides of a single joint are not checked, because they always touch; nor are inseparable pairs.
+/// Rows that do not move form one rigid part with the row before them.
 [[nodiscard]] bool areJudged(const Scene& scene, int a, int b);
 
 }  // namespace tubeplan::planner

@@ -1,14 +1,14 @@
-// Nearest points of a segment and a box or a cylinder.
+// Nearest points of a line segment and a box or a cylinder.
 //
-// Along a segment the squared distance from a convex solid is convex, so its slope rises, and the nearest place is
-// where the slope is zero: found by Newton steps kept within a bracket that shrinks at each.
+// Along a segment the squared distance from a convex solid is convex, so its slope increases, and the nearest point is
+// where the slope is zero. It is found by Newton steps kept within a bracket that shrinks at each step.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace tubeplan::planner {
 
-/// Two points, one of a segment and one of a solid; the same point where they meet.
+/// Nearest points of a segment and a solid; identical where the two meet.
 struct SegmentNearest {
   Eigen::Vector3d on_segment, on_solid;
 };
@@ -17,7 +17,7 @@ struct SegmentNearest {
 [[nodiscard]] SegmentNearest nearestToBox(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                           const Eigen::Vector3d& half);
 
-/// Returns the nearest points of a segment and the cylinder about z with flat ends at z = -half_length and z =
+/// Returns the nearest points of a segment and the cylinder along z with flat ends at z = -half_length and z =
 /// half_length.
 [[nodiscard]] SegmentNearest nearestToCylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
                                                double half_length);

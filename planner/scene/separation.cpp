@@ -13,21 +13,23 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Tolerance of the library; its default, 1e-6, gives errors of a millimetre between a capsule and a metre-sized box.
+// Tolerance of the distance library; the default, 1e-6, gives errors of a millimetre between a capsule and a
+// metre-sized box.
 constexpr double kLibraryTolerance = 1e-12;
-// Gap below which bodies cannot be distinguished from touching; it counts as contact.
+// Gap below which two bodies cannot be distinguished from touching; a smaller gap counts as contact [m].
 constexpr double kContact = 1e-9;
-// Shortfall of the proved gap from the library's distance above which the library's other solver is called as well.
+// The library's second solver is called as well if the proved gap is less than the library's distance by more than this
+// [m].
 constexpr double kGoodEnough = 1e-9;
 
 double squaredLength(const Vector3d& v) { return v.squaredNorm(); }
 
 struct Proposal {
-  double distance;  ///< between the cores
+  double distance;  ///< distance between the cores of the solids [m]
   Vector3d on_a, on_b;
 };
 
-/// Returns the library's result for the cores; none if it takes them to touch, or fails.
+/// Returns the library's nearest points of the cores; none if the library finds contact, or fails.
 std::optional<Proposal> askLibrary(const Isometry3d& X_WCa, const RoundedCore& a, const Isometry3d& X_WCb,
                                    const RoundedCore& b, fcl::GJKSolverType solver) {
   const fcl::DistanceRequestd request(true, false, 0.0, 0.0, kLibraryTolerance, solver);
@@ -41,8 +43,8 @@ std::optional<Proposal> askLibrary(const Isometry3d& X_WCa, const RoundedCore& a
   return Proposal{result.min_distance, result.nearest_points[0], result.nearest_points[1]};
 }
 
-/// Returns the gap between the planes that support a and b across the proposed direction: never more than their
-/// distance.
+/// Returns the gap between the planes that support a and b, perpendicular to the line through the two proposed points.
+/// The gap never exceeds the distance between a and b.
 Separation gapAcross(const Proposal& proposal, const Isometry3d& X_WA, const Solid& a, const Isometry3d& X_WB,
                      const Solid& b) {
   const Vector3d across = (proposal.on_b - proposal.on_a).normalized();
@@ -64,8 +66,8 @@ Proposal fromSegment(const Vector3d& from_W, const Vector3d& to_W, const Isometr
   return between(X_WB * on_a, X_WB * on_b);
 }
 
-/// Returns the nearest points of a box and the core of b. The box's is on an edge or within a face; in a face, the
-/// point of b is the one that reaches farthest towards it.
+/// Returns the nearest points of a box and the core of b. The box's nearest point is on an edge or within a face;
+/// within a face, the nearest point of b is the point that reaches farthest towards the face.
 Proposal fromBox(const Isometry3d& X_WA, const Box& a, const Isometry3d& X_WB, const Solid& b) {
   const Isometry3d X_WC = X_WA * a.X_FC, X_CW = X_WC.inverse();
   Proposal best{std::numeric_limits<double>::infinity(), {}, {}};
@@ -92,7 +94,7 @@ Proposal fromBox(const Isometry3d& X_WA, const Box& a, const Isometry3d& X_WB, c
   return best;
 }
 
-/// Returns the nearest points of the cores, if b is a capsule or one of the two a box; none if the library is needed.
+/// Returns the nearest points of the cores if b is a capsule, or a or b is a box; none if the library is needed.
 std::optional<Proposal> proposalOf(const Isometry3d& X_WA, const Solid& a, const Isometry3d& X_WB, const Solid& b) {
   if (b.isCapsule()) return swapped(fromSegment(X_WB * b.around().from, X_WB * b.around().to, X_WA, a));
   if (a.box()) return fromBox(X_WA, *a.box(), X_WB, b);
@@ -104,15 +106,16 @@ Separation contact(const Vector3d& point_W, double roundings) { return {-std::ma
 
 }  // namespace
 
-// Method: Ericson, Real-Time Collision Detection (2005), section 5.1.9: clamp one parameter, then the other.
+// Method: Ericson, Real-Time Collision Detection (2005), section 5.1.9: clamp the parameter of one segment, then of the
+// other.
 SegmentPair nearestPoints(const Vector3d& a0, const Vector3d& a1, const Vector3d& b0, const Vector3d& b1) {
   const Vector3d along_a = a1 - a0, along_b = b1 - b0, offset = a0 - b0;
   const double aa = squaredLength(along_a), bb = squaredLength(along_b);
   const double ab = along_a.dot(along_b), ao = along_a.dot(offset), bo = along_b.dot(offset);
   const auto onA = [&](double t) { return aa > 0 ? std::clamp((ab * t - ao) / aa, 0.0, 1.0) : 0.0; };
   const auto onB = [&](double s) { return bb > 0 ? std::clamp((ab * s + bo) / bb, 0.0, 1.0) : 0.0; };
-  // The nearest pair has an end of one segment, or lies on the common perpendicular. Trying all of these, rather than
-  // deciding by the nearly zero determinant of nearly parallel segments, keeps every digit.
+  // The nearest pair includes an end of a segment, or lies on the common perpendicular. Computing all these candidates
+  // keeps every digit; the determinant of nearly parallel segments is nearly zero and cannot decide between them.
   const double determinant = aa * bb - ab * ab;
   const double s_inner = determinant > 0 ? std::clamp((ab * bo - ao * bb) / determinant, 0.0, 1.0) : 0.0;
   const double t_inner = onB(s_inner);

@@ -5,7 +5,7 @@
 
 namespace tubeplan::planner {
 
-/// Nearest points of two segments a0-a1 and b0-b1, degenerate ones included; exact.
+/// Nearest points of two segments a0-a1 and b0-b1, computed exactly; a segment may be a single point.
 struct SegmentPair {
   Eigen::Vector3d on_a, on_b;
 };
@@ -14,21 +14,22 @@ struct SegmentPair {
 
 [[nodiscard]] Capsule transformed(const Eigen::Isometry3d& X_WF, const Capsule& capsule_F);
 
-/// Returns the distance of two capsules, exact: negative if they overlap. The point is on a's surface.
+/// Returns the exact distance of two capsules, negative if they overlap. The point is on the surface of a.
 [[nodiscard]] Separation separation(const Capsule& a, const Capsule& b);
 
-/// Returns the distance of a capsule, in b's frame, from b, by the method for two solids.
+/// Returns the distance of a capsule, given in the frame of b, from b, by the same method as for two solids.
 [[nodiscard]] Separation separation(const Capsule& a, const Solid& b);
 
-/// Returns the distance between solids a and b placed in W, exact for two capsules (spheres among them). For others
-/// nearest points are proposed, in closed form if one of the two is a capsule or a box. The result is the gap between
-/// the two supporting planes across them: a lower bound of the distance for any proposal. The points' own distance is
-/// an upper bound, so that a wrong proposal could only cost clearance. The point is a's, in W.
+/// Returns the distance between solids a and b placed in W, exact for two capsules (including spheres). For other
+/// solids, nearest points are proposed, in closed form if a or b is a capsule or a box. The result is the gap between
+/// two supporting planes perpendicular to the line through the proposed points: a lower bound of the distance for any
+/// proposal. The distance of the proposed points is an upper bound, so that a wrong proposal can only lose clearance.
+/// The returned point is on a, in W.
 [[nodiscard]] Separation separation(const Eigen::Isometry3d& X_WA, const Solid& a, const Eigen::Isometry3d& X_WB,
                                     const Solid& b);
 
-/// Returns the same distance with points proposed by the distance library: for two flat-ended cylinders, and for
-/// comparison.
+/// Returns the distance with points proposed by the distance library: used for two flat-ended cylinders, and for
+/// comparison with separation().
 [[nodiscard]] Separation separationByLibrary(const Eigen::Isometry3d& X_WA, const Solid& a,
                                              const Eigen::Isometry3d& X_WB, const Solid& b);
 

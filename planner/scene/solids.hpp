@@ -1,4 +1,4 @@
-// The solids of the table of scene shapes (scene_shapes.cpp), for code that needs them by kind.
+// The solids in the table of scene shapes (scene_shapes.cpp), for code that depends on the kind of solid.
 #pragma once
 
 #include <fcl/geometry/shape/box.h>
@@ -13,7 +13,7 @@
 
 namespace tubeplan::planner {
 
-/// Returns the pose with its origin half-way from `from` to `to` and z along them.
+/// Returns the pose with its origin midway between `from` and `to`, and z pointing from `from` to `to`.
 inline Eigen::Isometry3d poseAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.translation() = 0.5 * (from + to);
@@ -22,7 +22,7 @@ inline Eigen::Isometry3d poseAlong(const Eigen::Vector3d& from, const Eigen::Vec
   return X;
 }
 
-/// A capsule, or a sphere if both ends are the same.
+/// A capsule; a sphere if both ends are the same point.
 class CapsuleSolid : public Solid {
  public:
   explicit CapsuleSolid(const Capsule& capsule) : Solid(capsule, true, coreOf(capsule)) {}

@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Sine of an angle between edges below which their normal is not well defined.
+// Sine of the angle between two edges below which the normal of the triangle is not well defined.
 constexpr double kThinnest = 1e-10;
 
-/// Returns the normal; zero if the triangle is a line or a point.
+/// Returns the unit normal of a triangle; zero if the triangle is a line or a point.
 Vector3d normalOf(const Corners& t) {
   const Vector3d ab = t[1] - t[0], ac = t[2] - t[0], normal = ab.cross(ac);
   const double length = normal.norm();
@@ -21,7 +21,7 @@ Vector3d normalOf(const Corners& t) {
   return normal / length;
 }
 
-/// Returns true if the foot of p's perpendicular is on the triangle.
+/// Returns true if the perpendicular projection of p onto the plane lies within the triangle.
 bool isOver(const Corners& t, const Vector3d& normal, const Vector3d& p) {
   for (std::size_t k = 0; k < 3; ++k)
     if (normal.dot((t[(k + 1) % 3] - t[k]).cross(p - t[k])) < 0) return false;
@@ -39,7 +39,7 @@ struct Segment {
   }
 };
 
-/// A solid without its rounding, which the caller adds again.
+/// A solid without its rounding; the caller adds the rounding again.
 struct Core {
   const Solid& solid;
   [[nodiscard]] SegmentNearest nearestTo(const Vector3d& a, const Vector3d& b) const { return solid.nearestTo(a, b); }
@@ -49,9 +49,9 @@ struct Core {
   }
 };
 
-/// Returns the gap of a convex body and a triangle. The nearest points are on an edge of the triangle, or the body's is
-/// the one farthest towards the face. If they meet without an edge of the triangle meeting the body, the face cuts the
-/// body completely.
+/// Returns the gap between a convex body and a triangle. The triangle's nearest point is on an edge, or the body's
+/// nearest point is the point farthest towards the face. If the two meet but no edge of the triangle meets the body,
+/// the face cuts the body completely.
 template <class Body>
 TriangleGap gapBetween(const Corners& t, const Body& body) {
   TriangleGap best{-std::numeric_limits<double>::infinity(), {}};

@@ -17,10 +17,10 @@ using Triangle = std::array<int, 3>;
 
 constexpr double kFarthest = 1e6;
 
-/// Returns the same number for corners in the same place, within the rounding of files: some formats repeat a corner
-/// for every triangle.
+/// Returns an index for each corner, equal for corners at the same position within the rounding of files: some formats
+/// repeat a corner for every triangle.
 std::vector<int> placesOf(const std::vector<Vector3d>& vertices) {
-  constexpr double kSame = 1e-6;  // of the mesh's extent; two corners of one cell are always the same
+  constexpr double kSame = 1e-6;  // as a fraction of the mesh's extent; two corners in one cell are always the same
   Eigen::AlignedBox3d box;
   for (const Vector3d& vertex : vertices) box.extend(vertex);
   const double side = std::max(kSame * box.sizes().maxCoeff(), std::numeric_limits<double>::min());
@@ -30,7 +30,7 @@ std::vector<int> placesOf(const std::vector<Vector3d>& vertices) {
     return Cell{static_cast<std::int64_t>(cells[0]), static_cast<std::int64_t>(cells[1]),
                 static_cast<std::int64_t>(cells[2])};
   };
-  std::map<Cell, int> first;  // corner that represents its cell
+  std::map<Cell, int> first;  // index of the corner that represents each cell
   std::vector<int> place;
   for (int k = 0; k < static_cast<int>(vertices.size()); ++k) {
     const Vector3d& p = vertices[static_cast<std::size_t>(k)];
@@ -49,7 +49,7 @@ std::vector<int> placesOf(const std::vector<Vector3d>& vertices) {
 
 struct EdgeUse {
   std::uint64_t edge;
-  int sense;  ///< 1 from the lower to the higher corner, else -1
+  int sense;  ///< 1 if the edge is traversed from the lower to the higher corner index, else -1
 };
 
 std::vector<EdgeUse> edgeUses(const TriangleMesh& mesh) {
@@ -60,7 +60,7 @@ std::vector<EdgeUse> edgeUses(const TriangleMesh& mesh) {
     for (int k = 0; k < 3; ++k) {
       const auto from = static_cast<std::uint64_t>(place[static_cast<std::size_t>(triangle[k])]);
       const auto to = static_cast<std::uint64_t>(place[static_cast<std::size_t>(triangle[(k + 1) % 3])]);
-      // An edge without length, of a degenerate triangle, is passed both ways: it opens nothing.
+      // An edge of zero length, of a degenerate triangle, is traversed both ways: it opens nothing.
       if (from != to) uses.push_back({std::min(from, to) << 32 | std::max(from, to), from < to ? 1 : -1});
     }
   std::ranges::sort(uses, {}, &EdgeUse::edge);

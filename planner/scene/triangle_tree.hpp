@@ -1,4 +1,4 @@
-// Triangles in a tree of boxes: those near a body are found without looking at the others.
+// A tree of boxes around triangles, which finds triangles near a body without checking all triangles.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,36 +14,37 @@ namespace tubeplan::planner {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-/// Returns the least coordinate of the triangle along a direction.
+/// Returns the least coordinate of the triangle's corners along a direction.
 [[nodiscard]] inline double leastAlong(const Corners& triangle, const Eigen::Vector3d& direction) {
   return std::min({direction.dot(triangle[0]), direction.dot(triangle[1]), direction.dot(triangle[2])});
 }
 
 class TriangleTree {
  public:
-  /// `mesh` must be free of problems; its frame M is placed at X_FM.
+  /// `mesh` must be free of problems (findMeshProblem()); its frame M is placed at X_FM.
   TriangleTree(const TriangleMesh& mesh, const Eigen::Isometry3d& X_FM);
 
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return nodes_.front().box; }
   [[nodiscard]] std::span<const Corners> triangles() const { return triangles_; }
 
-  /// Calls `look(corners)` for triangles in the order of their boxes' distance. `distance_of(box, least)` is a lower
-  /// bound of the result for a triangle in the box; boxes of `least` or more are skipped. `look` lowers `least` itself.
+  /// Calls `look(corners)` for triangles, nearest boxes first. `distance_of(box, least)` returns a lower bound of the
+  /// result for the triangles in a box; boxes with a bound of `least` or more are skipped. `look` itself lowers
+  /// `least`.
   template <class DistanceOf, class Look>
   void nearestFirst(const DistanceOf& distance_of, const Look& look, const double& least) const {
     descend(0, distance_of(nodes_.front().box, least), distance_of, look, least);
   }
 
-  /// Returns the winding number of the surface round p_F: not zero inside a closed mesh. It counts triangles along a
-  /// ray that face it against those that face away. Nothing if every ray that was tried passes too near an edge, as for
-  /// a point on the surface.
+  /// Returns the winding number of the surface around p_F, which is not zero inside a closed mesh. It is the number of
+  /// triangles along a ray from p_F that face in the ray's direction minus the number that face against it. Nothing if
+  /// every ray that was tried passes too near an edge, such as for a point on the surface.
   [[nodiscard]] std::optional<int> windingNumber(const Eigen::Vector3d& p_F) const;
 
  private:
   struct Node {
     Eigen::AlignedBox3d box;
-    int first = 0, count = 0;  ///< triangles of a leaf
-    int right = 0;             ///< the second child, the first being the next node; 0 for a leaf
+    int first = 0, count = 0;  ///< range of the triangles of a leaf
+    int right = 0;             ///< index of the second child, the first child being the next node; 0 for a leaf
   };
   struct Item;  ///< a triangle while the tree is built
 
