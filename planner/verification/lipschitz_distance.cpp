@@ -13,7 +13,7 @@ namespace {
 
 struct CapsuleStretch {
   double from, to, distance_from, distance_to;
-  /// Returns the lower bound of the distance between the two ends.
+  /// Returns a lower bound of the distance of all axis points between the segment's two ends [m].
   double bound(double length) const { return (distance_from + distance_to - (to - from) * length) / 2; }
 };
 
@@ -31,13 +31,14 @@ double lipschitzDistance(const Capsule& capsule, const Shape& shape, const Lipsc
   assert(options.accuracy > 0);
   const Eigen::Vector3d along = capsule.to - capsule.from;
   const double length = along.norm();
-  // A capsule at an undefined place is clear of nothing.
+  // A capsule at an undefined position is clear of nothing.
   if (!std::isfinite(length)) return -std::numeric_limits<double>::infinity();
   const auto at = [&](double s) { return shape.pointDistance(capsule.from + s * along) - capsule.radius; };
   std::vector<CapsuleStretch> open{{0, 1, at(0), at(1)}};
   double least = std::min(open.front().distance_from, open.front().distance_to);
   double proved = least;
-  // Coarse stretches before fine ones: `least` is then soon near its final value, and most stretches need no halving.
+  // Coarse segments before fine segments: `least` is then soon near its final value, and most segments need no
+  // bisection.
   for (std::size_t next = 0; next < open.size(); ++next) {
     const CapsuleStretch stretch = open[next];
     const double slack = std::max(options.accuracy, options.share * (least - options.required));
@@ -79,8 +80,8 @@ LipschitzMargins::Look LipschitzMargins::lookAt(const Pair& pair, std::span<cons
   return {&pair, capsule, &other, padding, middle - half_length - capsule.radius - padding};
 }
 
-/// Returns the gap of a body that its capsule only contains. Supporting planes on both sides of the gap prove it, in
-/// any direction.
+/// Returns the gap of a body whose capsule is only a bound. Supporting planes on both sides of the gap prove it, in any
+/// direction.
 double LipschitzMargins::gapOf(const Look& look, std::span<const Eigen::Isometry3d> X_WL) const {
   const auto frameOf = [&](const Body& body) { return X_WL[static_cast<std::size_t>(body.frame_index)]; };
   const Body& body = scene_.bodies[look.pair->body];

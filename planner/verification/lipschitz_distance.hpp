@@ -1,9 +1,9 @@
-// Clearance by another method than the planner's: it only uses the distance of a point from a shape.
+// Clearance computed by a different method from the planner's: only the distance of a point from a shape is used.
 //
-// A point that moves by h changes its distance by at most h, so the least distance along a capsule's axis is found to
-// any accuracy by halving the axis where it could still be less (Piyavskii 1972). Short and without special cases, for
-// checking. Boxes and other solids of the arm are first replaced by the capsule around them; only if that is
-// not clear is the solid itself tested, by a pair of separating planes.
+// If a point moves by h, its distance changes by at most h. The least distance along a capsule's axis is therefore
+// found to any accuracy by bisecting the axis where the distance could still be less (Piyavskii 1972). The method is
+// short and has no special cases, as suits a check. Boxes and other solids of the arm are first replaced by the capsule
+// around them; the solid itself is tested, with a pair of separating planes, only if the capsule is not clear.
 #pragma once
 
 #include <limits>
@@ -15,12 +15,13 @@
 
 namespace tubeplan::planner {
 
-/// Accuracy of the distance. The result is never above the true distance.
+/// Accuracy of the distance. The result never exceeds the true distance.
 struct LipschitzOptions {
-  double accuracy = 1e-6;  ///< largest error below the true distance [m]
-  double share = 0;     ///< alternative error, as a share of the distance beyond `required`; the larger of both applies
-  double required = 0;  ///< [m]
-  /// Distance above which any lower bound of at least this is sufficient [m].
+  double accuracy = 1e-6;  ///< largest difference below the true distance [m]
+  /// Alternative accuracy, as a fraction of the distance beyond `required`; the larger of both applies.
+  double share = 0;
+  double required = 0;  ///< distance from which `share` counts [m]
+  /// Distance above which a lower bound of at least `enough` is accurate enough [m].
   double enough = std::numeric_limits<double>::infinity();
 };
 
@@ -28,16 +29,17 @@ struct LipschitzOptions {
 [[nodiscard]] double lipschitzDistance(const Capsule& capsule, const Shape& shape,
                                        const LipschitzOptions& options = {});
 
-/// The margins of one scene's postures; the pairs that may not touch are found once. Each thread needs its own.
+/// Margins of postures in one scene; the pairs that may not touch are found only once. Each thread needs its own
+/// object.
 class LipschitzMargins {
  public:
   /// `scene` must outlive this object, and must not change. `padding` is subtracted from every distance to fixed
   /// obstacles.
   explicit LipschitzMargins(const Scene& scene, const BasePadding& padding = {});
 
-  /// Returns a lower bound of the least margin (distance less the scene's clearance) of all pairs that may not touch,
-  /// with the rows' bodies at X_WL [m]; `accuracy` and `share` (of the margin) as in LipschitzOptions. `names` receives
-  /// the tightest pair, "tool, divider"; it may be null.
+  /// Returns a lower bound of the least margin [m] (distance minus the scene's clearance) over all pairs that may not
+  /// touch, with the rows' bodies at X_WL. `accuracy` [m] and `share` (fraction of the margin) are as in
+  /// LipschitzOptions. `names` receives the tightest pair, such as "tool, divider"; may be null.
   double at(std::span<const Eigen::Isometry3d> X_WL, double accuracy, double share, std::string* names);
 
  private:
@@ -45,13 +47,13 @@ class LipschitzMargins {
     std::size_t body, other;
     bool with_body;
   };
-  /// First estimate of a pair, from the middle of the capsule.
+  /// First estimate of a pair's distance, from the middle of the capsule.
   struct Look {
     const Pair* pair;
-    Capsule capsule;  ///< capsule in the other's frame
+    Capsule capsule;  ///< capsule in the frame of the other shape
     const Shape* other;
     double padding;  ///< padding to subtract from the distance [m]
-    double bound;    ///< lower bound of the remaining margin [m]
+    double bound;    ///< lower bound of the distance after the padding is subtracted [m]
   };
 
   [[nodiscard]] Look lookAt(const Pair& pair, std::span<const Eigen::Isometry3d> X_WL) const;

@@ -17,7 +17,8 @@ namespace {
 
 using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 
-/// Returns the scene for travels between holes, in which the tool may not touch obstacles.
+/// Returns the scene for travels between holes: without the contacts that `allow` lists permit between tool and
+/// obstacles.
 Scene withoutContact(Scene scene) {
   if (scene.links.empty()) return scene;
   std::set<std::string> tool{scene.links.back().name}, obstacles;
@@ -33,7 +34,8 @@ Scene withoutContact(Scene scene) {
   return scene;
 }
 
-/// Returns the greatest distance of a body point from its row's origin, with the origin moved along the row's z.
+/// Returns the greatest distance of a body point from its row's origin [m], with the origin moved along the row's z
+/// axis.
 double thickestBody(const Scene& scene, const std::vector<double>& slid) {
   double thick = 0;
   for (const auto& body : scene.bodies) {
@@ -44,8 +46,8 @@ double thickestBody(const Scene& scene, const std::vector<double>& slid) {
   return thick;
 }
 
-/// Returns the sum of the lengths of all rows beyond a row's axis and the thickest body: no point is further from the
-/// axis.
+/// Returns the sum of the lengths of all rows beyond a row's axis, plus the thickest body [m]. No point of the arm
+/// beyond the axis is further from it.
 double reachBeyond(const deflection::Arm& arm, int row, double thick) {
   double reach = thick;
   for (std::size_t next = static_cast<std::size_t>(row) + 1; next < arm.rows.size(); ++next)
@@ -54,7 +56,8 @@ double reachBeyond(const deflection::Arm& arm, int row, double thick) {
   return reach;
 }
 
-/// Returns for each joint the greatest motion of a point, with the rows that turn with it; a slide moves all by 1.
+/// Returns for each joint the greatest motion of a point per unit of joint motion, with all rows that turn with the
+/// joint; 1 for a slide.
 VectorXd leversOf(const deflection::Arm& arm, double thick) {
   const auto active = deflection::activeRows(arm);
   VectorXd lever = VectorXd::Zero(static_cast<Eigen::Index>(active.size()));
@@ -126,14 +129,14 @@ class PathClearance {
  private:
   [[nodiscard]] bool isStopped() const { return hooks_.stop && hooks_.stop(); }
 
-  /// Returns true if a row is within limits. Otherwise it is refuted, and the travel to it may be unbounded.
+  /// Returns true if a row is within the joint limits. Any other row is refuted, and travel to it may be unbounded.
   [[nodiscard]] bool isWithinLimits(const VectorXd& q) const {
     for (int j = 0; j < q.size(); ++j)
       if (isPastLimit(arm_.joint(j), q[j])) return false;
     return true;
   }
 
-  /// Checks the stated clearance. A margin met at a row is a lower bound of the true one, with a limited error.
+  /// Checks the stated clearance. A margin computed at a row is a lower bound of the true margin, with a limited error.
   void checkStated() {
     if (!plan_.least_clearance || plan_.path.empty()) return;
     const double stated = *plan_.least_clearance - travel_scene_.clearance;
@@ -147,7 +150,8 @@ class PathClearance {
     return marginOf(placing_.place(q), 0, kind, names);
   }
 
-  /// Returns the margin at a row. Rows are placed side by side, as many as the processor has lanes.
+  /// Returns the margin at row k of the path. Rows are placed side by side in as many lanes as the processor's kernels
+  /// have.
   double marginAtRow(std::size_t k, std::string* names) {
     const auto lanes = static_cast<std::size_t>(placing_.lanes());
     if (k % lanes == 0) {
@@ -167,7 +171,7 @@ class PathClearance {
            placed.bow[static_cast<std::size_t>(lane)] - jump_;
   }
 
-  /// Returns the upper bound of any point's travel in a straight joint move, including changes of the deflection.
+  /// Returns an upper bound of any point's travel in a straight joint move [m], including changes of the deflection.
   double travel(const VectorXd& a, const VectorXd& b) const { return lever_.dot((b - a).cwiseAbs()); }
 
   void meet(double margin, const std::string& names) {
@@ -176,7 +180,7 @@ class PathClearance {
     result_.tightest = names;
   }
 
-  /// Proves the stretch between two rows. Returns false once it is refuted, or the check is stopped.
+  /// Proves the segment between two rows. Returns false if it is refuted, or if the check is stopped.
   bool proveBetween(const PathRow& a, const VectorXd& qb, double margin_a, double margin_b, std::size_t row) {
     const double far = travel(a.q, qb), proved = std::min({margin_a, margin_b, (margin_a + margin_b - far) / 2});
     const bool too_coarse = proved < least_met_ - options_.report_accuracy && far >= options_.least_travel;
@@ -207,17 +211,17 @@ class PathClearance {
   Scene travel_scene_;
   LipschitzMargins travelling_, approaching_;
   deflection::RowPlacing placing_;
-  deflection::PlacedRows rows_;  ///< those around the requested one
+  deflection::PlacedRows rows_;  ///< rows of the path placed side by side, including the row that was requested last
   std::vector<Isometry3d> frames_;
   VectorXd lever_;
   double jump_ = 0;
-  double least_met_ = std::numeric_limits<double>::infinity();  ///< least margin of a posture [m]
+  double least_met_ = std::numeric_limits<double>::infinity();  ///< least margin of any posture so far [m]
 };
 
 }  // namespace
 
 bool isPastLimit(const deflection::Joint<double>& joint, double q) {
-  constexpr double kRounding = 1e-12;  // resolution of joint values in a plan's files [rad or m]
+  constexpr double kRounding = 1e-12;  // resolution of joint values in plan files [rad or m]
   return q < joint.lower - kRounding || q > joint.upper + kRounding;
 }
 

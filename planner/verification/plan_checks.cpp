@@ -19,8 +19,8 @@ namespace {
 using Eigen::Vector3d, Eigen::VectorXd;
 constexpr std::size_t kMostFindings = 100;
 constexpr double kLimitShare = 1 + 1e-9;
-constexpr double kTimeTolerance = 1e-6;  // [s]
-constexpr double kSumTolerance = 1e-3;   // of a sum of many times [s]
+constexpr double kTimeTolerance = 1e-6;  // tolerance of a single time [s]
+constexpr double kSumTolerance = 1e-3;   // tolerance of a sum of many times [s]
 
 class Checker {
  public:
@@ -56,7 +56,7 @@ class Checker {
     if (result_.findings.size() < kMostFindings) result_.findings.push_back(std::move(what));
   }
 
-  /// Returns the tip; NaN if the shape does not converge.
+  /// Returns the tip position in the world [m]; NaN if the shape does not converge.
   Vector3d tipAt(const VectorXd& q) {
     if (arm_.solve({q, cell_.load, gravity_B_}, {1e-13, 100}) != deflection::KinematicsStatus::kConverged)
       return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -96,7 +96,7 @@ class Checker {
       checkStatics(name, tube.q, tip);
       if (!((tip - tube.predicted_tip_W).norm() <= options_.stated_tolerance))
         find(name + ": the stated tip is not the model's");
-      // The lateral offset, which decides whether a step of the tool enters.
+      // The lateral offset decides whether a step of the tool enters.
       const double sideways = (tip - tube.hole_W).head<2>().norm();
       if (tube.centring_error && !(std::abs(*tube.centring_error - sideways) <= options_.stated_tolerance))
         find(name + ": the stated centring error is not the model's");
@@ -108,7 +108,7 @@ class Checker {
     }
   }
 
-  /// Checks the tilt of the posture that was solved last: the tool enters if it leans no more than its first step
+  /// Checks the tilt of the posture that was solved last: the tool enters if its tilt is no more than its first step
   /// allows.
   void checkTilt(const std::string& tube, const std::optional<double>& stated) {
     const Vector3d axis_W = cell_.X_WB.linear() * (arm_.X_BD().R * cell_.arm.tool_axis_L);
@@ -123,7 +123,7 @@ class Checker {
       find(tube + ": the stated tilt is not the model's");
   }
 
-  /// Computes the deflected shape again, by a method without common code.
+  /// Computes the deflected shape again, by a method that shares no code with the model.
   void checkStatics(const std::string& tube, const VectorXd& q, const Vector3d& tip) {
     const auto other = solveSegmentedStatics(cell_.arm, {q, cell_.load, gravity_B_});
     if (other.status == SegmentedStaticsStatus::kNotCovered) {
@@ -139,11 +139,11 @@ class Checker {
           apart));
   }
 
-  /// Returns the number of travels before the first approach: the one from the start posture, or none.
+  /// Returns the number of travels before the first approach: 1 if the path has a start posture, else 0.
   int leading() const { return !plan_.path.empty() && plan_.path.front().kind == SegmentKind::kTravel ? 1 : 0; }
 
-  /// Checks that time increases, and that segments follow one another: up to a tube, down from it, on to the next. A
-  /// path may begin and end in a posture at rest.
+  /// Checks that time increases, and that segments are in order: approach to a tube, retreat from the tube, travel to
+  /// the next tube. A path may begin and end in a posture at rest.
   void checkOrder() {
     static constexpr std::array kCycle{SegmentKind::kTravel, SegmentKind::kApproach, SegmentKind::kRetreat};
     const int first = 1 - leading();
@@ -180,8 +180,8 @@ class Checker {
       }
   }
 
-  /// Checks the mean speeds between rows, and their change over the time between the middles: they are within limits if
-  /// the motion itself is.
+  /// Checks the mean speeds between rows, and their change over the time between the midpoints of the steps. Both are
+  /// within limits if the motion itself is.
   void checkSpeeds() {
     const JointSpeeds limits = jointSpeedsOf(cell_.arm);
     VectorXd before;
@@ -197,7 +197,8 @@ class Checker {
         const VectorXd acceleration = (speed - before) / ((step + step_before) / 2);
         const double pull = (acceleration.cwiseAbs().array() / limits.max_acceleration.array()).maxCoeff();
         result_.worst_acceleration_share = std::max(result_.worst_acceleration_share, pull);
-        // Joint values are written to 1e-12 rad, which over two short steps is a share of the limit, too.
+        // Joint values are written to 1e-12 rad; over two short steps, this rounding is a fraction of the acceleration
+        // limit.
         const double rounding = 8e-12 / (step * std::min(step, step_before)) / limits.max_acceleration.minCoeff();
         if (!(pull <= kLimitShare + rounding))
           find(fmt::format("path row {}: a joint exceeds its acceleration limit ({:.4f} of it)", k + 1, pull));
@@ -207,7 +208,7 @@ class Checker {
     }
   }
 
-  /// Checks that the stated times are those of the path.
+  /// Checks that the stated times agree with the path.
   void checkTimes() {
     if (plan_.path.empty()) return;
     double travel = 0;
@@ -221,14 +222,15 @@ class Checker {
     compare("total time", plan_.total_time, plan_.path.back().time - plan_.path.front().time);
   }
 
-  /// Returns how long the arm rests at a row [s].
+  /// Returns the dwell time of the arm at a row [s].
   double stayAfter(std::size_t k) const {
     std::size_t last = k;
     while (last + 1 < plan_.path.size() && plan_.path[last + 1].q == plan_.path[k].q) ++last;
     return plan_.path[last].time - plan_.path[k].time;
   }
 
-  /// Checks that each stated tube is the end of one approach, in order, and that the arm stays there as stated.
+  /// Checks that each stated tube is the end of one approach, in order, and that the arm dwells there as long as
+  /// stated.
   void checkApproaches() {
     std::size_t tube = 0;
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
@@ -249,7 +251,8 @@ class Checker {
     if (tube < plan_.tubes.size()) find(fmt::format("the path approaches {} of {} tubes", tube, plan_.tubes.size()));
   }
 
-  /// Checks that the tip follows the hole's axis up to a tube and down from it, at the rows and midway between them.
+  /// Checks that the tip follows the hole's axis in the approach to a tube and in the retreat, at the rows and midway
+  /// between them.
   void checkAxes() {
     for (std::size_t k = 0; k < plan_.path.size(); ++k) {
       const PathRow& row = plan_.path[k];
@@ -268,7 +271,7 @@ class Checker {
     }
   }
 
-  /// Checks that the part of the tool in a tube does not touch it.
+  /// Checks that the part of the tool inside a tube does not touch the tube.
   void checkPlay(std::size_t k, const VectorXd& q, const StatedTube& tube) {
     if (!(cell_.insertion > 0)) return;
     const Vector3d off = tipAt(q) - tube.hole_W;
@@ -280,7 +283,7 @@ class Checker {
                        tubesheets::tubeName(tube.row, tube.column)));
   }
 
-  /// Returns the distance from the hole's axis; infinite if the shape does not converge.
+  /// Returns the distance of the tip from the hole's axis [m]; infinite if the shape does not converge.
   double offAxis(const VectorXd& q, const StatedTube& tube) {
     const double off = (tipAt(q) - tube.hole_W).head<2>().norm();
     return std::isnan(off) ? std::numeric_limits<double>::infinity() : off;

@@ -15,17 +15,19 @@ using deflection::JointType;
 using Eigen::AngleAxisd, Eigen::Matrix3d, Eigen::Vector3d;
 using Row = deflection::Row<double>;
 
-/// A rigid step outwards: a rotation, a spring, then a translation with its weight; and the loads at its end.
+/// A rigid step outwards along the arm: a rotation, a spring, then a translation with its weight, and the loads at the
+/// end of the step.
 struct Step {
   Matrix3d turn = Matrix3d::Identity();
-  Matrix3d compliance = Matrix3d::Zero();  ///< of the spring after the rotation, in its axes [rad/(N m)]
+  /// Compliance of the spring after the rotation, in the axes of the spring [rad/(N m)].
+  Matrix3d compliance = Matrix3d::Zero();
   Vector3d softness = Vector3d::Zero(), knee = Vector3d::Zero();
   Vector3d way = Vector3d::Zero();
-  double weight = 0;                       ///< along the translation [N]
-  double end_weight = 0;                   ///< at its end [N]
-  Vector3d end_moment = Vector3d::Zero();  ///< first moment of eccentric loads at its end [N m]
-  Vector3d pull_B = Vector3d::Zero();      ///< force at its end, in base axes [N]
-  Vector3d bent = Vector3d::Zero();        ///< rotation of the spring [rad]
+  double weight = 0;                       ///< weight distributed along the translation [N]
+  double end_weight = 0;                   ///< weight at the end of the step [N]
+  Vector3d end_moment = Vector3d::Zero();  ///< first moment of eccentric loads at the end of the step [N m]
+  Vector3d pull_B = Vector3d::Zero();      ///< force at the end of the step, in base axes [N]
+  Vector3d bent = Vector3d::Zero();        ///< rotation of the spring, as a rotation vector [rad]
 };
 
 Matrix3d turned(const Vector3d& by) {
@@ -33,7 +35,7 @@ Matrix3d turned(const Vector3d& by) {
   return angle > 0 ? AngleAxisd(angle, by / angle).toRotationMatrix() : Matrix3d::Identity();
 }
 
-/// Placement by Denavit and Hartenberg's four steps in Craig's form with Hayati's beta, or by URDF's origin.
+/// Placement of a row by the four Denavit-Hartenberg steps in Craig's form with Hayati's beta, or by a URDF origin.
 struct Placement {
   Vector3d way;
   Matrix3d turn;
@@ -52,7 +54,7 @@ Placement placementOf(const Row& row) {
               .toRotationMatrix()};
 }
 
-/// Returns the curvature per moment [1/(N m^2)] of a member along e.
+/// Returns the curvature per moment [1/(N m^2)] of a member along the unit vector e.
 Matrix3d curvatureOf(const Row& row, const Vector3d& e) {
   Matrix3d curvature = Matrix3d::Zero();
   const auto addAbout = [&](int axis, double compliance) {
@@ -85,13 +87,14 @@ class SegmentedArm {
     }
   }
 
-  /// Makes one pass: places everything, then turns each spring. Returns the largest change [rad].
+  /// Makes one pass: places all steps, then turns each spring. Returns the largest change of a spring's rotation [rad].
   double pass() {
     place();
     const Vector3d& g = posture_.gravity_B;
     const auto tip = arm_.tip_load.value_or(deflection::TipLoad<double>{});
     Vector3d force = (posture_.load - tip.contact_force) * g + tip.force;
-    Vector3d moment = posture_.load * (frames_.back() * tip.payload_offset).cross(g) + tip.moment;  // about the tip
+    // The moment is about the tip.
+    Vector3d moment = posture_.load * (frames_.back() * tip.payload_offset).cross(g) + tip.moment;
     double change = 0;
     for (std::size_t k = steps_.size(); k-- > 0;) {
       Step& step = steps_[k];
@@ -106,7 +109,7 @@ class SegmentedArm {
     return change;
   }
 
-  /// Returns the tip for the present rotations of the springs.
+  /// Returns the tip position for the present rotations of the springs [m].
   Vector3d tip() {
     place();
     return tip_;
@@ -154,7 +157,8 @@ class SegmentedArm {
     }
   }
 
-  /// Adds lumps: those of a rigid row hang from its frame; along a flexible member each hangs from the nearest piece.
+  /// Adds the lumps of a row: the lumps of a rigid row hang from its frame, a lump along a flexible member from the
+  /// nearest piece.
   void addLumps(const Row& row, const Vector3d& member) {
     const bool gives = member.squaredNorm() > 0 && !curvatureOf(row, member.normalized()).isZero(0);
     Step& frame = steps_.emplace_back();
@@ -211,7 +215,7 @@ class SegmentedArm {
     }
   }
 
-  /// Returns the moment in the axes that the spring is fixed in, before its rotation.
+  /// Returns the moment in the axes of the spring's fixed side, before the spring's rotation.
   [[nodiscard]] Vector3d springMoment(std::size_t k, const Vector3d& moment_B) const {
     return turned(steps_[k].bent) * (frames_[k].transpose() * moment_B);
   }
@@ -229,8 +233,9 @@ class SegmentedArm {
   const deflection::Posture& posture_;
   int pieces_;
   std::vector<Step> steps_;
-  std::vector<std::pair<double, deflection::Lump<double>>> pending_;  ///< lumps along the member to come
-  std::vector<Matrix3d> frames_;                                      ///< of each step, after its spring
+  /// Lumps along the next member, with their positions as a fraction of its length.
+  std::vector<std::pair<double, deflection::Lump<double>>> pending_;
+  std::vector<Matrix3d> frames_;  ///< orientation of each step, after the rotation of its spring
   Vector3d tip_;
 };
 

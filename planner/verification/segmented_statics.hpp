@@ -1,6 +1,6 @@
-// The deflected tip by another method than the plan's: members cut into many rigid pieces with a spring in the middle
-// of each, without any code of the flexible kinematics' kernels, elements or derivatives. It is slow and simple: a
-// second opinion for the checker.
+// The deflected tip computed by a different method from the plan's: members are cut into many rigid pieces with a
+// spring in the middle of each. No code of the flexible kinematics' kernels, elements or derivatives is used. The
+// method is slow and simple: an independent result for the plan check.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,9 @@
 namespace tubeplan::planner {
 
 struct SegmentedStaticsOptions {
-  int pieces = 32;          ///< pieces of every flexible member; the error decreases with their square
-  double tolerance = 1e-9;  ///< largest rotation of a spring between two passes that still requires another [rad]
+  /// Pieces of every flexible member; the error is inversely proportional to the square of this number.
+  int pieces = 32;
+  double tolerance = 1e-9;  ///< largest change of a spring's rotation between two passes at convergence [rad]
   int max_passes = 200;
 };
 
@@ -20,12 +21,12 @@ enum class SegmentedStaticsStatus { kNotRun, kConverged, kNotConverged, kNotCove
 
 struct SegmentedStatics {
   SegmentedStaticsStatus status = SegmentedStaticsStatus::kNotRun;
-  std::string reason;                              ///< reason if not converged
-  Eigen::Vector3d p_BD = Eigen::Vector3d::Zero();  ///< deflected tip in the base [m]
+  std::string reason;  ///< reason if the shape is not converged or not covered; empty if converged
+  Eigen::Vector3d p_BD = Eigen::Vector3d::Zero();  ///< deflected tip in the base frame [m]
 };
 
 /// Solves the shape at rest: every spring turns by its compliance times the moment of everything beyond it, on the bent
-/// shape. Effects act by their own laws; arms with clearances are not covered.
+/// shape. Effects act according to their own laws; arms with mechanical play are not covered.
 [[nodiscard]] SegmentedStatics solveSegmentedStatics(const deflection::Arm& arm, const deflection::Posture& posture,
                                                      const SegmentedStaticsOptions& options = {});
 
