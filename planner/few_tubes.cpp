@@ -10,12 +10,13 @@ namespace tubeplan::planner {
 namespace {
 
 constexpr int kEstimates = 20, kEstimatesPerPair = 10;  // number of estimates: per visit, ends included, and per pair
-constexpr long kMostChecks = 1'000'000;                 // of postures: as many as for five optimised detours
-constexpr double kRounding = 1e-12;                     // rounding of a sum of times in another order
-// Share of a rough detour's excess over its straight line that remains after optimisation: 0.6 to 0.7 on average for
+constexpr long kMostChecks = 1'000'000;  // largest number of postures checked: as many as for five optimised detours
+constexpr double kRounding = 1e-12;      // rounding error of a sum of times in a different order
+// Fraction of a rough detour's excess over its straight line that remains after optimisation: 0.6 to 0.7 on average for
 // three arms, with a standard deviation of 0.2.
 constexpr std::array kExcessLeft{0.6, 0.2, 0.0};
-// Number of these shares that are used in turn; the last is used once they are settled.
+// Number of these fractions that are used in turn; the last fraction is used once the orders for the other fractions
+// are known.
 constexpr std::size_t kTakenInTurn = 2;
 
 std::vector<Stop> stopsOf(const PostureTable& table, const VisitChoice& choice) {
@@ -49,7 +50,7 @@ FewTubes::FewTubes(const PlanContext& context, const VisitChoice& choice, const 
 RealOrder FewTubes::order() {
   RealOrder best;
   double least = std::numeric_limits<double>::infinity();
-  std::size_t view = 0, settled = 0;  // settled: number of views whose order is known
+  std::size_t view = 0, settled = 0;  // settled: number of time matrices for which the quickest order is known
   for (int rounds = 0; rounds < context_.options.reprice_rounds && !context_.isStopped();) {
     const ExactOrder order = exactOrder(table_, times_[view], zones_);
     if (std::isnan(best.lower_bound)) best.lower_bound = order.time * (1 - kRounding);
@@ -75,7 +76,7 @@ RealOrder FewTubes::order() {
   return best;
 }
 
-/// Returns the moves of an order that are known less well.
+/// Returns the moves of an order that are known less well than `knowledge`.
 std::vector<FewTubes::Move> FewTubes::movesBelow(const std::vector<int>& postures, Knowledge knowledge) {
   std::vector<Move> moves;
   for (std::size_t k = 0; k + 1 < postures.size(); ++k)
@@ -124,7 +125,7 @@ void FewTubes::noteApart(bool is_apart, const Clearance& tightest) {
   between_ = tightest;
 }
 
-/// Marks all moves between parts after one was met, so that the others need not be tried singly.
+/// Marks all moves between disconnected parts once one such move is found, so that the others need not be tried singly.
 void FewTubes::takePartsAsApart() {
   has_parts_ = true;
   const std::vector<int> parts = network_.partsOf(stops_);
@@ -136,7 +137,7 @@ void FewTubes::takePartsAsApart() {
     }
 }
 
-/// Sets the times of unknown moves by the ratio of known to straight times, once the estimates are used up.
+/// Sets the times of unknown moves with the ratio of known to straight times, once all estimates are used.
 void FewTubes::expectTheUnknownToBeAsTheKnown() {
   const auto isKnown = [this](int p, int q) { return knowledgeOf(p, q) != Knowledge::kStraight; };
   for (Eigen::MatrixXd& times : times_) {

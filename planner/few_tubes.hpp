@@ -1,10 +1,10 @@
-// The quickest order of a few tubes: exact for the known times of moves, which are refined until all moves that it
-// chooses are known. Internal to the planning of visits.
+// The quickest order of a few tubes: exact for the known times of moves, which are refined until all moves of the
+// chosen order are known. Internal to the planning of visits.
 //
-// The time of a move along the straight line is known at once. The rough time of a detour has a cost, and the time of
-// its optimised form costs ten times that. So each is computed only if the quickest order depends on it. The gain of
-// optimising a rough detour varies: orders are searched by expected and by optimistic times in turn, at last by lower
-// bounds of the times. The quickest of all orders that were planned in full is the result.
+// The time of a move along the straight line is known at once. The rough time of a detour takes some computing time,
+// and the time of the optimised detour ten times as much. Each is therefore computed only if the quickest order depends
+// on it. The gain of optimising a rough detour varies. Orders are searched with expected and with optimistic times in
+// turn, and finally with lower bounds of the times. The result is the quickest of all orders that were planned in full.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,12 +18,12 @@ namespace tubeplan::planner {
 
 class FewTubes {
  public:
-  /// `zones` has one number for each visit, or is empty; if it is empty or constant, any order is allowed.
+  /// `zones` has the zone of each visit, or is empty; if it is empty or constant, any order is allowed.
   FewTubes(const PlanContext& context, const VisitChoice& choice, const PostureTable& table,
            const std::vector<int>& zones, TravelNetwork& network);
 
-  /// Returns the order, as orderWithRealMoves(). A move between parts of the free space is avoided like any impossible
-  /// move; the order is parted if every order has such a move.
+  /// Returns the order, as orderWithRealMoves() does. A move between disconnected parts of the free space is avoided
+  /// like any impossible move; the order is parted if every order has such a move.
   [[nodiscard]] RealOrder order();
 
  private:
@@ -34,13 +34,13 @@ class FewTubes {
     int from, to;
   };
 
-  /// Returns how well the move from posture p to q is known.
+  /// Returns a reference to how well the move between postures p and q is known.
   [[nodiscard]] Knowledge& knowledgeOf(int p, int q) {
     return knowledge_[static_cast<std::size_t>(p * table_.postures() + q)];
   }
   [[nodiscard]] std::vector<Move> movesBelow(const std::vector<int>& postures, Knowledge knowledge);
-  /// Sets the time of a move. `rough` is the time [s] of a detour found but not yet optimised; otherwise the time
-  /// itself.
+  /// Sets the time of a move [s]. `rough` is the time of a detour that is found but not yet optimised; if the knowledge
+  /// is exact, it is the move's time.
   void setTime(Move move, double rough, Knowledge knowledge);
   void estimate(const std::vector<Move>& moves);
   void plan(const std::vector<Move>& moves);
@@ -49,19 +49,20 @@ class FewTubes {
   void takePartsAsApart();
   void expectTheUnknownToBeAsTheKnown();
   void showProgress(const std::vector<int>& postures, std::size_t open) const;
-  [[nodiscard]] double timeOf(const std::vector<int>& postures) const;  ///< time of moves that are known exactly [s]
+  /// Time of moves that are all known exactly [s].
+  [[nodiscard]] double timeOf(const std::vector<int>& postures) const;
   [[nodiscard]] std::vector<Stop> stopsOf(const std::vector<int>& postures) const;
 
   const PlanContext& context_;
   const PostureTable& table_;
   const std::vector<int>& zones_;
   TravelNetwork& network_;
-  std::vector<Stop> stops_;  // stop of each posture
+  std::vector<Stop> stops_;  // stop of each posture of the table
   Eigen::MatrixXd straight_;
   std::array<Eigen::MatrixXd, 3> times_;  // expected times, optimistic times, lower bounds [s]
   std::vector<Knowledge> knowledge_;
   int estimates_left_;
-  long checks_left_;  // postures left to check, for estimates
+  long checks_left_;  // number of postures left to check for estimates
   bool is_parted_ = false, has_parts_ = false;
   Clearance between_;
 };

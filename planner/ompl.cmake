@@ -1,5 +1,5 @@
-# OMPL's configuration gives variables, not a target. The library itself comes first in its list; the rest (Boost, ODE) is what it
-# was built with, which a program that only plans need not have for development.
+# OMPL's configuration defines variables, not a target. The library itself is the first item of its list. The other
+# items (Boost, ODE) are build dependencies of OMPL, which a program that only plans does not need for development.
 if(NOT TARGET ompl)
   add_library(ompl INTERFACE IMPORTED GLOBAL)
   target_include_directories(ompl SYSTEM INTERFACE ${OMPL_INCLUDE_DIRS})

@@ -1,4 +1,4 @@
-// The path of a plan in time.
+// The path of a plan as a function of time.
 #include "planner/timing/flowing_timing.hpp"
 #include "planner/visit_plan.hpp"
 
@@ -31,7 +31,7 @@ std::vector<PathRow> samplePath(const VisitPlan& plan, const JointSpeeds& speeds
         segment.kind == SegmentKind::kRetreat ? plan.visits[static_cast<std::size_t>(segment.visit)].dwell : 0;
     start += stay;
     const auto samples = samplesOf(segment, speeds, max_step);
-    // A segment begins where the one before ended: that row exists already, unless the arm stayed.
+    // A segment begins where the previous segment ended: that row exists already, unless the arm dwelt there.
     for (std::size_t s = rows.empty() || stay > 0 ? 0 : 1; s < samples.size(); ++s)
       rows.push_back({start + samples[s].time, static_cast<int>(k), segment.kind, samples[s].posture});
     start += durationOf(segment, speeds);

@@ -1,5 +1,5 @@
-// Costly results of a plan, kept so that a stopped plan can resume and a changed list reuses what is still valid. Every
-// entry answers a question of its own (one tube, one travel), independent of the rest of the list.
+// Costly results of a plan, kept so that a stopped plan can resume and a changed work list reuses results that are
+// still valid. Every entry is the result for one tube or one travel, independent of the rest of the work list.
 #pragma once
 
 #include <map>
@@ -12,35 +12,37 @@
 
 namespace tubeplan::planner {
 
-/// A tube (index in the sheet) in one of the branches of its reach.
+/// A tube (index in the sheet) with the index of a branch of its reach.
 struct TubePosture {
   int tube, branch;
   auto operator<=>(const TubePosture&) const = default;
 };
 
-/// Ends of a travel between the standoffs of two tubes; if both tubes are the same, of the approach to it.
+/// Ends of a travel between the standoffs of two tubes; if both ends are the same tube, of the approach to the tube.
 using MotionEnds = std::pair<TubePosture, TubePosture>;
 
 /// Proved least clearance of a segment.
 struct SegmentProof {
-  double margin = std::numeric_limits<double>::quiet_NaN();  ///< beyond the clearance that the scene requires [m]
+  /// Margin beyond the clearance that the scene requires [m].
+  double margin = std::numeric_limits<double>::quiet_NaN();
   Clearance tightest;
 };
 
 struct PlanCache {
-  std::map<int, TubeReach> reach;             ///< reach of each tube
+  std::map<int, TubeReach> reach;             ///< reach of each tube, keyed by tube index
   std::map<MotionEnds, MotionPlan> travels;   ///< travels by their ends, with the smaller end first
-  std::map<MotionEnds, SegmentProof> proofs;  ///< proofs of segments by their ends, in the direction of travel
-  std::vector<VisitOrder> orders;             ///< order of each round, in terms of this list's reachable tubes
-  /// Tubes in the order of the last completed plan. The next search starts from it if most tubes are the same.
+  std::map<MotionEnds, SegmentProof> proofs;  ///< proofs of segments, keyed by their ends in the direction of travel
+  /// Order of each round, as indices among the reachable tubes of the present work list.
+  std::vector<VisitOrder> orders;
+  /// Tubes in the order of the last completed plan. The next search starts from this order if most tubes are the same.
   std::vector<int> visiting_order;
 };
 
-/// Numbers of results that were reused.
+/// Numbers of results reused from the cache.
 struct KeptWork {
-  int reach = 0;    ///< tubes
-  int travels = 0;  ///< travels of the path
-  int proofs = 0;   ///< proofs of segments, without retreats
+  int reach = 0;    ///< number of tubes whose reach was reused
+  int travels = 0;  ///< number of travels along the path that were reused
+  int proofs = 0;   ///< number of segments whose proofs were reused, without retreats
 };
 
 }  // namespace tubeplan::planner

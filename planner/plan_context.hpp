@@ -1,4 +1,4 @@
-// Common input of every stage of the planning of visits. Internal to it.
+// Common input of every stage of the planning of visits. Internal to the planning.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace tubeplan::planner {
 
-/// The cell, the options, the hooks of the caller and the cache, which each stage first reads and then adds to.
+/// The cell, the options, the caller's hooks and the cache. Each stage first reads from the cache and then adds to it.
 struct PlanContext {
   const Workcell& cell;
   const VisitPlanOptions& options;

@@ -28,7 +28,7 @@ SegmentProof proofOf(const PlanContext& context, const PathSegment& segment) {
   return proof;
 }
 
-/// Records the proofs; that of an approach is also that of its retreat.
+/// Records the proofs in the plan; the proof of an approach also holds for its retreat.
 void fillIn(const std::vector<MotionEnds>& ends, const PlanCache& cache, VisitPlan& plan) {
   plan.min_margin = kUnbounded;
   for (std::size_t k = 0; k < plan.segments.size(); ++k) {

@@ -5,8 +5,8 @@
 
 namespace tubeplan::planner {
 
-/// Proves every segment to the reported accuracy, in parallel, and sets margins and the tightest pairs. `ends` has one
-/// entry per segment: the cache's key of its proof. Returns false if it was stopped before the end.
+/// Proves every segment to the reported accuracy, in parallel, and sets the margins and the tightest pairs. `ends` has
+/// one entry per segment: the key of its proof in the cache. Returns false if the proof was stopped early.
 [[nodiscard]] bool proveAll(const PlanContext& context, const std::vector<MotionEnds>& ends, VisitPlan& plan);
 
 }  // namespace tubeplan::planner

@@ -14,14 +14,14 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr int kLaterKicksShare = 10;  // rounds after the first start from a good order
+constexpr int kLaterKicksShare = 10;  // divisor of the number of kicks: rounds after the first start from a good order
 
-/// Returns the branch of a visit; both ends of the route have branch 0.
+/// Returns the index of a visit's branch in its reach; 0 for the start and end postures.
 int branchOf(const VisitChoice& choice, int visit, int branch) {
   return visit < 0 ? 0 : choice.branches[static_cast<std::size_t>(visit)][static_cast<std::size_t>(branch)];
 }
 
-/// Returns the order as stops, with the start and the end posture at its ends.
+/// Returns the order as stops, including the start and end postures if there are any.
 std::vector<Stop> stopsOf(const VisitOrder& order, const VisitChoice& choice, const VisitConditions& conditions) {
   std::vector<Stop> stops;
   if (conditions.start) stops.push_back({kStartPosture, 0});
@@ -34,11 +34,11 @@ std::vector<Stop> stopsOf(const VisitOrder& order, const VisitChoice& choice, co
 /// Result of planning the moves of an order.
 struct Priced {
   bool learnt = false, is_parted = false;
-  Clearance between;  ///< of the first move between parts
-  double time = 0;    ///< [s]; a move without a path counts kForbiddenTime
+  Clearance between;  ///< obstacle of the first move between disconnected parts
+  double time = 0;    ///< total time [s]; a move without a path counts kForbiddenTime
 };
 
-/// Plans the moves that an order chose and puts their extra time into the table.
+/// Plans the moves of an order and records their extra times in the table.
 Priced priceOrder(const PlanContext& context, const std::vector<Stop>& stops, TravelNetwork& network,
                   EdgePenalties& penalties) {
   Priced priced;
@@ -59,7 +59,7 @@ Priced priceOrder(const PlanContext& context, const std::vector<Stop>& stops, Tr
   return priced;
 }
 
-/// Adds extra times to a route; `penalties` and `choice` must outlive it.
+/// Adds extra times to a route; `penalties` and `choice` must outlive the route.
 void addExtraTimes(const EdgePenalties& penalties, const VisitChoice& choice, Route& route) {
   route.extra_time = [&](int a, int branch_a, int b, int branch_b) {
     return penalties(a, branchOf(choice, a, branch_a), b, branchOf(choice, b, branch_b));
@@ -69,8 +69,8 @@ void addExtraTimes(const EdgePenalties& penalties, const VisitChoice& choice, Ro
     route.with_extra.push_back(penalties.touches(visit));
 }
 
-/// Returns the order of one round, from the cache if it is there. An order kept from another list that cannot avoid a
-/// forbidden move is searched again.
+/// Returns the order of one round, from the cache if present. If an order that starts from another work list's order
+/// cannot avoid a forbidden move, the search is repeated without that start.
 VisitOrder orderOfRound(const PlanContext& context, const Route& route, const std::vector<int>& zones,
                         std::size_t round, VisitOrderOptions& ordering) {
   auto& known = context.cache.orders;
@@ -92,7 +92,8 @@ std::string inTheWay(const MotionPlan& plan) {
 
 bool isFree(TravelNetwork& network, Stop a, Stop b) { return network.between(a, b).status == MotionPlanStatus::kFree; }
 
-/// Returns the stretches of the order that can be travelled, cut at the moves without a travel.
+/// Returns the runs of consecutive stops with a travel from each stop to the next; a new run begins where there is
+/// none.
 std::vector<std::vector<Stop>> travelledRuns(const std::vector<Stop>& stops, TravelNetwork& network) {
   std::vector<std::vector<Stop>> runs;
   for (const Stop& stop : stops) {
@@ -109,8 +110,8 @@ void leaveOut(const std::vector<Stop>& run, const MotionPlan& travel, const Visi
       left_out.push_back({choice.reach[static_cast<std::size_t>(stop.visit)].tube, inTheWay(travel), travel.tightest});
 }
 
-/// Keeps the longest stretch and what follows on either side of it without a change of order; the rest is reported as
-/// unreachable.
+/// Keeps the longest run of stops and, before and after it, the runs that can be connected without a change of order.
+/// All other tubes are reported as unreachable.
 std::vector<Stop> joinInOrder(const std::vector<Stop>& stops, const VisitChoice& choice, TravelNetwork& network,
                               std::vector<UnreachableTube>& left_out) {
   const auto runs = travelledRuns(stops, network);
@@ -132,7 +133,8 @@ std::vector<Stop> joinInOrder(const std::vector<Stop>& stops, const VisitChoice&
   return kept;
 }
 
-/// Keeps the longest stretch and what can be joined to either end of it; the rest is reported as unreachable.
+/// Keeps the longest run of stops and the runs that can be connected to one of its ends; other tubes are reported as
+/// unreachable.
 std::vector<Stop> joinAnywhere(const std::vector<Stop>& stops, const VisitChoice& choice, TravelNetwork& network,
                                std::vector<UnreachableTube>& left_out) {
   auto runs = travelledRuns(stops, network);
@@ -159,7 +161,7 @@ std::string apartReason(const Clearance& between, bool has_start) {
   return reason;
 }
 
-/// Returns the part with the most tubes.
+/// Returns the number of the part with the most tubes; -1 if there is none.
 int largestPart(const std::vector<std::vector<int>>& parts) {
   std::map<int, int> tubes;
   for (const auto& of_visit : parts) {

@@ -1,4 +1,5 @@
-// The order of visits by the true times of its moves, with obstacles. Internal to the planning of visits.
+// The order of visits found with the true times of moves, including detours around obstacles. Internal to the planning
+// of visits.
 #pragma once
 
 #include <string>
@@ -8,45 +9,47 @@
 
 namespace tubeplan::planner {
 
-/// Tubes that can be visited, and their branches that may be used.
+/// Tubes that can be visited, and the branches of each tube that may be used.
 struct VisitChoice {
-  std::vector<TubeReach> reach;            ///< reachable ones alone
-  std::vector<std::vector<int>> branches;  ///< one list for each tube
+  std::vector<TubeReach> reach;            ///< reach of each tube; only reachable tubes
+  std::vector<std::vector<int>> branches;  ///< for each tube, the indices of its branches that may be used
 
   [[nodiscard]] std::vector<int> tubes() const;
 };
 
-/// Returns the standoffs of the visits, tube by tube in every branch of its reach; then the start posture, if there is
-/// one.
+/// Returns the standoff postures of all branches of each tube's reach, tube by tube, followed by the start posture if
+/// there is one.
 [[nodiscard]] std::vector<Eigen::VectorXd> standoffsOf(const VisitChoice& choice, const VisitConditions& conditions);
 
 [[nodiscard]] VisitChoice allBranches(std::vector<TubeReach> reach);
 
-/// Returns the ordering problem of that choice: branch b of a visit is the b-th that may be used.
+/// Returns the ordering problem for the chosen branches: branch b of a visit is the b-th branch that may be used.
 [[nodiscard]] Route routeOf(const VisitChoice& choice, const JointSpeeds& speeds, const VisitConditions& conditions);
 
-/// Keeps the branches in one part of the free space, by the roadmap: the part of the start posture, else the one with
-/// the most tubes. Branches that are joined to nothing stay, because a search may still find a path. Returns the tubes
-/// left out; `between` is the obstacle met on the path to one of them.
+/// Keeps the branches in one part of the free space, as connected by the roadmap: the part of the start posture or,
+/// without one, the part with the most tubes. Branches that the roadmap connects to nothing are kept, because a search
+/// may still find a path. Returns the tubes left out; `between` is the obstacle met on the path to one of these tubes.
 [[nodiscard]] std::vector<UnreachableTube> keepOnePart(VisitChoice& choice, const Roadmap& roadmap,
                                                        const VisitConditions& conditions, const Clearance& between);
 
 struct RealOrder {
-  std::vector<Stop> stops;  ///< start and end posture included; empty: none was found
-  std::string reason;       ///< reason if there is none
-  /// Proved lower bound of the time, for straight moves [s].
+  std::vector<Stop> stops;  ///< stops with start and end posture included; empty if no order was found
+  std::string reason;       ///< reason if no order was found
+  /// Proved lower bound of the travel time, for straight moves [s].
   double lower_bound = std::numeric_limits<double>::quiet_NaN();
-  bool is_parted = false;  ///< true: abandoned, because a move leads between parts of the free space that nothing joins
-  Clearance between;       ///< obstacle of that move
+  /// True if a move of the order leads between parts of the free space that are not connected; the search may then be
+  /// abandoned.
+  bool is_parted = false;
+  Clearance between;  ///< obstacle of the first move between disconnected parts
 };
 
-/// Finds an order by straight times, plans its moves, sets their true times, and repeats until no move changes its
-/// time. Returns the quickest of all rounds. `rounds_done` counts the orders that the cache keeps.
+/// Finds an order with straight times, plans its moves, sets their true times, and repeats until no move's time
+/// changes. Returns the quickest order of all rounds. `rounds_done` counts the orders stored in the cache.
 [[nodiscard]] RealOrder orderWithRealMoves(const PlanContext& context, const VisitChoice& choice,
                                            TravelNetwork& network, bool gives_up_if_parted, std::size_t& rounds_done);
 
-/// Returns the longest stretch of stops, if some have no travel between them, and what can be joined to it. The other
-/// tubes are added to `left_out`.
+/// Returns the longest run of stops with a travel from each stop to the next, with the other runs that can be connected
+/// to it. Tubes that cannot be connected are added to `left_out`.
 [[nodiscard]] std::vector<Stop> joinRuns(const std::vector<Stop>& stops, const VisitChoice& choice,
                                          TravelNetwork& network, const VisitConditions& conditions,
                                          std::vector<UnreachableTube>& left_out);

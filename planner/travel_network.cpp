@@ -13,8 +13,8 @@ namespace tubeplan::planner {
 
 namespace {
 
-constexpr int kRoadmapPostures = 2400;  ///< at holes, at most
-constexpr int kRoughShaping = 25;       // attempts
+constexpr int kRoadmapPostures = 2400;  ///< largest number of postures at holes
+constexpr int kRoughShaping = 25;       // attempts at shaping a detour for an estimate
 
 /// Returns the number of tubes, spread over the sheet, whose standoffs become postures of the roadmap.
 std::size_t roadmapTubes(const deflection::Arm& arm, const deflection::InverseKinematicsOptions& options) {
@@ -26,8 +26,8 @@ MotionPlan reversed(MotionPlan plan) {
   return plan;
 }
 
-/// Returns a seed of its own for each pair of tubes, so that neither the order of requests nor the rest of the list
-/// matters.
+/// Returns a seed for each pair of tubes, so that the result depends neither on the order of requests nor on the rest
+/// of the work list.
 std::uint64_t pairSeed(std::uint64_t seed, TubePosture a, TubePosture b) {
   for (int part : {a.tube, a.branch, b.tube, b.branch})
     seed = (seed ^ static_cast<std::uint64_t>(part + 1)) * 0x9E3779B97F4A7C15ULL;
@@ -98,7 +98,8 @@ TubePosture TravelNetwork::postureOf(Stop stop) const {
   return {reach_[static_cast<std::size_t>(stop.visit)].tube, stop.branch};
 }
 
-/// Plans a travel on the line. Not run if no line joins the two; without a path if something is in its way.
+/// Plans a straight travel of the tool. The status is kNotRun if no line connects the two postures, kNoPath if an
+/// obstacle blocks the line.
 MotionPlan TravelNetwork::onLine(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1) {
   MotionPlan plan;
   LineTravel line = lines_->between(q0, q1);
@@ -132,7 +133,7 @@ std::vector<int> TravelNetwork::partsOf(const std::vector<Stop>& stops) {
   return roadmap_.get().partsOf(postures);
 }
 
-/// Returns the travel with the smaller stop first.
+/// Returns the travel from stop a to stop b; a must be the smaller.
 const MotionPlan& TravelNetwork::forward(Stop a, Stop b) {
   const MotionEnds ends{postureOf(a), postureOf(b)};
   auto known = context_.cache.travels.find(ends);

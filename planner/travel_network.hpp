@@ -1,4 +1,4 @@
-// The travels between standoffs: planned on demand, and kept in the plan's cache.
+// The travels between standoffs, planned on demand and kept in the plan's cache.
 #pragma once
 
 #include <map>
@@ -9,24 +9,25 @@
 
 namespace tubeplan::planner {
 
-/// A visit and its branch as an end of a travel; or the start or the end posture, branch 0.
+/// A visit and its branch as an end of a travel; or the start or end posture, with branch 0.
 struct Stop {
   int visit, branch;
   auto operator<=>(const Stop&) const = default;
 };
 
-/// Returns the motion problem of travels through a cell.
+/// Returns the motion problem of travels in a cell.
 [[nodiscard]] MotionProblem travelProblemOf(const PlanContext& context);
 
-/// The cell's roadmap, built on first use. Its postures are standoffs of tubes all over the sheet, whatever the list,
-/// and random ones.
+/// The cell's roadmap, built on first use. Its postures are standoffs of tubes all over the sheet, independent of the
+/// work list, and random postures.
 class TravelRoadmap {
  public:
   explicit TravelRoadmap(const PlanContext& context) : context_(context) {}
   const Roadmap& get();
 
-  /// Searches connections between the parts of these postures (Roadmap::bridge()). Travels that failed for lack of one
-  /// are then planned again, but not cached, so that a resumed plan takes the same course.
+  /// Searches connections between the parts of the free space that contain these postures (Roadmap::bridge()). Travels
+  /// that failed for lack of a connection are then planned again, but not cached, so that a resumed plan takes the same
+  /// course.
   bool bridge(const std::vector<Eigen::VectorXd>& postures);
   [[nodiscard]] bool isBridged() const { return is_bridged_; }
   [[nodiscard]] std::map<MotionEnds, MotionPlan>& rejoined() { return rejoined_; }
@@ -38,11 +39,11 @@ class TravelRoadmap {
   std::map<MotionEnds, MotionPlan> rejoined_;
 };
 
-/// Time of a travel, before it is planned in full.
+/// Estimated time of a travel, before the travel is planned in full.
 struct TravelEstimate {
-  double time = std::numeric_limits<double>::infinity();  ///< infinite if there is no path [s]
-  bool is_exact = false;                                  ///< false: time of a detour that is not yet optimised
-  bool apart = false;  ///< true: no path, as MotionPlan::apart, with the obstacle in `tightest`
+  double time = std::numeric_limits<double>::infinity();  ///< time of the travel [s]; infinite if there is no path
+  bool is_exact = false;  ///< true if the time is final; false for a detour that is not yet optimised
+  bool apart = false;  ///< true if there is no path for the reason of MotionPlan::apart; the obstacle is in `tightest`
   Clearance tightest;
   long checks = 0;  ///< number of postures checked
 };
@@ -51,13 +52,14 @@ class TravelNetwork {
  public:
   TravelNetwork(const PlanContext& context, const std::vector<TubeReach>& reach, TravelRoadmap& roadmap);
 
-  /// Returns the travel from one stop to another, planned when it (or its reverse) is first asked for.
+  /// Returns the travel from one stop to another. A travel is planned when it or its reverse is first requested.
   const MotionPlan& between(Stop a, Stop b);
 
-  /// Returns an estimate at a fraction of the cost. It is not cached, and does not depend on the cache.
+  /// Returns an estimate of a travel at a fraction of the cost. The estimate is not cached, and does not depend on the
+  /// cache.
   [[nodiscard]] TravelEstimate estimate(Stop a, Stop b);
 
-  /// Returns the part of the free space of each stop (Roadmap::partsOf()).
+  /// Returns for each stop the number of the part of the free space that it lies in (Roadmap::partsOf()).
   [[nodiscard]] std::vector<int> partsOf(const std::vector<Stop>& stops);
 
   [[nodiscard]] TubePosture postureOf(Stop stop) const;
@@ -75,8 +77,8 @@ class TravelNetwork {
   const std::vector<TubeReach>& reach_;
   TravelRoadmap& roadmap_;
   MotionProblem problem_;
-  std::optional<LineTravels> lines_;           ///< straight travels of the tool, if these are asked for
-  std::map<MotionEnds, MotionPlan> backward_;  ///< reversed travels, with the larger end first
+  std::optional<LineTravels> lines_;           ///< straight travels of the tool; empty unless the options request them
+  std::map<MotionEnds, MotionPlan> backward_;  ///< reversed travels, keyed by their ends with the larger end first
 };
 
 }  // namespace tubeplan::planner

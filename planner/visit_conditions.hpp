@@ -1,4 +1,4 @@
-// Conditions of a visit besides the tubes themselves: start and end of the arm, tubes that come first, and stays.
+// Conditions of a plan in addition to the work list: start and end postures, zones to visit in order, and dwell times.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,16 +10,16 @@ namespace tubeplan::planner {
 
 struct VisitConditions {
   std::optional<Eigen::VectorXd> start, end;  ///< postures at rest before and after all visits [rad (m for a slide)]
-  /// Tubes (indices in the sheet) by zone: all of a zone are visited before any of the next. Tubes in no zone come
-  /// last.
+  /// Tubes (indices in the sheet) of each zone: all tubes of a zone are visited before any tube of the next zone. Tubes
+  /// in no zone are visited last.
   std::vector<std::vector<int>> zones;
-  double dwell = 0;                ///< stay at each hole [s]
-  std::map<int, double> dwell_at;  ///< stays of single tubes, which replace `dwell` [s]
+  double dwell = 0;                ///< dwell time at each hole [s]
+  std::map<int, double> dwell_at;  ///< dwell times at single tubes [s], keyed by tube index; they replace `dwell`
 
   [[nodiscard]] double dwellAt(int tube) const;
 };
 
-/// Returns the zone of each tube, from 0 and without gaps; zones without any of the tubes do not count.
+/// Returns the zone of each tube, numbered from 0 without gaps; zones that contain none of the tubes are not counted.
 [[nodiscard]] std::vector<int> zonesOf(const std::vector<int>& tubes, const VisitConditions& conditions);
 
 }  // namespace tubeplan::planner

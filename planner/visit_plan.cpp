@@ -18,7 +18,7 @@ namespace tubeplan::planner {
 
 namespace {
 
-/// Computes the reach of every tube, in parallel; results are in the order of the list.
+/// Computes the reach of every tube, in parallel; results are in the order of `tubes`.
 std::vector<TubeReach> reachAll(const PlanContext& context, const std::vector<int>& tubes, VisitPlan& plan) {
   auto& cached = context.cache.reach;
   std::vector<TubeReach> reach(tubes.size());
@@ -52,7 +52,8 @@ PathSegment segmentOf(SegmentKind kind, int visit, std::vector<Eigen::VectorXd> 
   return segment;
 }
 
-/// Makes the segments along stops that can all be travelled between; returns the ends of each.
+/// Adds the segments along `stops` to the plan; a travel must exist between consecutive stops. Returns the ends of each
+/// segment.
 std::vector<MotionEnds> laySegments(const PlanContext& context, const std::vector<Stop>& stops,
                                     const VisitChoice& choice, TravelNetwork& network, VisitPlan& plan) {
   std::vector<MotionEnds> ends;
@@ -89,7 +90,7 @@ bool hasAllBranches(const VisitChoice& choice) {
   return true;
 }
 
-/// Computes the figures for comparison, for the visits in the plan.
+/// Computes the times and the bound for comparison, for the visits in the plan.
 void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, const VisitChoice& choice,
                   VisitPlan& plan) {
   const VisitConditions& conditions = context.options.conditions;
@@ -106,7 +107,7 @@ void compareTimes(const PlanContext& context, const std::vector<Stop>& stops, co
   const Route route = routeOf(kept, context.speeds, conditions);
   const std::vector<int> zones = zonesOf(kept.tubes(), conditions);
   if (kept.reach.size() < choice.reach.size() || !hasAllBranches(kept)) {
-    // With all branches: it is not proved that those left out of the choice cannot be joined.
+    // With all branches: no proof exists that the branches left out of the choice cannot be connected.
     OneTreeOptions bound = context.options.order.bound;
     bound.stop = context.hooks.stop;
     plan.lower_bound =
@@ -126,7 +127,7 @@ void timeSegments(const JointSpeeds& speeds, VisitPlan& plan) {
   for (const auto& visit : plan.visits) plan.total_time += visit.dwell;
 }
 
-/// Returns why the arm cannot rest in the start or the end posture; empty if it can.
+/// Returns why the arm cannot rest in the start posture or the end posture; empty if it can.
 std::string findEndProblem(const PlanContext& context) {
   const auto problemAt = [&](const std::string& name, const Eigen::VectorXd& q) -> std::string {
     for (int j = 0; j < q.size(); ++j) {
@@ -143,8 +144,9 @@ std::string findEndProblem(const PlanContext& context) {
   return problem;
 }
 
-/// Finds the order of visits. If no order avoids an impossible move, connections between the parts are searched for.
-/// Tubes that still cannot be joined are removed from the choice, and the rest is ordered again.
+/// Finds the order of visits. If every order has an impossible move, connections between the disconnected parts are
+/// searched. Tubes that still cannot be connected are removed from the choice, and the remaining tubes are ordered
+/// again.
 RealOrder orderInOnePart(const PlanContext& context, TravelRoadmap& roadmap, VisitChoice& choice, VisitPlan& plan) {
   std::size_t rounds = 0;
   {
@@ -163,7 +165,7 @@ RealOrder orderInOnePart(const PlanContext& context, TravelRoadmap& roadmap, Vis
   return orderWithRealMoves(context, choice, network, false, rounds);
 }
 
-/// Returns true if the stops still begin and end as required.
+/// Returns true if the stops still begin and end in the required postures.
 bool keepsEnds(const std::vector<Stop>& stops, const VisitConditions& conditions) {
   return (!conditions.start || stops.front().visit == kStartPosture) &&
          (!conditions.end || stops.back().visit == kEndPosture);

@@ -1,4 +1,4 @@
-// The main job: from a work list to a proved, timed path that visits every reachable tube.
+// The main task: from a work list to a proved, timed path that visits every reachable tube.
 //
 // Example, compiled and run by tests/examples:
 //
@@ -39,20 +39,20 @@
 
 namespace tubeplan::planner {
 
-/// Callbacks of a plan: progress of a stage, question whether to stop, results to keep. `progress` and `keep` are
-/// called by one thread at a time.
+/// Callbacks of a plan: `progress` reports the progress of a stage, `stop` returns true to stop the plan, `keep`
+/// receives results to save. `progress` and `keep` are called from one thread at a time.
 struct PlanHooks {
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress;
   std::function<bool()> stop;
   std::function<void(const PlanCache& cache)> keep;
 };
 
-/// Kind of travel from tube to tube.
+/// Kind of travel between tubes.
 enum class TravelKind {
-  kJoints,  ///< straight in joint space, or round obstacles
-  kLine,    ///< the deflected tip on the line between the standoffs, if that is possible and free
+  kJoints,  ///< straight in joint space, or a detour around obstacles
+  kLine,    ///< the deflected tip stays on the line between the standoffs, if that is possible and free
 };
-std::string_view nameOf(TravelKind kind);  ///< joints, line
+std::string_view nameOf(TravelKind kind);  ///< name in files and options: joints or line
 std::optional<TravelKind> findTravelKind(std::string_view name);
 
 struct VisitPlanOptions {
@@ -63,18 +63,20 @@ struct VisitPlanOptions {
   VisitOrderOptions order;
   MotionPlannerOptions motion;
   VisitConditions conditions;
-  int reprice_rounds = 12;           ///< rounds of ordering, planning the chosen moves and setting their true times
-  double report_accuracy = 2.54e-4;  ///< accuracy of the reported least clearance [m] (0.010 in)
+  int reprice_rounds = 12;  ///< rounds of ordering, planning the moves of the order and setting their true times
+  double report_accuracy = 2.54e-4;  ///< accuracy of the reported least margin [m] (0.010 in)
 };
 
 enum class SegmentKind { kTravel, kApproach, kRetreat };
-std::string_view nameOf(SegmentKind kind);  ///< travel, approach, retreat
+std::string_view nameOf(SegmentKind kind);  ///< name in files: travel, approach or retreat
 
-/// A stretch of the path, proved free: the arm stops at every waypoint and moves straight in joint space between them,
-/// or flows through them.
+/// A segment of the path, proved free. The arm moves straight in joint space and stops at every waypoint, or passes the
+/// waypoints without stops.
 struct PathSegment {
   SegmentKind kind = SegmentKind::kTravel;
-  int visit = -1;  ///< visit that it belongs to (a travel: the one it leads to; to the end posture: the last)
+  /// Index of the segment's visit; for a travel, of the visit that it leads to; for a travel to the end posture, of the
+  /// last visit.
+  int visit = -1;
   std::vector<Eigen::VectorXd> waypoints;
   /// Proved least margin beyond the clearance that the scene requires [m].
   double margin = std::numeric_limits<double>::quiet_NaN();
@@ -83,9 +85,9 @@ struct PathSegment {
 };
 
 struct PlannedVisit {
-  int tube = -1;  ///< index in the sheet
+  int tube = -1;  ///< index of the tube in the sheet
   TubeBranch branch;
-  double dwell = 0;  ///< stay at the hole [s]
+  double dwell = 0;  ///< dwell time at the hole [s]
 };
 
 struct UnreachableTube {
@@ -99,30 +101,35 @@ enum class VisitPlanStatus { kNotRun, kPlanned, kNothingReachable, kNoOrder, kSt
 struct VisitPlan {
   VisitPlanStatus status = VisitPlanStatus::kNotRun;
   std::string reason;
-  std::vector<PlannedVisit> visits;  ///< visits in visiting order
+  std::vector<PlannedVisit> visits;  ///< visits in the order of the path
   std::vector<UnreachableTube> unreachable;
-  /// Approach, retreat, travel, approach, ...; before and after them the travels from the start and to the end posture.
+  /// Approach, retreat, travel, approach, ...; preceded by a travel from the start posture and followed by a travel to
+  /// the end posture, if these are given.
   std::vector<PathSegment> segments;
-  double travel_time = std::numeric_limits<double>::quiet_NaN();  ///< between the standoffs, start and end postures [s]
+  /// Time of all travels between standoffs, and from start and to end postures [s].
+  double travel_time = std::numeric_limits<double>::quiet_NaN();
   double lower_bound = std::numeric_limits<double>::quiet_NaN();  ///< proved lower bound of `travel_time` [s]
   double optimality_gap = std::numeric_limits<double>::quiet_NaN();
-  double row_by_row_time = std::numeric_limits<double>::quiet_NaN();  ///< straight moves row after row [s]
-  double total_time = std::numeric_limits<double>::quiet_NaN();       ///< approaches, retreats and stays included [s]
-  double min_margin = std::numeric_limits<double>::quiet_NaN();       ///< proved least margin over all segments [m]
+  /// Travel time of straight moves in the row-by-row order [s].
+  double row_by_row_time = std::numeric_limits<double>::quiet_NaN();
+  /// Time of the whole path, with approaches, retreats and dwell times [s].
+  double total_time = std::numeric_limits<double>::quiet_NaN();
+  double min_margin = std::numeric_limits<double>::quiet_NaN();  ///< proved least margin over all segments [m]
   Clearance tightest;
-  int detours = 0;  ///< travels that are neither a straight joint move nor a line
-  int lines = 0;    ///< travels with the tip on a line
-  double line_deviation = std::numeric_limits<double>::quiet_NaN();  ///< largest distance of a tip from its line [m]
-  KeptWork kept;                                                     ///< numbers of results taken from the cache
+  int detours = 0;  ///< number of travels that are neither a straight joint move nor a line
+  int lines = 0;    ///< number of travels with the tip on a straight line
+  /// Largest distance of the tip from the line of a straight travel [m]; NaN if there is no such travel.
+  double line_deviation = std::numeric_limits<double>::quiet_NaN();
+  KeptWork kept;  ///< numbers of results taken from the cache
 };
 
-/// Plans the visit of `tubes` (indices in the sheet). The same cell, list, options and seed give the same plan, for any
-/// number of threads.
+/// Plans the visits of `tubes` (indices in the sheet). The same cell, work list, options and seed give the same plan,
+/// for any number of threads.
 [[nodiscard]] VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes,
                                    const VisitPlanOptions& options = {}, const PlanHooks& hooks = {});
 
-/// Plans with a cache, which must be of the same cell and options and, if it has orders, of the same list; its results
-/// are not computed again. A plan resumed after a stop is equal to that of an uninterrupted run.
+/// Plans with a cache, whose results are not computed again. The cache must belong to the same cell and options and, if
+/// it has orders, to the same work list. A plan resumed after a stop is identical to the plan of an uninterrupted run.
 [[nodiscard]] VisitPlan planVisits(const Workcell& cell, const std::vector<int>& tubes, const VisitPlanOptions& options,
                                    const PlanHooks& hooks, PlanCache& cache);
 
@@ -132,19 +139,19 @@ JointSpeeds jointSpeedsOf(const deflection::Arm& arm);
 /// Returns the duration of a segment [s].
 [[nodiscard]] double durationOf(const PathSegment& segment, const JointSpeeds& speeds);
 
-/// Returns the postures between which a segment is straight.
+/// Returns the postures of a segment between which the motion is straight in joint space.
 [[nodiscard]] std::vector<Eigen::VectorXd> cornersOf(const PathSegment& segment, const JointSpeeds& speeds);
 
-/// A row of the exported path; straight lines between rows are the motion that was proved free.
+/// A row of the exported path; the straight lines between consecutive rows are the motion that was proved free.
 struct PathRow {
-  double time = 0;  ///< [s]
+  double time = 0;  ///< time since the start of the path [s]
   int segment = 0;
   SegmentKind kind = SegmentKind::kTravel;
   Eigen::VectorXd q;
 };
 
-/// Returns the whole path in time, with rows at most `max_step` seconds apart while the arm moves. A stay at a hole is
-/// two rows with the same posture; the second begins the retreat.
+/// Returns the whole path as a function of time, with rows at most `max_step` [s] apart while the arm moves. A dwell
+/// time at a hole gives two rows with the same posture; the second row begins the retreat.
 std::vector<PathRow> samplePath(const VisitPlan& plan, const JointSpeeds& speeds, double max_step = 0.25);
 
 }  // namespace tubeplan::planner
