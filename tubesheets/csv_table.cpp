@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// Returns the end of a quoted field that starts at `start` (its opening quote); npos if it is never closed.
+// Returns the position of the closing quote of a field whose opening quote is at `start`; npos if there is none.
 std::size_t findClosingQuote(std::string_view line, std::size_t start) {
   for (std::size_t i = start + 1; i < line.size(); ++i) {
     if (line[i] != '"') continue;

@@ -1,4 +1,4 @@
-// A hash that identifies the same numbers and texts.
+// A hash that is equal for equal numbers and texts.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,8 @@
 
 namespace tubeplan::tubesheets {
 
-/// FNV-1a hash, 64 bits, fed byte by byte from the low end: the same on every machine.
+/// FNV-1a hash of 64 bits; numbers are added byte by byte from the low end, so that the hash is the same on every
+/// machine.
 class Fingerprint {
  public:
   void add(std::int64_t number) {

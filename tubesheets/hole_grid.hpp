@@ -1,4 +1,4 @@
-// A grid which finds the holes near a point without looking at all of them.
+// A grid that finds the holes near a point without checking all holes.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,13 @@
 
 namespace tubeplan::tubesheets {
 
-/// Square cells of side `reach` [m] over the holes with finite positions.
+/// Grid of square cells with side `reach` [m] over the holes whose positions are finite.
 class HoleGrid {
  public:
   HoleGrid(const std::vector<Tube>& tubes, double reach);
 
-  /// Returns the indices in `tubes` of the holes at most `distance` [m] (not above `reach`) from (x, y) [m], ascending.
+  /// Returns the indices in `tubes`, ascending, of the holes within `distance` [m] of (x, y) [m]; `distance` must not
+  /// exceed `reach`.
   [[nodiscard]] std::vector<int> findWithin(double x, double y, double distance) const;
 
  private:
@@ -29,7 +30,7 @@ class HoleGrid {
   std::vector<Entry> entries_;
 };
 
-/// Returns for each hole the indices of the others within `reach` [m], ascending.
+/// Returns for each hole the indices, ascending, of the other holes within `reach` [m].
 [[nodiscard]] std::vector<std::vector<int>> neighboursWithin(const std::vector<Tube>& tubes, double reach);
 
 }  // namespace tubeplan::tubesheets

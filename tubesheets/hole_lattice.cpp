@@ -15,29 +15,31 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr double kReach = 2.6;           // distance over which holes are compared, in pitches
-constexpr double kOneStep = 0.1;         // deviation of a lattice step from the pitch, as a share
-constexpr double kAgrees = 0.1;          // deviation from which a hole is reported, in pitches
-constexpr std::size_t kEnoughAgree = 4;  // neighbours
-constexpr double kMostAgree = 0.7;       // share of the neighbours
+constexpr double kReach = 2.6;  // distance over which holes are compared, in pitches
+// largest deviation of a lattice step's length from the pitch, as a fraction of the pitch
+constexpr double kOneStep = 0.1;
+constexpr double kAgrees = 0.1;          // deviation from the lattice from which a hole is reported, in pitches
+constexpr std::size_t kEnoughAgree = 4;  // least number of neighbours that must agree
+constexpr double kMostAgree = 0.7;       // least fraction of the neighbours that must agree
 
-// Distance in pitches, less than half of a lattice's shortest step, within which no other lattice point is as near.
+// Distance in pitches, less than half of a lattice's shortest step, within which no other lattice point can be nearer.
 constexpr double kSurelyShortest = 0.4;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Returns a hole's position in pitches.
+/// Returns a hole's position, in pitches.
 Vector2d placeOf(const Sheet& sheet, int tube) {
   const Tube& at = sheet.tubes[static_cast<std::size_t>(tube)];
   return {at.x / sheet.pitch, at.y / sheet.pitch};
 }
 
-/// Two shortest steps of a lattice.
+/// Two shortest independent steps of a lattice, in pitches.
 struct Basis {
   Vector2d a, b;
 
-  /// Returns the shortest remainder of a difference of positions after whole steps. Rounding gives it up to one step,
-  /// if the two are not at right angles.
+  /// Returns the shortest residual of a difference of positions after whole lattice steps are subtracted. If the two
+  /// steps are not at right angles, rounding may miss the shortest residual by one step, so that adjacent residuals are
+  /// compared.
   [[nodiscard]] Vector2d remainder(const Vector2d& difference) const {
     const double area = cross(a, b);
     const double s = std::round(cross(difference, b) / area), t = std::round(cross(a, difference) / area);
@@ -51,7 +53,7 @@ struct Basis {
   }
 };
 
-/// Returns the mean of the steps in the direction that most of them have.
+/// Returns the mean of the steps in their most common direction; nothing if there are no steps.
 std::optional<Vector2d> commonStep(const std::vector<Vector2d>& steps) {
   constexpr int kBins = 180;  // bins of one degree over half a turn
   constexpr double kNearBin = 2 * std::numbers::pi / kBins;
@@ -91,26 +93,27 @@ std::optional<Basis> basisOf(const Sheet& sheet, const std::vector<std::vector<i
   return Basis{*first, *second};
 }
 
-/// Returns the shifts of a hole to the nearest lattice point, according to each neighbour.
+/// Returns the shift from a hole to the nearest lattice point according to each neighbour, in pitches.
 std::vector<Vector2d> shiftsOf(const Sheet& sheet, const Basis& basis, int tube, const std::vector<int>& neighbours) {
   std::vector<Vector2d> shifts;
   for (const int other : neighbours) shifts.push_back(basis.remainder(placeOf(sheet, other) - placeOf(sheet, tube)));
   return shifts;
 }
 
-/// Returns true if most of the holes about it agree with the hole's position.
+/// Returns true if at least half of the neighbours agree with the hole's position.
 bool isOnLattice(const std::vector<Vector2d>& shifts) {
   const auto agree = std::ranges::count_if(shifts, [](const Vector2d& shift) { return shift.norm() < kAgrees; });
   return 2 * static_cast<std::size_t>(agree) >= shifts.size();
 }
 
-/// Returns the mean of the shifts that agree with one another, if they are enough and most of them.
+/// Returns the mean of the shifts that agree with each other; nothing if they are too few or too small a fraction of
+/// all shifts.
 std::optional<Vector2d> agreedShift(const Basis& basis, const std::vector<Vector2d>& shifts) {
   for (const Vector2d& centre : shifts) {
     Vector2d sum = Vector2d::Zero();
     std::size_t count = 0;
     for (const Vector2d& shift : shifts) {
-      // A shift of half a pitch may point to either side.
+      // A shift of half a pitch may point to either of two opposite lattice points.
       const Vector2d beside = basis.remainder(shift - centre);
       if (beside.norm() >= kAgrees) continue;
       sum += centre + beside;

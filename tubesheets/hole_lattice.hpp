@@ -1,4 +1,5 @@
-// A hole whose coordinates do not fit the lattice of its neighbours, as after a typing error in a map.
+// Detection of holes whose coordinates do not fit the lattice of their neighbours, such as after a typing error in a
+// map.
 #pragma once
 
 #include <vector>
@@ -8,15 +9,15 @@
 namespace tubeplan::tubesheets {
 
 struct HoleOffLattice {
-  int tube = -1;        ///< index in Sheet::tubes
+  int tube = -1;        ///< index of the hole in Sheet::tubes
   double distance = 0;  ///< distance from the nearest lattice point [m]
-  double x = 0, y = 0;  ///< the nearest lattice point [m]
+  double x = 0, y = 0;  ///< position of the nearest lattice point [m]
 };
 
-/// Finds holes a tenth of a pitch or more off the lattice that their neighbours agree on, in sheet order; manufacture
-/// scatters by a hundredth. Each hole is judged by those within a few pitches alone, so that parts of a sheet may be
-/// shifted or separated by lanes. A hole with fewer than four agreeing neighbours is not judged. Empty for holes that
-/// form no lattice. The sheet must have no problems.
+/// Finds holes that are a tenth of a pitch or more off the lattice on which their neighbours agree, in sheet order;
+/// manufacturing scatter is a hundredth of a pitch. Each hole is compared only with holes within a few pitches, so that
+/// parts of a sheet may be shifted or separated by lanes. A hole with fewer than four agreeing neighbours is not
+/// checked. Empty if the holes form no lattice. The sheet must have no problems.
 [[nodiscard]] std::vector<HoleOffLattice> findHolesOffLattice(const Sheet& sheet);
 
 }  // namespace tubeplan::tubesheets

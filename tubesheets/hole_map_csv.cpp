@@ -10,7 +10,7 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-// Reader of rows into a map, which stops at the first fault.
+// Reads rows into a map, and stops at the first fault.
 class MapReader {
  public:
   explicit MapReader(std::string_view text) {
@@ -76,8 +76,8 @@ class MapReader {
   }
 
   HoleMap map_;
-  std::map<std::pair<int, int>, int> lines_;  // line where each tube was first named
-  std::map<std::string, int> unknown_;        // unknown codes
+  std::map<std::pair<int, int>, int> lines_;  // line where each tube (row, column) first occurs
+  std::map<std::string, int> unknown_;        // unknown codes with their counts
 };
 
 std::string ownHeading(const LengthUnit& unit) { return fmt::format("row,column,x_{0},y_{0},state", unit.suffix); }
@@ -87,8 +87,8 @@ std::string ownRow(const Tube& tube, const LengthUnit& unit) {
                      tubeStateName(tube.state));
 }
 
-/// Returns the index of the state column, if the table has all columns of this program under its own names; else
-/// nothing.
+/// Returns the index of the state column if the table has all columns of this program under the program's own names;
+/// else nothing.
 std::optional<std::size_t> placeOfStateInOwn(const HoleMap& map, const LengthUnit& unit) {
   const TextTable& table = map.table.text;
   std::string heading = ownHeading(unit);
@@ -99,7 +99,7 @@ std::optional<std::size_t> placeOfStateInOwn(const HoleMap& map, const LengthUni
   return static_cast<std::size_t>(std::ranges::find(table.columns, names->back()) - table.columns.begin());
 }
 
-/// Returns the map's own text, with its codes as states.
+/// Returns the text of the map as it was read, with codes in the state column replaced by states.
 std::string ownText(const Sheet& sheet, std::size_t place) {
   const HoleMap& map = *sheet.map;
   ColumnText state{"state", place, {}};
@@ -112,7 +112,7 @@ std::string ownText(const Sheet& sheet, std::size_t place) {
   return withColumns(map.text, map.table.text, {state});
 }
 
-/// Returns the columns whose content is not in this program's own columns.
+/// Returns the indices of the columns whose content is in none of this program's own columns.
 std::vector<std::size_t> otherColumns(const TubeTable& table) {
   std::vector<std::size_t> others;
   for (std::size_t c = 0; c < table.text.columns.size(); ++c) {
@@ -124,7 +124,7 @@ std::vector<std::size_t> otherColumns(const TubeTable& table) {
   return others;
 }
 
-/// Returns the map in this program's layout, with the comments before it and the other columns at the end.
+/// Returns the map in this program's layout, preceded by the map's comments and with its other columns at the end.
 std::string convertedText(const Sheet& sheet, const LengthUnit& unit) {
   const TextTable* table = sheet.map ? &sheet.map->table.text : nullptr;
   const std::vector<std::size_t> others = table ? otherColumns(sheet.map->table) : std::vector<std::size_t>{};

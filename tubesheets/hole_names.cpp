@@ -12,22 +12,22 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr double kOff = 0.5;            // [pitches]
-constexpr std::size_t kMost = 20;       // largest number of misnamed holes in a map that counts by columns
-constexpr std::size_t kLeast = 2;       // lower limit of that number, for small sheets
-constexpr double kMostShare = 0.02;     // share of all holes for that number
-constexpr std::size_t kLeastInRow = 4;  // holes needed to determine the offset of a row
+constexpr double kOff = 0.5;  // distance from its expected position from which a hole counts as misnamed, in pitches
+constexpr std::size_t kMost = 20;       // largest limit on the number of misnamed holes in a map
+constexpr std::size_t kLeast = 2;       // least limit on that number, for small sheets
+constexpr double kMostShare = 0.02;     // limit on that number as a fraction of all holes
+constexpr std::size_t kLeastInRow = 4;  // least number of holes that determine the offset of a row
 
 Vector2d inPlane(const Tube& tube) { return {tube.x, tube.y}; }
 
-/// Returns the median of each coordinate, so that a few wrong ones have no influence.
+/// Returns the median of each coordinate, so that a few wrong coordinates have no influence.
 Vector2d medianPlace(const std::vector<Vector2d>& vectors) {
   std::vector<double> x, y;
   for (const Vector2d& v : vectors) x.push_back(v.x()), y.push_back(v.y());
   return {medianOf(std::move(x)), medianOf(std::move(y))};
 }
 
-/// Returns the step from a column to the next; zero if no row has two holes.
+/// Returns the step from one column to the next [m]; zero if no row has two holes.
 Vector2d columnStep(const Sheet& sheet) {
   std::vector<Vector2d> steps;
   for (std::size_t k = 1; k < sheet.tubes.size(); ++k) {
@@ -37,7 +37,7 @@ Vector2d columnStep(const Sheet& sheet) {
   return steps.empty() ? Vector2d::Zero() : medianPlace(steps);
 }
 
-/// Returns the position of column 0 for each row with enough holes.
+/// Returns the position of column 0 [m] for each row with enough holes, keyed by row number.
 std::map<int, Vector2d> rowOrigins(const Sheet& sheet, const Vector2d& step) {
   std::map<int, std::vector<Vector2d>> by_row;
   for (const Tube& tube : sheet.tubes) by_row[tube.row].push_back(inPlane(tube) - tube.column * step);

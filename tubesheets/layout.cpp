@@ -13,7 +13,7 @@ namespace tubeplan::tubesheets {
 namespace {
 
 constexpr double kMostPitchesInRadius = 500;  // about 800,000 holes; real sheets have 16,000
-constexpr int kMostLines = 10000;             // rows or columns
+constexpr int kMostLines = 10000;             // largest number of rows, and of columns
 
 double numberAt(const Layout& layout, const LayoutKey& key) {
   return std::visit([&](auto field) { return static_cast<double>(layout.*field); }, key.field);
@@ -44,8 +44,8 @@ void findSizeProblems(const Layout& layout, const LayoutType& type, std::vector<
                         "leave it out to have it derived"});
 }
 
-// Finds a stated number of columns that the radius does not fill, which would shift every number and so name the wrong
-// tube.
+// Finds a stated number of columns that the radius does not fill. Such a number would shift every column number, and so
+// name the wrong tube.
 void findNumberingProblems(const Layout& layout, const LayoutType& type, std::vector<Problem>& problems) {
   const std::vector<Tube> tubes = type.make_tubes(layout);
   if (tubes.empty()) {

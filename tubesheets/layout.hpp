@@ -1,4 +1,4 @@
-// The drilling pattern of a tube sheet as data, and the holes that it makes.
+// The drilling pattern of a tube sheet as data, and the generation of its holes.
 #pragma once
 
 #include <limits>
@@ -10,22 +10,23 @@
 
 namespace tubeplan::tubesheets {
 
-/// A drilling pattern [m] of one of the types in layouts.hpp, which lists the numbers that each type takes.
+/// A drilling pattern [m] of one of the types in layouts.hpp, which lists the values that each type requires.
 struct Layout {
-  std::string type;                                             ///< square, triangular or disc
-  double pitch = std::numeric_limits<double>::quiet_NaN();      ///< distance between neighbouring centres
-  double first_row = std::numeric_limits<double>::quiet_NaN();  ///< distance from the divider plate to row 1
-  double radius = std::numeric_limits<double>::quiet_NaN();     ///< circle that holds all centres
-  double stay_radius = 0;                                       ///< circle without centres (stay cylinder)
-  int rows = 0;                                                 ///< largest number of rows; 0 = as many as fit
-  int columns = 0;  ///< number of columns, centred on x = 0; 0 = as many as fit
+  std::string type;                                         ///< square, triangular or disc
+  double pitch = std::numeric_limits<double>::quiet_NaN();  ///< distance between the centres of neighbouring holes
+  /// Distance from the divider plate to the centres of row 1.
+  double first_row = std::numeric_limits<double>::quiet_NaN();
+  double radius = std::numeric_limits<double>::quiet_NaN();  ///< radius of the circle that contains all hole centres
+  double stay_radius = 0;  ///< radius of the circle without hole centres (stay cylinder)
+  int rows = 0;            ///< largest number of rows; 0: as many as fit
+  int columns = 0;         ///< number of columns, centred on x = 0; 0: as many as fit
 };
 
-/// Returns everything that keeps the layout from being drilled, or nothing. This includes a layout without holes and
-/// more columns than fit, which would shift every column's number.
+/// Returns the problems that prevent drilling the layout; empty if there are none. These include a layout without
+/// holes, and more columns than fit, which would shift every column number.
 [[nodiscard]] std::vector<Problem> findLayoutProblems(const Layout& layout);
 
-/// Returns the holes row by row, all open, in the hot leg's or the full sheet's frame. The layout must have no
+/// Returns the holes row by row, all open, in the frame of the hot leg or of the full sheet. The layout must have no
 /// problems.
 [[nodiscard]] std::vector<Tube> makeTubes(const Layout& layout);
 

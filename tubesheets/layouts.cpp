@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kHalfRootThree = std::numbers::sqrt3 / 2;
 
-// Tolerance in pitches, so that a centre on the limiting circle counts as inside in spite of rounding.
+// Tolerance as a fraction of the radius, so that a centre on the limiting circle counts as inside despite rounding.
 constexpr double kOnCircle = 1e-12;
 
 bool isWithin(const Layout& layout, double x, double y) {
@@ -22,7 +22,8 @@ bool isWithin(const Layout& layout, double x, double y) {
          distance >= layout.stay_radius / layout.pitch * (1 - kOnCircle);
 }
 
-// One leg with rows dy apart and columns dx apart, centred on x = 0; staggered keeps every second of them.
+// Lattice of one leg with rows dy apart and columns dx apart, centred on x = 0; if staggered, every second point is
+// omitted.
 struct LegLattice {
   double dx, dy;
   bool staggered;
@@ -37,7 +38,7 @@ void addLegRow(const Layout& layout, const LegLattice& lattice, int row, int col
   }
 }
 
-// Counts columns from the widest row that exists, so that column 1 always has a hole.
+// Renumbers the columns so that the widest row begins at column 1.
 void dropEmptyMargins(int columns, std::vector<Tube>& tubes) {
   int margin = columns;
   for (const Tube& tube : tubes) margin = std::min({margin, tube.column - 1, columns - tube.column});
@@ -63,8 +64,8 @@ std::vector<Tube> makeTriangularLeg(const Layout& layout) {
   return makeLeg(layout, {layout.pitch / 2, layout.pitch * kHalfRootThree, true});
 }
 
-// Adds a row of a once-through generator, whose tubes are numbered from 1 in each row: a column is a place in its row,
-// not a line of holes.
+// Adds a row of a once-through generator, whose tubes are numbered from 1 in each row: the column is the position in
+// the row, not a line of holes.
 void addDiscRow(const Layout& layout, int line, int row, std::vector<Tube>& tubes) {
   const int half = static_cast<int>(layout.radius / layout.pitch) + 1;
   const double shift = line % 2 == 0 ? 0.0 : 0.5;

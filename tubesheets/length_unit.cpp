@@ -18,7 +18,7 @@ struct LengthWord {
   LengthUnit unit;
 };
 
-/// Words for units, besides the suffixes.
+/// Names of units, in addition to the suffixes.
 constexpr LengthWord kLengthWords[] = {
     {"inch", kInch},
     {"inches", kInch},
@@ -32,7 +32,7 @@ constexpr LengthWord kLengthWords[] = {
     {"metres", kMetre},
 };
 constexpr int kGridExponent = 44;
-constexpr double kLargestSnapped = 256;  // length above which a double is coarser than the grid [m]
+constexpr double kLargestSnapped = 256;  // length above which the spacing of doubles is coarser than the grid [m]
 
 double readBack(std::string_view text) {
   double value = 0;
@@ -59,7 +59,8 @@ const LengthUnit* findLengthWord(std::string_view word) {
 
 double snapLength(double metres) {
   if (!(std::abs(metres) < kLargestSnapped)) return metres;
-  return std::ldexp(std::round(std::ldexp(metres, kGridExponent)), -kGridExponent) + 0.0;  // + 0.0: no negative zero
+  // adding 0.0 avoids a negative zero
+  return std::ldexp(std::round(std::ldexp(metres, kGridExponent)), -kGridExponent) + 0.0;
 }
 
 std::string formatLength(double metres, const LengthUnit& unit) {

@@ -1,4 +1,4 @@
-// The units of length that a column's name (x_in, x_mm, x_m) or a zone may carry.
+// The units of length that a column name (x_in, x_mm, x_m) or a zone may have.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 namespace tubeplan::tubesheets {
 
 struct LengthUnit {
-  std::string_view suffix;  ///< suffix of a column's name: "in"
+  std::string_view suffix;  ///< suffix of a column name, such as "in"
   double metres;            ///< metres per unit
 };
 
@@ -22,15 +22,16 @@ inline constexpr LengthUnit kMetre{"m", 1.0};
 /// Returns the unit with that suffix, or null if there is none.
 [[nodiscard]] const LengthUnit* findLengthUnit(std::string_view suffix);
 
-/// Returns the unit by any word or sign for it, in any capitals ("Inches", "millimetres"), or null if there is none.
+/// Returns the unit with any name or symbol for it, in upper or lower case ("Inches", "millimetres"), or null if there
+/// is none.
 [[nodiscard]] const LengthUnit* findLengthWord(std::string_view word);
 
-/// Rounds a length [m] to the grid of 2^-44 m (57 femtometre) on which drilled positions are kept. The grid is far
-/// below any drawing, and coarse enough that a length printed in another unit is read back to the same bits.
+/// Rounds a length [m] to the grid of 2^-44 m (57 femtometres) on which hole positions are stored. The grid is far
+/// finer than any drawing, and coarse enough that a length printed in another unit is read back to the same bits.
 [[nodiscard]] double snapLength(double metres);
 
-/// Returns the shortest decimal in that unit which, times the unit and snapped, gives exactly `metres`. `metres` must
-/// be snapped and finite.
+/// Returns the shortest decimal number of units that converts back to exactly `metres` after snapping. `metres` must be
+/// snapped and finite.
 [[nodiscard]] std::string formatLength(double metres, const LengthUnit& unit);
 
 }  // namespace tubeplan::tubesheets

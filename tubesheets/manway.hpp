@@ -10,7 +10,7 @@
 
 namespace tubeplan::tubesheets {
 
-/// A round opening whose axis passes through the centre of the sheet [m], in the sheet frame of tube.hpp.
+/// A round opening of the bowl whose axis passes through the centre of the sheet [m], in the sheet frame of tube.hpp.
 struct Manway {
   /// Centre of the opening on the bowl's surface.
   Eigen::Vector3d centre = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -20,8 +20,9 @@ struct Manway {
   [[nodiscard]] Eigen::Vector2d direction() const { return centre.head<2>().normalized(); }
 };
 
-/// Returns the problems of a manway: numbers that are not finite, a diameter not above zero, a centre not below the
-/// sheet, straight below its middle (without a direction) or in the other leg, and an opening wider than its bowl.
+/// Returns the problems of a manway: values that are not finite, a diameter not above zero, a centre that is not below
+/// the sheet, is straight below its middle (without a direction) or is in the other leg, and an opening wider than the
+/// bowl.
 [[nodiscard]] std::vector<Problem> findManwayProblems(const Manway& manway, Leg leg);
 
 }  // namespace tubeplan::tubesheets

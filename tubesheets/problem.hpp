@@ -1,19 +1,20 @@
-// A fault of an input, as a value. The application turns it into its one exception.
+// A fault of an input, as a value. The application converts it to its exception type.
 #pragma once
 
 #include <string>
 
 namespace tubeplan::tubesheets {
 
-/// One fault of an input, in words that a user can act on.
+/// One fault of an input, in terms that a user can act on.
 struct Problem {
-  std::string what;      ///< key, hole, step or column at fault
-  std::string found;     ///< value found; without an expected one, a sentence of what is wrong
+  std::string what;      ///< key, hole, step or column with the fault
+  std::string found;     ///< value found; if `expected` is empty, a sentence that states the problem
   std::string expected;  ///< value expected; empty unless a value is wrong
   std::string advice;    ///< advice to the user; may be empty
-  int line = 0;          ///< line of the text, from 1; 0 if there is no text
+  int line = 0;          ///< line number in the text, from 1; 0 if there is no text
 
-  /// Returns "what: found F, expected E; advice" or "what: sentence; advice", preceded by the line if there is one.
+  /// Returns "what: found F, expected E; advice" or "what: sentence; advice", preceded by "line N: " if the line is
+  /// known.
   [[nodiscard]] std::string sentence() const {
     const std::string place = line > 0 ? "line " + std::to_string(line) + ": " : "";
     const std::string fault = expected.empty() ? found : "found " + found + ", expected " + expected;

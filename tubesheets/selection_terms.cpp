@@ -25,7 +25,7 @@ TermChoice keepIf(const std::vector<int>& candidates, Predicate predicate) {
 
 TermChoice refuseTerm(std::string reason) { return {{}, std::move(reason)}; }
 
-// Reads a count from 1; nothing if the argument is anything else.
+// Parses a count of 1 or more; returns nothing if the argument is not such a number.
 std::optional<int> parseCount(std::string_view argument) {
   const std::optional<int> count = parseInteger(argument);
   return count && *count >= 1 ? count : std::nullopt;
@@ -42,7 +42,7 @@ TermChoice chooseOuter(const Sheet& sheet, const std::vector<int>& candidates, s
   return keepIf(candidates, [&](int tube) { return depths[tube] > 0 && depths[tube] <= *depth; });
 }
 
-// Reads a zone, "-10:10:20:40in", as four numbers in metres.
+// Parses a zone such as "-10:10:20:40in". Returns four limits in metres, or nothing if the zone is malformed.
 std::optional<std::vector<double>> parseZone(std::string_view argument) {
   const std::size_t unit_start = argument.find_last_not_of("abcdefghijklmnopqrstuvwxyz") + 1;
   const LengthUnit* unit = findLengthUnit(argument.substr(unit_start));
@@ -109,7 +109,8 @@ struct Span {
   int first = 0, last = 0;
 };
 
-// Takes "R3" or "R3-7" from the front of `text`; false if the letter is there but no number follows.
+// Takes a span such as "R3" or "R3-7" from the front of `text`. Returns false if the letter is present but no number
+// follows.
 bool takeSpan(std::string_view& text, char letter, std::optional<Span>& span) {
   const auto take_number = [&](int& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -16,7 +16,8 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr double kNeighbourReach = 1.05;  // in pitches: room for drilling tolerance, far from the diagonal's 1.41
+// distance within which holes are neighbours, in pitches; allows for drilling tolerance, far below the diagonal's 1.41
+constexpr double kNeighbourReach = 1.05;
 
 bool isBefore(const Tube& a, const Tube& b) { return std::tie(a.row, a.column) < std::tie(b.row, b.column); }
 

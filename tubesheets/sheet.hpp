@@ -1,4 +1,4 @@
-// A tube sheet: the holes of one leg (or of the full sheet) with their numbers, places and states.
+// A tube sheet: the holes of one leg, or of the full sheet, with their row and column numbers, positions and states.
 //
 // Example, compiled and run by tests/examples:
 //
@@ -27,17 +27,18 @@ namespace tubeplan::tubesheets {
 
 struct HoleMap;
 
-/// Input of makeSheet() [m].
+/// Description of a sheet, the input of makeSheet() [m].
 struct SheetDescription {
   std::string name;
   Layout layout;
   double hole_diameter = std::numeric_limits<double>::quiet_NaN();
   Leg leg = Leg::kHot;
   ViewedFrom viewed_from = ViewedFrom::kBelow;
-  std::optional<Manway> manway = std::nullopt;  ///< manway of the sheet; nothing if its place is unknown
+  std::optional<Manway> manway = std::nullopt;  ///< manway of the sheet; nothing if its position is unknown
 };
 
-/// A tube sheet. `tubes` are in sheet order: by row, then by column. Positions [m] are in the sheet frame of tube.hpp.
+/// A tube sheet. `tubes` are sorted in sheet order: by row, then by column. Positions [m] are in the sheet frame of
+/// tube.hpp.
 struct Sheet {
   std::string name;
   std::string layout_type;
@@ -49,42 +50,42 @@ struct Sheet {
   int columns = 0;  ///< highest column number
   std::optional<Manway> manway;
   std::vector<Tube> tubes;
-  std::shared_ptr<const HoleMap> map;  ///< map that the sheet was read from; null for a layout
+  std::shared_ptr<const HoleMap> map;  ///< map that the sheet was read from; null if the sheet was made from a layout
 
-  /// Returns the tube of that name, or null if it is not on this sheet.
+  /// Returns the tube at that row and column, or null if it is not on this sheet.
   [[nodiscard]] const Tube* find(int row, int column) const;
 
-  /// Returns the index in `tubes` of the tube of that name, or nothing.
+  /// Returns the index in `tubes` of the tube at that row and column, or nothing if it is not on this sheet.
   [[nodiscard]] std::optional<int> indexOf(int row, int column) const;
 
-  /// Returns the indices in `tubes` of the holes within 1.05 pitch of that one, in sheet order. Looks at every hole;
-  /// findNeighbours() is faster for the whole sheet.
+  /// Returns the indices in `tubes` of the other holes within 1.05 pitches of a tube, in sheet order. Every hole is
+  /// checked; findNeighbours() is faster for the whole sheet.
   [[nodiscard]] std::vector<int> neighbours(int tube) const;
 
-  /// Returns 16 hexadecimal digits over layout type, leg, pitch, diameter, numbers and positions (to 1e-9 m), not over
-  /// name, states and manway. Two sheets with equal fingerprints have the same tube in the same place under the same
-  /// name.
+  /// Returns a hash of 16 hexadecimal digits over layout type, leg, pitch, hole diameter, row and column numbers and
+  /// positions (to 1e-9 m), but not over name, states and manway. If two sheets have equal fingerprints, every tube has
+  /// the same name and position on both.
   [[nodiscard]] std::string fingerprint() const;
 };
 
-/// Returns what keeps a sheet from being made: faults of its layout or hole diameter, or a leg that contradicts the
-/// layout.
+/// Returns the problems that prevent making a sheet: faults of the layout or the hole diameter, or a leg that
+/// contradicts the layout.
 [[nodiscard]] std::vector<Problem> findDescriptionProblems(const SheetDescription& description);
 
 /// Makes a sheet from a layout: the hot leg as generated, the cold leg mirrored (y -> -y). The description must have no
 /// problems.
 [[nodiscard]] Sheet makeSheet(const SheetDescription& description);
 
-/// Makes a sheet from given holes, at their positions unchanged; of the layout only type and pitch are used. The result
-/// may have problems: see findSheetProblems().
+/// Makes a sheet from given holes, with their positions unchanged; only type and pitch are used of the layout. The
+/// result may have problems: see findSheetProblems().
 [[nodiscard]] Sheet makeSheet(const SheetDescription& description, std::vector<Tube> tubes);
 
-/// Returns for each hole the indices of the holes within 1.05 pitch, in sheet order.
+/// Returns for each hole the indices of the other holes within 1.05 pitches, in sheet order.
 [[nodiscard]] std::vector<std::vector<int>> findNeighbours(const Sheet& sheet);
 
-/// Returns what makes the sheet unusable (the first twenty or so): no holes, numbers that are not finite or absurd, two
-/// holes of one name, holes that overlap, a hole diameter not below the pitch, holes beyond the divider plate, a
-/// spacing that contradicts the pitch (a wrong unit), and faults of its manway.
+/// Returns the first twenty or so problems that make the sheet unusable: no holes, numbers that are not finite or
+/// absurd, two holes with one name, holes that overlap, a hole diameter not below the pitch, holes beyond the divider
+/// plate, a spacing that contradicts the pitch (a wrong unit), and faults of the manway.
 [[nodiscard]] std::vector<Problem> findSheetProblems(const Sheet& sheet);
 
 }  // namespace tubeplan::tubesheets

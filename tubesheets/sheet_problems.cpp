@@ -13,8 +13,9 @@ namespace tubeplan::tubesheets {
 namespace {
 
 constexpr std::size_t kMostProblems = 20;
-constexpr double kFarthestHole = 100;                      // [m]
-constexpr double kLeastSpacing = 0.6, kMostSpacing = 2.2;  // in pitches; mistaken units give a factor of 2.54 or more
+constexpr double kFarthestHole = 100;  // largest coordinate of a hole [m]
+// accepted range of the spacing, in pitches; mistaken units give a factor of 2.54 or more
+constexpr double kLeastSpacing = 0.6, kMostSpacing = 2.2;
 
 std::string nameOf(const Tube& tube) { return tubeName(tube.row, tube.column); }
 
@@ -90,7 +91,8 @@ std::optional<double> findMedianSpacing(const Sheet& sheet) {
   std::vector<double> spacings;
   for (std::size_t i = 1; i < sheet.tubes.size(); ++i) {
     const Tube &before = sheet.tubes[i - 1], &tube = sheet.tubes[i];
-    const bool are_adjacent = before.row == tube.row && tube.column - before.column <= 2;  // 2: triangular lattices
+    // adjacent columns on triangular lattices differ by 2
+    const bool are_adjacent = before.row == tube.row && tube.column - before.column <= 2;
     if (are_adjacent) spacings.push_back(std::hypot(tube.x - before.x, tube.y - before.y));
   }
   if (spacings.empty()) return std::nullopt;
@@ -105,7 +107,7 @@ void findSpacingProblems(const Sheet& sheet, std::vector<Problem>& problems) {
                                      "check the unit in the column's name, and the pitch"});
 }
 
-// Returns the distance to the nearest other hole, for holes with one within `reach`.
+// Returns the distance to the nearest other hole [m] for each hole that has one within `reach` [m].
 std::vector<double> nearestWithin(const Sheet& sheet, double reach) {
   const HoleGrid grid(sheet.tubes, reach);
   std::vector<double> distances;
@@ -120,11 +122,12 @@ std::vector<double> nearestWithin(const Sheet& sheet, double reach) {
   return distances;
 }
 
-// Checks the pitch, by which neighbours are found: with a wrong one, all holes would count as outermost.
+// Checks the pitch, which determines neighbours: with a wrong pitch, all holes would count as outermost.
 void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::vector<Problem>& problems) {
-  constexpr double kAsDrawn = 0.02;  // deviation as a share of the pitch
-  std::erase_if(distances, [&](double distance) { return distance < sheet.hole_diameter; });  // overlaps
-  if (distances.size() < 2 || 2 * distances.size() < sheet.tubes.size()) return;              // a list of a few holes
+  constexpr double kAsDrawn = 0.02;  // largest deviation as a fraction of the pitch
+  std::erase_if(distances, [&](double distance) { return distance < sheet.hole_diameter; });  // holes that overlap
+  // too few holes to check, such as a list of single holes
+  if (distances.size() < 2 || 2 * distances.size() < sheet.tubes.size()) return;
   const double distance = medianOf(distances);
   if (std::abs(distance - sheet.pitch) <= kAsDrawn * sheet.pitch) return;
   problems.insert(problems.begin(), {"pitch",
@@ -133,9 +136,9 @@ void findPitchProblems(const Sheet& sheet, std::vector<double> distances, std::v
                                      "", "correct the pitch, or the unit in the column's name"});
 }
 
-// Finds holes far apart on a grid of millimetres, which are read as inches.
+// Finds holes far apart on a grid of millimetres that were read as inches.
 void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
-  constexpr double kExact = 1e-3, kFar = 300;  // share of a distance; pitches
+  constexpr double kExact = 1e-3, kFar = 300;  // tolerance as a fraction of a distance; largest distance in pitches
   constexpr std::size_t kMostLooked = 500;
   if (sheet.tubes.size() < 4) return;
   std::vector<double> distances;
@@ -158,9 +161,9 @@ void findUnitProblems(const Sheet& sheet, std::vector<Problem>& problems) {
                    "a whole number of pitches", "they may be in millimetres: check the unit in the column's name"});
 }
 
-// Checks the distance to the nearest hole of each, near or far.
+// Checks the distance of each hole to its nearest hole, near or far.
 void findNeighbourProblems(const Sheet& sheet, std::vector<Problem>& problems) {
-  constexpr double kNear = 1.6;  // in pitches
+  constexpr double kNear = 1.6;  // distance below which two holes count as near, in pitches
   auto distances = nearestWithin(sheet, kMostSpacing * sheet.pitch);
   if (distances.empty()) {
     findUnitProblems(sheet, problems);

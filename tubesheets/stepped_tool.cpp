@@ -11,15 +11,17 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr double kTail = 9;         // standard deviations; the probability beyond is 1e-19
-constexpr double kNoWidth = 1e-14;  // as a share of the radius: narrower distributions are a line or a point
-// Share of the larger variance down to which rounding may make a zero variance negative.
+constexpr double kTail = 9;  // range of integration in standard deviations; the probability beyond is 1e-19
+// as a fraction of the radius: narrower distributions are treated as a line or a point
+constexpr double kNoWidth = 1e-14;
+// Fraction of the larger variance by which rounding may make a zero variance negative.
 constexpr double kRoundOff = 1e-12;
-constexpr double kQuadrature = 1e-12;  // absolute, of each piece
-constexpr int kDeepest = 14;           // halvings of a piece
-constexpr int kDeepestLeaning = 3;     // halvings for strips with corners, which no halving smooths
+constexpr double kQuadrature = 1e-12;  // absolute error of each piece
+constexpr int kDeepest = 14;           // largest number of times that a piece is bisected
+// largest number of bisections for strips with corners, which bisection does not smooth
+constexpr int kDeepestLeaning = 3;
 
-// The offset along its principal axes: `wide` has the larger deviation.
+// The offset along its principal axes: `wide` is the axis with the larger standard deviation [m].
 struct PrincipalOffset {
   double wide_mean, wide_sigma, thin_mean, thin_sigma;
 };
@@ -27,21 +29,22 @@ struct PrincipalOffset {
 std::optional<PrincipalOffset> findPrincipalOffset(const Eigen::Vector2d& mean, const Eigen::Matrix2d& covariance) {
   if (!mean.allFinite() || !covariance.allFinite()) return std::nullopt;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes((covariance + covariance.transpose()) / 2);
-  const Eigen::Vector2d variances = axes.eigenvalues();  // ascending
+  const Eigen::Vector2d variances = axes.eigenvalues();  // in ascending order
   if (variances[0] < -kRoundOff * std::abs(variances[1])) return std::nullopt;
   const Eigen::Vector2d along = axes.eigenvectors().transpose() * mean;
   return PrincipalOffset{along[1], std::sqrt(std::max(0.0, variances[1])), along[0],
                          std::sqrt(std::max(0.0, variances[0]))};
 }
 
-// Returns P(-half <= N(mean, sigma) <= half), from the tails on the mean's side so that nothing cancels.
+// Returns P(-half <= X <= half) of a normal X, computed from the tails on the mean's side so that no digits cancel.
 double probabilityOfBand(double half, double mean, double sigma) {
   const double scale = sigma * std::numbers::sqrt2, near = std::abs(mean);
   return (std::erfc((near - half) / scale) - std::erfc((near + half) / scale)) / 2;
 }
 
-// Integrates by halving the interval until its error is below an absolute tolerance. Boost's own refinement is relative
-// to each piece, which never ends on pieces that hold next to nothing; and its error estimate is right on [-1, 1] only.
+// Integrates by bisecting the interval until the error is below an absolute tolerance. Boost's own refinement uses a
+// tolerance relative to each piece, which never ends on pieces with almost no content; and its error estimate is
+// correct on [-1, 1] only.
 template <class Function>
 double integrate(const Function& function, double from, double to, int depth = kDeepest) {
   const double middle = (from + to) / 2, half = (to - from) / 2;
@@ -52,9 +55,9 @@ double integrate(const Function& function, double from, double to, int depth = k
   return integrate(function, from, middle, depth - 1) + integrate(function, middle, to, depth - 1);
 }
 
-// Integrates the disc's share by strips across the thin axis, at y = mean + u sigma, |u| <= kTail. The variable is u =
-// middle + span sin(turn), which removes the root from a strip's half-length where an end of the range is the disc's
-// rim.
+// Integrates the probability within the disc over strips perpendicular to the thin axis, at y = mean + u sigma, |u| <=
+// kTail. The substitution u = middle + span sin(turn) removes the square root from a strip's half-length where an end
+// of the range is the disc's rim.
 double integrateStrips(double radius, const PrincipalOffset& offset) {
   const double mean = offset.thin_mean, sigma = offset.thin_sigma;
   const double lowest = std::max(-kTail, (-radius - mean) / sigma), highest = std::min(kTail, (radius - mean) / sigma);
@@ -72,12 +75,13 @@ double integrateStrips(double radius, const PrincipalOffset& offset) {
   return std::clamp(sum, 0.0, 1.0);
 }
 
-// Condition for a section of the tool to enter: it is within `radius` of the hole's axis, with the tip `along` off it.
+// Condition for a section of the tool to enter: the tip's offset is within `radius` [m] of the point at `along` [m] in
+// the direction of the tilt. The section is then within `radius` of the hole's axis.
 struct Ring {
   double along, radius;
 };
 
-// Returns the conditions of both ends of the first `count` steps, with `along` in the direction of the lean.
+// Returns the conditions for both ends of the first `count` steps, with `along` in the direction of the tilt.
 std::vector<Ring> ringsOf(const SteppedTool& tool, std::size_t count, double lean) {
   std::vector<Ring> rings;
   double below = 0;
@@ -89,8 +93,8 @@ std::vector<Ring> ringsOf(const SteppedTool& tool, std::size_t count, double lea
   return rings;
 }
 
-// Returns the share of a normal offset within all rings, by strips along the lean, which is the first component of
-// `mean` and `covariance`.
+// Returns the probability that a normal offset is within all rings, integrated over strips along the direction of the
+// tilt. That direction is the first component of `mean` and `covariance`.
 double probabilityWithinAll(const std::vector<Ring>& rings, const Eigen::Vector2d& mean,
                             const Eigen::Matrix2d& covariance) {
   double across = std::numeric_limits<double>::infinity();
@@ -173,12 +177,12 @@ double toleratedTilt(const SteppedTool& tool) {
 }
 
 double playInTube(const SteppedTool& tool, const Eigen::Vector2d& offset, const Eigen::Vector2d& lean, double depth) {
-  constexpr double kAtFace = 1e-6;  // m: rounding does not count a step that ends at the face as entered
+  constexpr double kAtFace = 1e-6;  // [m]; so that rounding does not count a step that ends at the face as entered
   double least = std::numeric_limits<double>::infinity(), from = 0;
   for (std::size_t k = 0; k < tool.steps.size() && from + kAtFace < depth; ++k) {
     const bool is_last = tool.lengths.empty() || k + 1 == tool.steps.size();
     const double to = is_last ? depth : std::min(depth, from + tool.lengths[k]);
-    for (const double below : {from, to})  // a distance from a line is largest at an end
+    for (const double below : {from, to})  // the distance from a line is largest at an end of the section
       least = std::min(least, tool.steps[k].tolerance - (offset - below * lean).norm());
     from = to;
   }
@@ -191,7 +195,7 @@ std::vector<double> probabilityBySteps(const SteppedTool& tool, const Eigen::Vec
   const bool leans = size > 0 && tool.lengths.size() == tool.steps.size();
   const Eigen::Vector2d along = leans ? Eigen::Vector2d(lean / size) : Eigen::Vector2d::UnitX();
   const Eigen::Matrix2d turn = (Eigen::Matrix2d() << along.x(), along.y(), -along.y(), along.x()).finished();
-  // at_least[k]: the first k steps enter, which the tightest of them decides.
+  // at_least[k]: probability that the first k steps enter; without a tilt, the tightest of these steps decides.
   std::vector<double> at_least{findPrincipalOffset(mean_offset, covariance) ? 1
                                                                             : std::numeric_limits<double>::quiet_NaN()};
   double tightest = std::numeric_limits<double>::infinity();

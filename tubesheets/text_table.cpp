@@ -13,7 +13,7 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-constexpr char kBlanks = ' ';  // any number of blanks and tabs between two fields
+constexpr char kBlanks = ' ';  // separator that stands for any number of blanks and tabs between two fields
 constexpr std::array kMarks{'\t', ';', ',', '|'};
 constexpr double kMostLinesAlike = 0.5;
 
@@ -45,7 +45,7 @@ std::optional<Fields> fieldsApart(std::string_view line, char separator) {
   return fields;
 }
 
-/// Returns "12,5" as "12.5"; any other text unchanged.
+/// Returns a number such as "12,5" with a decimal point; any other text is unchanged.
 std::string withPoint(std::string field) {
   const std::size_t comma = field.find(',');
   if (comma == std::string::npos || field.find(',', comma + 1) != std::string::npos) return field;
@@ -54,7 +54,7 @@ std::string withPoint(std::string field) {
   return parseNumber(number) ? number : field;
 }
 
-/// Returns true for "1.190" or "1,190", which may be one thousand and some, or one and some.
+/// Returns true for a number such as "1.190" or "1,190", whose mark may be a thousands separator or a decimal sign.
 bool isAmbiguous(const std::string& field, char mark) {
   const std::size_t at = field.find(mark);
   if (at == std::string::npos || field.size() != at + 4) return false;
@@ -62,7 +62,7 @@ bool isAmbiguous(const std::string& field, char mark) {
   return digits >= 1 && digits <= 3 && parseNumber(withPoint(field)).has_value();
 }
 
-/// Returns true if a number has this mark as a decimal sign, not where a thousands separator would be.
+/// Returns true if a number has this mark as a decimal sign for certain, not possibly as a thousands separator.
 bool hasDecimals(const std::string& field, char mark) {
   return field.find(mark) != std::string::npos && !isAmbiguous(field, mark) &&
          parseNumber(withPoint(field)).has_value();
@@ -78,7 +78,7 @@ std::string_view withoutCommentMark(std::string_view line) {
   return trimBlanks(line.substr(std::min(line.find_first_not_of("#%/"), line.size())));
 }
 
-/// Best heading so far: the higher rank or, of equal ones, the earlier.
+/// Best heading found so far: the heading with the highest rank or, among equal ranks, the earliest.
 struct FoundHeading {
   HeadingRank rank = HeadingRank::kNone;
   int line = 0;
@@ -119,7 +119,8 @@ class TableParser {
     if (!table_.problem) table_.problem = std::move(problem);
   }
 
-  /// Splits a line into fields. Tabs at its ends may be empty fields: they count if the line is too short without them.
+  /// Splits a line into fields. Tabs at the ends of the line may stand for empty fields: they count if the line is too
+  /// short without them.
   [[nodiscard]] std::optional<Fields> fieldsIn(const TextLine& line, std::size_t width) const {
     auto fields = fieldsApart(line.text, table_.separator);
     if (table_.separator != '\t' || !fields || fields->size() >= width) return fields;
@@ -127,7 +128,7 @@ class TableParser {
     return all && all->size() == width ? all : fields;
   }
 
-  /// Returns the rows of all lines from that one on; stops at the first open quote.
+  /// Returns the rows of all lines from index `first` on; stops at the first quote that is not closed.
   std::vector<CsvRow> rowsFrom(std::size_t first, std::size_t width) {
     std::vector<CsvRow> rows;
     for (std::size_t k = first; k < lines_.size(); ++k) {
@@ -141,7 +142,7 @@ class TableParser {
     return rows;
   }
 
-  // Returns the best heading that the reader knows.
+  // Returns the heading with the best rank among the given lines.
 
   FoundHeading bestHeading(const std::vector<TextLine>& lines) const {
     FoundHeading best;
@@ -196,9 +197,9 @@ class TableParser {
             lines_.front().number});
   }
 
-  // Reads a table that is recognised by its numbers.
+  // Methods for a table without a known heading, which is recognised by its numbers.
 
-  /// Returns the number of fields that most lines have, and how many lines that is.
+  /// Returns the most common number of fields in a line, and the number of lines that have it.
   [[nodiscard]] std::pair<std::size_t, std::size_t> usualWidth(char separator) const {
     std::map<std::size_t, std::size_t> counts;
     for (const auto& line : lines_)
@@ -209,7 +210,8 @@ class TableParser {
     return usual;
   }
 
-  /// Chooses the first separator that gives most lines the same number of fields; returns that width, or none.
+  /// Chooses the first separator that gives most lines the same number of fields. Returns that number, or 0 if there is
+  /// none.
   std::size_t chooseSeparator() {
     for (const char separator : {'\t', ';', ',', '|', kBlanks}) {
       const auto [width, count] = usualWidth(separator);
@@ -245,8 +247,8 @@ class TableParser {
                        std::make_move_iterator(rows.end()));
   }
 
-  /// Takes the line before the first row with numbers as the heading, or the one above it if it holds units, if it has
-  /// a field for each column.
+  /// Takes the heading from the line before the first row with numbers or, if that line holds units, from the line
+  /// above it. A heading needs a field for each column.
   void takeHeadingAbove(const std::vector<CsvRow>& rows, std::size_t first, std::size_t width) {
     const auto isWide = [&](std::size_t above) { return first >= above && rows[first - above].fields.size() == width; };
     if (!isWide(1)) return;
@@ -261,7 +263,7 @@ class TableParser {
     table_.heading_line = rows[first - 2].line;
   }
 
-  /// Takes the names in the last comment before the rows, if it has one for each column.
+  /// Takes the heading from the last comment before the rows, if the comment has a name for each column.
   void takeHeadingOfComment(int first_line, std::size_t width) {
     const auto below = std::find_if(comments_.begin(), comments_.end(),
                                     [&](const TextLine& comment) { return comment.number > first_line; });
@@ -272,9 +274,10 @@ class TableParser {
     table_.columns = std::move(*names);
   }
 
-  // Sets heading and units.
+  // Methods that set the heading and the units.
 
-  /// Appends a row of units to the headings: "X" over "mm" becomes "X [mm]".
+  /// Appends a row of units to the column names: "X" over "mm" becomes "X [mm]". Returns false if the row holds no
+  /// units.
   bool joinUnits(const Fields& units, Fields& names) const {
     bool has_any = false;
     Fields joined = names;
@@ -322,7 +325,7 @@ class TableParser {
       for (auto& field : row.fields) field = withPoint(std::move(field));
   }
 
-  /// Refuses numbers that could have thousands separators, if the same mark is a decimal sign elsewhere.
+  /// Refuses numbers that may have thousands separators, if another number has the other mark as its decimal sign.
   void refuseThousands() {
     const auto isAnywhere = [&](char mark) {
       return std::ranges::any_of(table_.rows, [&](const CsvRow& row) {
@@ -348,7 +351,7 @@ class TableParser {
   TextTable table_;
 };
 
-/// Splits off the text in the last brackets; false if there are none.
+/// Splits the text at its last brackets; returns false if there are none.
 bool splitBrackets(std::string_view text, std::string_view& before, std::string_view& inside) {
   const std::size_t open = text.find_last_of("([");
   const std::size_t close = text.find_last_of(")]");

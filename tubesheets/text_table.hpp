@@ -1,5 +1,5 @@
-// Tables that other programs and people write: what trackers, controllers, inspection programs and spreadsheets export.
-// Text only: files are read elsewhere.
+// Tables written by other programs and by people, such as exports of trackers, controllers, inspection programs and
+// spreadsheets. This module parses text; it does not open files.
 #pragma once
 
 #include <functional>
@@ -15,56 +15,58 @@ namespace tubeplan::tubesheets {
 /// Confidence that a row of fields is the heading of a table.
 enum class HeadingRank { kNone, kPartial, kWhole };
 
-/// A reader's knowledge of the words of its tables.
+/// Names and units that a reader recognises in its tables.
 struct TableWords {
-  bool (*isUnit)(std::string_view) = nullptr;  ///< true for a unit in the row of units below the headings
-  /// Ranks a row as a heading: the heading is the first whole one, else the first partial one. If empty, the heading is
-  /// the line above the first row with a number.
+  bool (*isUnit)(std::string_view) = nullptr;  ///< returns true for a unit in the row of units below the heading
+  /// Ranks a row as a heading. The heading is the first row of rank kWhole, else the first of rank kPartial. If this
+  /// function is empty, the heading is the line above the first row with a number.
   std::function<HeadingRank(const std::vector<std::string>&)> rankHeading = nullptr;
-  /// True for a line that states units and is neither row nor heading.
+  /// Returns true for a line that states units and is neither a row nor a heading.
   bool (*statesUnits)(std::string_view) = nullptr;
 };
 
-/// One table of a text, with the decimal point of the program.
+/// The table in a text, with decimal commas replaced by points.
 struct TextTable {
-  /// Column names, as many as the fields of a row; "column 1", ... without a heading.
+  /// Column names, one for each field of a row; "column 1", "column 2", ... if there is no heading.
   std::vector<std::string> columns;
   bool has_heading = false;
-  int heading_line = 0;  ///< 0 if there is none
-  /// Line of a row of units, whose words are added to the headings in brackets; 0 if there is none.
+  int heading_line = 0;  ///< line number of the heading, from 1; 0 if there is none
+  /// Line number of a row of units, which are added to the column names in brackets; 0 if there is none.
   int units_line = 0;
-  char separator = ',';  ///< a blank stands for any number of blanks and tabs
+  char separator = ',';  ///< separator of fields; a blank stands for any number of blanks and tabs
   std::vector<CsvRow> rows;
-  std::vector<std::string> lines_before;  ///< text before the table: all comments, then lines of units
-  std::optional<Problem> problem;         ///< first fault; the other members are then not to be used
+  /// Lines outside the rows: all comments, lines above the table, then lines that state units.
+  std::vector<std::string> lines_before;
+  std::optional<Problem> problem;  ///< first fault; if there is one, the other members must not be used
 };
 
 /// Reads a table whose fields are separated by tab, semicolon, comma or |, or by blanks if its rows are recognised by
 /// their numbers. The decimal sign is a point or, if commas do not separate fields, a comma. A table with a heading
-/// known to the reader begins below it and may have one column. Any other table begins with the first line from which
-/// all lines have as many fields; its heading is the line before, if that has as many and no numbers. A table may have
-/// a row of units below its heading, or its heading in a comment. Empty lines and lines that begin with #, // or % are
-/// no rows. Faults: no table, a row longer or shorter than the others, a quote that is not closed, a zero byte, numbers
-/// that may have thousands separators.
+/// known to the reader begins below the heading and may have one column. Any other table begins with the first line
+/// from which all lines have the same number of fields; its heading is the line before, if that line has the same
+/// number of fields and no numbers. A table may have a row of units below its heading, or its heading in a comment.
+/// Empty lines and lines that begin with #, // or % are not rows. Faults: no table, a row with more or fewer fields
+/// than other rows, a quote that is not closed, a zero byte, numbers that may have thousands separators.
 [[nodiscard]] TextTable parseTextTable(std::string_view text, const TableWords& words);
 
-/// A column's plain name and its unit as written: "Joint 1 [deg]" gives "joint1" and "deg".
+/// Name and unit of a column heading: "Joint 1 [deg]" gives "joint1" and "deg".
 struct HeadingWords {
-  std::string name;  ///< small letters and digits of ASCII, and all other characters beyond ASCII
-  std::string unit;  ///< unit as written; empty if none is stated
+  std::string name;  ///< name in the form of plainName()
+  std::string unit;  ///< unit as written; empty if no unit is stated
 };
 
-/// Splits a heading into name and unit. A unit stands in brackets, or after the last blank, underscore, comma or slash.
+/// Splits a heading into name and unit. The unit may be in brackets, or after the last blank, underscore, comma or
+/// slash.
 [[nodiscard]] HeadingWords splitHeading(std::string_view text, bool (*isUnit)(std::string_view));
 
-/// Returns the small letters and digits of ASCII and everything beyond ASCII: "Tube ID" gives "tubeid".
+/// Returns a text in lower case with only ASCII letters, digits and all non-ASCII characters: "Tube ID" gives "tubeid".
 [[nodiscard]] std::string plainName(std::string_view text);
 
-/// Returns the text after "unit:" or "units =" in a line; empty if there is none.
+/// Returns the text after "unit:" or "units =" in a line; empty if the line has no such text.
 [[nodiscard]] std::string_view behindUnits(std::string_view line);
 
-/// Returns the unit that a line before the table states for all of it: "Units: Inches" gives "Inches"; empty if there
-/// is none.
+/// Returns the unit that a line before the table states for the whole table: "Units: Inches" gives "Inches"; empty if
+/// no line does.
 [[nodiscard]] std::string statedUnit(const std::vector<std::string>& lines_before, bool (*isUnit)(std::string_view));
 
 }  // namespace tubeplan::tubesheets

@@ -17,9 +17,9 @@ template <class Value>
 struct Named {
   Value value;
   std::string_view name;
-  std::string_view words;  ///< words for a reader
+  std::string_view words;  ///< description for reports; empty if the name is only an alias
 };
-// Clang 16 does not deduce it by itself.
+// Clang 16 does not deduce the template arguments without this guide.
 template <class Value>
 Named(Value, std::string_view, std::string_view) -> Named<Value>;
 

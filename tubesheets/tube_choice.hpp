@@ -1,4 +1,4 @@
-// Ways to choose tubes of a sheet: by depth from the periphery, evenly spread, every k-th.
+// Methods to choose tubes of a sheet: by depth from the periphery, evenly spread, or every k-th.
 #pragma once
 
 #include <vector>
@@ -7,17 +7,17 @@
 
 namespace tubeplan::tubesheets {
 
-/// Returns the depth of each tube of the sheet: 1 on the periphery, 2 on the periphery that is left when those are
+/// Returns the depth of each tube of the sheet: 1 on the periphery, 2 on the new periphery after those tubes are
 /// removed, and so on. A tube is on the periphery if it has fewer neighbours than a tube inside the lattice. The row
-/// along the divider lane and the edge of a stay cylinder or of a missing hole count as periphery too.
+/// along the divider lane and the edge of a stay cylinder or of a missing hole also count as periphery.
 [[nodiscard]] std::vector<int> peelDepths(const Sheet& sheet);
 
-/// Chooses `count` of the candidates (indices in Sheet::tubes), evenly spread: first the one nearest their middle, then
-/// always the one farthest from those already chosen. Ties go to the first in sheet order. The result is ascending, and
-/// holds all candidates if there are no more than `count`.
+/// Chooses `count` of the candidates (indices in Sheet::tubes), evenly spread: first the candidate nearest their mean
+/// position, then repeatedly the candidate farthest from all tubes already chosen. Ties go to the first candidate in
+/// sheet order. The result is ascending, and has all candidates if there are no more than `count`.
 [[nodiscard]] std::vector<int> chooseSpread(const Sheet& sheet, const std::vector<int>& candidates, int count);
 
-/// Returns the first candidate and every k-th after it.
+/// Returns the first candidate and every k-th candidate after it.
 [[nodiscard]] std::vector<int> chooseEvery(const std::vector<int>& candidates, int k);
 
 }  // namespace tubeplan::tubesheets

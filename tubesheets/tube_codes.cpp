@@ -10,8 +10,8 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-// Codes of eddy-current reports in common use; guidelines of a plant may differ, and none is quoted here. A missing
-// code is one more row.
+// Common codes of eddy-current reports; the guidelines of a plant may differ, and no guideline is quoted here. A
+// missing code can be added as a row.
 constexpr TubeCode kFieldCodes[] = {
     {"PLG", "plugged", CodeUse::kState, TubeState::kPlugged},
     {"STB", "stabilised", CodeUse::kState, TubeState::kStabilised},

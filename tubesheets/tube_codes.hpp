@@ -1,4 +1,4 @@
-// The table of words and three-letter codes that inspection programs use for tubes.
+// The table of terms and three-letter codes that inspection programs use for tubes.
 #pragma once
 
 #include <optional>
@@ -10,27 +10,27 @@
 
 namespace tubeplan::tubesheets {
 
-/// Effect of a code on a visit.
+/// Effect of a code on the visit of a tube.
 enum class CodeUse {
-  kState,   ///< the tube's state, which decides whether a tool enters
-  kRemark,  ///< an outcome or a wish: the tube keeps the state that the sheet gives
-  kDone,    ///< work done: a list leaves the tube out
+  kState,   ///< the tube has a state, which decides whether a tool can enter
+  kRemark,  ///< a result or a request: the tube keeps the state that the sheet states
+  kDone,    ///< the work is done: a work list leaves the tube out
 };
 
 struct TubeCode {
-  std::string_view name;   ///< name as written: "PLG"
-  std::string_view words;  ///< words for a reader
+  std::string_view name;   ///< name as written in tables, such as "PLG"
+  std::string_view words;  ///< description for reports
   CodeUse use = CodeUse::kRemark;
-  TubeState state = TubeState::kOpen;  ///< state meant by a code of CodeUse::kState
+  TubeState state = TubeState::kOpen;  ///< state of the tube, for a code of CodeUse::kState
 };
 
 /// Returns all codes; the names of tube states come first.
 [[nodiscard]] const std::vector<TubeCode>& tubeCodes();
 
-/// Finds a code by name, ignoring capitals, blanks and hyphens; null if there is none.
+/// Finds a code by name, ignoring case, blanks and punctuation; null if there is none.
 [[nodiscard]] const TubeCode* findTubeCode(std::string_view name);
 
-/// Returns the names of states, "open, plugged, ..., PLG, ...", for messages.
+/// Returns the names of all codes for states, for messages: "open, plugged, ..., PLG, ...".
 [[nodiscard]] std::string tubeCodeNames();
 
 }  // namespace tubeplan::tubesheets

@@ -10,11 +10,11 @@ namespace {
 
 struct ColumnNames {
   TubeColumn column;
-  std::string_view name;                  ///< name for messages
-  std::vector<std::string_view> aliases;  ///< other names in the form of plainName(), without a unit
+  std::string_view name;                  ///< name of the column in messages
+  std::vector<std::string_view> aliases;  ///< all names in the form of plainName(), without a unit
 };
 
-/// Returns the open table of columns: one row each, with their other names.
+/// Returns the open table of columns: one row for each column, with all its names.
 const std::vector<ColumnNames>& columnTable() {
   static const std::vector<ColumnNames> table{
       {TubeColumn::kRow, "row", {"row", "r", "rowno", "rownumber"}},

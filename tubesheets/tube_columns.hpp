@@ -1,4 +1,4 @@
-// The columns of hole maps and work lists, known by their headings.
+// The columns of hole maps and work lists, recognised by their headings.
 #pragma once
 
 #include <optional>
@@ -14,50 +14,51 @@ namespace tubeplan::tubesheets {
 enum class TubeColumn {
   kRow,
   kColumn,
-  kTube,  ///< row and column in one word
+  kTube,  ///< row and column in one name, such as R12C34
   kX,
   kY,
   kLeg,
-  kSheet,  ///< a sheet's fingerprint
+  kSheet,  ///< fingerprint of the sheet
   kSteamGenerator,
-  kState,  ///< a state or a code, nothing else
+  kState,  ///< a state or a code; other text is refused
   kCode,   ///< a code, a remark or a number
   kDwell,
-  kVisit,    ///< place in the visiting order, written by a plan
-  kOutcome,  ///< reason why there is no visit, written by a plan
-  kNote,     ///< text for people, kept and not read
+  kVisit,    ///< position in the visiting order, written by a plan
+  kOutcome,  ///< reason why a tube is not visited, written by a plan
+  kNote,     ///< text for people, kept but not interpreted
 };
 
-/// Returns true if the column holds lengths.
+/// Returns true if the column holds coordinates, which are lengths.
 [[nodiscard]] constexpr bool isPlaceColumn(TubeColumn column) {
   return column == TubeColumn::kX || column == TubeColumn::kY;
 }
 
-/// Returns the column's name in messages: "row", "dwell_s".
+/// Returns the column's name for messages, such as "row" or "dwell_s".
 [[nodiscard]] std::string_view nameOf(TubeColumn column);
 
-/// Returns true if a word is a unit that such a column can have: of length, or seconds.
+/// Returns true if a word is a unit that a column of a tube table can have: a unit of length, or seconds.
 [[nodiscard]] bool isTubeUnit(std::string_view word);
 
-/// Meaning of a heading. A unit of another kind makes the column unknown: "row (mm)" is no row.
+/// Meaning of a column heading. A unit that does not fit makes the column unknown: "row (mm)" is not a row column.
 struct TubeHeading {
-  std::optional<TubeColumn> column;  ///< column of the heading; nothing if it is unknown
-  std::string unit;                  ///< unit as written; empty if none is stated
+  std::optional<TubeColumn> column;  ///< column that the heading names; nothing if it is unknown
+  std::string unit;                  ///< unit as written; empty if no unit is stated
 };
 [[nodiscard]] TubeHeading readTubeHeading(const std::string& heading);
 
-/// Returns the known column whose name differs from the heading by one letter at its end: "legg", "stat". Such a column
-/// was meant to be read, so that it must not be skipped.
+/// Returns the known column whose name differs from the heading by one letter at its end, such as "legg" or "stat".
+/// Such a heading is probably misspelt, so that the column must not be skipped.
 [[nodiscard]] std::optional<TubeColumn> tubeColumnMeantBy(const std::string& heading);
 
-/// Returns how completely the fields of a heading name a tube.
+/// Returns the rank of fields as a heading: whole if they name a tube, or a row and a column; partial if only one of
+/// row and column.
 [[nodiscard]] HeadingRank rankTubeHeading(const std::vector<std::string>& fields);
 
-/// A quantity that a user can assign to a column, in the order of the table of columns.
+/// A quantity that a user can assign to a column. Quantities are in the order of the table of columns.
 struct TubeQuantity {
   TubeColumn column;
-  std::string_view name;                ///< "row", "dwell"
-  std::vector<std::string_view> units;  ///< the units to choose from
+  std::string_view name;                ///< name of the quantity, such as "row" or "dwell"
+  std::vector<std::string_view> units;  ///< units to choose from; empty if the quantity has no unit
 };
 [[nodiscard]] std::vector<TubeQuantity> tubeQuantities();
 

@@ -16,9 +16,9 @@ constexpr std::array<std::string_view, 7> kColumnWords{"c", "col", "column", "l"
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// A number with the letters before it, and the marks before those.
+/// A number in a text, with the letters before it, and the other characters before those letters.
 struct Part {
-  std::string mark;  ///< other characters than letters, without blanks
+  std::string mark;  ///< characters other than letters, without blanks
   std::string word;
   int number = 0;
 
@@ -26,7 +26,7 @@ struct Part {
   [[nodiscard]] bool isBare() const { return word.empty(); }
 };
 
-/// Returns the whole text as such parts; empty if something follows the last number or a number is invalid.
+/// Splits the whole text into parts; empty if text follows the last number or a number is invalid.
 std::vector<Part> partsOf(std::string_view text) {
   std::vector<Part> parts;
   for (std::size_t at = 0; at < text.size();) {

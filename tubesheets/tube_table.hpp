@@ -1,4 +1,4 @@
-// Hole maps and work lists as tables: the meaning of each column, and the tube of each row.
+// Hole maps and work lists as tables, with the meaning of each column and the tube of each row.
 #pragma once
 
 #include <functional>
@@ -16,93 +16,93 @@
 
 namespace tubeplan::tubesheets {
 
-/// A column of states or codes.
+/// A column of states or codes in a tube table.
 struct CodeColumn {
   std::size_t place = 0;
-  bool is_state = false;  ///< a column of kState, whose words must be known
+  bool is_state = false;  ///< true for a column of kState, whose fields must be known states or codes
 };
 
 /// A table with columns for row and column, or for a tube's name.
 struct TubeTable {
   TextTable text;
-  std::map<TubeColumn, std::size_t> places;  ///< index of each known column; kNote has no entry
+  std::map<TubeColumn, std::size_t> places;  ///< index of each known column in the table; kNote has no entry
   std::vector<CodeColumn> codes;             ///< columns of states and codes, in the order of the table
   std::vector<std::string> unread;           ///< names of unknown columns
-  const LengthUnit* unit_x = nullptr;        ///< unit of x; null if there is no x, or its unit is not stated
+  const LengthUnit* unit_x = nullptr;        ///< unit of x; null if there is no x column, or if its unit is not stated
   const LengthUnit* unit_y = nullptr;
-  std::optional<Problem> problem;  ///< first fault; the other members are then not to be used
+  std::optional<Problem> problem;  ///< first fault; if there is one, the other members must not be used
 
   [[nodiscard]] bool has(TubeColumn column) const { return places.contains(column); }
-  /// Returns the heading of a column, which must exist.
+  /// Returns the heading of a column, which must exist in the table.
   [[nodiscard]] const std::string& nameOf(TubeColumn column) const { return text.columns[places.at(column)]; }
-  /// Returns the field of a row; empty if there is no such column or the field holds a mark for "nothing".
+  /// Returns a row's field in a column; empty if there is no such column or if the field is a dash.
   [[nodiscard]] std::string field(const CsvRow& row, TubeColumn column) const;
-  /// Returns "left out of planning: exam, probe"; empty if every column is known.
+  /// Returns a sentence that lists the columns left out of planning; empty if every column is known.
   [[nodiscard]] std::string unreadText() const;
 };
 
-/// Reads the columns of a tube table. Faults: those of the text, no column for the tube, a column twice under any of
-/// its names, x and y in two units, a name one letter longer or shorter than a known one.
+/// Reads the columns of a tube table. Faults: faults of the text, no column for the tube, two columns with the same
+/// meaning, x and y in different units, a heading one letter longer or shorter than a known name.
 [[nodiscard]] TubeTable parseTubeTable(std::string_view text);
 
-/// The meaning that a user assigns to a column, whatever its heading.
+/// The meaning that a user assigns to a column, independent of the column's heading.
 struct ChosenTubeColumn {
   TubeColumn column = TubeColumn::kNote;
-  std::size_t place = 0;             ///< index in the table
-  const LengthUnit* unit = nullptr;  ///< unit of x or y; null: the unit stated above the table
+  std::size_t place = 0;             ///< index of the column in the table
+  const LengthUnit* unit = nullptr;  ///< unit of x or y; null: the unit stated above the table is used
 };
 
-/// Returns the table of a text whose headings may be unknown. It begins below a known heading, else at the first row
-/// with a number, else below the first line.
+/// Returns the table of a text whose headings may be unknown. The table begins below a known heading, else at the first
+/// row with a number, else below the first line.
 [[nodiscard]] TextTable parseTubeText(std::string_view text);
 
-/// Returns a tube table with the chosen columns and no others. Faults: no column for the tube, one quantity in two
-/// columns, x and y in two units.
+/// Returns a tube table with only the chosen columns. Faults: no column for the tube, one quantity in two columns, x
+/// and y in different units.
 [[nodiscard]] TubeTable tubeTableOf(TextTable text, const std::vector<ChosenTubeColumn>& chosen);
 
 enum class TubeTextStatus { kNotRun, kRead, kRefused };
 
-/// Common part of hole maps and work lists as read; each adds the content of its rows.
+/// Common part of hole maps and work lists as read; derived types add the content of the rows.
 struct TubeText {
   TubeTextStatus status = TubeTextStatus::kNotRun;
-  std::optional<Problem> problem;  ///< first fault, when refused
-  std::vector<std::string> notes;  ///< a sentence for each thing left out or taken only once
-  std::string text;                ///< source text
+  std::optional<Problem> problem;  ///< first fault; nothing unless the text is refused
+  std::vector<std::string> notes;  ///< one sentence for each kind of content that was left out or taken only once
+  std::string text;                ///< text that the table was read from
   TubeTable table;
 
-  /// Refuses the text for a problem, unless it is already refused.
+  /// Refuses the text because of a problem, unless it is already refused; does nothing if `other` is empty.
   void refuse(const std::optional<Problem>& other);
-  /// Calls `readRow` for each row up to the first fault. Refuses a text without rows, with `what` naming the rows
-  /// expected.
+  /// Calls `readRow` for each row up to the first fault. Refuses a text without rows; `what` names the expected rows in
+  /// the message.
   void readRows(std::string_view what, const std::function<void(const CsvRow&)>& readRow);
-  /// Adds a note on the columns left out, and those of `more` that are not empty, unless the text is refused.
+  /// Adds a note on the columns left out, and all notes of `more` that are not empty, unless the text is refused.
   void addNotes(const std::vector<std::string>& more);
 };
 
-/// The tube of a row; a problem if it has none, or if its columns name two.
+/// The tube of a row; a problem if the row has no tube, or if its columns name two different tubes.
 struct NamedTube {
   RowAndColumn tube;
   std::optional<Problem> problem;
 };
 [[nodiscard]] NamedTube tubeOf(const TubeTable& table, const CsvRow& row);
 
-/// A length in a column of x or y [m]; nothing if the field is empty; a problem if it is no number.
+/// A length in the x or y column of a row [m]; nothing if the field is empty; a problem if the field is not a number.
 struct ReadLength {
   std::optional<double> metres;
   std::optional<Problem> problem;
 };
 [[nodiscard]] ReadLength lengthOf(const TubeTable& table, const CsvRow& row, TubeColumn axis);
 
-/// Combined meaning of the codes of a row.
+/// Combined meaning of all codes of a row.
 struct ReadCodes {
   std::optional<TubeState> state;
   bool is_done = false;
-  std::vector<std::string> unknown;  ///< unknown words in columns of codes, kept as remarks
-  std::optional<Problem> problem;    ///< an unknown state, or two different ones
+  std::vector<std::string> unknown;  ///< unknown texts in columns of codes, kept as remarks
+  std::optional<Problem> problem;    ///< an unknown state, or two different states
 };
 [[nodiscard]] ReadCodes codesOf(const TubeTable& table, const CsvRow& row);
 
-/// Returns unknown codes with their counts: "XYZ (2 rows), ABC"; empty if there are none.
+/// Returns a sentence that lists unknown codes with their counts, such as "XYZ (2 rows), ABC"; empty if there are none.
 [[nodiscard]] std::string unknownCodesText(const std::map<std::string, int>& counts);
 
 }  // namespace tubeplan::tubesheets

@@ -15,13 +15,13 @@
 namespace tubeplan::tubesheets {
 namespace {
 
-// One item of the line: its text without the minus, and its position.
+// One item of a request: its text without the minus, and its position.
 struct Item {
   std::string_view text;
-  int number = 0;             // from 1
-  std::size_t character = 0;  // from 1
+  int number = 0;             // number of the item, from 1
+  std::size_t character = 0;  // position of the item's first character, from 1
   bool is_minus = false;
-  const SelectionTerm* term = nullptr;  // null: a range or a state
+  const SelectionTerm* term = nullptr;  // term of the item; null for a range or a state
   std::string_view argument;
 
   [[nodiscard]] TermRole role() const { return term == nullptr ? TermRole::kSource : term->role; }
@@ -69,7 +69,7 @@ std::vector<Item> splitItems(std::string_view request) {
   return items;
 }
 
-// Returns what is wrong with an item before any tube is examined; empty if nothing is.
+// Returns the fault of an item that can be found without examining tubes; empty if there is none.
 std::string findItemFault(const Item& item) {
   if (item.text.empty()) return "nothing here; expected one of " + knownForms();
   if (item.is_minus && item.role() != TermRole::kSource) return "only tubes can be excluded with a minus";
@@ -99,10 +99,10 @@ std::vector<int> allTubes(const Sheet& sheet) {
 
 bool takesNoTool(TubeState state) { return state == TubeState::kPlugged || state == TubeState::kStabilised; }
 
-// Returns true for states that are visited only on request.
+// Returns true for states whose tubes are visited only on request.
 bool isDoubtful(TubeState state) { return state == TubeState::kInaccessible || state == TubeState::kUnresolved; }
 
-// Returns the tubes that are asked for by their state or singly, not as part of a range.
+// Returns a flag for each tube: true if it is requested by its state or by its own name, not as part of a range.
 std::vector<bool> namedTubes(const Sheet& sheet, const std::vector<Item>& items) {
   const std::vector<int> all = allTubes(sheet);
   std::vector<bool> is_named(all.size(), false);
@@ -118,7 +118,8 @@ std::vector<bool> namedTubes(const Sheet& sheet, const std::vector<Item>& items)
   return is_named;
 }
 
-// Applies the sources, first those that add, then those that remove. The first reason to refuse stops it.
+// Applies the source items, first those that add tubes, then those that remove tubes. The first reason for refusal ends
+// the selection.
 Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
   const std::vector<int> all = allTubes(sheet);
   const bool has_addition = std::any_of(
@@ -147,7 +148,7 @@ Selection applySources(const Sheet& sheet, const std::vector<Item>& items) {
   return selection;
 }
 
-// Returns the tubes that an empty selection has left out, in words.
+// Returns a phrase on the tubes that an empty selection has left out; empty if there are none.
 std::string besides(const Selection& selection) {
   const std::string left_out = leftOutText(selection);
   return left_out.empty()
@@ -155,7 +156,7 @@ std::string besides(const Selection& selection) {
              : fmt::format(" but {}, which are taken by state (\"plugged\", say) or by name alone", left_out);
 }
 
-/// Returns the fault of a list of another leg or sheet, or of a tube at another position than on the sheet.
+/// Returns the fault of a list for another leg or sheet, or of a tube whose position differs from that on the sheet.
 std::string findListFault(const WorkListItem& item, const Sheet& sheet, const std::string& fingerprint) {
   if (item.leg && *item.leg != sheet.leg)
     return fmt::format("this list is for the {} leg, but the sheet is {}", legName(*item.leg), legName(sheet.leg));
@@ -171,7 +172,7 @@ std::string findListFault(const WorkListItem& item, const Sheet& sheet, const st
       tubeName(item.row, item.column), off);
 }
 
-/// Returns all tubes of a list that are not on the sheet, the first few by name; empty if there are none.
+/// Returns a sentence on all tubes of a list that are not on the sheet, naming the first few; empty if there are none.
 std::string explainMissingTubes(const WorkList& list, const Sheet& sheet) {
   constexpr std::size_t kShown = 5;
   std::set<std::pair<int, int>> seen;
@@ -189,7 +190,7 @@ std::string explainMissingTubes(const WorkList& list, const Sheet& sheet) {
                      first);
 }
 
-/// Combines the rows of each tube.
+/// Combines the rows of each tube. The result is keyed by tube index.
 std::map<int, WorkListItem> tubesOfList(const WorkList& list, const Sheet& sheet) {
   std::map<int, WorkListItem> tubes;
   for (const WorkListItem& item : list.items) {
@@ -201,8 +202,8 @@ std::map<int, WorkListItem> tubesOfList(const WorkList& list, const Sheet& sheet
   return tubes;
 }
 
-/// Returns why a tube is left out: plugged or done according to the list, or plugged according to the sheet; nothing if
-/// it is to be visited.
+/// Returns the reason why a tube is left out: done or plugged according to the list, or plugged according to the sheet;
+/// nothing if the tube is to be visited.
 std::optional<LeftOut> leftOutOf(int index, const WorkListItem& item, const Sheet& sheet) {
   if (item.is_done) return LeftOut{index, "done", true};
   const TubeState state = item.state.value_or(sheet.tubes[static_cast<std::size_t>(index)].state);

@@ -1,4 +1,4 @@
-// parseWorkListCsv().
+// Reads work lists: readWorkListTable() and parseWorkListCsv().
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,7 +14,7 @@ namespace {
 std::string describeLeg(const std::optional<Leg>& leg) { return leg ? std::string(legName(*leg)) : "no leg"; }
 std::string describeSheet(const std::string& sheet) { return sheet.empty() ? "no sheet" : sheet; }
 
-// Finds a line for another leg or sheet than the first, which was pasted from another list.
+// Finds a row for another leg, sheet or steam generator than the first row, such as a row pasted from another list.
 std::optional<Problem> findOddLine(const WorkListItem& first, const WorkListItem& item) {
   if (item.leg != first.leg)
     return Problem{"leg", describeLeg(item.leg), describeLeg(first.leg) + ", as on the lines above",
@@ -28,7 +28,7 @@ std::optional<Problem> findOddLine(const WorkListItem& first, const WorkListItem
   return std::nullopt;
 }
 
-/// Finds a contradiction between two rows of one tube.
+/// Finds a contradiction between two rows that name the same tube.
 std::optional<Problem> findContradiction(const WorkListItem& first, const WorkListItem& item) {
   const std::string tube = tubeName(item.row, item.column);
   const auto problem = [&](const std::string& found, const std::string& before) {
@@ -44,7 +44,7 @@ std::optional<Problem> findContradiction(const WorkListItem& first, const WorkLi
   return std::nullopt;
 }
 
-/// Returns "tubes that stand in several rows are visited once: R12C34 (lines 2 and 3)"; empty if there are none.
+/// Returns a sentence such as "named in several rows, visited once: R12C34 (lines 2 and 3)"; empty if there are none.
 std::string repeatedText(const std::map<std::pair<int, int>, std::vector<int>>& lines) {
   constexpr std::size_t kShown = 5;
   std::vector<std::string> named;
@@ -134,9 +134,9 @@ class ListReader {
   }
 
   WorkList list_;
-  std::map<std::pair<int, int>, std::size_t> first_;       // the item that first names a tube
-  std::map<std::pair<int, int>, std::vector<int>> lines_;  // of every tube
-  std::map<std::string, int> unknown_;                     // unknown codes
+  std::map<std::pair<int, int>, std::size_t> first_;       // index of the item that first names each tube
+  std::map<std::pair<int, int>, std::vector<int>> lines_;  // lines that name each tube
+  std::map<std::string, int> unknown_;                     // unknown codes with their counts
 };
 
 }  // namespace
