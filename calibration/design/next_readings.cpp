@@ -14,10 +14,11 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kIdentifiable = 0.5;  // share of its typical size below which a number's sigma counts as identifiable
+// Fraction of a parameter's typical size below which its sigma counts as identifiable.
+constexpr double kIdentifiable = 0.5;
 
-/// Returns the expected readings of each candidate; none for one whose shape does not converge. Touches of unknown
-/// places are distinguished by the names of their places.
+/// Returns the expected readings of each candidate; empty for a candidate whose shape does not converge. Touches of
+/// different unknown points get different point names.
 std::vector<std::vector<Measurement>> expectedReadings(const PlacedArm& placed,
                                                        const std::vector<ReadingCandidate>& candidates) {
   std::vector<std::vector<Measurement>> expected(candidates.size());

@@ -1,5 +1,5 @@
-// Proposals of the next measurements: postures and loads, or touches, that improve the free numbers and the tip at work
-// most, given present knowledge.
+// Proposals of the next measurements, given present knowledge: the postures and loads, or the touches, that most
+// improve the free parameters and the tip at the work postures.
 #pragma once
 
 #include <string>
@@ -11,26 +11,26 @@
 
 namespace tubeplan::calibration {
 
-/// A possible proposal: one reading, or the touches of one unknown place under several loads, which determine nothing
-/// singly. Sigma is that expected of the reading; the set-up is filled in.
+/// A possible proposal: a single reading, or touches of the same unknown point under several loads, which determine
+/// nothing singly. Each reading has its set-up and its expected sigma.
 struct ReadingCandidate {
   std::vector<ProposedMeasurement> readings;
 };
 
-/// Postures where the tip must be known.
+/// Work postures, where the tip must be known.
 struct Work {
   std::vector<Eigen::VectorXd> postures;
-  double load = 0;  ///< [N]
+  double load = 0;  ///< load hung from the tip [N]
 };
 
 struct NextReadingsOptions {
   DesignOptions design;
-  int random_draws = 20;  ///< random choices of as many readings, for comparison
+  int random_draws = 20;  ///< number of random choices of equally many readings, for comparison
   std::uint64_t seed = 1;
 };
 
-/// Sigma of one free number, in its own unit: before, after the proposed readings, and after as many random ones
-/// (median of the draws).
+/// Standard deviations of one free parameter, in the parameter's unit: now, after the proposed readings, and after
+/// equally many random readings (median of the draws).
 struct NumberForecast {
   Unknown unknown;
   double value = 0;
@@ -38,7 +38,7 @@ struct NumberForecast {
   double after = std::numeric_limits<double>::quiet_NaN();
   double random = std::numeric_limits<double>::quiet_NaN();
   bool is_identifiable_now = false, is_identifiable_after = false,
-       is_identifiable_random = false;  ///< true: better known than by its typical size
+       is_identifiable_random = false;  ///< true: sigma is below half the typical size
 };
 
 enum class NextReadingsStatus { kNotRun, kDone, kTooFewCandidates };
@@ -46,27 +46,28 @@ enum class NextReadingsStatus { kNotRun, kDone, kTooFewCandidates };
 struct NextReadings {
   NextReadingsStatus status = NextReadingsStatus::kNotRun;
   std::string reason;
-  std::vector<int> candidates;  ///< indices of those whose shape converges, to which the design's indices refer
+  /// Indices of the candidates whose shape converges; the design's indices refer to this list.
+  std::vector<int> candidates;
   Design design;
   std::vector<NumberForecast> numbers;
-  TipSigma tip_now, tip_after, tip_random;                 ///< sigma of the model's tip, without the encoders' noise
-  double bits = std::numeric_limits<double>::quiet_NaN();  ///< information gained in all
+  TipSigma tip_now, tip_after, tip_random;                 ///< sigma of the predicted tip, without encoder noise
+  double bits = std::numeric_limits<double>::quiet_NaN();  ///< total information gain [bit]
   double bits_random = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The design problem of the candidates; those whose shape does not converge are left out.
+/// Design problem of the candidates whose shape converges; the others are left out.
 struct PosedDesign {
   DesignProblem problem;
-  std::vector<int> candidates;  ///< index of each of the problem's candidates
+  std::vector<int> candidates;  ///< original index of each candidate of the problem
 };
 [[nodiscard]] PosedDesign poseDesign(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates,
                                      const Work& work);
 
-/// Returns the effect of a choice of the posed design's readings, beside as many random ones.
+/// Returns the effect of the readings chosen in `design`, compared with equally many random readings.
 [[nodiscard]] NextReadings forecastReadings(const Estimate& estimate, const PosedDesign& posed, Design design,
                                             const NextReadingsOptions& options = {});
 
-/// Returns the best readings by the options' optimality, and their effect.
+/// Returns the best readings according to the criterion `options.design.optimality`, and their effect.
 [[nodiscard]] NextReadings proposeReadings(const Estimate& estimate, const std::vector<ReadingCandidate>& candidates,
                                            const Work& work, const NextReadingsOptions& options = {});
 

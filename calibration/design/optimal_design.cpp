@@ -17,14 +17,14 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kWorthSwapping = 1e-9;  // least gain relative to the score: less is rounding
+constexpr double kWorthSwapping = 1e-9;  // least relative improvement of the score for a swap: less is rounding
 
 MatrixXd inverseOf(const MatrixXd& information) {
   return information.selfadjointView<Eigen::Lower>().ldlt().solve(
       MatrixXd::Identity(information.rows(), information.cols()));
 }
 
-/// Returns the variance of the tip, summed over its coordinates, at each work posture [m^2].
+/// Returns the sum of the variances of the tip's three coordinates at each work posture [m^2].
 VectorXd tipVariances(const std::vector<MatrixXd>& work, const MatrixXd& covariance) {
   VectorXd variances(static_cast<Index>(work.size()));
   for (std::size_t w = 0; w < work.size(); ++w)
@@ -37,24 +37,26 @@ TipSigma sigmaOf(const VectorXd& variances) {
   return {std::sqrt(variances.mean() / 3), std::sqrt(variances.maxCoeff() / 3)};
 }
 
-/// Returns ln det of I + H C H^T, the covariance of a whitened reading H by its noise and by that of the variables.
+/// Returns ln det(I + H C H^T), where I + H C H^T is the covariance of a whitened measurement with Jacobian H: its
+/// noise plus the effect of the variables' covariance C.
 double logDetOf(const MatrixXd& H, const MatrixXd& covariance) {
   const Eigen::LLT<MatrixXd> S(MatrixXd::Identity(H.rows(), H.rows()) + H * covariance * H.transpose());
   const MatrixXd L = S.matrixL();
   return 2 * L.diagonal().array().log().sum();
 }
 
-/// Returns the mean of J^T J over the work postures: the tip's mean variance is the trace of this times the covariance.
+/// Returns the mean of J^T J over the work postures. The trace of its product with the covariance is the tip's mean
+/// variance.
 MatrixXd meanOfSquares(const std::vector<MatrixXd>& work, Index variables) {
   MatrixXd mean = MatrixXd::Zero(variables, variables);
   for (const auto& J : work) mean += J.transpose() * J / static_cast<double>(work.size());
   return mean;
 }
 
-/// A choice in progress, with the effect of one more reading H computed by the rank of its rows alone: (M + H^T H)^-1 =
-/// C - C H^T S^-1 H C, with C = M^-1 and S = I + H C H^T. The determinant of C falls by det S. That of its part without
-/// the variables beside falls by det S / det S_b, where S_b = I + H_b M_bb^-1 H_b^T is the S that remains if that part
-/// is known.
+/// A choice in progress. The effect of one more reading H needs matrices of the reading's rows only: (M + H^T H)^-1 = C
+/// - C H^T S^-1 H C, with C = M^-1 and S = I + H C H^T. The determinant of C falls by the factor det S. The determinant
+/// of the block of C without the nuisance variables b falls by det S / det S_b, where S_b = I + H_b M_bb^-1 H_b^T is S
+/// with all variables other than b known.
 class Choice {
  public:
   static constexpr int kVacant = -1;
@@ -73,7 +75,7 @@ class Choice {
     put(chosen_.size() - 1, candidate);
   }
 
-  /// Removes the reading at a place and puts another there, or none.
+  /// Replaces the reading at index `place` by `candidate`; kVacant leaves the index empty.
   void put(std::size_t place, int candidate) {
     if (chosen_[place] != kVacant) is_chosen_[static_cast<std::size_t>(chosen_[place])] = false;
     chosen_[place] = candidate;
@@ -81,15 +83,14 @@ class Choice {
     update();
   }
 
-  /// Returns how much the candidate adds to the logarithm of the information's determinant, without the variables
-  /// beside.
+  /// Returns the increase of the log determinant of the information by the candidate, without the nuisance variables.
   [[nodiscard]] double gainOf(int candidate) const {
     const MatrixXd& H = problem_.candidates[static_cast<std::size_t>(candidate)];
     const double all = logDetOf(H, covariance_);
     return problem_.beside == 0 ? all : all - logDetOf(H.rightCols(problem_.beside), beside_);
   }
 
-  /// Returns the score with the candidate added: less is better; log det is negated.
+  /// Returns the score with the candidate added: lower is better. For kDeterminant, the score is the negated gain.
   [[nodiscard]] double scoreWith(int candidate) const {
     if (optimality_ == Optimality::kDeterminant) return -gainOf(candidate);
     const MatrixXd& H = problem_.candidates[static_cast<std::size_t>(candidate)];
@@ -97,19 +98,19 @@ class Choice {
     const Eigen::LLT<MatrixXd> S(MatrixXd::Identity(H.rows(), H.rows()) + H * CHt);
     if (optimality_ == Optimality::kMeanTip)
       return variances_.mean() - S.solve(CHt.transpose() * (mean_work_ * CHt)).trace();
-    // Each column of `fall` is one coordinate of one work posture.
+    // Each column of `fall` belongs to one coordinate of one work posture.
     const MatrixXd fall = S.matrixL().solve((stacked_work_ * CHt).transpose());
     VectorXd variances = variances_;
     for (Index w = 0; w < variances.size(); ++w) variances[w] -= fall.middleCols(3 * w, 3).squaredNorm();
     return variances.maxCoeff();
   }
 
-  /// Returns the present score, of the tip's variance.
+  /// Returns the present score for the criteria of the tip's variance.
   [[nodiscard]] double score() const {
     return optimality_ == Optimality::kWorstTip ? variances_.maxCoeff() : variances_.mean();
   }
 
-  /// The best of the candidates that are not chosen and that `among`, if given, includes; none: vacant.
+  /// Best candidate that is not chosen yet, among the indices `among` if given; kVacant if there is none.
   struct Best {
     int candidate = kVacant;
     double score = std::numeric_limits<double>::infinity();
@@ -147,7 +148,7 @@ class Choice {
   std::vector<int> chosen_;
   std::vector<bool> is_chosen_;
   MatrixXd covariance_, stacked_work_, mean_work_;
-  MatrixXd beside_;  ///< covariance of the variables beside, with the others known
+  MatrixXd beside_;  ///< covariance of the nuisance variables, with all others known
   VectorXd variances_;
 };
 
@@ -170,8 +171,8 @@ int exchange(Choice& choice, int most_passes) {
   return swaps;
 }
 
-/// Returns the best choice by greedy choice and exchange. For the tip's variance both also start from the best choice
-/// by determinant, because the worst place alone misleads a greedy choice.
+/// Returns the best choice by greedy selection and exchange. For the tip criteria, exchange also starts from the best
+/// choice by determinant, because the worst posture alone misleads greedy selection.
 std::vector<int> bestChoice(const DesignProblem& problem, const DesignOptions& options, int& swaps) {
   Choice greedy(problem, options.optimality);
   for (int k = 0; k < options.count; ++k) greedy.add(greedy.best().candidate);
@@ -188,7 +189,7 @@ std::vector<int> bestChoice(const DesignProblem& problem, const DesignOptions& o
   return other.chosen();
 }
 
-/// Adds a reading, and its effect on the covariance.
+/// Adds a reading to the choice, and a step with its effect on the covariance to the design.
 void take(Choice& choice, int candidate, const DesignProblem& problem, Design& design) {
   DesignStep& step = design.steps.emplace_back();
   step.candidate = candidate;

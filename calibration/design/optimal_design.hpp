@@ -1,5 +1,5 @@
-// Choice of the further readings that determine most of a linear model: greedy choice, then exchange of one for another
-// until no swap helps (Fedorov, Theory of Optimal Experiments, 1972).
+// Choice of the further readings that contribute most information to a linear model: greedy selection, then exchange of
+// single readings until no swap helps (Fedorov, Theory of Optimal Experiments, 1972).
 #pragma once
 
 #include <Eigen/Core>
@@ -10,30 +10,30 @@
 
 namespace tubeplan::calibration {
 
-/// Design problem. Its n variables are unknowns over their typical sizes. The last `beside` of them are nuisance
-/// variables: the tip depends on them too, but information on them is no goal.
+/// Design problem with n variables, each an unknown divided by its typical size. The last `beside` variables are
+/// nuisance variables: the tip depends on them too, but information on them is not an objective.
 struct DesignProblem {
-  Eigen::MatrixXd information;              ///< present information, n x n; positive definite
-  std::vector<Eigen::MatrixXd> candidates;  ///< whitened sensitivity of each possible reading, its rows x n
-  std::vector<Eigen::MatrixXd> work;        ///< sensitivity of the tip at each work posture, 3 x n [m]
+  Eigen::MatrixXd information;              ///< present information matrix, n x n, positive definite
+  std::vector<Eigen::MatrixXd> candidates;  ///< whitened Jacobian of each possible reading, rows of the reading x n
+  std::vector<Eigen::MatrixXd> work;        ///< Jacobian of the tip at each work posture, 3 x n [m]
   int beside = 0;
 };
 
-/// Criterion of the best choice.
+/// Criterion that the chosen readings minimise.
 enum class Optimality {
-  kDeterminant,  ///< D: smallest determinant of the covariance, without the variables beside
-  kWorstTip,     ///< G: least variance of the tip at the worst of the work postures
-  kMeanTip,      ///< V: least mean variance of the tip over the work postures
+  kDeterminant,  ///< D: determinant of the covariance, without the nuisance variables
+  kWorstTip,     ///< G: variance of the tip at the worst work posture
+  kMeanTip,      ///< V: mean variance of the tip over the work postures
 };
 
 struct DesignOptions {
   Optimality optimality = Optimality::kDeterminant;
   int count = 10;
-  int most_passes = 10;  ///< passes of exchange, each through the whole choice
+  int most_passes = 10;  ///< maximum number of exchange passes, each over all chosen readings
 };
 
-/// Sigma of a tip coordinate by the variables' covariance [m]: root mean square over the work postures, and at the
-/// worst of them.
+/// Standard deviation of a tip coordinate caused by the variables' covariance [m]: root mean square over the work
+/// postures, and value at the worst work posture.
 struct TipSigma {
   double rms = std::numeric_limits<double>::quiet_NaN();
   double worst = std::numeric_limits<double>::quiet_NaN();
@@ -42,10 +42,12 @@ struct TipSigma {
 
 struct DesignStep {
   int candidate = -1;
-  double bits = std::numeric_limits<double>::quiet_NaN();  ///< information that it adds, without the variables beside
-  TipSigma tip;                                            ///< after this step
-  int most_helped = -1;                                    ///< variable, without those beside, whose sigma falls most
-  double helped_by = std::numeric_limits<double>::quiet_NaN();  ///< ratio of that sigma after and before, at most 1
+  /// Information that the candidate adds, without the nuisance variables [bit].
+  double bits = std::numeric_limits<double>::quiet_NaN();
+  TipSigma tip;          ///< sigma of the tip after this step
+  int most_helped = -1;  ///< index of the variable whose sigma falls most, among all but the nuisance variables
+  /// Sigma of the variable `most_helped` after the step, divided by its sigma before the step; at most 1.
+  double helped_by = std::numeric_limits<double>::quiet_NaN();
 };
 
 enum class DesignStatus { kNotRun, kDone, kTooFewCandidates };
@@ -53,19 +55,19 @@ enum class DesignStatus { kNotRun, kDone, kTooFewCandidates };
 struct Design {
   DesignStatus status = DesignStatus::kNotRun;
   std::string reason;
-  std::vector<DesignStep> steps;  ///< each the best of those left, by the same optimality
-  Eigen::MatrixXd covariance;     ///< after all steps
+  std::vector<DesignStep> steps;  ///< chosen readings, each the best of the remaining ones by the criterion
+  Eigen::MatrixXd covariance;     ///< covariance of the variables after all steps
   int swaps = 0;
 };
 
-/// Returns the best readings of the candidates, each at most once. A swap is made only if it helps, so that exchange is
-/// never worse than the greedy choice; nor is a choice for the tip worse than the one for the determinant.
+/// Returns the best readings among the candidates, each at most once. A swap is made only if it helps, so exchange is
+/// never worse than the greedy choice. By the tip criteria, the choice is never worse than the choice by determinant.
 [[nodiscard]] Design chooseReadings(const DesignProblem& problem, const DesignOptions& options = {});
 
-/// Returns the same figures for a given choice, in its order.
+/// Evaluates a given choice of readings in the given order, with the same results as chooseReadings().
 [[nodiscard]] Design judgeReadings(const DesignProblem& problem, const std::vector<int>& chosen);
 
-/// Returns `draws` random choices of `count` different ones of `candidates`.
+/// Returns `draws` random choices of `count` different indices below `candidates`.
 [[nodiscard]] std::vector<std::vector<int>> drawChoices(int candidates, int count, int draws, std::uint64_t seed);
 
 }  // namespace tubeplan::calibration

@@ -17,7 +17,7 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr double kNumberStep = 1e-3;  // step of the one difference quotient, as a share of a number's value
+constexpr double kNumberStep = 1e-3;  // step of the central difference, as a fraction of the parameter's value
 
 NumberKind numberKindOf(Quantity quantity) {
   switch (quantity) {
@@ -42,16 +42,16 @@ Measurement tipAt(const VectorXd& q, double load) {
   return tip;
 }
 
-/// Returns the projection on the part of an error that counts.
+/// Returns the projection onto the error components that count as centring error.
 Matrix3d countedPart(const SensitivityTask& task) {
   if (!task.hole_axis_W) return Matrix3d::Identity();
   return Matrix3d::Identity() - *task.hole_axis_W * task.hole_axis_W->transpose();
 }
 
-/// Rigid tips, and the deflections from them, in the world.
+/// Positions of the rigid tip and the deflections from there, in world axes.
 struct Deflections {
   bool ok = true;
-  /// Vectors from the base to the rigid tip; from there to the deflected one [m].
+  /// Vectors from the base to the rigid tip, and from the rigid to the deflected tip [m].
   std::vector<Vector3d> lever_W, deflection_W;
 };
 
@@ -68,7 +68,7 @@ Deflections deflectionsAt(const deflection::Arm& arm, const Eigen::Isometry3d& X
   return result;
 }
 
-/// Returns the slopes of a point by a small motion of the base: shift, then rotation.
+/// Returns the Jacobian of a point at `lever` from the base with respect to a small base motion: shift, then rotation.
 Eigen::Matrix<double, 3, 6> motionBy(const Vector3d& lever) {
   Eigen::Matrix<double, 3, 6> motion;
   motion.leftCols<3>().setIdentity();
@@ -82,7 +82,7 @@ double meanLength(const std::vector<Vector3d>& errors, const Matrix3d& counted) 
   return sum / static_cast<double>(errors.size());
 }
 
-/// Tips of a list of postures with their derivatives by every number of the arm.
+/// Predicted tips of several postures, with the requested derivatives; `ok` is false if any shape does not converge.
 struct Tips {
   bool ok = true;
   std::vector<Prediction> tips;
@@ -99,8 +99,8 @@ Tips tipsAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const std
   return result;
 }
 
-/// Returns the response of a calibration by the touches to an error of each number: the variables of the estimate, one
-/// column per number. Nothing if the touches do not place the base; zero if there are no touches.
+/// Returns the response of a calibration by touches to a unit error of each parameter: the estimated variables, one
+/// column per parameter. Empty if the touches do not determine the base; zero if there are no touches.
 std::optional<MatrixXd> calibratedResponse(const Estimate& untouched, const SensitivityTask& task, const Tips& touches,
                                            Index numbers) {
   const Index all = untouched.information.rows();
@@ -122,8 +122,8 @@ std::optional<MatrixXd> calibratedResponse(const Estimate& untouched, const Sens
   return -(untouched.information + information).ldlt().solve(right);
 }
 
-/// Adds the derivative of the deflection's mean length: the difference of the deflected and the rigid tip's slopes by a
-/// number, along the deflection.
+/// Adds the derivative of the mean deflection: the derivative of the deflected tip less that of the rigid tip, along
+/// the deflection.
 void addDeflection(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const SensitivityTask& task,
                    const Tips& work, std::vector<NumberSensitivity>& numbers) {
   const deflection::Arm rigid = deflection::rigidCopy(arm);

@@ -1,5 +1,5 @@
-// Sensitivity of the tip to each number of the arm. It shows the designer which member to stiffen or lighten (Calkins
-// 1994, section 6.3), and the calibrator how well each number must be known.
+// Sensitivity of the tip to each parameter of the arm. It shows designers which member to stiffen or lighten (Calkins
+// 1994, section 6.3), and how accurately a calibration must determine each parameter.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,27 +15,29 @@ namespace tubeplan::calibration {
 
 enum class NumberKind { kStiffness, kWeight, kLength, kOther };
 
-/// Postures where accuracy matters, and touches that place the base.
+/// Work postures, where accuracy matters, and the touches that determine the base pose.
 struct SensitivityTask {
-  std::vector<Eigen::VectorXd> work;     ///< postures at work
-  double load = 0;                       ///< hung on the tip at work; touches are made without load [N]
-  std::vector<Eigen::VectorXd> touches;  ///< postures that place the base, three or more; none: the base is known
-  double touch_sigma = 1.27e-4;          ///< per coordinate [m]
-  DoubtBeside doubt = {};                ///< doubt of the arm, with which the touches are fitted
-  /// Only components across it count as centring error; nothing: all components.
+  std::vector<Eigen::VectorXd> work;  ///< joint readings of the work postures [rad, m]
+  double load = 0;  ///< load hung from the tip in the work postures; touches are made without load [N]
+  /// Joint readings of the touches that determine the base, three or more; empty: the base is known.
+  std::vector<Eigen::VectorXd> touches;
+  double touch_sigma = 1.27e-4;  ///< standard deviation of each coordinate of a touch [m]
+  DoubtBeside doubt = {};        ///< prior uncertainty of the arm, which the fit of the touches takes into account
+  /// Axis of the holes: only error components perpendicular to it count as centring error; empty: all components count.
   std::optional<Eigen::Vector3d> hole_axis_W;
 };
 
-/// Sensitivities of a number, as means over the work postures at the same joint readings.
+/// Sensitivities to one parameter, as means over the work postures at fixed joint readings.
 struct NumberSensitivity {
   deflection::Parameter parameter;
   NumberKind kind = NumberKind::kOther;
-  /// Slope of the mean deflection by the number [m per unit].
+  /// Derivative of the mean deflection with respect to the parameter [m per unit].
   double deflection = std::numeric_limits<double>::quiet_NaN();
-  /// Slope of the mean error without compensation [m per unit].
+  /// Derivative of the mean error without compensation, with respect to the parameter [m per unit].
   double centring = std::numeric_limits<double>::quiet_NaN();
-  /// Mean error at work, with compensation, for an unknown error of the number [m per unit]: with the base known, and
-  /// with the base placed by touches. These absorb a part, in the base and in the numbers that are fitted with it.
+  /// Mean error at the work postures, with compensation, per unit of unknown error of the parameter [m per unit]:
+  /// `error_base_known` with the base known, `error` with the base placed by touches. Touches absorb part of the error
+  /// in the base and in the parameters fitted with it.
   double error_base_known = std::numeric_limits<double>::quiet_NaN();
   double error = std::numeric_limits<double>::quiet_NaN();
 };
@@ -45,23 +47,24 @@ enum class SensitivityStatus { kNotRun, kDone, kNotConverged, kTouchesTellNoBase
 struct Sensitivity {
   SensitivityStatus status = SensitivityStatus::kNotRun;
   std::string reason;
-  double mean_deflection = std::numeric_limits<double>::quiet_NaN();  ///< [m]
-  /// Mean error at work by rigid kinematics, with the base placed by the touches in the same way [m].
+  double mean_deflection = std::numeric_limits<double>::quiet_NaN();  ///< mean deflection over the work postures [m]
+  /// Mean error at the work postures with rigid kinematics, for a base placed by touches with rigid kinematics too [m].
   double mean_uncompensated = std::numeric_limits<double>::quiet_NaN();
-  std::vector<NumberSensitivity> numbers;  ///< every number of the arm, in file order
+  std::vector<NumberSensitivity> numbers;  ///< sensitivities to every parameter of the arm, in file order
 };
 
-/// Computes the sensitivities. Derivatives are exact, except that of the uncompensated error, which is a central
-/// difference of one part in a thousand (NaN for numbers that are zero).
+/// Computes the sensitivities. Derivatives are exact, except that of the uncompensated error: a central difference with
+/// a step of one thousandth of the parameter (NaN for a parameter that is zero).
 [[nodiscard]] Sensitivity findSensitivities(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                             const SensitivityTask& task);
 
-/// Returns the mean distance from the rigid to the deflected tip over the work [m]; NaN if a shape does not converge.
+/// Returns the mean distance between the rigid and the deflected tip over the work postures [m]; NaN if a shape does
+/// not converge.
 [[nodiscard]] double meanDeflection(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                     const SensitivityTask& task);
 
-/// Returns the mean error over the work [m] of an arm sent by rigid kinematics on a base that rigid kinematics placed
-/// by the touches: the part of the deflection that no small motion of the base removes.
+/// Returns the mean error over the work postures [m] if rigid kinematics both places the base by the touches and moves
+/// the arm: the part of the deflection that no small motion of the base removes. NaN if a shape does not converge.
 [[nodiscard]] double meanUncompensatedError(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                             const SensitivityTask& task);
 

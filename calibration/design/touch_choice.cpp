@@ -18,7 +18,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 /// Blocks of the tip's variance after some touches, for all candidates with three rows each. W is the mean of J^T J
-/// over the coordinates of the work, J = [T U].
+/// over the tip coordinates of all work postures, J = [T U].
 struct TouchBlocks {
   explicit TouchBlocks(const DesignProblem& problem) : prior(problem.information.topLeftCorner<6, 6>()) {
     const Index rows = 3 * static_cast<Index>(problem.candidates.size()), all = 6 + problem.beside;
@@ -38,12 +38,12 @@ struct TouchBlocks {
   [[nodiscard]] int count() const { return static_cast<int>(B.rows() / 3); }
 
   Matrix6 prior, base_work;
-  double numbers_variance = 0;  ///< variance of the tip by the numbers without information
+  double numbers_variance = 0;  ///< variance of the tip caused by the parameters, before any touch
   MatrixXd B, ZZ, ZWZ, ZW;
 };
 
-/// A set of touches, and the tip's variance with one more of the candidates from `first` on: the blocks of that one
-/// less the part that the set already determines.
+/// A set of touches, and the tip's variance with one more candidate, of index `first` or above: the blocks of that
+/// candidate less the part that the set already determines.
 class GrownSet {
  public:
   GrownSet(const TouchBlocks& blocks, const std::vector<int>& touches, int first) : blocks_(blocks), first_(first) {
@@ -65,8 +65,8 @@ class GrownSet {
     by_numbers_ = blocks.numbers_variance - V.solve(ZWZ).trace();
   }
 
-  /// Returns the mean variance of a coordinate of the tip over the work [m^2]; infinite if the touches do not place the
-  /// base.
+  /// Returns the mean variance of a tip coordinate over the work postures [m^2]; infinite if the touches do not
+  /// determine the base.
   [[nodiscard]] double varianceWith(int touch) const {
     using Block = Eigen::Matrix<double, 3, 6>;
     const Index row = 3 * touch, here = row - 3 * first_;
@@ -98,7 +98,7 @@ struct BestSet {
   double variance = kNowhere;
 };
 
-/// Returns the set with the one more touch that helps most, of those from `first` on.
+/// Returns the set with the most helpful further touch, among the candidates of index `first` or above.
 BestSet withNext(const TouchBlocks& blocks, const std::vector<int>& touches, int first) {
   const GrownSet grown(blocks, touches, first);
   BestSet best{touches, kNowhere};
@@ -110,7 +110,7 @@ BestSet withNext(const TouchBlocks& blocks, const std::vector<int>& touches, int
   return best;
 }
 
-/// Returns the best triple of all; empty if none places the base.
+/// Returns the best of all triples; empty if none determines the base.
 BestSet bestTriple(const TouchBlocks& blocks) {
   std::vector<BestSet> best(static_cast<std::size_t>(blocks.count()));
   tbb::parallel_for(0, blocks.count(), [&](int i) {

@@ -1,9 +1,11 @@
-// Choice of the holes to touch so that the base is known best at the work, for an arm with uncertain numbers.
+// Choice of the holes to touch so that the base is known best for the work postures, for an arm with uncertain
+// parameters.
 //
-// With B and Z the whitened slopes of all rows of some touches by base and numbers (independent standard normals), the
-// touches' information on the base is F = B^T V^-1 B with V = I + Z Z^T. The errors of a tip with slopes T and U are
+// Let B and Z be the whitened Jacobians of all rows of some touches with respect to the base and the parameters
+// (independent standard normal variables). The touches' information on the base is F = B^T V^-1 B with V = I + Z Z^T.
+// The position of a tip with Jacobians T and U has the error covariance
 //     (T - U Z^T V^-1 B) F^-1 (T - U Z^T V^-1 B)^T + U (I - Z^T V^-1 Z) U^T:
-// matrices of three rows a touch, assembled from blocks that are computed once for every pair of holes.
+// matrices of three rows per touch, assembled from blocks that are computed once for every pair of holes.
 #pragma once
 
 #include <string>
@@ -18,7 +20,7 @@ namespace tubeplan::calibration {
 struct TouchChoiceOptions {
   int count = 3;
   double sigma = 1.27e-4;  ///< centring noise of each coordinate [m]
-  DoubtBeside doubt = {};  ///< doubt of the arm, with which the touches will be fitted
+  DoubtBeside doubt = {};  ///< prior uncertainty of the arm, which the fit of the touches takes into account
 };
 
 enum class TouchChoiceStatus { kNotRun, kDone, kTooFewCandidates };
@@ -26,18 +28,18 @@ enum class TouchChoiceStatus { kNotRun, kDone, kTooFewCandidates };
 struct TouchChoice {
   TouchChoiceStatus status = TouchChoiceStatus::kNotRun;
   std::string reason;
-  std::vector<int> chosen;  ///< indices of the candidates
-  /// Predicted sigma of a tip coordinate, root mean square over the work [m].
+  std::vector<int> chosen;  ///< indices of the chosen candidates
+  /// Predicted standard deviation of a tip coordinate, root mean square over the work postures [m].
   double mean_sigma = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Chooses the best triple of all (least mean variance of the tip over the work postures), then the best further holes
-/// one by one. The problem's variables are the base's six, then nuisance variables as independent standard normals
-/// without earlier readings; every candidate has three rows.
+/// Chooses the best of all triples (least mean variance of the tip over the work postures), then the best further holes
+/// one by one. The problem's variables are the six of the base, then nuisance variables: independent standard normal
+/// variables without earlier readings. Every candidate has three rows.
 [[nodiscard]] TouchChoice chooseTouches(const DesignProblem& problem, int count);
 
-/// Chooses touches for an arm that stands near X_WB, before any touch. Its tip is to be known in the postures of the
-/// work, under no load.
+/// Chooses touches for an arm that stands near X_WB, before any touch, so that the tip is known best in the work
+/// postures without load.
 [[nodiscard]] TouchChoice chooseTouches(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                         const std::vector<TouchPlan>& candidates,
                                         const std::vector<Eigen::VectorXd>& work,

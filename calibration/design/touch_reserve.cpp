@@ -8,7 +8,7 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Returns the errors of the base as shares of the doubt, by axis: shifts, then rotations.
+/// Returns the base errors to try, as fractions of the doubt: shifts along the axes, then rotations about the axes.
 std::vector<Vector6> waysOff() {
   std::vector<Vector6> ways;
   for (int axis = 0; axis < 6; ++axis)
@@ -29,7 +29,7 @@ Eigen::Isometry3d displaced(const Eigen::Isometry3d& X_WB, const Vector6& way, c
   return X;
 }
 
-/// Returns the candidates that the arm touches with its base at X_WB.
+/// Returns the candidates that the arm can touch with its base at X_WB.
 std::vector<TouchPlan> touchedFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                    const std::vector<TouchPlan>& candidates) {
   std::vector<Eigen::Vector3d> holes_W;

@@ -1,4 +1,4 @@
-// Holes that are in reach from every likely position of the base, whose touches are to find it.
+// Selection of the holes that stay in reach for every likely base pose, before touches have determined the pose.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,16 @@
 
 namespace tubeplan::calibration {
 
-/// Largest error of the base: along any direction, and in rotation about any axis through its origin. The defaults are
-/// three sigma of the errors that `campaign` and `score` draw.
+/// Largest error of the base pose: shift along any direction, and rotation about any axis through the base's origin.
+/// The defaults are three standard deviations of the errors that `campaign` and `score` draw.
 struct BaseDoubt {
-  double shift = 0.0381;  ///< [m] (1.5 in)
-  double turn = 0.0262;   ///< [rad] (1.5 deg)
+  double shift = 0.0381;  ///< largest shift [m] (1.5 in)
+  double turn = 0.0262;   ///< largest rotation [rad] (1.5 deg)
 };
 
-/// Returns the candidates that the arm can touch (limits and deflection, without collisions) from everywhere around
-/// X_WB: with the whole error along and about each axis, and with the same sum along and about all axes together.
+/// Returns the candidates that the arm can touch (joint limits and deflection considered, collisions not) from every
+/// base displaced from X_WB: by the whole doubt along or about each axis, and by the same total along and about all
+/// axes together.
 [[nodiscard]] std::vector<TouchPlan> keepTouchable(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                                    const std::vector<TouchPlan>& candidates,
                                                    const BaseDoubt& doubt = {});
