@@ -1,5 +1,5 @@
-// Kind `axis`: the distance of the tip beyond x, y, z along the direction dx, dy, dz, of either sign, as a dial
-// indicator, a height gauge or a laser along a line measures it.
+// Kind `axis`: the signed distance of the tip from the point x, y, z along the direction dx, dy, dz, as a dial
+// indicator, a height gauge or a line laser measures it.
 #pragma once
 
 #include "calibration/measurements/distance.hpp"

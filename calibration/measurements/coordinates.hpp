@@ -1,4 +1,5 @@
-// Parts shared by the kinds that measure all three coordinates: a tracker's position, a touched point, a displacement.
+// Functions shared by the kinds that measure all three coordinates: a tracker's position, a touched point, a
+// displacement.
 #pragma once
 
 #include "calibration/measurements/measurement_kind.hpp"
@@ -14,7 +15,7 @@ inline void record(const ToolPose& tool, double scale, const MeasuredValue& nois
   reading.p_W = scale * tool.p_W + noise.head<3>();
 }
 
-/// Writes the place of a hole or mark, where it is known.
+/// Writes the position of the hole or mark, if known.
 inline void statePoint(const KnownPlaces& places, Measurement& reading) { reading.p_W = places.point_W; }
 
 inline MeasurementKindRow row(MeasurementKind kind, const char* name) {

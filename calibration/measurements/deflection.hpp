@@ -1,11 +1,11 @@
-// Kind `deflection`: the displacement of the tip by its load, with the joint readings unchanged, as x, y, z.
+// Kind `deflection`: the displacement x, y, z of the tip caused by its load, at unchanged joint readings.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"
 
 namespace tubeplan::calibration::deflection_reading {
 
-/// Returns the same posture unloaded, from which the displacement is taken.
+/// Returns the reference of the displacement: the same posture without load.
 inline Departure departure(const Measurement& reading) { return {&reading, true}; }
 
 inline MeasurementKindRow kind() {

@@ -1,7 +1,8 @@
-// Kind `direction`: the direction in the world of the x axis of the tool frame, or of a row's frame, as azimuth from x
-// towards y and altitude above the plane of both (an altazimuth mount's line of sight, a beam on a tool). The error is
-// the angle from the measured direction to the predicted one, along the circle of equal elevation and upwards. Both are
-// angles on the sky, so that an azimuth near the zenith weighs as little as it should.
+// Kind `direction`: the direction of the x axis of the tool frame or of a row's frame, in the world frame. It is stated
+// as azimuth from x towards y and altitude above the xy plane (an altazimuth mount's line of sight, a beam on a tool).
+// The error is the angle from the measured to the predicted direction, resolved along the circle of equal altitude and
+// upwards. Both components are angles on the sphere, so that an azimuth near the zenith has as little weight as it
+// should.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,8 +17,8 @@ namespace tubeplan::calibration::direction {
 inline constexpr std::array<MeasuredColumn, 2> kColumns{
     {{"azimuth", deflection::Quantity::kAngle}, {"altitude", deflection::Quantity::kAngle}}};
 
-/// Returns the rotation from the measured frame to the world. Its columns point across, upwards and along the measured
-/// direction.
+/// Returns the rotation from the measured frame to the world frame, whose columns point across, upwards and along the
+/// measured direction.
 inline Eigen::Matrix3d frameOf(double azimuth, double elevation) {
   const double ca = std::cos(azimuth), sa = std::sin(azimuth), ce = std::cos(elevation), se = std::sin(elevation);
   Eigen::Matrix3d R_WM;
@@ -25,8 +26,8 @@ inline Eigen::Matrix3d frameOf(double azimuth, double elevation) {
   return R_WM;
 }
 
-/// Angles [rad] of a direction from the third axis, along the first and the second axis, and their slopes by the
-/// direction.
+/// Angles [rad] between a direction and the third axis, towards the first and the second axis, and their derivatives
+/// with respect to the direction.
 struct Deviation {
   Eigen::Vector2d angles;
   Eigen::Matrix<double, 2, 3> slope;
@@ -35,7 +36,7 @@ inline Deviation deviationOf(const Eigen::Vector3d& direction_M) {
   const Eigen::Vector2d aside = direction_M.head<2>();
   const double sine = aside.norm(), angle = std::atan2(sine, direction_M.z());
   Deviation deviation{aside, Eigen::Matrix<double, 2, 3>::Zero()};
-  if (sine < 1e-8) {  // the angle equals its sine here
+  if (sine < 1e-8) {  // here the angle equals its sine
     deviation.slope.leftCols<2>().setIdentity();
     return deviation;
   }
@@ -60,7 +61,7 @@ inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
 }
 inline MeasuredValue measured(const Measurement&) { return MeasuredValue::Zero(2); }
 
-/// Writes the predicted direction, turned by the noise upwards and across.
+/// Writes the predicted direction, rotated across and upwards by the noise.
 inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& reading) {
   const auto anglesOf = [](const Eigen::Vector3d& d) {
     return Eigen::Vector2d(std::atan2(d.y(), d.x()), std::atan2(d.z(), d.head<2>().norm()));

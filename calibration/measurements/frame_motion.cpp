@@ -38,8 +38,8 @@ bool isMeasurementScale(const deflection::Arm& arm, const deflection::Variable& 
          deflection::EffectStage::kMeasurement;
 }
 
-/// Converts true lengths to measured ones, if the arm has an error of the measuring scale: the first rows, all but
-/// rotations. Touches of unknown points measure nothing in the world.
+/// Converts true lengths to measured lengths if the arm has a scale error of the measuring system. This concerns all
+/// rows except rotations. Touches of unknown points measure nothing in the world frame.
 void scaleCoordinates(const deflection::Arm& arm, const Measurement& reading, const PredictionRequest& request,
                       Prediction& prediction) {
   if (arm.effects.empty() || !kindOf(reading).is_by_scale || touchesUnknownPoint(reading)) return;

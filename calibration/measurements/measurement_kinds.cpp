@@ -53,7 +53,7 @@ MeasuredValue predictedValue(const Measurement& reading, const ToolPose& tool) {
 MeasuredSlope predictedSlope(const Measurement& reading, const ToolPose& tool) {
   MeasuredSlope slope = kindOf(reading).slope(reading, atMeasuredPoint(reading, tool));
   if (!reading.p_TQ) return slope;
-  // A rotation about the tip moves the point by w x r.
+  // A rotation w about the tip moves a point at r from the tip by w x r.
   const MeasuredRows by_lever = -slope.by_place * deflection::crossMatrix<double>(tool.R_WT * *reading.p_TQ);
   slope.by_turn = slope.by_turn.size() ? MeasuredRows(slope.by_turn + by_lever) : by_lever;
   return slope;
@@ -140,13 +140,13 @@ Eigen::Matrix3d correlationMatrix(const Eigen::Vector3d& correlation) {
 Eigen::Vector3d correlationNumbers(const Eigen::Matrix3d& matrix) { return {matrix(0, 1), matrix(0, 2), matrix(1, 2)}; }
 
 bool isPossibleCorrelation(const Eigen::Vector3d& correlation) {
-  constexpr double kLeastOwn = 1e-9;  // least share of the variance that no combination of the others determines
+  constexpr double kLeastOwn = 1e-9;  // least fraction of a variance that the other coordinates do not determine
   if (!correlation.allFinite()) return false;
   return correlationMatrix(correlation).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > kLeastOwn;
 }
 
 MeasuredCovariance statedCovariance(const Measurement& reading) {
-  constexpr double kNotStated = 1e-6, kLeast = 1e-8;  // [m or rad]; the least is far below any instrument's
+  constexpr double kNotStated = 1e-6, kLeast = 1e-8;  // kLeast is far below the noise of any instrument
   MeasuredValue sigmas = rowSigmas(reading);
   for (double& sigma : sigmas) sigma = std::isfinite(sigma) ? std::max(sigma, kLeast) : kNotStated;
   MeasuredCovariance covariance = sigmas.array().square().matrix().asDiagonal();

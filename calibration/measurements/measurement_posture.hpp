@@ -1,4 +1,4 @@
-// The posture of a reading, as input of the model.
+// The posture of a reading, as input to the arm model.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the posture that a reading states, for a base placed at X_WB. All conditions of a reading reach the model
-/// through this function.
+/// Returns the posture stated by a reading, for a base at X_WB. All conditions of a reading reach the model through
+/// this function.
 [[nodiscard]] inline deflection::Posture postureOf(const Measurement& reading, const deflection::Arm& arm,
                                                    const Eigen::Isometry3d& X_WB) {
   deflection::Posture posture{reading.q, reading.load, deflection::gravityInBase(arm, X_WB)};
@@ -24,7 +24,7 @@ namespace tubeplan::calibration {
   return posture;
 }
 
-/// Returns the reading from which a displacement is taken: another one, or the same with nothing on its tip.
+/// Returns the reference reading of a displacement: another reading, or the same reading without load on its tip.
 [[nodiscard]] inline Measurement readingAt(const Departure& from) {
   Measurement reading = *from.reading;
   if (!from.is_unloaded) return reading;
@@ -33,8 +33,8 @@ namespace tubeplan::calibration {
   return reading;
 }
 
-/// Returns the posture from which a displacement is taken: the same without its load, or that of another reading;
-/// nothing if the reading is no displacement.
+/// Returns the reference posture of a displacement: the same posture without load, or that of another reading. Empty if
+/// the reading is not a displacement.
 [[nodiscard]] inline std::optional<deflection::Posture> referencePostureOf(const Measurement& reading,
                                                                            const deflection::Arm& arm,
                                                                            const Eigen::Isometry3d& X_WB) {

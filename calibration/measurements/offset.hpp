@@ -1,5 +1,5 @@
-// Kind `offset`: the centre of a hole, or of a mark at x, y, z, from the tip along the tool frame's axes, as a camera
-// on the tool measures it. As many of the three components are stated as the camera sees.
+// Kind `offset`: the centre of a hole or mark at x, y, z relative to the tip, in the tool frame, as measured by a
+// camera on the tool. A reading states only the components that the camera sees.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ inline MeasuredSlope slope(const Measurement& reading, const ToolPose& tool) {
 inline MeasuredValue measured(const Measurement& reading) {
   return partly_seen::stated<MeasuredValue>(reading, reading.own);
 }
-/// Writes what a camera sees that looks along the world's z, the holes' axis.
+/// Writes the components seen by a camera that looks along the world's z axis, which is the axis of the holes.
 inline void record(const ToolPose& tool, double, const MeasuredValue& noise, Measurement& reading) {
   const Eigen::Index unseen = partly_seen::axisAlong(Eigen::Vector3d::UnitZ(), tool);
   reading.own = partly_seen::without(seen(reading, tool) + noise.head<3>(), unseen);

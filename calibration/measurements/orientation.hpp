@@ -1,6 +1,6 @@
-// Kind `orientation`: the rotation of the tool frame in the world as fixed angles roll, pitch, yaw, like a base's rpy
-// (a probe or a camera on the tool, with its own mounting subtracted). The error is the rotation vector from the
-// measured to the predicted frame.
+// Kind `orientation`: the rotation of the tool frame in the world frame as fixed angles roll, pitch, yaw, defined as
+// the base's rpy (measured by a probe or a camera on the tool, with its own mounting subtracted). The error is the
+// rotation vector from the measured to the predicted frame.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"roll", deflection::Qu
                                                          {"pitch", deflection::Quantity::kAngle},
                                                          {"yaw", deflection::Quantity::kAngle}}};
 
-/// Returns the rotation vector from the measured frame to the tool's, about the world's axes [rad].
+/// Returns the rotation vector from the measured frame to the tool frame, in world axes [rad].
 inline Eigen::Vector3d turnFromMeasured(const Measurement& reading, const ToolPose& tool) {
   const Eigen::Matrix3d R_WM = deflection::rotationFromFixedAngles<double>(reading.own);
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(tool.R_WT * R_WM.transpose()));

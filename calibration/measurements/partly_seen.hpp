@@ -1,4 +1,4 @@
-// Parts shared by the kinds that measure some of three components: those that are stated.
+// Functions shared by the kinds that measure some of three components: those that the reading states.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@ namespace tubeplan::calibration::partly_seen {
 
 inline int statedRows(const Measurement& reading) { return 3 - static_cast<int>(reading.own.array().isNaN().count()); }
 
-/// Returns the rows that were measured.
+/// Returns the rows of the components that the reading states.
 template <class Rows>
 Rows stated(const Measurement& reading, const Rows& all) {
   Rows some(statedRows(reading), all.cols());
@@ -19,13 +19,13 @@ Rows stated(const Measurement& reading, const Rows& all) {
   return some;
 }
 
-/// Returns the values with NaN for the unseen one.
+/// Returns the values with NaN for the component of index `unseen`.
 inline Eigen::Vector3d without(Eigen::Vector3d values, Eigen::Index unseen) {
   values[unseen] = std::numeric_limits<double>::quiet_NaN();
   return values;
 }
 
-/// Returns the axis of the tool frame that is most nearly along a direction of the world.
+/// Returns the index of the tool frame axis that is closest to parallel with a direction in the world.
 inline Eigen::Index axisAlong(const Eigen::Vector3d& direction_W, const ToolPose& tool) {
   Eigen::Index axis = 0;
   (tool.R_WT.transpose() * direction_W).cwiseAbs().maxCoeff(&axis);

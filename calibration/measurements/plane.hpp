@@ -1,6 +1,6 @@
-// Kind `plane`: the tip touches a plane of unknown place, such as a face of a datum block or a granite table. The
-// joints are read; the error is the distance of the tip from the plane that fits all readings of the same point best.
-// The radius of a ball at the tip only shifts the plane, as long as one side is touched.
+// Kind `plane`: the tip touches a plane of unknown position, such as a face of a datum block or a granite table. The
+// joints are read. The error is the tip's distance from the best-fit plane of all readings of the same plane. The
+// radius of a ball at the tip only shifts the plane, as long as one side is touched.
 #pragma once
 
 #include <Eigen/Eigenvalues>
@@ -10,7 +10,7 @@
 
 namespace tubeplan::calibration::plane {
 
-inline constexpr int kNumbers = 3;  // two angles, a distance
+inline constexpr int kNumbers = 3;  // two angles of the normal, and the distance
 
 inline int numbersOf(const Measurement&) { return kNumbers; }
 
@@ -24,8 +24,8 @@ inline MeasuredSlope slope(const Measurement& reading, const ToolPose&) {
 }
 inline MeasuredValue measured(const Measurement&) { return MeasuredValue::Zero(1); }
 
-/// Returns the slopes by the plane's two angles and its distance. Tilting the normal moves a point off the plane by its
-/// distance along it.
+/// Returns the derivatives with respect to the plane's two angles and its distance. Tilting the normal moves a point
+/// off the plane in proportion to the point's distance along the plane.
 inline PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& tool) {
   PlaceColumns columns = PlaceColumns::Zero(1, kNumbers);
   if (!reading.surface) return columns;
@@ -35,9 +35,9 @@ inline PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& t
   return columns;
 }
 
-/// Fits the plane. Its normal is the direction of least spread of the points, on the side of the normal before.
+/// Fits the plane. The normal is the direction of least spread of the points, oriented like the previous normal.
 inline bool settle(const Eigen::Matrix3Xd& points_W, const Measurement&, Surface& surface) {
-  constexpr double kLine = 1e-6;  // relative to the spread along the points: with less across them they form a line
+  constexpr double kLine = 1e-6;  // spread relative to the largest one, below which the points form a line
   if (points_W.cols() < kNumbers) return false;
   const Eigen::Vector3d mean = points_W.rowwise().mean();
   const Eigen::Matrix3Xd from = points_W.colwise() - mean;
@@ -54,7 +54,7 @@ inline Eigen::Vector3d nearest(const Surface& surface, const Eigen::Vector3d& p_
   return p_W - surface.direction_W * surface.direction_W.dot(p_W - surface.p_W);
 }
 
-/// Writes nothing: the touched point follows from the plane's place.
+/// Writes nothing: the touched point follows from the plane.
 inline void recordNothing(const ToolPose&, double, const MeasuredValue&, Measurement&) {}
 
 inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string& kind) {

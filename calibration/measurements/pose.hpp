@@ -1,4 +1,4 @@
-// Kind `pose`: the whole tool frame, with the tip's place x, y, z and its rotation roll, pitch, yaw (a tracker's
+// Kind `pose`: the whole tool frame: position x, y, z of the tip and rotation roll, pitch, yaw (as from a tracker's
 // six-degree probe).
 #pragma once
 

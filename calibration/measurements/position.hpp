@@ -1,4 +1,4 @@
-// Kind `position`: the tip's place x, y, z, as a laser tracker measures it.
+// Kind `position`: the tip's position x, y, z, as a laser tracker measures it.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"

@@ -23,10 +23,10 @@ bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& r
 
 namespace {
 
-constexpr std::size_t kReadingsOfCore = 128;  // block for one core, side by side
-constexpr std::size_t kReadingsInTurn = 16;   // block for one core, one by one, which shares the prepared arm
+constexpr std::size_t kReadingsOfCore = 128;  // block for one core, solved side by side
+constexpr std::size_t kReadingsInTurn = 16;   // block for one core, solved one by one with the same prepared arm
 
-/// The readings to predict, and the request.
+/// The readings to predict, and the requested derivatives.
 struct AskedReadings {
   const PlacedArm& placed;
   const std::vector<Measurement>& readings;
@@ -109,8 +109,8 @@ class SideBySide {
   deflection::TipBatch tips_;
   std::vector<Index> from_;  ///< index of the reference posture, -1 if there is none
   Eigen::Matrix3d tool_frame_;
-  FrameMotion frame_, reference_;  ///< reused for one reading after another
-  Prediction prediction_;          ///< reused for one reading after another
+  FrameMotion frame_, reference_;  ///< reused for successive readings
+  Prediction prediction_;          ///< reused for successive readings
 };
 
 }  // namespace

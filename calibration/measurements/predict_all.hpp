@@ -12,13 +12,14 @@ class Kinematics;
 
 namespace tubeplan::calibration {
 
-/// Returns true if joints, load and gravity are all that the model of these readings depends on, so that their shapes
-/// can be solved side by side. This holds for arms without effects, tips that carry only a load, and no frames of rows.
+/// Returns true if the model of these readings depends on joints, load and gravity only, so that their shapes can be
+/// solved side by side (SIMD). This holds for arms without effects, tips that carry only a load, and readings of no
+/// row's frame.
 [[nodiscard]] bool areForKernels(const deflection::Arm& arm, const std::vector<Measurement>& readings);
 
 /// Calls `each(k, prediction)` for every reading, in any order and on any thread; reading k is made at base pose
-/// `base_pose_of[k]`. Returns false if a shape does not converge or `stop` asks to stop; some readings are then left
-/// out. `prepared`, if not null, belongs to the arm, and helps when few readings are asked for at many bases.
+/// `base_pose_of[k]`. Returns false if a shape does not converge or `stop` requests a stop; some readings are then left
+/// out. `prepared`, if not null, must belong to the arm; it saves time when few readings are predicted at many bases.
 [[nodiscard]] bool predictAll(const PlacedArm& placed, const std::vector<Measurement>& readings,
                               const std::vector<int>& base_pose_of, const PredictionRequest& request,
                               const StopQuestion& stop,

@@ -59,7 +59,7 @@ std::optional<Measurement> expectedReading(const PlacedArm& placed, const Propos
     if (!rest) return std::nullopt;
     tool->p_W -= rest->p_W;
   }
-  // All steps of a tool enter that the model centres.
+  // If the model centres the tool, all steps of the tool enter.
   if (kind.counts_steps) return reading;
   if (proposed.is_length_alone)
     reading.own[0] = tool->p_W.norm();

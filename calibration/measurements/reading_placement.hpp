@@ -1,4 +1,4 @@
-// Arms placed for fits to readings: a base pose for every set-up that they name.
+// Placement of an arm for fits to readings: a base pose for every set-up that the readings name.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the arm placed at `X_WB` for every set-up that the readings name, in their order.
+/// Returns the arm with a base pose at `X_WB` for every set-up that the readings name, in their order.
 [[nodiscard]] PlacedArm placeForReadings(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool is_known,
                                          const std::vector<Measurement>& readings);
 

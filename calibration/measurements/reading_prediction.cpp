@@ -11,7 +11,7 @@ using Eigen::Matrix3d, Eigen::MatrixXd;
 
 namespace {
 
-/// Computes the tool's frame, or a row's, and its motion; false if the shape does not converge.
+/// Computes the tool frame, or the frame of `row`, and its motion. Returns false if the shape does not converge.
 bool solveFrame(deflection::TipDifferentiation& tip, const deflection::Posture& posture,
                 const std::vector<deflection::Variable>& variables, const std::optional<int>& row, FrameMotion& frame) {
   const auto status = row ? tip.solveRow(*row, posture, variables) : tip.solve(posture, variables);
@@ -21,7 +21,7 @@ bool solveFrame(deflection::TipDifferentiation& tip, const deflection::Posture& 
   return status == deflection::KinematicsStatus::kConverged;
 }
 
-/// Returns the pose of the tool, or of a row's frame.
+/// Returns the pose of the tool frame, or of the frame of `row`.
 std::optional<ToolPose> poseAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const Measurement& reading,
                                const std::optional<int>& row, const deflection::FlexibleKinematicsOptions& options) {
   const auto shape = deflection::solveFlexibleKinematics(arm, postureOf(reading, arm, X_WB), options);

@@ -18,7 +18,7 @@ bool isOnePosture(const std::vector<Measurement>& readings) {
   });
 }
 
-/// Returns the first reading of an unknown place that too few share, or nothing.
+/// Returns the index of the first reading of an unknown place that has too few readings; empty if there is none.
 std::optional<int> loneReading(const std::vector<Measurement>& readings) {
   std::map<std::string, std::vector<int>> touched;
   for (std::size_t k = 0; k < readings.size(); ++k)
@@ -28,7 +28,8 @@ std::optional<int> loneReading(const std::vector<Measurement>& readings) {
   return std::nullopt;
 }
 
-/// Returns the problem of a touched surface with too few readings: as many as its numbers only place it.
+/// Returns the problem of a touched surface with too few readings: as many readings as parameters only determine the
+/// surface.
 ReadingProblem fewOfSurface(int place, const std::vector<Measurement>& readings) {
   const Measurement& first = readings[static_cast<std::size_t>(place)];
   const auto count = std::count_if(readings.begin(), readings.end(),

@@ -1,4 +1,4 @@
-// Faults of a set of readings that keep it from identifying anything.
+// Faults of a set of readings that prevent any identification.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,18 @@
 
 namespace tubeplan::calibration {
 
-/// Reason why readings determine nothing, or not enough.
+/// Reason why readings determine nothing, or too little.
 struct ReadingProblem {
-  int reading = -1;  ///< index of the reading at fault; -1 if there is none
-  std::string what;  ///< sentence of what is wrong
+  int reading = -1;  ///< index of the reading at fault; -1 if no single reading is
+  std::string what;  ///< the fault, as a sentence
   std::string advice;
 };
 
-/// Returns how many numbers the readings hold beyond those that the places of unknown points take.
+/// Returns the number of measured values less the parameters of unknown places.
 [[nodiscard]] int numbersMeasured(const std::vector<Measurement>& readings);
 
-/// Finds the first fault that makes the readings useless: none at all, a point of unknown place touched once, all at
-/// one posture, fewer numbers measured than free.
+/// Returns the first fault that makes the readings useless: no reading at all, a point of unknown position touched
+/// once, all readings at one posture, or fewer measured values than free parameters.
 [[nodiscard]] std::optional<ReadingProblem> findReadingProblem(const std::vector<Measurement>& readings,
                                                                const std::vector<Unknown>& unknowns);
 

@@ -1,6 +1,6 @@
-// Kind `relative`: the displacement of the tip from its place at another reading, `reference`, as x, y, z in the world
-// or as its length alone. It makes use of a known spacing whose place is unknown: two sockets of a jig, two holes a
-// pitch apart, the travel on a slide's scale.
+// Kind `relative`: the displacement of the tip from its position at another reading, `reference`, as x, y, z in the
+// world frame or as its length alone. This kind exploits a known distance at an unknown position: two sockets of a jig,
+// two holes one pitch apart, the travel on a slide's scale.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"
@@ -23,12 +23,12 @@ inline MeasuredValue measured(const Measurement& reading) {
   return reading.p_W ? MeasuredValue(*reading.p_W) : distance::measured(reading);
 }
 
-/// Returns true if the reading states the displacement's coordinates or its length, not both.
+/// Returns true if the reading states either the displacement's coordinates or a positive length, but not both.
 inline bool isPossible(const Measurement& reading) {
   return reading.p_W ? std::isnan(reading.own[0]) : distance::isPossible(reading);
 }
 
-/// Returns the reference reading or, until that is known, the unloaded tip of this reading.
+/// Returns the reference reading or, while that is unknown, the unloaded tip of this reading.
 inline Departure departure(const Measurement& reading) {
   return reading.reference ? Departure{reading.reference.get(), false} : Departure{&reading, true};
 }

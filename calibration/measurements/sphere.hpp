@@ -1,6 +1,6 @@
-// Kind `sphere`: the tip touches a sphere of unknown centre, such as a tooling ball. The joints are read; the error is
-// the distance of the tip from the sphere that fits all readings of the same point best. Its radius (including that of
-// a ball at the tip) is known, which adds a length to the readings, or is found with the centre.
+// Kind `sphere`: the tip touches a sphere of unknown centre, such as a tooling ball. The joints are read. The error is
+// the tip's distance from the best-fit sphere of all readings of the same sphere. The radius of the sphere (including
+// that of a ball at the tip) is either known, which adds a length to the readings, or fitted with the centre.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ inline bool isPossible(const Measurement& reading) { return !(reading.own[0] <= 
 inline bool isRadiusKnown(const Measurement& reading) { return !std::isnan(reading.own[0]); }
 inline int numbersOf(const Measurement& reading) { return isRadiusKnown(reading) ? 3 : 4; }
 
-/// Returns the unit vector from the centre to the tip; z if the tip is at the centre.
+/// Returns the unit vector from the sphere's centre to the tip; z if the tip is at the centre.
 inline Eigen::Vector3d outwards(const Surface& surface, const Eigen::Vector3d& p_W) {
   const Eigen::Vector3d from = p_W - surface.p_W;
   return from.norm() > 0 ? Eigen::Vector3d(from.normalized()) : Eigen::Vector3d::UnitZ();
@@ -41,7 +41,8 @@ inline PlaceColumns byPlaceNumbers(const Measurement& reading, const ToolPose& t
   return columns;
 }
 
-/// Distances of points from a sphere [m], and their slopes by its centre and, if it is unknown, its radius.
+/// Signed distances of points from a sphere [m], and their derivatives with respect to the sphere's centre and, if
+/// unknown, its radius.
 struct Distances {
   Eigen::VectorXd error;
   Eigen::MatrixXd columns;
@@ -55,7 +56,7 @@ inline Distances distancesFrom(const Surface& surface, const Eigen::Matrix3Xd& p
   return distances;
 }
 
-/// Fits the sphere by |p|^2 = 2 c p + (r^2 - |c|^2), which is linear in c and the bracket.
+/// Fits the sphere |p|^2 = 2 c p + (r^2 - |c|^2), which is linear in c and in the bracket.
 inline Surface algebraic(const Eigen::Matrix3Xd& points_W) {
   const Eigen::Vector3d mean = points_W.rowwise().mean();
   const Eigen::Matrix3Xd from = points_W.colwise() - mean;
@@ -69,10 +70,10 @@ inline Surface algebraic(const Eigen::Matrix3Xd& points_W) {
   return surface;
 }
 
-/// Fits the sphere by Gauss-Newton steps, each halved until the sum of squares falls.
+/// Fits the sphere with Gauss-Newton steps, each halved until the sum of squares decreases.
 inline Surface nearestSphere(Surface surface, const Eigen::Matrix3Xd& points_W, int numbers) {
   constexpr int kMostSteps = 50, kMostHalvings = 12;
-  constexpr double kStill = 1e-14;  // smallest step [m]
+  constexpr double kStill = 1e-14;  // length of a step at which the fit ends [m]
   Distances at = distancesFrom(surface, points_W, numbers);
   for (int steps = 0; steps < kMostSteps; ++steps) {
     Eigen::VectorXd step = -at.columns.completeOrthogonalDecomposition().solve(at.error);
@@ -113,7 +114,7 @@ inline Eigen::Vector3d nearest(const Surface& surface, const Eigen::Vector3d& p_
   return surface.p_W + surface.radius * outwards(surface, p_W);
 }
 
-/// Writes the radius; the touched point follows from the centre's place.
+/// Writes the radius; the touched point follows from the sphere's centre.
 inline void record(const ToolPose&, double, const MeasuredValue&, Measurement& reading) {
   if (reading.surface) reading.own[0] = reading.surface->radius;
 }

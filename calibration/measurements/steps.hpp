@@ -1,7 +1,7 @@
 // Kind `steps`: the number of steps of the calibration tool that entered the hole. The centring error lies between two
-// tolerances, `own[1]` and `own[2]` [m]. If all steps entered, the tip is anywhere in a disc; else its distance from
-// the axis is anywhere between the two. (A uniform disc of radius r has a standard deviation of r / 2 per coordinate, a
-// length anywhere between a and b one of (b - a) / sqrt(12).)
+// tolerances, `own[1]` and `own[2]` [m]. If all steps entered, the tip lies anywhere in a disc. Otherwise its distance
+// from the hole's axis lies anywhere between the two tolerances. (A uniform disc of radius r has a standard deviation
+// of r / 2 per coordinate; a length uniform between a and b has one of (b - a) / sqrt(12).)
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ inline constexpr std::array<MeasuredColumn, 1> kColumns{{{"steps", deflection::Q
 inline bool isDisc(const Measurement& reading) { return !(reading.own[1] > 0); }
 inline int rowsOf(const Measurement& reading) { return isDisc(reading) ? 2 : 1; }
 
-/// Returns the tip's offset [m] from the hole's axis, which is the world's z.
+/// Returns the tip's offset from the hole's axis, which is the world's z axis [m].
 inline Eigen::Vector2d aside(const Measurement& reading, const ToolPose& tool) {
   return (tool.p_W - *reading.p_W).head<2>();
 }
@@ -34,12 +34,12 @@ inline MeasuredValue measured(const Measurement& reading) {
   if (isDisc(reading)) return Eigen::Vector2d::Zero();
   return MeasuredValue::Constant(1, (reading.own[1] + reading.own[2]) / 2);
 }
-/// Writes the centring error itself, from which the simulator derives the number of steps.
+/// Writes the centring error as both bounds; the simulator derives the number of steps from it.
 inline void record(const ToolPose& tool, double, const MeasuredValue&, Measurement& reading) {
   reading.own[1] = reading.own[2] = aside(reading, tool).norm();
 }
 
-/// Returns the standard deviation of each row [m].
+/// Returns the standard deviation of each row [m] for a centring error between `beyond` and `within` [m].
 inline double sigmaBetween(double beyond, double within) {
   return beyond > 0 ? (within - beyond) / std::sqrt(12.) : within / 2;
 }

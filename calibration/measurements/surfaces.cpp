@@ -13,7 +13,7 @@ namespace {
 
 constexpr deflection::FlexibleKinematicsOptions kSettleExactly{1e-13, 100};
 
-/// Returns the readings of each surface.
+/// Returns the indices of the readings of each surface, keyed by the surface's name.
 std::map<std::string, std::vector<std::size_t>> bySurface(const std::vector<Measurement>& readings) {
   std::map<std::string, std::vector<std::size_t>> groups;
   for (std::size_t k = 0; k < readings.size(); ++k)
@@ -21,7 +21,8 @@ std::map<std::string, std::vector<std::size_t>> bySurface(const std::vector<Meas
   return groups;
 }
 
-/// Returns the contact of the tool's measured point in the world [m]; nothing if the shape does not converge.
+/// Returns the tool's pose at the measured point, which is the contact, in the world frame [m]; empty if the shape does
+/// not converge.
 std::optional<ToolPose> contactOf(const PlacedArm& placed, const Measurement& reading) {
   const auto tool = toolAt(placed, reading, kSettleExactly);
   return tool ? std::optional(atMeasuredPoint(reading, *tool)) : std::nullopt;

@@ -1,5 +1,5 @@
-// Fit of touched planes and spheres of unknown place to the tips that touched them. The fit is exact at one state of
-// the arm, so that an identification needs no variables for them.
+// Fit of touched planes and spheres of unknown position to the tips that touched them. The fit is exact at a given
+// state of the arm, so that an identification needs no variables for the surfaces.
 #pragma once
 
 #include <string>
@@ -9,22 +9,24 @@
 
 namespace tubeplan::calibration {
 
-/// Returns true if any of the readings touches a surface of unknown place.
+/// Returns true if any of the readings touches a surface of unknown position.
 [[nodiscard]] bool touchSurfaces(const std::vector<Measurement>& readings);
 
-/// Sets the surface of all its readings to the one nearest to the points that touched it, with the arm as it is.
-/// Readings keep their surface if the points do not determine one. Returns false if a shape does not converge.
+/// Fits every surface to the points that touched it, with the arm as placed, and stores the surface in the readings
+/// that touch it. Readings keep their surface if the points do not determine a new one. Returns false if a shape does
+/// not converge.
 bool settleSurfaces(const PlacedArm& placed, std::vector<Measurement>& readings);
 
-/// A fitted surface and the residual of its readings.
+/// A fitted surface and the residual of the readings that touch it.
 struct SettledSurface {
   std::string kind, point;
   Surface surface;
   int readings = 0;
-  double rms = 0;  ///< root mean square of the readings' distances from it [m]
+  double rms = 0;  ///< root mean square of the readings' distances from the surface [m]
 };
 
-/// Returns the surfaces that the readings touch, in the order of their names, without those that are not determined.
+/// Returns the surfaces that the readings touch, in the order of their names. Surfaces that the readings do not
+/// determine are left out.
 [[nodiscard]] std::vector<SettledSurface> surfacesOf(const PlacedArm& placed, std::vector<Measurement> readings);
 
 }  // namespace tubeplan::calibration

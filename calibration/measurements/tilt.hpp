@@ -1,5 +1,5 @@
-// Kind `tilt`: an inclinometer on the tool or on a row of the arm. It reads the angles of its frame's axes above the
-// horizontal, as many of the three as are stated. An axis that stands upright has no usable angle.
+// Kind `tilt`: an inclinometer on the tool or on a row of the arm, which reads the angles of the frame's axes above the
+// horizontal. A reading states the angles of one, two or three axes. A vertical axis has no usable angle.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace tubeplan::calibration::tilt {
 inline constexpr std::array<MeasuredColumn, 3> kColumns{{{"tilt_x", deflection::Quantity::kAngle},
                                                          {"tilt_y", deflection::Quantity::kAngle},
                                                          {"tilt_z", deflection::Quantity::kAngle}}};
-inline constexpr double kUpright = 1 - 1e-9;  // largest sine of an angle, for a finite slope
+inline constexpr double kUpright = 1 - 1e-9;  // largest sine of an angle, which keeps the derivative finite
 
-/// Returns the sines of the angles of the three axes above the horizontal; `direction_W` points up.
+/// Returns the sines of the three axes' angles above the horizontal; `direction_W` points up.
 inline Eigen::Vector3d sines(const Measurement& reading, const ToolPose& tool) {
   return (tool.R_WT.transpose() * *reading.direction_W).cwiseMax(-kUpright).cwiseMin(kUpright);
 }

@@ -1,4 +1,4 @@
-// Placement of the deflected tip at a point from a posture nearby, with the tool in any direction.
+// Placement of the deflected tip at a given point, starting from a nearby posture, with the tool in any orientation.
 #pragma once
 
 #include "deflection/flexible_kinematics.hpp"
@@ -6,22 +6,23 @@
 namespace tubeplan::calibration {
 
 struct TipPlacementOptions {
-  double tolerance = 1e-11;  ///< [m]
+  double tolerance = 1e-11;  ///< largest distance of the tip from the goal [m]
   int max_iterations = 60;
-  double singular_floor = 0.01;  ///< least singular value of the tip's motion per reach and rad
+  /// Least singular value of the tip's Jacobian per rad, divided by the arm's reach; below it: kStretched.
+  double singular_floor = 0.01;
 };
 
 enum class TipPlacementStatus { kNotRun, kPlaced, kNotConverged, kStretched };
 
 struct TipPlacement {
   TipPlacementStatus status = TipPlacementStatus::kNotRun;
-  Eigen::VectorXd q;  ///< joint readings
+  Eigen::VectorXd q;  ///< joint readings of the posture reached
 };
 
-/// Moves the tip to `p_BT` [m] by Broyden's method on its three coordinates, with the smallest joint motion, from the
-/// readings of `start`. The first Jacobian is that of the deflected shape taken as rigid, which is right within a few
+/// Moves the tip to `p_BT` [m] by Broyden's method on the tip's three coordinates, with the smallest joint motion from
+/// the joint readings of `start`. The first Jacobian treats the deflected shape as rigid, which is right within a few
 /// per cent and far quicker than exact derivatives. Joint limits are ignored. kStretched: the arm can hardly move in
-/// some direction there.
+/// some direction at the point.
 [[nodiscard]] TipPlacement placeTip(const deflection::Arm& arm, const deflection::Posture& start,
                                     const Eigen::Vector3d& p_BT, const TipPlacementOptions& options = {});
 

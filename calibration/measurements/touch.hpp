@@ -1,11 +1,12 @@
-// Kind `touch`: the tip rests centred at a point, which several readings may share; its place x, y, z is known or not.
+// Kind `touch`: the tip rests centred at a point, which several readings may share. The point's position x, y, z may be
+// known or unknown.
 #pragma once
 
 #include "calibration/measurements/coordinates.hpp"
 
 namespace tubeplan::calibration::touch {
 
-/// Writes nothing: the tip rests at its point, whether its place is known or not.
+/// Writes nothing: the tip rests at the touched point, whether or not the point's position is known.
 inline void recordNothing(const ToolPose&, double, const MeasuredValue&, Measurement&) {}
 
 inline std::optional<ReadingLack> lack(const Measurement& reading, const std::string&) {

@@ -1,5 +1,5 @@
-// The columns of a measurement table that hold measured values. All other columns describe what was read, where, how
-// and how accurately.
+// The columns of a measurement table that hold measured values. All other columns describe the target, the conditions
+// and the accuracy of a reading.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace tubeplan::calibration {
 
-/// A number in a column of a kind's own: NAME_UNIT, or NAME if it has no unit.
+/// A column specific to a kind, headed NAME_UNIT, or NAME if the value has no unit.
 struct MeasuredColumn {
   const char* name;
   deflection::Quantity quantity;
@@ -19,16 +19,16 @@ struct MeasuredColumn {
 inline constexpr std::array<MeasuredColumn, 3> kPlaceColumns{
     {{"x", deflection::Quantity::kLength}, {"y", deflection::Quantity::kLength}, {"z", deflection::Quantity::kLength}}};
 
-/// Values that must be written down for a reading of a kind.
+/// Values that must be recorded for a reading of a kind.
 struct ValueColumns {
-  bool has_joints = false;  ///< true: all joints; a tip that rests at a point is measured by its joints alone
-  bool has_place = false;   ///< true: x, y, z, which are otherwise the place from which it is measured
-  std::vector<MeasuredColumn> numbers;  ///< x, y, z if they are measured, then the kind's own
-  int least = 0;                        ///< least number of them that a reading states
+  bool has_joints = false;              ///< true: all joint readings, which alone measure a tip that rests at a point
+  bool has_place = false;               ///< true: x, y, z; otherwise x, y, z is the point from which the kind measures
+  std::vector<MeasuredColumn> numbers;  ///< x, y, z if measured, then the kind's own columns
+  int least = 0;                        ///< least number of `numbers` that a reading states
 };
 
-/// Return the columns of kinds that measure: all of their own numbers; some of them; x, y, z and all of them; x, y, z
-/// or else their own; nothing but the joints.
+/// Return the columns of kinds that measure, in the order of the functions below: all of their own columns; some of
+/// them; x, y, z and all of them; x, y, z or else their own; only the joints.
 [[nodiscard]] inline ValueColumns allOfOwn(std::span<const MeasuredColumn> own) {
   return {false, false, {own.begin(), own.end()}, static_cast<int>(own.size())};
 }
