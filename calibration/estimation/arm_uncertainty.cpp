@@ -21,13 +21,13 @@ bool isPlacement(const Parameter& parameter) {
   return parameter.name.find(".dh.") != std::string::npos || parameter.name.find(".origin.") != std::string::npos;
 }
 
-/// Returns the standard deviation of a number's value by its kind [internal units].
+/// Returns the standard deviation of a parameter's value according to its kind [internal units].
 double priorSigma(const Parameter& parameter, const deflection::Arm& arm, const ArmUncertainty& by) {
   const double size = std::abs(parameter.value);
   if (parameter.path.effect >= 0) return by.stiffness * size;
   if (isPlacement(parameter) && parameter.path.row <= firstJointRow(arm)) return 0;
   if (parameter.name.starts_with("tool.tip.")) return by.tip;
-  if (parameter.name.starts_with("tool.turn.")) return 0;  // moves no tip
+  if (parameter.name.starts_with("tool.turn.")) return 0;  // does not move the tip
   switch (parameter.quantity) {
     case Quantity::kTorquePerAngle:
     case Quantity::kLengthToTheFourth:
@@ -46,7 +46,7 @@ double priorSigma(const Parameter& parameter, const deflection::Arm& arm, const 
 
 /// Returns a square root of a covariance, without columns of zero variance.
 MatrixXd rootOf(const MatrixXd& covariance) {
-  // Share of the largest eigenvalue, with each number scaled by its own standard deviation.
+  // Least eigenvalue relative to the largest, with each parameter scaled by its standard deviation.
   constexpr double kLeast = 1e-14;
   const VectorXd sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt();
   const VectorXd scale = sigma.unaryExpr([](double s) { return s > 0 ? 1 / s : 0; });
@@ -63,7 +63,7 @@ MatrixXd rootOf(const MatrixXd& covariance) {
 UncertainNumbers uncertainNumbers(const deflection::Arm& arm, const ArmUncertainty& uncertainty) {
   FreeChoice choice{{}, false, {}};
   std::vector<double> sigmas;
-  std::vector<Index> of_covariance;  // index of each determined number of this arm in the covariance
+  std::vector<Index> of_covariance;  // indices, in the covariance, of the determined parameters of this arm
   const auto& determined = uncertainty.determined;
   for (std::size_t k = 0; k < determined.size(); ++k)
     if (deflection::findParameter(arm, determined[k])) {
@@ -84,7 +84,8 @@ UncertainNumbers uncertainNumbers(const deflection::Arm& arm, const ArmUncertain
   numbers.root = MatrixXd::Zero(together + alone, root.cols() + alone);
   numbers.root.topLeftCorner(root.rows(), root.cols()) = root;
   numbers.root.bottomRightCorner(alone, alone) = VectorXd::Map(sigmas.data(), alone).asDiagonal();
-  for (Index k = 0; k < numbers.root.rows(); ++k)  // of values; to first order, those of variables divided by the slope
+  // `root` is converted from values to variables: to first order, a division by the slope.
+  for (Index k = 0; k < numbers.root.rows(); ++k)
     numbers.root.row(k) /= slopeAt(numbers.unknowns[static_cast<std::size_t>(k)], 0);
   return numbers;
 }

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d;
 
-constexpr std::size_t kMostNamed = 3;  // suspects in a sentence
+constexpr std::size_t kMostNamed = 3;  // largest number of suspects named in a sentence
 
 BaseStep stepBetween(const Isometry3d& from, const Isometry3d& to) {
   const Eigen::AngleAxisd turn(Matrix3d(to.linear() * from.linear().transpose()));
@@ -36,7 +36,8 @@ void recordResiduals(const TouchFit& fit, const std::vector<Measurement>& touche
   result.rms = fit.error_W.norm() / std::sqrt(static_cast<double>(touches.size()));
 }
 
-/// Slopes of the tip of the filed arm by the uncertain numbers, as independent standard normals: 3 x k.
+/// Tip of the arm as filed, with its derivatives with respect to the uncertain parameters as independent standard
+/// normal variables (3 x k).
 struct FiledTip {
   bool ok = false;
   Vector3d p_W = Vector3d::Zero();
@@ -54,7 +55,8 @@ FiledTip filedTip(ReadingPredictor& predictor, const UncertainNumbers& numbers, 
   return {true, tip.value, numbers.unknowns.empty() ? MatrixXd::Zero(3, 1) : MatrixXd(tip.by_numbers * numbers.root)};
 }
 
-/// Records the distances between the tips of every two touches by the filed arm, beside those of their holes.
+/// Records, for every two touches, the distance between the tips predicted by the filed arm and the distance between
+/// the holes.
 void recordDistances(const TouchesToExplain& asked, const TouchFit& fit, BaseCalibration& result) {
   const auto& touches = asked.touches;
   ReadingPredictor predictor(asked.arm);
@@ -81,7 +83,8 @@ void recordNumbers(const UncertainNumbers& numbers, const TouchFit& fit, BaseCal
   }
 }
 
-/// Examines a lack of fit that neither noise, nor the numbers, nor the model's usual error explain.
+/// Searches for a mistaken hole if noise, uncertain parameters and the model's usual error do not explain the lack of
+/// fit. Returns true if the calibration is refused for that reason.
 bool isMistaken(const TouchesToExplain& asked, BaseCalibration& result) {
   const double least = asked.options.mistaken_hole_p_value;
   if (!(result.p_value < least)) return false;

@@ -17,7 +17,8 @@ namespace {
 /// Subtracts in place the components that the unknown places absorb.
 void takePointsOff(const ReadingWeights& weights, Eigen::Ref<MatrixXd> columns) {
   for (const auto& point : weights.points) {
-    const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());  // of each of its readings
+    // Rows of each of the point's readings.
+    const Index rows = point.Q.rows() / static_cast<Index>(point.readings.size());
     const auto rowsOfTouch = [&](int reading) {
       return columns.middleRows(weights.first_row[static_cast<std::size_t>(reading)], rows);
     };
@@ -130,7 +131,7 @@ bool CampaignResidual::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobi
   return true;
 }
 
-/// Computes errors at x, and their slopes if asked for; reuses the last ones for the same state.
+/// Computes the errors at x, and their Jacobian if requested; reuses the last ones if the state is unchanged.
 bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   const bool is_there = last_.ok && last_.x.size() == x.size() && last_.x == x && last_.error.size() == weights_.rows;
   if (is_there && (!with_jacobian || last_.jacobian.cols() == x.size())) return true;
@@ -140,7 +141,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
   last_.jacobian.setZero(with_jacobian ? weights_.rows : 0, with_jacobian ? x.size() : 0);
   if (!settled_.empty() && !settleSurfaces(placed_, settled_)) return false;
   if (!fill(with_jacobian)) {
-    goOn(stop_);  // rows left out by a stop are no results
+    goOn(stop_);  // rows left out after a stop are no results
     return false;
   }
   last_.x = x;
@@ -149,7 +150,7 @@ bool CampaignResidual::linearize(const VectorXd& x, bool with_jacobian) {
 
 namespace {
 
-/// Computes whitener * from, by blocks of a size that is fixed for most readings.
+/// Computes whitener * from, with fixed-size blocks for the common sizes.
 void whiten(const MatrixXd& whitener, const Eigen::Ref<const MatrixXd>& from, Eigen::Ref<MatrixXd> to) {
   if (whitener.rows() == 3)
     to.noalias() = Matrix3d(whitener).lazyProduct(from);

@@ -1,5 +1,5 @@
-// The whitened residual of readings at one state after another, as a fit needs it. Parts that do not depend on the
-// variables are computed once, and at the last state only the weights are applied again.
+// The whitened residual of readings at successive states, as a fit evaluates them. Parts that do not depend on the
+// variables are computed once. At an unchanged state, only the weights are applied again.
 #pragma once
 
 #include "calibration/estimation/whitened_residual.hpp"
@@ -8,32 +8,32 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the index of the base pose of each reading.
+/// Returns the index in `placed.base_poses` of each reading's base pose.
 [[nodiscard]] std::vector<int> basePosesOf(const PlacedArm& placed, const std::vector<Measurement>& readings);
 
 class CampaignResidual {
  public:
-  /// Choice whether the unknowns' priors are further residuals after those of the readings, one for each unknown.
+  /// Choice of appending the priors of the unknowns to the residuals of the readings, one residual per unknown.
   enum class Priors { kNone, kAppended };
 
-  /// All arguments must outlive this object. An evaluation that is asked to stop throws WorkStopped.
+  /// All arguments must outlive this object. An evaluation during which a stop is requested throws WorkStopped.
   CampaignResidual(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                    const std::vector<Measurement>& readings, const ReadingWeights& weights,
                    Priors priors = Priors::kNone, StopQuestion stop = {});
   CampaignResidual(const CampaignResidual&) = delete;
   CampaignResidual& operator=(const CampaignResidual&) = delete;
 
-  /// Computes the residual at variables x, and its Jacobian if not null. Returns false if the model cannot be
+  /// Computes the residual at the variables x, and its Jacobian if not null. Returns false if the model cannot be
   /// evaluated.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian) {
     return evaluate(x, r, jacobian, nullptr);
   }
 
-  /// Computes also the error in metres, not whitened (WhitenedResidual::error), if not null.
+  /// Computes also the unwhitened error in metres (WhitenedResidual::error), if `error` is not null.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian, Eigen::VectorXd* error);
 
  private:
-  /// Errors in metres and their slopes at one state, without weights; no slopes if they were not asked for.
+  /// Errors in metres and their Jacobian at one state, without weights; no Jacobian if not requested.
   struct Unweighted {
     Eigen::VectorXd x;
     Eigen::VectorXd error;
@@ -47,23 +47,24 @@ class CampaignResidual {
   bool fill(bool with_jacobian);
   void scatter(int base_pose, const Prediction& prediction, Eigen::Index row);
 
-  /// Returns the readings; those of surfaces have the surface fitted to the arm at the last variables.
+  /// Returns the readings; touched surfaces are fitted to the arm at the last variables.
   [[nodiscard]] const std::vector<Measurement>& taken() const { return settled_.empty() ? readings_ : settled_; }
 
   const PlacedArm& start_;
   const std::vector<Unknown>& unknowns_;
   const std::vector<Measurement>& readings_;
   const ReadingWeights& weights_;
-  Eigen::VectorXd prior_slopes_;  ///< slopes of the priors; empty if none are appended
+  Eigen::VectorXd prior_slopes_;  ///< derivatives of the priors' residuals; empty if no priors are appended
   StopQuestion stop_;
-  std::vector<Measurement> settled_;                ///< readings with fitted surfaces; empty if no surface is touched
-  std::vector<int> base_pose_of_;                   ///< base pose of each reading
-  PredictionRequest slopes_asked_;                  ///< the numbers, and the base if one is free
-  std::vector<Eigen::Index> numbers_;               ///< column of each number
-  std::vector<std::vector<Eigen::Index>> bases_;    ///< six columns of each base, or none
-  PlacedArm placed_;                                ///< state at the last variables
-  std::vector<double> slopes_;                      ///< slope of each number by its variable
-  std::vector<Eigen::Matrix3d> turns_;              ///< matrices from the rotation vector's rate to the angular rate
+  std::vector<Measurement> settled_;   ///< readings with fitted surfaces; empty if no surface is touched
+  std::vector<int> base_pose_of_;      ///< index of each reading's base pose
+  PredictionRequest slopes_asked_;     ///< requested derivatives: the parameters, and the base if one is free
+  std::vector<Eigen::Index> numbers_;  ///< Jacobian column of each parameter
+  std::vector<std::vector<Eigen::Index>> bases_;  ///< six Jacobian columns of each base; empty for a known base
+  PlacedArm placed_;                              ///< placed arm at the last variables
+  std::vector<double> slopes_;                    ///< derivative of each parameter with respect to its variable
+  /// Matrices that map the rate of the rotation vector to the angular velocity, one per base.
+  std::vector<Eigen::Matrix3d> turns_;
   std::optional<deflection::Kinematics> prepared_;  ///< kinematics of the placed arm, if no variable changes it
   Unweighted last_;
 };

@@ -1,4 +1,4 @@
-// Uncertainty of all of an arm's numbers after a campaign: of those that were fitted, and of those that were held.
+// Uncertainty of all of an arm's parameters after a campaign, both fitted and held.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the covariance of every number about its value in the fitted arm, including numbers that were held, with
-/// `held` as their prior, and of the base if there is one. If the readings prefer another value of a held number, its
-/// uncertainty is increased by that difference. `readings` are those that were fitted; nothing if the model cannot be
-/// linearised at them.
+/// Returns the covariance of every parameter about its value in the fitted arm, and of the base if there is a single
+/// one. Parameters that were held are included, with `held` as their prior; if the readings prefer another value of a
+/// held parameter, its uncertainty is increased by the difference. `readings` are the fitted readings. Empty if the
+/// model cannot be linearised at them.
 [[nodiscard]] std::optional<ArmUncertainty> determinedNumbers(const Identification& fit,
                                                               const std::vector<Measurement>& readings,
                                                               const ArmUncertainty& held);

@@ -1,8 +1,9 @@
-// Division of a model's error into an explained part, a remainder and noise: the one error of a document.
+// Division of a model's error into an explained part, a residual and noise. This is the only error stated in a
+// document.
 //
-// The error is the root mean square, over the readings in use, of the length of measured less predicted (ErrorSize):
-// held out if the readings were judged by fits without them, else fitted. Readings that are set aside are
-// in no figure.
+// The error is the root mean square, over the readings in use, of the length of measured minus predicted (ErrorSize).
+// Held-out errors come from fits without the judged readings, fitted errors from fits with them. Readings that are set
+// aside enter no result.
 #pragma once
 
 #include <vector>
@@ -11,27 +12,27 @@
 
 namespace tubeplan::calibration {
 
-/// Parts of an error [m]. In squares: total = explained + remainder + noise, each with its sign.
+/// Parts of an error [m]. The signed squares add up: total = explained + remainder + noise.
 struct ErrorBudget {
-  double total = kNotKnown;      ///< before what explains
-  double explained = kNotKnown;  ///< taken away by it; below zero where the error rose
-  double remainder = kNotKnown;  ///< left beyond the noise
-  double noise = kNotKnown;      ///< the noise floor, as far as the error reaches it
+  double total = kNotKnown;      ///< error before the explanation is applied
+  double explained = kNotKnown;  ///< part removed by the explanation; negative where the error rose
+  double remainder = kNotKnown;  ///< residual error beyond the noise
+  double noise = kNotKnown;      ///< noise floor, at most the error after the explanation
   int readings = 0;
   bool is_held_out = false;
-  bool are_angles = false;  ///< true: all readings measure angles alone
+  bool are_angles = false;  ///< true: all readings measure only angles
 };
 
-/// The errors of a model without and with an explanation, on the same readings.
+/// Errors of a model without and with an explanation, on the same readings.
 struct ErrorsBeforeAndAfter {
   ErrorSize before, after;
 };
 
-/// Returns the budget of the held-out errors if both are known, else that of the fitted ones.
+/// Returns the budget of the held-out errors if both are known, otherwise that of the fitted errors.
 [[nodiscard]] ErrorBudget errorBudget(const ErrorsBeforeAndAfter& held_out, const ErrorsBeforeAndAfter& fitted,
                                       double noise_floor);
 
-/// Returns true if there are readings and all of them measure angles alone.
+/// Returns true if there are readings and all of them measure only angles.
 [[nodiscard]] bool measureAnglesAlone(const std::vector<Measurement>& readings);
 
 }  // namespace tubeplan::calibration

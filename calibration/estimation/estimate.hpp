@@ -1,4 +1,4 @@
-// Information on the free numbers from the readings so far, to which further readings add.
+// Information on the free parameters from the readings so far, to which further readings add.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,44 +11,46 @@
 
 namespace tubeplan::calibration {
 
-/// Uncertainty of readings besides the free numbers and their own noise.
+/// Uncertainty beyond the free parameters and the readings' own noise.
 struct DoubtBeside {
-  ArmUncertainty arm = ArmUncertainty::none();  ///< uncertainty of numbers that are not free
-  double model_error = 0;                       ///< per coordinate, known beforehand [m]
+  ArmUncertainty arm = ArmUncertainty::none();  ///< uncertainty of the arm's parameters that are not free
+  double model_error = 0;  ///< standard deviation of the model error per coordinate, known beforehand [m]
 };
 
-/// Present knowledge of the model: values of its free numbers, and their uncertainty. Every number has a prior of its
-/// typical size (Unknown::typical), so that undetermined ones have a sigma too.
+/// Present knowledge of the model: values and uncertainty of the free parameters. Every parameter has a prior of its
+/// typical size (Unknown::typical), so that undetermined parameters have a sigma too.
 struct Estimate {
-  std::vector<FreeProblem> problems;  ///< reasons why the names cannot be freed; the rest is then not to be used
-  std::string note;  ///< reason why the readings could not be fitted; the values are then those of the file
+  std::vector<FreeProblem> problems;  ///< reasons why names cannot be freed; if any, the other members are invalid
+  std::string note;  ///< reason why the readings could not be fitted; the values are then those of the arm's file
   PlacedArm start;
   std::vector<Unknown> unknowns;
-  Eigen::VectorXd x;        ///< variables of the unknowns at the fit, from `start`
-  double model_error = 0;   ///< error of each coordinate beyond the readings' noise (Identification::model_error) [m]
-  UncertainNumbers beside;  ///< uncertain numbers of the arm that are not free
-  /// Information on the variables over their typical sizes, then on the normals of `beside`.
+  Eigen::VectorXd x;  ///< fitted values of the unknowns' variables, relative to `start`
+  /// Standard deviation of each coordinate beyond the readings' noise (Identification::model_error) [m].
+  double model_error = 0;
+  UncertainNumbers beside;  ///< uncertain parameters of the arm that are not free
+  /// Information matrix of the variables divided by their typical sizes, then of the standard normal variables of
+  /// `beside`.
   Eigen::MatrixXd information;
 };
 
-/// Fits the readings (any number, also none; held-out ones are not used) and adds up their information. Touches of
-/// known holes that determine a base alone are fitted as `calibrate` does, with the doubt's numbers; for other readings
-/// these count as exact.
+/// Fits the readings (there may be none; held-out readings are not used) and sums up their information. Touches of
+/// known holes that determine only a base are fitted as `calibrate` does, with the uncertain parameters of `doubt`. For
+/// other readings, these parameters count as exact.
 [[nodiscard]] Estimate estimateFrom(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                     const std::vector<Measurement>& readings, const FreeChoice& free,
                                     const DoubtBeside& doubt = {});
 
-/// Returns the estimated arm, placed.
+/// Returns the placed arm with the estimated parameter values.
 [[nodiscard]] PlacedArm placedAsEstimated(const Estimate& estimate);
 
-/// Returns the sensitivity of weighted readings to each variable of the information; nothing if a shape does not
-/// converge.
+/// Returns the whitened Jacobian of the readings with respect to the variables of Estimate::information; empty if a
+/// shape does not converge.
 [[nodiscard]] std::optional<Eigen::MatrixXd> sensitivityOf(const Estimate& estimate,
                                                            const std::vector<Measurement>& readings,
                                                            const ReadingWeights& weights);
 
-/// Returns the sensitivity of the tip in the world [m] to each variable of the information, a 3 x n matrix for each
-/// posture, with the arm where it was placed last. Every posture's shape must converge.
+/// Returns the Jacobian of the tip in the world frame [m] with respect to the variables of Estimate::information: a 3 x
+/// n matrix per posture, for the arm at its latest base pose. Every posture's shape must converge.
 [[nodiscard]] std::vector<Eigen::MatrixXd> tipSensitivities(const Estimate& estimate,
                                                             const std::vector<Eigen::VectorXd>& postures, double load);
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kLeastPostures = 4;
 constexpr int kLeastFreedom = 6;
-constexpr double kTooGood = 1e-6;  // lower tail of chi-square
-// Ratio to the stated noise below which a good fit is not explained by a rounded sigma.
+constexpr double kTooGood = 1e-6;  // lower tail probability of chi-square below which a fit is too good
+// Ratio of residuals to stated noise below which rounding of the stated sigma does not explain a good fit.
 constexpr double kFarTooGood = 0.5;
 
 std::string plural(int count, const char* noun) { return std::to_string(count) + " " + noun + (count == 1 ? "" : "s"); }

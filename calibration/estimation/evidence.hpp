@@ -1,4 +1,4 @@
-// Checks whether readings allow a verdict on a model at all.
+// Checks that readings suffice for a verdict on a model.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,18 @@
 
 namespace tubeplan::calibration {
 
-/// Reason why readings allow no verdict, and what is needed.
+/// Reason why readings allow no verdict, and what would be needed for one.
 struct EvidenceProblem {
   std::string what, needed;
 };
 
-/// Returns a problem if there are too few postures, or too few degrees of freedom beside the numbers that the readings
-/// determine.
+/// Returns a problem if there are too few postures, or too few degrees of freedom for the number of parameters that the
+/// readings determine; otherwise empty.
 [[nodiscard]] std::optional<EvidenceProblem> findLackOfFreedom(const std::vector<Measurement>& readings,
                                                                int degrees_of_freedom, int numbers_determined);
 
-/// Returns a problem if a fit is far better than the stated noise allows (the lower tail of chi-square). The noise is
-/// then stated too large, and hides every other error.
+/// Returns a problem if a fit is far better than the stated noise allows (lower tail of chi-square); otherwise empty.
+/// The stated noise is then too large and hides every other error.
 [[nodiscard]] std::optional<EvidenceProblem> findOverstatedNoise(double chi2, int degrees_of_freedom);
 
 }  // namespace tubeplan::calibration

@@ -19,10 +19,11 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 namespace {
 
 constexpr int kMaxRounds = 3;
-constexpr double kWeightsRest = 1e-3;  // relative change of chi-square by new weights that requires another round
-constexpr double kNearMinimum = 0.01;  // share of chi-square that a slow fit may still fall
+constexpr double kWeightsRest = 1e-3;  // least relative change of chi-square by new weights that requires another round
+constexpr double kNearMinimum = 0.01;  // expected decrease of chi-square below which a slow fit counts as converged
 constexpr int kMaxModelErrorRounds = 8;
-constexpr double kModelErrorConverged = 0.01;  // relative change that requires no further round
+// Largest relative change of the model error that requires no further round.
+constexpr double kModelErrorConverged = 0.01;
 
 LeastSquaresProblem problemOf(const std::shared_ptr<CampaignResidual>& residual, const std::vector<Unknown>& unknowns,
                               const VectorXd& x) {
@@ -119,7 +120,7 @@ class Fitting {
     return fit_.solution.status != LeastSquaresStatus::kFailed;
   }
 
-  /// Returns the residual of the readings alone, at the solution and with the present weights.
+  /// Returns the residual of the readings without priors, at the solution and with the present weights.
   WhitenedResidual residual(bool with_jacobian) {
     WhitenedResidual at;
     at.ok = with_priors_->evaluate(fit_.solution.x, at.r, with_jacobian ? &at.jacobian : nullptr, &at.error);
@@ -138,8 +139,8 @@ class Fitting {
     return comparableChi2(readings_, stated, by_stated.r, options_.loss);
   }
 
-  /// Repeats the fit until the weights converge. Encoders' noise depends on the posture's slopes, and a robust weight
-  /// on the residual: both change with the solution.
+  /// Repeats the fit until the weights converge. They change with the solution: encoder noise depends on the
+  /// derivatives at the posture, and a robust weight on the residual.
   bool untilWeightsRest() {
     const bool is_robust = options_.loss != RobustLoss::kNone;
     const int rounds = is_robust ? 5 * kMaxRounds : kMaxRounds;
@@ -180,8 +181,8 @@ class Fitting {
     return true;
   }
 
-  /// Returns the expected further fall of chi-square, to second order: gradient^T covariance gradient. One is a step of
-  /// one standard deviation.
+  /// Returns the expected further decrease of chi-square, to second order: gradient^T covariance gradient. A value of 1
+  /// corresponds to a step of one standard deviation.
   [[nodiscard]] double distanceToMinimum() const {
     const VectorXd gradient = fit_.residual.jacobian.transpose() * fit_.residual.r +
                               priorSlopes(unknowns_).cwiseProduct(priorResiduals(unknowns_, fit_.solution.x));
@@ -193,7 +194,7 @@ class Fitting {
   const std::vector<Measurement>& readings_;
   const FitOptions& options_;
   Fit fit_;
-  std::shared_ptr<CampaignResidual> with_priors_;  ///< with the present weights of `fit_`
+  std::shared_ptr<CampaignResidual> with_priors_;  ///< residual including priors, with the present weights of `fit_`
 };
 
 }  // namespace

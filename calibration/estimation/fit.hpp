@@ -1,5 +1,5 @@
-// A weighted fit of chosen unknowns to chosen readings, with their priors: the step that identification, held-out
-// judgement and profiles repeat.
+// A weighted fit of chosen unknowns to chosen readings, with priors on the unknowns. Identification, cross-validation
+// and profiles repeat this step.
 #pragma once
 
 #include <optional>
@@ -10,55 +10,60 @@ namespace tubeplan::calibration {
 
 /// The most probable state of the unknowns, given readings and priors.
 ///
-/// If chi-square rejects the stated noise (p < 0.01), the model has an error of its own. It is added as a further
-/// variance of every coordinate, so large that chi-square equals its degrees of freedom. Readings and priors are
-/// weighed against each other with it: a drawing right to millimetres must not yield to readings with micrometres of
-/// stated noise and residuals of tenths.
+/// If chi-square rejects the stated noise (p < 0.01), the model itself is in error. The variance of this model error is
+/// added to every coordinate, so that chi-square equals its degrees of freedom. Readings and priors are then weighted
+/// against each other with the increased variance: a drawing that is right to millimetres must not yield to readings
+/// with micrometres of stated noise and residuals of tenths of a millimetre.
 struct Fit {
-  LeastSquaresResult solution;  ///< its chi2 is that of the weighted readings, without priors
-  ReadingWeights weights;       ///< weights used last
-  WhitenedResidual residual;    ///< residual at the solution with these weights, with its Jacobian
-  Eigen::MatrixXd covariance;   ///< posterior, of the variables
-  Eigen::VectorXd factors;      ///< robust weights within `weights`; empty without a loss
-  double chi2 = kNotKnown;      ///< of the readings by their stated noise alone
-  int degrees_of_freedom = 0;   ///< of the readings, less the numbers that they determine; may be none
+  /// Solution of the least-squares problem; its chi2 is that of the weighted readings, without priors.
+  LeastSquaresResult solution;
+  ReadingWeights weights;      ///< weights of the last iteration
+  WhitenedResidual residual;   ///< residual at the solution with these weights, with its Jacobian
+  Eigen::MatrixXd covariance;  ///< posterior covariance of the variables
+  Eigen::VectorXd factors;     ///< weight factors of the robust loss, included in `weights`; empty without a loss
+  double chi2 = kNotKnown;     ///< chi-square of the readings, from their stated noise alone
+  /// Rows of the readings less the number of parameters that they determine; may not be positive.
+  int degrees_of_freedom = 0;
   double p_value = kNotKnown;
 };
 
-inline constexpr double kLackOfFit = 0.01;  ///< p of chi-square below which a fit rejects the stated noise
+inline constexpr double kLackOfFit = 0.01;  ///< p-value of chi-square below which a fit rejects the stated noise
 
 struct FitOptions {
   LeastSquaresOptions solver;
   RobustLoss loss = RobustLoss::kNone;
-  std::optional<double> model_error = {};   ///< [m]; estimated by the fit if not stated
-  const ReadingWeights* weights = nullptr;  ///< start weights by the stated noise alone, if they exist already
+  std::optional<double> model_error = {};  ///< standard deviation of the model error [m]; empty: estimated
+  /// Initial weights from the stated noise alone, if already computed; may be null.
+  const ReadingWeights* weights = nullptr;
 };
 
-/// Calls minimizeLeastSquares(); throws WorkStopped if the solver was stopped.
+/// Calls minimizeLeastSquares(); throws WorkStopped if stopped.
 [[nodiscard]] LeastSquaresResult minimizeOrUnwind(const LeastSquaresProblem& problem,
                                                   const LeastSquaresOptions& solver);
 
-/// Fits from `x`. The weights are computed again at the solution and the fit is repeated until they converge (a few
-/// times). Throws WorkStopped if the solver was stopped.
+/// Fits the unknowns, starting at `x`. Weights are computed again at the solution, and the fit is repeated until the
+/// weights converge (a few times). Throws WorkStopped if stopped.
 [[nodiscard]] Fit fitUnknowns(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                               const std::vector<Measurement>& readings, const Eigen::VectorXd& x,
                               const FitOptions& options);
 
-/// Returns the least-squares problem of a fit, with priors among its residuals. It keeps references to the arguments.
+/// Returns the least-squares problem of a fit, whose residuals include the priors. The problem keeps references to the
+/// arguments.
 [[nodiscard]] LeastSquaresProblem fitProblem(const PlacedArm& start, const std::vector<Unknown>& unknowns,
                                              const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                              const Eigen::VectorXd& x, const StopQuestion& stop = {});
 
-/// Places every unknown base by a closed-form alignment of tips with measured places, repeated because gravity's
-/// direction follows. Set-ups with fewer than three separate places are not moved.
+/// Determines every unknown base pose by closed-form alignment of the predicted tips with the measured positions. The
+/// alignment is repeated, because the direction of gravity depends on the base pose. Set-ups with fewer than three
+/// distinct positions are not moved.
 void alignBases(PlacedArm& placed, const std::vector<Measurement>& readings);
 
 [[nodiscard]] ErrorSize errorSize(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                   const Eigen::VectorXd& error);
 
-/// Returns the standard deviation of each coordinate [m] that, added to the readings' noise, makes chi-square of these
-/// errors equal to `degrees_of_freedom`; 0 if the noise is enough (p >= 0.01). Gross errors of single readings are left
-/// out. `error` as in WhitenedResidual.
+/// Returns the standard deviation of each coordinate [m] that, added to the readings' noise, makes chi-square of the
+/// errors equal to `degrees_of_freedom`; 0 if the noise alone suffices (p >= 0.01). Gross errors of single readings are
+/// left out. `error` is as in WhitenedResidual.
 [[nodiscard]] double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeights& weights,
                                   const Eigen::VectorXd& error, int degrees_of_freedom);
 

@@ -1,4 +1,4 @@
-// A fit in the form that comparison and diagnosis need: one examines its residual, the other adds to it.
+// A fit in the form needed by comparison, which examines the residual, and by diagnosis, which adds further causes.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace tubeplan::calibration {
 
-/// The readings and the optimum of a fit, with its derivatives.
+/// The readings and the optimum of a fit, with derivatives.
 struct FittedBasis {
   std::vector<Measurement> readings;  ///< readings in use
-  PlacedArm fitted;                   ///< the baseline at its optimum
-  std::vector<Unknown> unknowns;      ///< unknowns of the baseline, 0 at its optimum
-  ReadingWeights weights;             ///< weights from the stated noise
-  WhitenedResidual residual;          ///< residual at the optimum, with the Jacobian by `unknowns`
-  StopQuestion stop = {};             ///< called within fits, which throw WorkStopped if it returns true
+  PlacedArm fitted;                   ///< placed arm at the optimum of the baseline fit
+  std::vector<Unknown> unknowns;      ///< unknowns of the baseline fit, 0 at the optimum
+  ReadingWeights weights;             ///< weights from the stated noise alone
+  WhitenedResidual residual;          ///< residual at the optimum, with the Jacobian with respect to `unknowns`
+  StopQuestion stop = {};             ///< asked within fits, which throw WorkStopped once it returns true
 };
 
-/// Returns the basis of a baseline fit, with its variables shifted so that 0 is the optimum.
+/// Returns the basis of a baseline fit, with the variables shifted so that 0 is the optimum.
 [[nodiscard]] FittedBasis basisOf(const Identification& baseline, const std::vector<Measurement>& readings,
                                   const StopQuestion& stop = {});
 

@@ -18,13 +18,14 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kLeastLeft = 6;  // groups of a set-up that must remain to place its base
-constexpr double kSamePosture = 0.01;  // difference between readings of one posture [rad, m], by noise or by a load
+constexpr std::size_t kLeastLeft = 6;  // least number of a set-up's groups that must remain to determine its base
+// Largest joint difference between readings at one posture, by noise or by a load [rad, m].
+constexpr double kSamePosture = 0.01;
 
-/// Numbering of postures: one near the first of a group belongs to it.
+/// Assigns postures to numbered groups: a posture close to the first posture of a group belongs to that group.
 class PostureGroups {
  public:
-  /// Returns the index of the first reading of the reading's group; its own index if the group is new.
+  /// Returns the index of the first reading in the group of `reading`; `reading` itself if the group is new.
   int leaderOf(const std::vector<Measurement>& readings, int reading) {
     const Measurement& m = readings[static_cast<std::size_t>(reading)];
     const long cell = m.q.size() ? std::lround(m.q[0] / kSamePosture) : 0;
@@ -37,7 +38,8 @@ class PostureGroups {
   }
 
  private:
-  std::map<std::pair<std::string, long>, std::vector<int>> leaders_;  // by set-up and first joint
+  // Indices of the groups' first readings, by set-up and cell of the first joint.
+  std::map<std::pair<std::string, long>, std::vector<int>> leaders_;
 };
 
 void collect(ErrorSize& total, double& squares, double& lengths, const ErrorSize& part) {
@@ -56,7 +58,7 @@ std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
   std::map<std::string, int> index;
   std::vector<int> groups;
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    // For readings that state their own place, `point` may name the reflector, which is the same at every posture.
+    // For readings that state the tip's position, `point` may name the reflector, which is the same at every posture.
     const bool is_touch = touchesKnownPoint(readings[k]) || touchesUnknownPoint(readings[k]);
     const std::string key = is_touch && !readings[k].point.empty()
                                 ? "point " + readings[k].point
@@ -68,7 +70,7 @@ std::vector<int> groupByPose(const std::vector<Measurement>& readings) {
 
 namespace {
 
-/// Returns the groups of each set-up; one in several set-ups counts for the first.
+/// Returns the groups of each set-up; a group in several set-ups counts for the first only.
 std::map<std::string, std::vector<int>> groupsBySetup(const std::vector<Measurement>& readings,
                                                       const std::vector<int>& groups) {
   std::map<std::string, std::vector<int>> by_setup;
@@ -78,8 +80,9 @@ std::map<std::string, std::vector<int>> groupsBySetup(const std::vector<Measurem
   return by_setup;
 }
 
-/// Returns folds of groups, assigned in the order of `rank` set-up by set-up, so that no fold takes most of one. A
-/// set-up whose base would be left with few groups is never held out (-1), if there are others.
+/// Returns the fold of each group. Groups are assigned in the order of `rank`, set-up by set-up, so that no fold
+/// contains most of one set-up. A set-up that would keep too few groups to determine its base is never held out (-1),
+/// if there are other set-ups.
 std::vector<int> dealt(std::map<std::string, std::vector<int>> by_setup, const std::vector<int>& rank, int folds) {
   const auto leavesFew = [&](const std::vector<int>& groups) {
     const auto parts = static_cast<std::size_t>(folds);
@@ -114,7 +117,8 @@ std::vector<int> foldsOf(const std::vector<Measurement>& readings, int folds, st
 std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Measurement>& readings) {
   ReadingPredictor predictor(placed.arm);
   const std::vector<int> groups = groupByPose(readings);
-  std::map<std::string, std::map<int, double>> reach;  // of each set-up's poses [m]
+  // Distance of each pose from the base [m], keyed by set-up and pose.
+  std::map<std::string, std::map<int, double>> reach;
   for (std::size_t k = 0; k < readings.size(); ++k) {
     Measurement tip = readings[k];
     tip.kind = MeasurementKind::kPosition;
@@ -123,7 +127,7 @@ std::vector<int> farthestQuarter(const PlacedArm& placed, const std::vector<Meas
     double& farthest = reach[readings[k].setup].emplace(groups[k], 0).first->second;
     if (predicted.ok) farthest = std::max(farthest, predicted.value.norm());
   }
-  std::map<std::string, double> least;  // reach of the farthest quarter
+  std::map<std::string, double> least;  // least reach in the farthest quarter of the poses [m], keyed by set-up
   for (const auto& [setup, poses] : reach) {
     if (reach.size() > 1 && 3 * poses.size() / 4 < kLeastLeft) {
       least[setup] = std::numeric_limits<double>::infinity();
@@ -145,7 +149,7 @@ std::vector<Measurement> judgeable(const PlacedArm& placed, const std::vector<Me
                                    const std::vector<Measurement>& held_out) {
   std::set<std::string> setups;
   for (const auto& reading : fitted) setups.insert(reading.setup);
-  std::map<std::string, int> touches;  // of each unknown place
+  std::map<std::string, int> touches;  // number of held-out readings of each unknown place
   for (const auto& reading : held_out) touches[placeOf(reading)] += hasUnknownPlace(reading) ? 1 : 0;
   std::vector<Measurement> kept = held_out;
   std::erase_if(kept, [&](const Measurement& reading) {
@@ -200,7 +204,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Returns the rows of the whole fit for readings outside the fold.
+/// Returns the rows of the readings outside the fold.
 std::vector<Index> rowsOutside(int fold, const std::vector<int>& folds, const std::vector<Measurement>& readings,
                                const ReadingWeights& weights) {
   std::vector<Index> rows;
@@ -209,7 +213,7 @@ std::vector<Index> rowsOutside(int fold, const std::vector<int>& folds, const st
   return rows;
 }
 
-/// Returns the step from the variables of the whole fit to those of a fit to these rows alone; nothing if it is too
+/// Returns the step from the variables of the whole fit to those of a fit to these rows alone; empty if the step is too
 /// long.
 std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& whole, const std::vector<Unknown>& unknowns) {
   const VectorXd& x = whole.solution.x;
@@ -226,7 +230,7 @@ std::optional<VectorXd> stepTo(const std::vector<Index>& rows, const Fit& whole,
   return step;
 }
 
-/// Changes the errors of a fold's readings, to first order, by the step to the fold's own fit.
+/// Updates the errors of a fold's readings, to first order, by the step to the fold's own fit.
 void moveErrors(int fold, const std::vector<int>& folds, const Fit& whole, const VectorXd& step, VectorXd& error) {
   const ReadingWeights& weights = whole.weights;
   for (std::size_t k = 0; k < folds.size(); ++k) {
@@ -238,8 +242,8 @@ void moveErrors(int fold, const std::vector<int>& folds, const Fit& whole, const
   }
 }
 
-/// Cross-validates without another prediction of readings. There must be no touched points, whose places every fold
-/// estimates from its own readings.
+/// Cross-validates without predicting the readings again. The readings must touch no unknown points, whose positions
+/// every fold would estimate from its own readings.
 std::optional<ErrorSize> crossValidateToFirstOrder(const std::vector<Unknown>& unknowns,
                                                    const std::vector<Measurement>& readings, const Fit& whole,
                                                    const std::vector<int>& folds, const WorkHooks& hooks) {
@@ -262,7 +266,7 @@ std::optional<ErrorSize> crossValidateBySteps(const PlacedArm& start, const std:
                                               const std::vector<Measurement>& readings, const Fit& whole,
                                               const std::vector<int>& folds, const WorkHooks& hooks) {
   const bool is_judged_whole = std::ranges::all_of(folds, [](int fold) { return fold >= 0; });
-  if (!whole.weights.shared.empty()) return std::nullopt;  // its rows are not those of one fold
+  if (!whole.weights.shared.empty()) return std::nullopt;  // rows with shared noise mix the readings of several folds
   if (whole.weights.points.empty() && whole.residual.error.size() == whole.weights.rows && is_judged_whole)
     return crossValidateToFirstOrder(unknowns, readings, whole, folds, hooks);
   int fold = 0;

@@ -1,5 +1,6 @@
-// Levenberg-Marquardt first, which is quickest for well-posed fits. If it does not converge soon, as in a long bent
-// valley, Ipopt starts from the same point, and the lower of the two ends is followed to its minimum.
+// Hybrid method: Levenberg-Marquardt first, which is quickest for well-posed fits. If it does not converge soon, as in
+// a long curved valley, Ipopt starts from the same point, and the lower of the two end points is followed to its
+// minimum.
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +10,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr int kSoon = 30;  // iterations
+constexpr int kSoon = 30;  // iterations within which Levenberg-Marquardt should converge
 
-/// Returns the result with the work of both methods counted.
+/// Returns the result `found` with the iterations and evaluations of both methods counted.
 LeastSquaresResult withWorkOf(LeastSquaresResult found, const LeastSquaresResult& other) {
   countWork(other, found);
   return found;

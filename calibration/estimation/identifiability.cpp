@@ -9,14 +9,15 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kSharpened = 0.5;   // largest sigma of an identifiable number, as a share of its prior uncertainty
-constexpr double kCorrelated = 0.3;  // correlation from which a number is named as a partner
-constexpr double kOneWithIt = 0.95;  // correlation from which a number is known as well as its partner is
+// Largest sigma of an identifiable parameter, as a fraction of its prior uncertainty.
+constexpr double kSharpened = 0.5;
+constexpr double kCorrelated = 0.3;  // least correlation at which a parameter is named as a partner
+constexpr double kOneWithIt = 0.95;  // correlation above which a parameter is known no better than its partner
 constexpr std::size_t kMostPartners = 4;
-// Least distance of a compliance from zero in sigmas: otherwise its stiffness has no upper limit.
+// Least distance of a compliance from zero, in sigmas; at less, its stiffness has no upper limit.
 constexpr double kSeen = 2;
 
-/// Returns the prior uncertainty of a number.
+/// Returns the prior uncertainty of a parameter.
 double yardstickOf(const Unknown& unknown) { return std::min(unknown.typical, unknown.prior_sigma); }
 
 bool isSharp(const Unknown& unknown, double sigma, double x) {
@@ -53,7 +54,7 @@ std::vector<NumberIdentifiability> judgeIdentifiability(const MatrixXd& jacobian
     numbers[n].with = partnersOf(k, covariance);
     if (!numbers[n].with.empty()) numbers[n].verdict = Identifiability::kInCombination;
   }
-  // A number is as uncertain as one that the readings cannot distinguish from it.
+  // A parameter is as uncertain as any other that the readings cannot distinguish from it.
   for (std::size_t n = 0; n < unknowns.size(); ++n) {
     if (numbers[n].verdict != Identifiability::kYes) continue;
     const auto k = static_cast<Index>(n);

@@ -1,9 +1,9 @@
-// Information of the readings on each free number beside its prior.
+// Information of the readings on each free parameter, compared with its prior.
 //
-// With a posterior covariance C of the variables and J the whitened Jacobian of the readings, a number's sigma is
-// sqrt(C_kk) when all others are free, and 1 / sqrt(|J_k|^2 + 1 / s_k^2) when all others are known (s_k its prior's
-// sigma). A number is identifiable if the first is well below its prior's sigma; if only the second is, the readings
-// determine it in combination with those that its error is correlated with.
+// Let C be the posterior covariance of the variables and J the whitened Jacobian of the readings. A parameter's sigma
+// is sqrt(C_kk) if all others are free, and 1 / sqrt(|J_k|^2 + 1 / s_k^2) if all others are known, where s_k is the
+// sigma of its prior. A parameter is identifiable if the first sigma is well below that of its prior. If only the
+// second is, the readings determine the parameter in combination with those that its error is correlated with.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,10 +17,11 @@ enum class Identifiability { kYes, kInCombination, kNo };
 
 struct NumberIdentifiability {
   Identifiability verdict = Identifiability::kNo;
-  std::vector<int> with;  ///< unknowns that it is determined in combination with, strongest correlation first
+  /// Indices of the unknowns in combination with which the readings determine this one, strongest correlation first.
+  std::vector<int> with;
 };
 
-/// Returns a verdict for each unknown. `at` are the variables' values at the optimum.
+/// Returns a verdict for each unknown; `at` holds the variables' values at the optimum.
 [[nodiscard]] std::vector<NumberIdentifiability> judgeIdentifiability(const Eigen::MatrixXd& jacobian,
                                                                       const Eigen::MatrixXd& covariance,
                                                                       const std::vector<Unknown>& unknowns,

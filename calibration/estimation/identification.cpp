@@ -23,7 +23,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr double kStrongCorrelation = 0.9;
-// Number of readings from which a fold's fit is a single step from the fit to all.
+// Number of readings from which a fold's fit is replaced by one step from the fit to all readings.
 constexpr std::size_t kManyReadings = 1000;
 
 std::vector<int> placesOf(const std::vector<Measurement>& all, bool held_out) {
@@ -62,7 +62,7 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
     return;
   }
   if (model.options.folds < 2) return;
-  if (model.unknowns.empty()) {  // the same error for every fold
+  if (model.unknowns.empty()) {  // every fold has the same error
     result.heldout = result.heldout_before = result.after_base;
     return;
   }
@@ -77,12 +77,12 @@ void judgeHeldOut(const FittedModel& model, const std::vector<Measurement>& all,
   result.heldout = by_steps ? *by_steps
                             : crossValidate(model.start, model.unknowns, model.fitted, model.fit.solution.x, folds,
                                             options, model.options.hooks);
-  const bool is_fixed = bases.empty() && result.heldout.readings > 0;  // the same error for every fold
+  const bool is_fixed = bases.empty() && result.heldout.readings > 0;  // every fold has the same error
   result.heldout_before =
       is_fixed ? result.after_base : crossValidate(model.start, bases, model.fitted, zerosOf(bases), folds, options);
 }
 
-/// Returns the singular values of the readings' Jacobian, with each column scaled by its number's typical size.
+/// Returns the singular values of the readings' Jacobian, with each column scaled by the parameter's typical size.
 VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns) {
   if (unknowns.empty()) return {};
   jacobian.array().rowwise() *= typicalsOf(unknowns).transpose().array();
@@ -90,8 +90,8 @@ VectorXd singularValues(MatrixXd jacobian, const std::vector<Unknown>& unknowns)
   return square.selfadjointView<Eigen::Lower>().eigenvalues().cwiseMax(0).cwiseSqrt().reverse();
 }
 
-/// Returns the errors [m] at the solution. For touches they are from their points' estimates with the noise alone,
-/// without the weights of a robust loss.
+/// Returns the errors at the solution [m]. Errors of touches are relative to the points estimated with noise weights
+/// only, without the weights of a robust loss.
 VectorXd errorsOf(const FittedModel& model) {
   if (model.fit.factors.size() == 0) return model.fit.residual.error;
   const ReadingWeights plain = reweighted(model.fit.weights, model.fitted, model.fit.weights.model_error);
@@ -119,7 +119,7 @@ void summarize(const FittedModel& model, Identification& result) {
   for (auto& outlier : result.outliers) outlier.reading = result.used[static_cast<std::size_t>(outlier.reading)];
 }
 
-/// Places unknown bases with nothing else free, so that the rest starts from a sensible place.
+/// Fits the unknown bases with nothing else free, so that the full fit starts from a sensible place.
 void fitBases(FittedModel& model, Identification& result) {
   const auto bases = basesOf(model.unknowns);
   if (bases.empty()) return;
@@ -142,7 +142,7 @@ VectorXd drawStart(const std::vector<Unknown>& unknowns, std::uint64_t seed, int
 
 bool isUsable(const Fit& fit) { return fit.solution.status != LeastSquaresStatus::kFailed && fit.residual.ok; }
 
-/// Takes the lowest of the fits from several starts; false if none is possible.
+/// Keeps the fit with the lowest chi-square among several starts; returns false if no fit succeeds.
 bool fitFromStarts(FittedModel& model, Identification& result) {
   std::vector<double> ends;
   const int starts = std::max(1, model.options.starts);
@@ -164,7 +164,8 @@ bool fitFromStarts(FittedModel& model, Identification& result) {
   return isUsable(model.fit);
 }
 
-/// Computes the error of the model as placed; returns its readings' weights, or nothing if it cannot be evaluated.
+/// Computes the error of the model as placed, and returns the readings' weights; empty if the model cannot be
+/// evaluated.
 std::optional<ReadingWeights> measureStart(const PlacedArm& placed, const std::vector<Measurement>& fitted,
                                            ErrorSize& size) {
   auto weights = weighReadings(placed, fitted);
@@ -184,19 +185,20 @@ void noteReadingProblem(const std::vector<Measurement>& fitted, const std::vecto
   if (problem.reading >= 0) problem.reading = result.used[static_cast<std::size_t>(problem.reading)];
 }
 
-/// Drops a number: a stiffness becomes rigid; any other number stays at its start.
+/// Drops a parameter: a stiffness becomes rigid; any other parameter keeps its start value.
 void giveUp(const IdentifiedNumber& number, PlacedArm& start) {
   const bool is_stiffness = number.unknown.scale != Unknown::Scale::kLinear;
   deflection::locate(start.arm, number.unknown.path) = is_stiffness ? deflection::kRigid : number.unknown.start;
 }
 
-/// Returns the distance in sigmas of a number from its value if it were dropped.
+/// Returns how far a parameter is from the value that it would have if dropped, in sigmas.
 double needOf(const IdentifiedNumber& number) {
-  if (number.unknown.scale != Unknown::Scale::kLinear) return number.value / number.sigma;  // of the compliance
+  if (number.unknown.scale != Unknown::Scale::kLinear) return number.value / number.sigma;  // compliance: equal ratio
   return std::abs(number.value - number.unknown.start) / number.sigma;
 }
 
-/// Returns the number that the readings need least, if its probability of being zero is above the level; -1 otherwise.
+/// Returns the index of the parameter that the readings require least, if the probability that it is zero exceeds the
+/// level; -1 otherwise.
 int leastNeeded(const Identification& result, double level) {
   int least = -1;
   double need = std::numeric_limits<double>::infinity();
@@ -211,7 +213,7 @@ int leastNeeded(const Identification& result, double level) {
 Identification identifyOnce(const PlacedArm& start, const std::vector<Measurement>& readings,
                             const IdentificationOptions& options);
 
-/// Identifies repeatedly, each time without the number that the readings need least, if that is asked for.
+/// Identifies repeatedly, each time without the parameter that the readings require least, if dropping is requested.
 Identification identifyNeeded(const PlacedArm& start, const std::vector<Measurement>& readings,
                               const IdentificationOptions& options) {
   PlacedArm from = start;

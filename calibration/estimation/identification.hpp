@@ -1,5 +1,5 @@
-// The numbers of the model found from readings, each with its uncertainty and whether the readings determine it
-// (Calkins 1994, chapter 3).
+// Identification of a model's parameters from readings, each with its uncertainty and a verdict on whether the readings
+// determine it (Calkins 1994, chapter 3).
 //
 // Example, compiled and run by tests/examples:
 //
@@ -51,17 +51,18 @@ struct IdentificationOptions {
   FreeChoice free;
   LeastSquaresOptions solver;
   RobustLoss loss = RobustLoss::kNone;
-  int starts = 1;               ///< number of starts: the first as given, the others drawn around it
-  std::uint64_t seed = 1;       ///< seed of the drawn starts and the folds
-  int folds = 5;                ///< folds of the cross-validation by pose, if no reading is marked held-out; 0: none
-  double outlier_level = 0.01;  ///< chance of naming any reading an outlier if there is none
-  double drop_level = 0;        ///< above 0: numbers that the readings do not need at this level are dropped
+  int starts = 1;          ///< number of starts: the first as given, the others drawn at random around it
+  std::uint64_t seed = 1;  ///< seed of the drawn starts and the folds
+  int folds = 5;  ///< number of folds of the cross-validation by pose, if no reading is marked held-out; 0: none
+  double outlier_level = 0.01;  ///< probability that any reading is named an outlier if there is none
+  /// Above 0: parameters that the readings do not require at this significance level are dropped.
+  double drop_level = 0;
   bool intervals_by_profile = true;
-  bool may_hold_all = false;  ///< true: a model without free numbers is judged as it stands; false: it is refused
-  /// Uncertainty of the numbers that are held; nothing: determined numbers are not computed.
+  bool may_hold_all = false;  ///< true: a model without free parameters is judged as it stands; false: it is refused
+  /// Uncertainty of the parameters that are held fixed; empty: Identification::uncertainty is not computed.
   std::optional<ArmUncertainty> uncertainty;
-  WorkHooks hooks;  ///< also stop the solver
-  /// Called for the fits to all readings, from every start, but not for refits of some.
+  WorkHooks hooks;  ///< hooks, whose `stop` also stops the solver
+  /// Called for fits to all readings, from every start, but not for refits to some of the readings.
   IterationObserver observe = {};
 };
 
@@ -69,25 +70,25 @@ enum class IdentificationStatus { kNotRun, kDone, kRefused, kNotConverged, kStop
 
 struct IdentifiedNumber {
   Unknown unknown;
-  double value = 0;  ///< of the parameter; of a base component: of its step
+  double value = 0;  ///< value of the parameter; for a base component, of its step
   double sigma = kNotKnown;
-  double lower = kNotKnown;  ///< 95 % interval
+  double lower = kNotKnown;  ///< lower end of the 95 % interval
   double upper = kNotKnown;
-  bool is_profile = false;  ///< the interval is by profile, not by sigma
+  bool is_profile = false;  ///< true: the interval was found by likelihood profile; false: it follows from `sigma`
   Identifiability identifiable = Identifiability::kNo;
-  std::vector<std::string> with;  ///< names of the unknowns that it is determined in combination with
-  double prior_deviation = 0;     ///< deviation from the arm's file, in standard deviations of its prior
+  std::vector<std::string> with;  ///< names of the unknowns in combination with which the readings determine this one
+  double prior_deviation = 0;     ///< deviation from the arm's file, in standard deviations of the prior
   bool is_at_bound = false;
   /// Values of an effect's size that explain the readings equally well, most probable first; empty if only `value`
-  /// does. The interval covers all.
+  /// does. The interval covers all of them.
   std::vector<double> modes;
-  std::string note;  ///< a sentence for the user, or empty
+  std::string note;  ///< note for the user, as a sentence; may be empty
 };
 
 struct Outlier {
   int reading = -1;
-  double size = 0;    ///< error of the reading against the fit without it [m]
-  double sigmas = 0;  ///< `size` in noise sigmas
+  double size = 0;    ///< error of the reading relative to the fit without it [m]
+  double sigmas = 0;  ///< `size` divided by the standard deviation of the noise
 };
 
 struct StrongCorrelation {
@@ -95,68 +96,77 @@ struct StrongCorrelation {
   double value = 0;
 };
 
-/// Errors of a set of readings: root mean square, mean and largest of their lengths [m]. The length of an error
-/// combines all its rows: for a measured place the distance to the predicted one, for an angle the angle times
-/// kTurnLever.
+/// Errors of a set of readings: root mean square, mean and maximum of their lengths [m]. The length of an error
+/// combines all rows of a reading: for a measured position, the distance to the predicted position; for an angle, the
+/// angle times kTurnLever.
 struct ErrorSize {
   double rms = kNotKnown;
   double mean = kNotKnown;
   double max = kNotKnown;
   int readings = 0;
-  bool are_angles = false;  ///< true: all readings measure angles alone
+  bool are_angles = false;  ///< true: all readings measure only angles
 };
 
 struct Identification {
   IdentificationStatus status = IdentificationStatus::kNotRun;
   std::string reason;
-  std::vector<FreeProblem> problems;              ///< names that cannot be freed, if refused
-  std::optional<ReadingProblem> reading_problem;  ///< readings that do not determine enough, if refused
-  std::vector<std::string> dropped;               ///< numbers that the readings do not need, "NAME: why"
-  PlacedArm start, fitted;                        ///< model with only the bases placed; with everything fitted
+  std::vector<FreeProblem> problems;  ///< names that cannot be freed, if the status is kRefused
+  /// Reason why the readings do not determine enough, if the status is kRefused.
+  std::optional<ReadingProblem> reading_problem;
+  std::vector<std::string> dropped;  ///< dropped parameters, which the readings do not require, as "NAME: why"
+  PlacedArm start, fitted;           ///< model with only the bases placed, and with everything fitted
   std::vector<IdentifiedNumber> numbers;
-  Eigen::MatrixXd covariance;  ///< covariance of the numbers' variables, in their order (compliances for stiffnesses)
+  /// Covariance of the variables of `numbers`, in the same order (compliances for stiffnesses).
+  Eigen::MatrixXd covariance;
   std::vector<StrongCorrelation> correlations;
-  ErrorSize before, after_base, after;  ///< as the model stands; with only the bases fitted; with everything
-  ErrorSize heldout_before, heldout;    ///< on readings kept from the fit; before: with only the bases fitted
-  int not_judged = 0;                   ///< readings kept from the fit that it cannot judge (judgeable())
-  double noise_floor = kNotKnown;       ///< rms that noise alone leaves [m]
+  /// Errors as the model stands, with only the bases fitted, and with everything fitted.
+  ErrorSize before, after_base, after;
+  /// Errors of held-out readings, with only the bases fitted and with everything fitted.
+  ErrorSize heldout_before, heldout;
+  int not_judged = 0;              ///< number of held-out readings that the fit cannot predict (judgeable())
+  double noise_floor = kNotKnown;  ///< rms error due to noise alone [m]
   double chi2 = kNotKnown;
-  int degrees_of_freedom = 0;  ///< of the readings, less the numbers that they determine; may be none
+  /// Rows of the readings less the number of parameters that they determine; may not be positive.
+  int degrees_of_freedom = 0;
   double p_value = kNotKnown;
-  double model_error = 0;  ///< m, standard deviation of each coordinate beyond the noise, as the covariance has it:
-                           ///< above 0 where chi-square refuses the stated noise
-  std::optional<ArmUncertainty> uncertainty;  ///< of all the arm's numbers by the readings, where it was asked for
+  /// Standard deviation of each coordinate beyond the noise, included in the covariance [m]; above 0 if chi-square
+  /// rejects the stated noise.
+  double model_error = 0;
+  /// Uncertainty of all parameters of the arm after the readings, if requested.
+  std::optional<ArmUncertainty> uncertainty;
   std::vector<Outlier> outliers;
   Eigen::VectorXd errors;  ///< length of each fitted reading's error [m], in the order of `used`
   std::vector<int> used;   ///< indices of the fitted readings
-  /// Singular values of the readings' Jacobian, each column scaled by its number's typical size.
+  /// Singular values of the readings' Jacobian, with each column scaled by the parameter's typical size.
   Eigen::VectorXd singular_values;
   int iterations = 0, evaluations = 0, jacobian_evaluations = 0;
   int starts_agreeing = 1;
 };
 
-/// Returns the numbers in the order of the covariance, as variables that are 0 at the fit.
+/// Returns the identified parameters, in the order of the covariance, as variables that are 0 at the fit.
 [[nodiscard]] std::vector<Unknown> fittedUnknowns(const Identification& result);
 
-/// Finds the free numbers and the unknown base poses. Readings marked held-out are not fitted but judged.
+/// Identifies the free parameters and the unknown base poses. Readings marked held-out are not fitted, but used to
+/// validate the fit.
 [[nodiscard]] Identification identify(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, bool base_known,
                                       const std::vector<Measurement>& readings, const IdentificationOptions& options);
 
-/// A stage of an identification: the numbers that it frees, and the set-up whose readings it uses (empty: all).
+/// A stage of an identification: the parameters that the stage frees, and the set-up whose readings it uses (empty:
+/// all).
 struct IdentificationStage {
   std::vector<std::string> names;
   std::string setup;
 };
 
-/// Identifies in stages, as in the thesis: each stage frees its own numbers with those of earlier stages held at their
-/// values, whose covariance is carried over. Returns one result for each stage, up to one that is refused or stopped.
-/// The sigmas of the last include the whole covariance.
+/// Identifies in stages, as in the thesis. Each stage frees its own parameters. Parameters of earlier stages are held
+/// at their values, and their covariance is carried over. Returns one result per stage, up to a stage that is refused
+/// or stopped. The sigmas of the last stage include the whole covariance.
 [[nodiscard]] std::vector<Identification> identifyInStages(const PlacedArm& start,
                                                            const std::vector<Measurement>& readings,
                                                            const std::vector<IdentificationStage>& stages,
                                                            const IdentificationOptions& options);
 
-/// Identifies from a state with a base pose for every set-up.
+/// Identifies from a start with a base pose for every set-up.
 [[nodiscard]] Identification identify(const PlacedArm& start, const std::vector<Measurement>& readings,
                                       const IdentificationOptions& options);
 

@@ -1,4 +1,4 @@
-// Results of a fit for each number: its value with an interval, how far the readings determine it, and a note if one is
+// Results of a fit for each parameter: value, interval, how far the readings determine the value, and a note if one is
 // needed.
 #pragma once
 
@@ -6,21 +6,21 @@
 
 namespace tubeplan::calibration {
 
-/// A fit of an identification, and its input.
+/// A fit within an identification, and the input of the fit.
 struct FittedModel {
   const std::vector<Measurement>& fitted;
   const IdentificationOptions& options;
   PlacedArm start;  ///< state with the unknowns' variables at 0
   std::vector<Unknown> unknowns;
   Fit fit;
-  std::optional<ReadingWeights> start_weights;  ///< weights at `start`, if it can be evaluated
+  std::optional<ReadingWeights> start_weights;  ///< weights at `start`; empty if the model cannot be evaluated there
 };
 
-/// Sets `numbers`, one for each unknown in their order.
+/// Fills `result.numbers`, one for each unknown in the same order.
 void describeNumbers(const FittedModel& model, Identification& result);
 
-/// Widens the intervals of effects' sizes over all sizes that explain the readings as well (size_modes.hpp), and says
-/// so in the numbers' notes.
+/// Widens the intervals of effects' sizes to include all sizes that explain the readings equally well (size_modes.hpp),
+/// and states so in the notes.
 void widenSizes(const FittedModel& model, Identification& result);
 
 }  // namespace tubeplan::calibration

@@ -1,4 +1,4 @@
-// The only user of Ipopt.
+// Interior-point method: the only file that uses Ipopt.
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
 #include <IpTNLP.hpp>
@@ -14,11 +14,11 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 using Ipopt::Number;
 constexpr double kUnbounded = 2e19;      // Ipopt's value for infinity
-constexpr double kRestingShare = 1e-13;  // share of chi2
-constexpr double kNearBound = 1e-2;      // in units of a variable's scale
+constexpr double kRestingShare = 1e-13;  // change of chi2 that counts as rounding, as a fraction of chi2
+constexpr double kNearBound = 1e-2;      // distance from a bound that counts as near, in units of the variable's scale
 
-/// Half the squared residual in Ipopt's interface. Trial points are evaluated without a Jacobian; the Jacobian of an
-/// accepted point serves its gradient and its Hessian.
+/// Half the squared residual, in Ipopt's interface. Trial points are evaluated without a Jacobian. The Jacobian of an
+/// accepted point serves both gradient and Hessian.
 class NonlinearProgram : public Ipopt::TNLP {
  public:
   NonlinearProgram(ScaledProblem& problem, const IterationObserver& observe)
@@ -79,9 +79,9 @@ class NonlinearProgram : public Ipopt::TNLP {
     return true;
   }
 
-  /// Stops the iteration at the minimum. Ipopt's own test is absolute in the gradient; with a large lack of fit
-  /// rounding keeps it from ever being met. The minimum is reached if the best step predicts no fall beyond rounding,
-  /// or if two steps brought none.
+  /// Stops the iteration at the minimum. Ipopt's own test is absolute in the gradient: with a large lack of fit,
+  /// rounding prevents it from ever being met. The minimum is reached if the best step predicts no decrease beyond
+  /// rounding, or if two steps brought none.
   bool intermediate_callback(Ipopt::AlgorithmMode, Ipopt::Index iteration, Number value, Number, Number, Number,
                              Number step, Number damping, Number, Number, Ipopt::Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
@@ -99,8 +99,8 @@ class NonlinearProgram : public Ipopt::TNLP {
   }
 
  private:
-  /// Returns true at the minimum. Away from all bounds, whose barriers affect every step, a Gauss-Newton step predicts
-  /// the fall.
+  /// Returns true if a Gauss-Newton step predicts no further decrease. The prediction is valid only away from all
+  /// bounds, because the barriers of bounds affect every step.
   [[nodiscard]] bool isAtBottom(Number value) const {
     const double now = 2 * value;
     if (!linearized_ || !(std::abs(r_.squaredNorm() - now) <= kRestingShare * now)) return false;
@@ -133,9 +133,9 @@ class NonlinearProgram : public Ipopt::TNLP {
   ScaledProblem& problem_;
   const IterationObserver& observe_;
   Eigen::Index n_;
-  VectorXd x_;  // point of chi2_
+  VectorXd x_;  // point at which chi2_ was computed
   double chi2_ = std::numeric_limits<double>::quiet_NaN();
-  VectorXd linearized_x_, r_;  // point of r_ and J_
+  VectorXd linearized_x_, r_;  // point at which r_ and J_ were computed, and the residual there
   MatrixXd J_;
   bool linearized_ = false;
   double last_value_ = std::numeric_limits<double>::quiet_NaN();
@@ -148,12 +148,12 @@ Ipopt::SmartPtr<Ipopt::IpoptApplication> makeSolver() {
   auto settings = solver->Options();
   settings->SetIntegerValue("print_level", 0);
   settings->SetStringValue("sb", "yes");
-  // Whitened residuals need no second scaling, and a least-squares start should not be pushed off its bounds.
+  // Whitened residuals need no further scaling, and a start at a bound should not be moved off the bound.
   settings->SetStringValue("nlp_scaling_method", "none");
   settings->SetNumericValue("bound_relax_factor", 0);
   settings->SetStringValue("mu_strategy", "adaptive");
-  // Every solution of the few equations costs MUMPS far more than arithmetic: one for each step, not three, and refined
-  // only if it is inaccurate.
+  // Each linear solution by MUMPS costs far more in overhead than in arithmetic. So there is one solution per step
+  // instead of three, and refinement only if the solution is inaccurate.
   settings->SetStringValue("mu_oracle", "loqo");
   settings->SetIntegerValue("min_refinement_steps", 0);
   if (solver->Initialize("") != Ipopt::Solve_Succeeded) return nullptr;
@@ -192,8 +192,8 @@ Meaning meaningOf(Ipopt::ApplicationReturnStatus status) {
 
 LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
                                            const IterationObserver& observe) {
-  // MUMPS, the linear solver of Debian's Ipopt, keeps its instances in an unguarded table of the process. One Ipopt
-  // serves all calls, because its preparation takes longer than many a problem.
+  // MUMPS, the linear solver of Debian's Ipopt, keeps its instances in an unguarded table of the process. A single
+  // Ipopt instance serves all calls, because its setup takes longer than many a problem.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   static const Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = makeSolver();

@@ -1,4 +1,4 @@
-// The table of least-squares methods, and the cases that need none.
+// The table of least-squares methods, and the cases that need no solver.
 #include "calibration/estimation/least_squares.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ LeastSquaresResult evaluateFixed(const LeastSquaresProblem& problem) {
                              : scaled.failureAtStart();
 }
 
-/// Minimises with failing evaluations after a stop, so that every method ends at once.
+/// Minimises with evaluations that fail after a stop, so that every method ends at once.
 LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, const LeastSquaresProblem& problem,
                                         const LeastSquaresStop& rest, const LeastSquaresOptions& options) {
   bool is_stopped = false;
@@ -35,7 +35,7 @@ LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, cons
     is_stopped = is_stopped || options.stop();
     try {
       return !is_stopped && problem.evaluate(x, r, jacobian);
-    } catch (const WorkStopped&) {  // no solver is unwound through by an exception
+    } catch (const WorkStopped&) {  // exceptions must not unwind through a solver
       is_stopped = true;
       return false;
     }
@@ -53,11 +53,11 @@ LeastSquaresResult minimizeUntilStopped(const LeastSquaresMethodKind& kind, cons
 std::span<const LeastSquaresMethodKind> leastSquaresMethods() {
   using Method = LeastSquaresMethod;
   static constexpr std::array kMethods{
-      // Levenberg-Marquardt; if that does not converge soon, the interior point too.
+      // Levenberg-Marquardt; if it does not converge soon, also the interior point method.
       LeastSquaresMethodKind{Method::kHybrid, "in-turn", {1e-9, 400}, minimizeHybrid},
       // Ipopt on the Gauss-Newton Hessian, until the gradient is within tolerance.
       LeastSquaresMethodKind{Method::kInteriorPoint, "ipopt", {1e-10, 200}, minimizeByInteriorPoint},
-      // Damped Gauss-Newton, until no step would lower chi2 by more than a relative tolerance.
+      // Damped Gauss-Newton, until no step would lower chi2 by more than the relative tolerance.
       LeastSquaresMethodKind{
           Method::kLevenbergMarquardt, "levenberg-marquardt", {1e-9, 100}, minimizeByLevenbergMarquardt},
   };

@@ -1,4 +1,5 @@
-// Nonlinear least squares with bounds: the interface of all calibrations to solvers, and the table of solvers.
+// Nonlinear least squares with bounds: the interface between all calibrations and the solvers, and the table of
+// solvers.
 #pragma once
 
 #include <Eigen/Dense>
@@ -13,21 +14,19 @@
 
 namespace tubeplan::calibration {
 
-/// Problem of minimising half the squared length of r(x) within lower <= x <= upper. Residuals are whitened, so that 1
-/// is one sigma. A variable with lower == upper is fixed; a start outside the bounds is moved to the nearest point
-/// within them.
+/// Minimisation of half the squared length of r(x) within lower <= x <= upper. Residuals are whitened: 1 is one sigma.
+/// A variable with lower == upper is fixed. A start outside the bounds is moved to the nearest point within them.
 struct LeastSquaresProblem {
   Eigen::VectorXd start, lower, upper;
-  Eigen::VectorXd scale;  ///< typical size of each variable, above zero; the solver works in x / scale
-  /// Computes r, and the Jacobian (residuals x variables) if not null; false: cannot be evaluated at x. It is called
-  /// within the bounds only.
+  Eigen::VectorXd scale;  ///< typical size of each variable, above zero; the solvers work in x / scale
+  /// Computes r, and the Jacobian (residuals x variables) if not null. Returns false if r cannot be evaluated at x.
+  /// Called only within the bounds.
   std::function<bool(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* jacobian)> evaluate;
 };
 
 enum class LeastSquaresMethod { kHybrid, kInteriorPoint, kLevenbergMarquardt };
 
-/// Stopping rule of a method. The quantity compared with the tolerance depends on the method: see
-/// leastSquaresMethods().
+/// Stopping rule of a method. Each method compares another quantity with the tolerance; see leastSquaresMethods().
 struct LeastSquaresStop {
   double tolerance;
   int max_iterations;
@@ -35,28 +34,29 @@ struct LeastSquaresStop {
 
 /// An iteration of a method, as reported to an observer.
 struct LeastSquaresIteration {
-  std::string_view method;                                 ///< name in leastSquaresMethods() of the active method
-  int iteration = 0;                                       ///< 0: the start
-  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< r . r there
-  double step = 0;     ///< length of the step that led there, with each variable in units of its scale
-  double damping = 0;  ///< value added to the curvature's diagonal for that step; 0 for methods without damping
+  std::string_view method;                                 ///< name of the active method, as in leastSquaresMethods()
+  int iteration = 0;                                       ///< iteration number; 0: the start
+  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< r . r at the iteration's point
+  double step = 0;  ///< length of the step to this point, with each variable in units of its scale
+  /// Damping added to the diagonal of the normal matrix for the step; 0 for methods without damping.
+  double damping = 0;
 };
 
 using IterationObserver = std::function<void(const LeastSquaresIteration&)>;
 
-/// Options of a solver. Tolerance and iteration limit are the method's own if they are not stated.
+/// Options of a solver. If tolerance or iteration limit is not stated, the method's default is used.
 struct LeastSquaresOptions {
   std::optional<double> tolerance = std::nullopt;
   std::optional<int> max_iterations = std::nullopt;
   LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
   StopQuestion stop = {};          ///< called before every evaluation
-  IterationObserver observe = {};  ///< called at every iteration, including the start; does not change the result
+  IterationObserver observe = {};  ///< called at every iteration, including the start; must not change the result
 };
 
 enum class LeastSquaresStatus { kNotRun, kConverged, kIterationLimit, kFailed, kStopped };
 
-/// Result of a solver. `x` is where the method stopped, whatever the status; chi2 stays NaN if the model could not be
-/// evaluated at all.
+/// Result of a solver. `x` is the point where the method stopped, whatever the status. chi2 is NaN if the model could
+/// not be evaluated at all.
 struct LeastSquaresResult {
   LeastSquaresStatus status = LeastSquaresStatus::kNotRun;
   std::string reason;  ///< reason why the method stopped
@@ -67,7 +67,7 @@ struct LeastSquaresResult {
   int jacobian_evaluations = 0;  ///< calls of `evaluate` for r and the Jacobian together
 };
 
-/// Counts the work of one search to that of others.
+/// Adds the iteration and evaluation counts of one search to the counts of others.
 template <class Counted>
 void countWork(const LeastSquaresResult& of, Counted& to) {
   to.iterations += of.iterations;
@@ -75,24 +75,24 @@ void countWork(const LeastSquaresResult& of, Counted& to) {
   to.jacobian_evaluations += of.jacobian_evaluations;
 }
 
-/// A way of minimising: one row of the table.
+/// A minimisation method: one row of the table.
 struct LeastSquaresMethodKind {
   LeastSquaresMethod method;
   std::string_view name;  ///< name on the command line
-  LeastSquaresStop stop;  ///< default if the caller states none
+  LeastSquaresStop stop;  ///< default stopping rule
   LeastSquaresResult (*minimize)(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
                                  const IterationObserver& observe);
 };
 
-/// Returns the open table of methods: a new one is its file and its row.
+/// Returns the open table of methods. A new method is one file and one row of the table.
 [[nodiscard]] std::span<const LeastSquaresMethodKind> leastSquaresMethods();
 
-/// Solves by the chosen method. Reversed bounds are refused (kFailed); if every variable is fixed, only chi2 is
+/// Solves with the chosen method. Reversed bounds are rejected (kFailed). If every variable is fixed, only chi2 is
 /// computed.
 [[nodiscard]] LeastSquaresResult minimizeLeastSquares(const LeastSquaresProblem& problem,
                                                       const LeastSquaresOptions& options = {});
 
-// Minimise by one method each, defined in the files of these names; the interior point in ipopt_adapter.cpp.
+// One minimiser per method, each defined in the file of its name; the interior point method in ipopt_adapter.cpp.
 LeastSquaresResult minimizeHybrid(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,
                                   const IterationObserver& observe);
 LeastSquaresResult minimizeByInteriorPoint(const LeastSquaresProblem& problem, const LeastSquaresStop& stop,

@@ -1,6 +1,7 @@
-// Levenberg-Marquardt with bounds, as a trust region: Gauss-Newton steps in the variables that no bound holds, damped
-// until they are no longer than the region in which the model has proved good (Moré 1978, "The Levenberg-Marquardt
-// algorithm: implementation and theory"). It starts at little cost, so that repeated refits use it.
+// Levenberg-Marquardt with bounds, as a trust-region method: Gauss-Newton steps in the variables not held by a bound,
+// damped until they are no longer than the region in which the model has proved good (Moré 1978, "The
+// Levenberg-Marquardt algorithm: implementation and theory"). The method has little start-up cost, so repeated refits
+// use it.
 #include <algorithm>
 #include <cmath>
 
@@ -12,18 +13,22 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr double kFirstRadius = 1;      // in typical sizes, as the mean over the variables
-constexpr double kLeastRadius = 1e-14;  // in typical sizes: shorter steps change nothing
-constexpr double kRest = 1e-13;         // share of a variable's own curvature: changes by rounding alone are suppressed
-// Share of the largest curvature: variables without effect on any residual do not move.
+constexpr double kFirstRadius = 1;  // first radius in typical sizes, as the root mean square over the variables
+// Least radius in typical sizes, as the root mean square: shorter steps change nothing.
+constexpr double kLeastRadius = 1e-14;
+// Relative increase of a variable's own curvature, which suppresses changes by rounding.
+constexpr double kRest = 1e-13;
+// Increase of all curvatures, as a fraction of the largest one: variables without effect on any residual do not move.
 constexpr double kUnseen = 1e-30;
-constexpr double kLengthRest = 0.1;    // share of the radius by which a damped step may be longer
-constexpr int kDampings = 20;          // attempts to bring a step to the radius
-constexpr int kFactorisations = 100;   // attempts to make the damped matrix positive definite, doubling each time
-constexpr double kNoLackOfFit = 1e-6;  // chi2 below which the tolerance is no longer relative to it
-constexpr double kGood = 0.75, kPoor = 0.25;  // shares of the predicted fall for a longer, and for a shorter radius
+constexpr double kLengthRest = 0.1;  // fraction of the radius by which a damped step may exceed the radius
+constexpr int kDampings = 20;        // maximum number of attempts to fit a step to the radius
+// Maximum number of attempts to make the damped matrix positive definite, doubling each time.
+constexpr int kFactorisations = 100;
+constexpr double kNoLackOfFit = 1e-6;  // chi2 below which the tolerance is no longer relative to chi2
+// Fractions of the predicted decrease: above kGood, the radius grows; below kPoor, it shrinks.
+constexpr double kGood = 0.75, kPoor = 0.25;
 
-/// Half of chi2's change by a step, to second order: gradient . step + step . normal step / 2.
+/// Half of the change of chi2 by a step, to second order: gradient . step + step . normal step / 2.
 struct QuadraticModel {
   VectorXd gradient;
   MatrixXd normal;
@@ -37,7 +42,8 @@ struct QuadraticModel {
   }
 };
 
-/// Returns the variables that take part in a step: not those at a bound that the gradient pushes against.
+/// Returns the indices of the variables that take part in a step: all except those at a bound against which the
+/// gradient pushes.
 std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, const VectorXd& gradient) {
   std::vector<Index> free;
   for (Index k = 0; k < x.size(); ++k) {
@@ -48,8 +54,8 @@ std::vector<Index> movable(const ScaledProblem& problem, const VectorXd& x, cons
   return free;
 }
 
-/// Returns -(normal + damping) \ pull. If its length exceeds `radius`, the damping grows until it does not (Newton's
-/// method on the length's inverse).
+/// Returns -(normal + damping) \ pull. If the length of this solution exceeds `radius`, the damping is increased until
+/// it does not (Newton's method on the inverse length).
 VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, double& damping) {
   normal.diagonal() *= 1 + kRest;
   normal.diagonal().array() += kUnseen * normal.diagonal().maxCoeff() + damping;
@@ -57,7 +63,7 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
   int indefinite = 0;
   for (int k = 0; k <= kDampings; ++k) {
     factor.compute(normal);
-    if (factor.info() != Eigen::Success) {  // by rounding: the damping is too small to have an effect
+    if (factor.info() != Eigen::Success) {  // rounding: the damping is too small to have an effect
       if (++indefinite > kFactorisations) break;
       const double more = std::max(damping, kRest * normal.diagonal().maxCoeff());
       normal.diagonal().array() += more;
@@ -75,8 +81,8 @@ VectorXd dampedSolution(MatrixXd normal, const VectorXd& pull, double radius, do
   return VectorXd::Zero(pull.size());
 }
 
-/// Returns the step of the free variables, of `radius` at most. Variables that would leave their bounds go to the
-/// bound, and the others are solved again with them there, with the same damping.
+/// Returns the step of the free variables, with length `radius` at most. Variables that would leave their bounds are
+/// set to the bound, and the others are solved again with the same damping.
 VectorXd boundedStep(const ScaledProblem& problem, const QuadraticModel& model, const VectorXd& x,
                      std::vector<Index> free, double radius, double& damping) {
   VectorXd step = VectorXd::Zero(x.size());
@@ -103,7 +109,7 @@ VectorXd boundedStep(const ScaledProblem& problem, const QuadraticModel& model, 
   return step;
 }
 
-/// One minimisation, point after point.
+/// State of one minimisation, which moves from point to point.
 class TrustRegionMinimizer {
  public:
   TrustRegionMinimizer(const LeastSquaresProblem& problem, const IterationObserver& observe)
@@ -133,10 +139,10 @@ class TrustRegionMinimizer {
   double last_fall_ = std::numeric_limits<double>::infinity();
   bool is_linear_ = true;  ///< true: r_ and jacobian_ belong to x_
   int iterations_ = 0;
-  double length_ = 0, damping_ = 0;  ///< of the last step taken
+  double length_ = 0, damping_ = 0;  ///< length and damping of the last step taken
 };
 
-/// Adapts the radius to the quality of the last prediction.
+/// Adapts the radius to the quality of the last predicted decrease.
 void TrustRegionMinimizer::adaptRadius(double length, double fall, double predicted) {
   const double share = fall > 0 ? fall / predicted : 0;  // a step limited by bounds may predict a rise
   if (share > kGood)
@@ -145,8 +151,8 @@ void TrustRegionMinimizer::adaptRadius(double length, double fall, double predic
     radius_ = kPoor * std::min(radius_, length);
 }
 
-/// Moves x_ to a point if chi2 falls there. Most steps are taken, so that the Jacobian is computed with the value;
-/// after a rejected step, the value alone.
+/// Moves x_ to a point if chi2 decreases there. Most first trials succeed, so the Jacobian is computed with the value;
+/// after a rejected step, only the value.
 bool TrustRegionMinimizer::moveTo(const VectorXd& next, double predicted, bool is_first) {
   const bool is_linear = predicted > 0 && is_first && scaled_.linearizeAt(next, next_r_, next_jacobian_);
   const double tried = is_linear ? next_r_.squaredNorm() : predicted > 0 ? scaled_.chi2At(next) : chi2_;
@@ -162,14 +168,14 @@ bool TrustRegionMinimizer::moveTo(const VectorXd& next, double predicted, bool i
   return true;
 }
 
-/// Shortens the step until chi2 falls.
+/// Takes a step, shortened until chi2 decreases.
 TrustRegionMinimizer::Step TrustRegionMinimizer::step(double tolerance) {
   for (bool is_first = true;; is_first = false) {
     double damping = 0;
     const VectorXd next = scaled_.withinBounds(x_ + boundedStep(scaled_, model_, x_, free_, radius_, damping));
     const double predicted = model_.predictedReduction(next - x_);
     const double little = tolerance * std::max(chi2_, kNoLackOfFit);
-    // If steps had to be short, the last one must have brought as little as this one would.
+    // If steps had to be short, the last step must have gained as little as this one would.
     if (std::abs(predicted) <= little && (damping == 0 || (is_first && last_fall_ <= little))) return Step::kAtRest;
     if (moveTo(next, predicted, is_first)) {
       damping_ = damping;

@@ -1,4 +1,4 @@
-// modelErrorOf(): the model's own error beside the noise.
+// modelErrorOf(): the model's own error in addition to the noise.
 #include <algorithm>
 #include <cmath>
 
@@ -12,9 +12,9 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kGrossErrorLevel = 0.01;  // chance of taking any reading for a gross error if there is none
+constexpr double kGrossErrorLevel = 0.01;  // probability that any reading is taken for a gross error if there is none
 
-/// Errors of readings relative to their noise and a further variance of every coordinate.
+/// Errors of readings relative to their noise plus an additional variance of every coordinate.
 class ErrorVariance {
  public:
   ErrorVariance(const std::vector<Measurement>& readings, const ReadingWeights& weights, const VectorXd& error) {
@@ -26,12 +26,13 @@ class ErrorVariance {
     }
   }
 
-  /// Returns the mean square over its rows of a reading's error in units of its variance.
+  /// Returns the mean square of a reading's error over its rows, relative to noise plus `variance`.
   [[nodiscard]] double meanSquare(std::size_t reading, double variance) const {
     return (squares_[reading].array() / (noise_[reading].array() + variance)).mean();
   }
 
-  /// Returns the variance at which `size(variance)`, which falls with it, reaches zero.
+  /// Returns the variance at which the decreasing function `size(variance)` reaches zero; 0 if it is not positive at
+  /// zero.
   template <class Size>
   [[nodiscard]] double solve(const Size& size) const {
     if (!(size(0.) > 0)) return 0;
@@ -45,7 +46,7 @@ class ErrorVariance {
     return high;
   }
 
-  /// Returns the median over the readings of the mean square, each relative to that of normal noise.
+  /// Returns the median over the readings of the mean square, relative to the median expected of normal noise.
   [[nodiscard]] double usualSquare(double variance) const {
     std::vector<double> squares;
     for (std::size_t k = 0; k < squares_.size(); ++k)
@@ -63,7 +64,7 @@ double modelErrorOf(const std::vector<Measurement>& readings, const ReadingWeigh
                     int degrees_of_freedom) {
   if (degrees_of_freedom <= 0) return 0;
   const ErrorVariance errors(readings, weights, error);
-  // The usual error of most readings shows which are gross errors: those are no error of the model.
+  // The typical error of most readings shows which errors are gross; gross errors are not due to the model.
   const double usual = errors.solve([&](double v) { return errors.usualSquare(v) - 1; });
   ChiSquareLimit limitOf(kGrossErrorLevel / static_cast<double>(readings.size()));
   std::vector<std::size_t> kept;

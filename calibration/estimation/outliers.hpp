@@ -1,4 +1,4 @@
-// Readings with errors beyond what noise explains.
+// Detection of readings with larger errors than noise explains.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,10 @@
 
 namespace tubeplan::calibration {
 
-/// Compares each reading with the fit without it, in noise sigmas, and returns those that chance exceeds less often
-/// than `level` in the whole set, worst first, as indices of `readings`. If most readings have errors beyond their
-/// noise, the scale is that of most errors. A robust fit's weights are removed first.
+/// Compares each reading with the fit without that reading, in units of noise. Returns the readings whose error chance
+/// would exceed with a probability below `level` in the whole set, worst first, as indices into `readings`. If most
+/// readings have errors beyond their noise, the errors are scaled by the typical error. The weights of a robust fit are
+/// removed first.
 [[nodiscard]] std::vector<Outlier> findOutliers(const std::vector<Measurement>& readings, const Fit& fit, double level);
 
 }  // namespace tubeplan::calibration

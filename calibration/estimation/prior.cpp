@@ -9,7 +9,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kSingular = 1e-14;  // share of the largest eigenvalue, for columns of unit length
+constexpr double kSingular = 1e-14;  // least eigenvalue relative to the largest, for columns of unit length
 
 }  // namespace
 
@@ -39,7 +39,7 @@ MatrixXd posteriorCovariance(const MatrixXd& jacobian, const std::vector<Unknown
   MatrixXd information = MatrixXd::Zero(n, n);
   if (jacobian.rows() > 0) information.selfadjointView<Eigen::Lower>().rankUpdate(jacobian.transpose());
   information.diagonal() += priorSlopes(unknowns).cwiseAbs2();
-  // Scale to unit information: a compliance and a length differ by many powers of ten.
+  // Variables are scaled to unit information: a compliance and a length differ by many powers of ten.
   const VectorXd scale =
       information.diagonal().unaryExpr([](double value) { return value > 0 ? 1 / std::sqrt(value) : 0; });
   information =

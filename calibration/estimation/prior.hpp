@@ -1,8 +1,8 @@
-// Prior knowledge in a fit and in its uncertainty: every free number has a normal prior
+// Prior knowledge in a fit and in the resulting uncertainty. Every free parameter has a normal prior
 // (Unknown::prior_sigma), which enters least squares as one more residual, (x - mean) / sigma. The optimum is then the
-// most probable state, the inverse of J^T J + Lambda its posterior covariance (Lambda = diag(1 / sigma^2)), and the
-// readings determine p = tr(C J^T J) of the n numbers: the effective number of parameters (Spiegelhalter et al. 2002,
-// "Bayesian measures of model complexity and fit").
+// most probable state. Its posterior covariance C is the inverse of J^T J + Lambda, with Lambda = diag(1 / sigma^2). Of
+// the n parameters, the readings determine p = tr(C J^T J), the effective number of parameters (Spiegelhalter et al.
+// 2002, "Bayesian measures of model complexity and fit").
 #pragma once
 
 #include <Eigen/Core>
@@ -12,27 +12,29 @@
 
 namespace tubeplan::calibration {
 
-/// Returns one residual for each unknown; 0 for one without a prior.
+/// Returns one prior residual per unknown; 0 for an unknown without a prior.
 [[nodiscard]] Eigen::VectorXd priorResiduals(const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x);
 
-/// Returns the slope of each residual by its own variable: 1 / sigma.
+/// Returns the derivative of each prior residual with respect to its variable: 1 / sigma.
 [[nodiscard]] Eigen::VectorXd priorSlopes(const std::vector<Unknown>& unknowns);
 
-/// Returns what the priors say of each variable over its typical size: (typical / sigma)^2.
+/// Returns the prior information on each variable divided by its typical size: (typical / sigma)^2.
 [[nodiscard]] Eigen::VectorXd priorInformation(const std::vector<Unknown>& unknowns);
 
-/// Posterior covariance of the variables by the whitened Jacobian of the readings; zero for what neither readings nor a
-/// prior determine.
+/// Returns the posterior covariance of the variables from the whitened Jacobian of the readings and the priors; zero
+/// for variables that neither determines.
 [[nodiscard]] Eigen::MatrixXd posteriorCovariance(const Eigen::MatrixXd& jacobian,
                                                   const std::vector<Unknown>& unknowns);
 
-/// Returns the inverse of an information matrix that determines every variable; their sizes may be very different.
+/// Returns the inverse of an information matrix that determines every variable; the scales of the variables may differ
+/// widely.
 [[nodiscard]] Eigen::MatrixXd inverseOfInformation(const Eigen::MatrixXd& information);
 
-/// Returns how many of the numbers the readings determine, by the posterior covariance: from 0 to all.
+/// Returns the effective number of parameters that the readings determine, from 0 to all, given the posterior
+/// covariance.
 [[nodiscard]] double effectiveNumbers(const Eigen::MatrixXd& covariance, const std::vector<Unknown>& unknowns);
 
-/// Returns the rounded effective number, which is subtracted from the readings' degrees of freedom.
+/// Returns the rounded effective number of parameters, which is subtracted from the readings' degrees of freedom.
 [[nodiscard]] int numbersDetermined(const Eigen::MatrixXd& covariance, const std::vector<Unknown>& unknowns);
 
 }  // namespace tubeplan::calibration

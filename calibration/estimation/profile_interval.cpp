@@ -11,11 +11,11 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kRise = 3.841458820694124;  // 95 % of chi-square with one degree of freedom
+constexpr double kRise = 3.841458820694124;  // 95 % quantile of chi-square with one degree of freedom
 constexpr int kMaxSteps = 12;
-constexpr double kFarthest = 40;  // sigmas; a variable that can move farther is not bounded on that side
+constexpr double kFarthest = 40;  // [sigmas]; a variable that can move farther counts as unbounded on that side
 
-/// Returns options for fits that start at the last one.
+/// Returns solver options for fits that start from the last fit.
 LeastSquaresOptions nearby(const StopQuestion& stop) {
   return {1e-6, 30, LeastSquaresMethod::kLevenbergMarquardt, stop};
 }
@@ -29,8 +29,8 @@ struct Profile {
   double least;  ///< chi-square of readings and priors at the optimum
   LeastSquaresOptions solver;
 
-  /// Returns the root of the chi-square's rise relative to the allowed rise, less 1, at an offset: -1 at the optimum, 0
-  /// at the interval's end.
+  /// Returns the square root of the rise of chi-square relative to the allowed rise, less 1, at an offset of the
+  /// variable: -1 at the optimum, 0 at the end of the interval.
   [[nodiscard]] double riseAt(double offset, VectorXd& x) const {
     std::vector<Unknown> fixed = unknowns;
     const double value = best.solution.x[variable] + offset;
@@ -42,7 +42,7 @@ struct Profile {
     return std::sqrt(std::max(0., solution.chi2 - least) / kRise) - 1;
   }
 
-  /// Returns the offset in one direction at which the rise is reached; infinite if it is not.
+  /// Returns the offset in one direction at which the allowed rise is reached; infinite if it is never reached.
   [[nodiscard]] double end(double direction, double sigma) const {
     const Unknown& unknown = unknowns[static_cast<std::size_t>(variable)];
     const double room =

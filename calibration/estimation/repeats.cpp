@@ -16,8 +16,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kSameJoint = 2e-3;  // [rad, m]
-constexpr double kSameLoad = 1e-6;   // [N]
+constexpr double kSameJoint = 2e-3;  // largest joint difference of repeated readings [rad, m]
+constexpr double kSameLoad = 1e-6;   // largest load difference of repeated readings [N]
 
 bool areClose(const VectorXd& a, const VectorXd& b) { return (a - b).lpNorm<Eigen::Infinity>() <= kSameJoint; }
 
@@ -29,7 +29,7 @@ bool areAlike(const Measurement& a, const Measurement& b) {
          a.wrench == b.wrench && areClose(a.q, b.q) && areClose(a.side_q, b.side_q);
 }
 
-/// Returns the chi-square of some readings' errors about their own weighted mean.
+/// Returns the chi-square of the members' errors about their weighted mean.
 double scatterOf(const std::vector<int>& members, const ReadingWeights& weights, const VectorXd& error, Index rows) {
   const auto n = static_cast<Index>(members.size());
   MatrixXd design(n * rows, rows);
@@ -45,7 +45,7 @@ double scatterOf(const std::vector<int>& members, const ReadingWeights& weights,
 }  // namespace
 
 std::vector<int> groupRepeats(const std::vector<Measurement>& readings) {
-  // Only readings with nearly the same first joint can be repeats: they are searched in neighbouring cells.
+  // Only readings with nearly the same first joint value can be repeats, so only neighbouring cells are searched.
   std::map<std::tuple<std::string, std::string, long>, std::vector<int>> firsts;
   std::vector<int> groups;
   int count = 0;

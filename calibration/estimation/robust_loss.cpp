@@ -13,13 +13,14 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-/// Returns the weight of a reading by the ratio of its whitened length to the usual one.
+/// Returns the weight factor of a reading, given the ratio of its whitened length to the usual length.
 double robustFactor(double length, RobustLoss loss) {
   if (loss == RobustLoss::kNone) return 1;
   return loss == RobustLoss::kHuber ? (length > 1.6 ? 1.6 / length : 1) : 1 / (1 + length * length / 6);
 }
 
-/// Returns the mean share of a reading's whitened square that a robust loss leaves, for normal noise.
+/// Returns the mean fraction of a reading's squared whitened residual that remains after a robust loss, for normal
+/// noise.
 double shareLeft(int rows, RobustLoss loss) {
   constexpr int kSteps = 400;
   double sum = 0;

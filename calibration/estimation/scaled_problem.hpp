@@ -1,5 +1,5 @@
-// A least-squares problem as the methods see it: with variables in units of their scale, always within bounds, and
-// every evaluation counted.
+// A least-squares problem as presented to the solvers: variables are in units of their scale and always within bounds,
+// and every evaluation is counted.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ class ScaledProblem {
   /// `problem` must outlive this object.
   explicit ScaledProblem(const LeastSquaresProblem& problem);
 
-  // Start and bounds in units of the scale.
+  // Start and bounds, in units of the variables' scale.
   [[nodiscard]] Eigen::VectorXd start() const { return withinBounds(problem_.start.cwiseQuotient(problem_.scale)); }
   [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }
   [[nodiscard]] const Eigen::VectorXd& upper() const { return upper_; }
@@ -21,13 +21,14 @@ class ScaledProblem {
     return x.cwiseMax(lower_).cwiseMin(upper_);
   }
 
-  /// Returns r . r at scaled x; infinity if the problem cannot be evaluated or is not finite.
+  /// Returns r . r at scaled x; infinity if the problem cannot be evaluated or the value is not finite.
   [[nodiscard]] double chi2At(const Eigen::VectorXd& x);
 
-  /// Computes residuals at scaled x and their Jacobian by the scaled variables; false in the same cases.
+  /// Computes the residuals at scaled x and their Jacobian with respect to the scaled variables. Returns false if the
+  /// problem cannot be evaluated or a value is not finite.
   [[nodiscard]] bool linearizeAt(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd& jacobian);
 
-  /// Returns the result of a method at scaled x, with the evaluations counted so far.
+  /// Returns the result of a solver at scaled x, with the evaluations counted so far.
   [[nodiscard]] LeastSquaresResult resultAt(const Eigen::VectorXd& x, double chi2, LeastSquaresStatus status,
                                             std::string reason, int iterations = 0) const;
   [[nodiscard]] LeastSquaresResult failureAtStart() const;

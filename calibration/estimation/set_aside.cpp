@@ -12,9 +12,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr std::size_t kFewOutliers = 10;  // at most one reading in that many
+constexpr std::size_t kFewOutliers = 10;  // at most one reading in kFewOutliers may be an outlier
 
-/// Returns how many readings of each unknown place are left without these.
+/// Returns the number of readings of each unknown place that remain without the readings set aside.
 std::map<std::string, int> touchesLeft(const std::vector<int>& set_aside, const std::vector<Measurement>& readings) {
   std::map<std::string, int> left;
   for (std::size_t k = 0; k < readings.size(); ++k)
@@ -36,8 +36,9 @@ std::vector<int> outliersOf(const Identification& fit) {
   return places;
 }
 
-/// Returns those of them that the fit of the others misses by more than their noise, because a robust fit names some
-/// that are no outliers. Only kinds that state a place are checked; others are kept as they were found.
+/// Returns the readings set aside whose errors relative to the fit of the other readings exceed their noise, because a
+/// robust fit also names readings that are no outliers. Only kinds that state the tip's position are checked; readings
+/// of other kinds are always returned.
 std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set_aside,
                           const std::vector<Measurement>& readings, double level) {
   std::vector<int> missed;
@@ -62,7 +63,8 @@ std::vector<int> missedBy(const Identification& fit, const std::vector<int>& set
   return missed;
 }
 
-/// With the touches that are then left alone at a point of unknown place: they determine nothing.
+/// Returns the outliers and the touches that remain alone at a point of unknown position, because such touches
+/// determine nothing.
 std::vector<int> withOrphans(const std::vector<int>& outliers, const std::vector<Measurement>& readings) {
   const auto isLeft = [&](std::size_t k) {
     return !readings[k].is_held_out && !std::binary_search(outliers.begin(), outliers.end(), static_cast<int>(k));

@@ -1,4 +1,4 @@
-// Readings that a fit, a comparison and a diagnosis set aside as outliers, as ascending indices.
+// Readings that a fit, a comparison or a diagnosis sets aside as outliers, as ascending indices.
 #pragma once
 
 #include <functional>
@@ -9,33 +9,34 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the places of the readings that are neither kept out nor set aside.
+/// Returns the indices of the readings that are neither held out nor set aside.
 [[nodiscard]] std::vector<int> placesFitted(const std::vector<Measurement>& readings,
                                             const std::vector<int>& set_aside);
 
-/// Returns how many of these readings must be outliers. If all touches of an unknown point are set aside, one of them
-/// counts as good.
+/// Returns the number of independent outliers among the readings set aside. If all touches of an unknown point are set
+/// aside, one of the touches counts as good.
 [[nodiscard]] double countOutliers(const std::vector<int>& set_aside, const std::vector<Measurement>& readings);
 
-/// The fit of the remaining readings.
+/// The readings set aside as outliers, and the fit of the remaining readings.
 struct WithoutOutliers {
   std::vector<int> set_aside;
   Identification fit;
 };
 
-/// Function that fits the model as it stands to some of the readings.
+/// Function that fits the present model to some of the readings.
 using BaselineFit = std::function<Identification(const std::vector<Measurement>& readings, RobustLoss loss)>;
 
-/// Finds outliers and fits the others. The search is repeated on the remaining readings, because a large outlier hides
-/// a smaller one. If the baseline fails and names none, the search uses a robust fit, because several outliers pull a
-/// plain fit to themselves. `level` is IdentificationOptions::outlier_level. Nothing if there are none, or more than
-/// one reading in ten.
+/// Finds outliers and fits the remaining readings. The search is repeated on the remaining readings, because a large
+/// outlier hides a smaller one. If the baseline fit fails and names no outlier, a robust fit is used, because several
+/// outliers bias a plain fit. `level` is IdentificationOptions::outlier_level. Empty if there are no outliers, or more
+/// than one reading in ten.
 [[nodiscard]] std::optional<WithoutOutliers> withoutOutliers(const std::vector<Measurement>& readings,
                                                              const Identification& baseline, double level,
                                                              const BaselineFit& fit);
 
-/// Returns the readings to set aside before a model is fitted or judged, by withoutOutliers(); empty if there are none,
-/// or too many. `baseline` is the fit of all readings by `options`, possibly without free numbers.
+/// Returns the indices of the readings that withoutOutliers() sets aside before a model is fitted or judged; empty if
+/// there are no outliers or too many. `baseline` is the fit to all readings with `options`, possibly without free
+/// parameters.
 [[nodiscard]] std::vector<int> readingsToSetAside(const PlacedArm& start, const std::vector<Measurement>& readings,
                                                   const Identification& baseline, const IdentificationOptions& options);
 

@@ -17,7 +17,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Set-up and joint readings: readings at the same station have their encoder errors in common.
+/// Set-up and joint readings. Readings at the same station share their encoder errors.
 using Station = std::pair<std::string, std::vector<double>>;
 
 Station stationOf(const std::string& setup, const Measurement& reading) {
@@ -26,13 +26,14 @@ Station stationOf(const std::string& setup, const Measurement& reading) {
   return {setup, std::move(joints)};
 }
 
-/// One reading's part of a station: its columns of `by_joints` from `first`.
+/// A reading at a station, and the first column of its `by_joints` that belongs to the station.
 struct Share {
   int reading = 0;
   Index first = 0;
 };
 
-/// Places among all rows of the rows of some readings, where each reading's first row is `first_row_of` it.
+/// Returns the indices, among all rows, of the rows of these readings; `first_row_of` gives the first row of each
+/// reading.
 template <class FirstRow>
 std::vector<Index> rowsOfThese(const ReadingWeights& weights, const std::vector<int>& readings,
                                const FirstRow& first_row_of) {
@@ -52,8 +53,8 @@ void takeOff(const SharedNoise& shared, const std::vector<Index>& rows, Eigen::R
   columns(rows, Eigen::all) = own - shared.Q * (shared.shrink.asDiagonal() * (shared.Q.transpose() * own));
 }
 
-/// Returns true if sharing is possible: the components that an unknown place absorbs must not reach beyond its own
-/// touches.
+/// Returns true if these readings can share noise: the components that an unknown place absorbs must not extend beyond
+/// the touches of that place.
 bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& readings) {
   const auto at = [&](const Share& share) -> const Measurement& {
     return readings[static_cast<std::size_t>(share.reading)];
@@ -64,8 +65,8 @@ bool canShare(const std::vector<Share>& shares, const std::vector<Measurement>& 
   });
 }
 
-/// Returns the stations that are worth it. Those connected by long chains of displacements mix all of their readings,
-/// which are too many.
+/// Returns true for each station whose shared noise is affordable. Stations connected by long chains of displacements
+/// mix all their readings, which are too many.
 std::vector<bool> areAffordable(const std::vector<const std::vector<Share>*>& stations,
                                 const std::vector<Measurement>& readings, Index joints) {
   constexpr double kMostNumbers = 5e6;  // largest number of entries of all Q of connected readings
@@ -96,7 +97,8 @@ SharedNoise sharedBy(const std::vector<Share>& shares, const VectorXd& sigmas, s
     auto columns = by_joints[static_cast<std::size_t>(reading)].middleCols(first, sigmas.size());
     const MatrixXd slopes = columns * sigmas.asDiagonal();
     columns.setZero();
-    if (!shared.readings.empty() && shared.readings.back() == reading) {  // a displacement that ends where it began
+    // A displacement that ends at its reference posture.
+    if (!shared.readings.empty() && shared.readings.back() == reading) {
       shared.slopes.back() += slopes;
       continue;
     }
@@ -148,7 +150,8 @@ std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm, const s
 
 namespace {
 
-/// Earlier groups that affect a noise's rows, in their order, and all readings that they mix.
+/// Earlier groups of shared noise that affect the rows of some readings, in their order, and all readings that the
+/// groups mix.
 struct Reach {
   std::vector<std::size_t> before;
   std::vector<int> mixed;
@@ -166,7 +169,7 @@ Reach reachOf(const std::vector<SharedNoise>& shared, const std::vector<int>& re
     open.erase(open.begin());
     reach.before.push_back(next);
     for (const int k : shared[next].mixed)
-      if (mixed.insert(k).second)  // these rows were zero so far: groups placed before `next` left them so
+      if (mixed.insert(k).second)  // rows of zeros so far: groups placed before `next` left them unchanged
         for (const std::size_t other : placed[static_cast<std::size_t>(k)])
           if (other > next) open.insert(other);
   }
@@ -177,8 +180,9 @@ Reach reachOf(const std::vector<SharedNoise>& shared, const std::vector<int>& re
 }  // namespace
 
 void placeSharedNoise(ReadingWeights& weights) {
-  constexpr double kSeen = 1e-9;  // eigenvalue below which the addition to a variance of one is negligible
-  std::vector<std::vector<std::size_t>> placed(weights.whitener.size());  // groups that already mix each reading
+  constexpr double kSeen = 1e-9;  // eigenvalue below which the addition to unit variance is negligible
+  // Indices of the groups that already mix each reading.
+  std::vector<std::vector<std::size_t>> placed(weights.whitener.size());
   for (std::size_t s = 0; s < weights.shared.size(); ++s) {
     SharedNoise& shared = weights.shared[s];
     const Reach reach = reachOf(weights.shared, shared.readings, placed);

@@ -1,4 +1,4 @@
-// Noise common to several readings: errors of encoders that were read once for all of them.
+// Noise shared by several readings: errors of encoders that were read once for all of them.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,44 +11,45 @@
 
 namespace tubeplan::calibration {
 
-/// The encoders' errors at one posture, which affect every reading there: several readings at the same joint values,
-/// and the reference posture of a campaign's displacements.
+/// Encoder errors at one posture, which affect every reading there: several readings at the same joint values, and the
+/// reference posture of a campaign's displacements.
 ///
-/// With the readings' own noise whitened, the covariance with common errors is I + U U^T, U the whitened
-/// slopes times the encoders' standard deviations. Its inverse root is I - Q diag(shrink) Q^T, with Q the
-/// eigenvectors of U U^T and shrink = 1 - (1 + eigenvalue)^(-1/2).
+/// With the readings' own noise whitened, the covariance with shared errors is I + U U^T, where U is the whitened
+/// derivatives times the encoders' standard deviations. The inverse square root of this covariance is I - Q
+/// diag(shrink) Q^T, where Q holds the eigenvectors of U U^T and shrink = 1 - (1 + eigenvalue)^(-1/2).
 struct SharedNoise {
   std::vector<int> readings;
-  /// Rows x joints of each reading [m, rad], per standard deviation of an encoder.
+  /// Derivatives of each reading (rows x joints) with respect to the joints, times the encoders' standard deviations
+  /// [m].
   std::vector<Eigen::MatrixXd> slopes;
-  std::vector<int> mixed;  ///< these readings, and those that share other noise with them
-  Eigen::MatrixXd Q;       ///< rows of `mixed`, one after another
+  std::vector<int> mixed;  ///< indices of `readings`, and of all readings that share other noise with them
+  Eigen::MatrixXd Q;       ///< eigenvectors of U U^T, with the stacked rows of the readings `mixed`
   Eigen::VectorXd shrink;
 };
 
 struct ReadingWeights;
 
-/// Returns the standard deviation of each joint's reading [rad, m].
+/// Returns the standard deviation of each joint reading [rad, m].
 [[nodiscard]] Eigen::VectorXd encoderSigmas(const deflection::Arm& arm);
 
-/// Returns the shared noise, from the matrix `by_joints` of each reading (ReadingPredictor), smallest groups first; Q
-/// and shrink are still empty. In `by_joints` only the noise of a reading alone is left, the rest is set to zero.
-/// Touches of an unknown point share noise only with touches of that point.
+/// Returns the shared noise, smallest groups first, from the matrix `by_joints` of each reading (ReadingPredictor). Q
+/// and shrink are still empty. On return, `by_joints` keeps only the noise of single readings; the rest is set to zero.
+/// Touches of an unknown point share noise only with touches of the same point.
 [[nodiscard]] std::vector<SharedNoise> separateSharedNoise(const deflection::Arm& arm,
                                                            const std::vector<Measurement>& readings,
                                                            std::vector<Eigen::MatrixXd>& by_joints);
 
-/// Returns the first row of each of these readings when they are stacked alone, and the total number of rows.
+/// Returns the first row of each of these readings if only they are stacked, and the total number of rows.
 [[nodiscard]] std::pair<std::map<int, Eigen::Index>, Eigen::Index> rowsAlone(const ReadingWeights& weights,
                                                                              const std::vector<int>& readings);
 
-/// Computes Q and shrink of the weights' shared noise from their whiteners.
+/// Computes Q and shrink of `weights.shared` from the whiteners.
 void placeSharedNoise(ReadingWeights& weights);
 
-/// Transforms whitened columns (rows of `weights`) to those of readings without common noise.
+/// Transforms whitened columns, which have the rows of `weights`, to columns of readings without shared noise.
 void decorrelate(const ReadingWeights& weights, Eigen::Ref<Eigen::MatrixXd> columns);
 
-/// Transforms the rows of these readings alone, one after another; noise shared with other readings remains.
+/// Transforms the stacked rows of these readings alone; noise shared with other readings remains.
 void decorrelateWithin(const ReadingWeights& weights, const std::vector<int>& readings,
                        Eigen::Ref<Eigen::MatrixXd> rows);
 

@@ -17,24 +17,27 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Largest number used; ambiguities that remain with so many remain with more.
+// Largest number of readings used; ambiguities that remain with so many would remain with more.
 constexpr std::size_t kMostReadings = 400;
-constexpr double kAsGood = 4;  // range of chi-square with priors within which sizes explain the readings equally well
-constexpr double kPromising = 0.5;  // share of the best fall of chi-square from which a fit is started
-constexpr double kApart = 3;        // standard deviations by which other sizes differ
-constexpr double kDecides = 4;      // standard deviations of a reading by which it distinguishes two modes
+// Increase of chi-square (with priors) up to which sizes explain the readings equally well.
+constexpr double kAsGood = 4;
+constexpr double kPromising = 0.5;  // fraction of the best decrease of chi-square from which a fit is started
+constexpr double kApart = 3;        // least difference between two modes, in standard deviations
+// Least difference of predictions that distinguishes two modes, in standard deviations of the reading.
+constexpr double kDecides = 4;
 constexpr int kIterations = 20;
-constexpr double kExact = 1e-6;                      // error of a tip with encoders that state no noise [m]
-constexpr double kStretch = 0.05, kMostStretch = 3;  // step of the common factor of sizes, and its largest value
-constexpr double kAmplitudes[] = {0.0125, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8};  // as shares of the typical size
+constexpr double kExact = 1e-6;                      // tip error assumed if no encoder noise is stated [m]
+constexpr double kStretch = 0.05, kMostStretch = 3;  // step and largest value of the common factor of all sizes
+// Trial amplitudes, as fractions of the typical size.
+constexpr double kAmplitudes[] = {0.0125, 0.025, 0.05, 0.1, 0.2, 0.4, 0.8};
 
-/// One or two sizes that differ from their neutral values, with the sign of each.
+/// One or two sizes that differ from their neutral values, and the sign of each difference.
 struct Direction {
-  std::vector<std::size_t> sizes;  ///< indices among the unknowns
+  std::vector<std::size_t> sizes;  ///< indices of the sizes among the unknowns
   VectorXd signs;
 };
 
-/// Search over the sizes of one effect, singly and in pairs, with everything else that was fitted.
+/// Search over the sizes of one effect, singly and in pairs, with all other unknowns fitted again.
 class SizeSearch {
  public:
   explicit SizeSearch(const SizeModesQuestion& question) : asked_(question) {
@@ -74,7 +77,7 @@ class SizeSearch {
  private:
   [[nodiscard]] bool isSize(std::size_t k) const { return std::ranges::find(asked_.sizes, k) != asked_.sizes.end(); }
 
-  /// Returns the unknowns with these sizes after all others, 0 at neutral values.
+  /// Returns all other unknowns, then the sizes of the direction, which are 0 at their neutral values.
   [[nodiscard]] std::vector<Unknown> unknownsOf(const Direction& direction) const {
     std::vector<Unknown> unknowns = others_;
     for (const std::size_t k : direction.sizes)
@@ -82,7 +85,8 @@ class SizeSearch {
     return unknowns;
   }
 
-  /// Returns the directions: each size alone with either sign, and each pair of one quantity in between.
+  /// Returns the search directions: each size alone with either sign, and the diagonals of each pair of sizes of the
+  /// same quantity.
   [[nodiscard]] std::vector<Direction> directions() const {
     std::vector<Direction> directions;
     for (auto i = asked_.sizes.begin(); i != asked_.sizes.end(); ++i)
@@ -106,7 +110,7 @@ class SizeSearch {
                                                                 : std::numeric_limits<double>::infinity();
   }
 
-  /// Returns the best of some amplitudes in a direction, with all else as it was found.
+  /// Returns the best of several amplitudes along a direction, with all other unknowns as found.
   [[nodiscard]] VectorXd bestAlong(const Direction& direction, const std::vector<Unknown>& unknowns) const {
     VectorXd best = zerosOf(unknowns);
     double least = std::numeric_limits<double>::infinity();
@@ -122,7 +126,7 @@ class SizeSearch {
     return best;
   }
 
-  /// Returns the standard deviations of all sizes, 0 for those that are not among the last unknowns.
+  /// Returns the standard deviations of all sizes; 0 for sizes that are not among the last unknowns of the problem.
   [[nodiscard]] VectorXd sigmaAt(const LeastSquaresProblem& problem, const VectorXd& x,
                                  const std::vector<std::size_t>& sizes) const {
     VectorXd sigma = VectorXd::Zero(static_cast<Index>(asked_.sizes.size())), r;
@@ -169,7 +173,7 @@ class SizeSearch {
     return mode;
   }
 
-  /// Returns the state with all sizes of a mode multiplied by a factor: 1 leaves them, 0 makes the effect neutral.
+  /// Returns the state with all sizes of a mode multiplied by a factor: 1 changes nothing, 0 makes the effect neutral.
   [[nodiscard]] PlacedArm stretched(const SizeMode& mode, double by) const {
     PlacedArm state = mode.state;
     for (std::size_t k = 0; k < asked_.sizes.size(); ++k) {
@@ -180,8 +184,8 @@ class SizeSearch {
     return state;
   }
 
-  /// Returns the chi-square of the readings; for a count of steps it measures the distance beyond its tolerances, by
-  /// the encoders' noise.
+  /// Returns the chi-square of the readings. For a step count, only the distance beyond the tolerances counts, relative
+  /// to encoder noise.
   [[nodiscard]] double disagreementOf(const PlacedArm& state) const {
     double sum = 0;
     for (std::size_t k = 0; k < readings_.size(); ++k) {
@@ -201,7 +205,8 @@ class SizeSearch {
     return sum;
   }
 
-  /// Sets for each size how far all may be multiplied, up and down, with the readings still explained.
+  /// Sets the limits of each size: the range over which all sizes may be multiplied by a common factor while the
+  /// readings are still explained.
   void findRange(SizeMode& mode) const {
     const double limit = disagreementOf(mode.state) + kAsGood;
     double down = 1, up = 1;
@@ -215,7 +220,7 @@ class SizeSearch {
     mode.upper = least.cwiseMax(most).cwiseMax(mode.values + doubt);
   }
 
-  /// Adds a mode, or replaces a similar one if it is better by more than the penalty of a number.
+  /// Adds a mode, or replaces a similar mode if the new one is better by more than the penalty for a parameter.
   static void keep(const SizeMode& mode, std::vector<SizeMode>& modes) {
     if (!std::isfinite(mode.cost)) return;
     for (SizeMode& other : modes) {
@@ -238,7 +243,8 @@ class SizeSearch {
   ReadingWeights weights_;
 };
 
-/// Returns the kinds of which a single reading, made where the readings were, would distinguish the two states.
+/// Returns the kinds of measurement of which a single reading at the postures of `readings` would distinguish the two
+/// states.
 std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm& other,
                                            const std::vector<Measurement>& readings) {
   std::vector<MeasurementKind> kinds;
@@ -252,7 +258,8 @@ std::vector<MeasurementKind> decidingKinds(const PlacedArm& one, const PlacedArm
       if (kind.names_hole && !asked.p_W) continue;
       const auto here = toolAt(one, asked), there = toolAt(other, asked);
       if (!here || !there) continue;
-      // A touch states its hole, and the joints follow: the tips differ by as much as the measured place would.
+      // A touch states its hole, and the joint readings follow: the predicted tips differ by as much as a measured
+      // position would.
       kind.record(*here, 1, MeasuredValue::Zero(6), asked);
       const double apart = kind.is_touch ? (here->p_W - there->p_W).norm()
                                          : (predictedValue(asked, *there) - predictedValue(asked, *here)).norm();

@@ -1,8 +1,8 @@
-// All sizes of an effect that explain readings equally.
+// All sizes of an effect that explain the readings equally well.
 //
-// Readings of steps do not show on which side the tip is. The likelihood of an effect that moves it is then a ring, or
-// has several minima, and a fit stops at one of them. One or two sizes at a time are searched in every direction
-// again: if others explain the readings as well, the answer is the set of them.
+// Readings of kind `steps` do not show on which side of the hole the tip is. If an effect moves the tip, the likelihood
+// of the effect's sizes is a ring or has several maxima, and a fit stops at one of the maxima. One or two sizes at a
+// time are therefore searched again in every direction. All sizes that explain the readings equally well are returned.
 #pragma once
 
 #include <limits>
@@ -13,36 +13,39 @@
 
 namespace tubeplan::calibration {
 
-/// A fit, and those of its unknowns that are the sizes of one effect.
+/// A fit, and the unknowns of the fit that are the sizes of one effect.
 struct SizeModesQuestion {
   const PlacedArm& placed;
   const std::vector<Unknown>& unknowns;  ///< variables that are 0 at `placed`
-  std::vector<std::size_t> sizes;        ///< indices in `unknowns`
-  Eigen::VectorXd sigma;                 ///< sigma of each size as found; 0 if it was held
+  std::vector<std::size_t> sizes;        ///< indices of the effect's sizes in `unknowns`
+  Eigen::VectorXd sigma;                 ///< standard deviation of each size as found; 0 if the size was held
   const std::vector<Measurement>& readings;
-  double model_error = 0;  ///< [m]
+  double model_error = 0;  ///< standard deviation of the model error per coordinate [m]
   StopQuestion stop = {};
 };
 
-/// Sizes that explain the readings. A count of steps limits the centring error to an interval, and does not mean its
-/// middle: however often the same count is read, the sizes may be anything within the intervals.
+/// Sizes that explain the readings. A step count limits the centring error to an interval whose middle is no likelier
+/// than the rest. However often the same count is read, the sizes may lie anywhere within the intervals.
 struct SizeMode {
   PlacedArm state;
-  Eigen::VectorXd values, sigma;  ///< value and sigma of each size; sigma is 0 if it has no effect
-  Eigen::VectorXd lower, upper;   ///< limits of each size, all in proportion; two sigmas at least
-  double cost = std::numeric_limits<double>::infinity();  ///< chi-square with priors
+  Eigen::VectorXd values, sigma;  ///< value and standard deviation of each size; 0 deviation if the size has no effect
+  /// Limits of each size if all sizes vary in proportion; at least two sigmas from the value.
+  Eigen::VectorXd lower, upper;
+  double cost = std::numeric_limits<double>::infinity();  ///< chi-square including priors
   bool is_as_found = false;
 };
 
 struct SizeModes {
-  std::vector<SizeMode> modes;              ///< most probable first, all equally good; none: not searched
-  std::vector<MeasurementKind> decided_by;  ///< kinds of which one reading would distinguish the first and the last
+  std::vector<SizeMode> modes;  ///< most probable first; all explain the readings equally well; empty: not searched
+  /// Kinds of measurement; one reading of such a kind would distinguish the first from the last mode.
+  std::vector<MeasurementKind> decided_by;
 };
 
-/// Searches if readings of steps are present; no other kind has this ambiguity. Throws WorkStopped if it was stopped.
+/// Searches only if readings of kind `steps` are present; no other kind has this ambiguity. Throws WorkStopped if
+/// stopped.
 [[nodiscard]] SizeModes findSizeModes(const SizeModesQuestion& question);
 
-/// Returns "one reading of kind position or offset decides", for kinds that would distinguish the sizes.
+/// Returns a text such as "one reading of kind position or offset decides", for kinds that would distinguish the sizes.
 [[nodiscard]] std::string decidedByText(const std::vector<MeasurementKind>& kinds);
 
 }  // namespace tubeplan::calibration

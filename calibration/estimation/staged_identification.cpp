@@ -12,13 +12,13 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Results of the stages so far: variables that are 0 at the present state, and their covariance.
+/// Results of the stages so far: variables that are 0 at the present state, and the covariance of the variables.
 struct Found {
   std::vector<Unknown> unknowns;
   MatrixXd covariance;
 };
 
-/// The places of a stage's readings among all.
+/// Returns the indices of a stage's readings among all readings.
 std::vector<int> placesOf(const std::vector<Measurement>& all, const std::string& setup) {
   std::vector<int> places;
   for (std::size_t k = 0; k < all.size(); ++k)
@@ -26,7 +26,7 @@ std::vector<int> placesOf(const std::vector<Measurement>& all, const std::string
   return places;
 }
 
-/// Whoever reads the result knows all readings, not the stage's.
+/// Converts the indices of a stage's result from the stage's readings to all readings, which is what the caller knows.
 void countAmongAll(const std::vector<int>& places, Identification& stage) {
   const auto rename = [&](int& reading) { reading = places[static_cast<std::size_t>(reading)]; };
   for (auto& outlier : stage.outliers) rename(outlier.reading);
@@ -34,7 +34,7 @@ void countAmongAll(const std::vector<int>& places, Identification& stage) {
   if (stage.reading_problem && stage.reading_problem->reading >= 0) rename(stage.reading_problem->reading);
 }
 
-/// Computes sigmas and intervals again from a larger covariance.
+/// Recomputes sigmas and intervals from an increased covariance.
 void inflateCovariance(Identification& stage) {
   for (std::size_t i = 0; i < stage.numbers.size(); ++i) {
     auto& number = stage.numbers[i];
@@ -46,8 +46,8 @@ void inflateCovariance(Identification& stage) {
   }
 }
 
-/// Adds the uncertainty of held numbers. Their errors move a stage's optimum by A = -C J^T J_held, with C its posterior
-/// covariance.
+/// Adds the uncertainty of held parameters. Their errors move the optimum of a stage by A = -C J^T J_held, where C is
+/// the posterior covariance of the stage.
 void carry(const std::vector<Measurement>& readings, Found& found, Identification& stage) {
   auto own = fittedUnknowns(stage);
   const auto weights = weighReadings(stage.fitted, readings, {}, stage.model_error);
@@ -68,7 +68,7 @@ void carry(const std::vector<Measurement>& readings, Found& found, Identificatio
   found.unknowns = both;
 }
 
-/// Returns true for a number that a stage frees again, and so does not hold.
+/// Returns true for a parameter that the stage frees again, and therefore does not hold.
 bool isFreed(const Identification& stage, const Unknown& number) {
   return std::ranges::any_of(stage.numbers,
                              [&](const IdentifiedNumber& own) { return own.unknown.name == number.name; });
@@ -86,7 +86,7 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
   for (const auto& stage : stages) {
     IdentificationOptions now = options;
     now.free.names = stage.names;
-    now.uncertainty.reset();  // of one stage's readings alone it would not be that of all
+    now.uncertainty.reset();  // the uncertainty from one stage's readings would not be that from all readings
     const auto places = placesOf(readings, stage.setup);
     PlacedArm from{state.arm, {}};
     for (const auto& base_pose : state.base_poses)
@@ -95,7 +95,7 @@ std::vector<Identification> identifyInStages(const PlacedArm& start, const std::
     Identification& result = results.back();
     countAmongAll(places, result);
     if (result.status == IdentificationStatus::kRefused || result.fitted.arm.rows.empty()) return results;
-    // Only numbers of the arm are carried: a stage finds its own base poses.
+    // Only parameters of the arm are carried over: each stage finds its own base poses.
     Found carried;
     std::vector<Index> arm_numbers;
     for (std::size_t k = 0; k < found.unknowns.size(); ++k)

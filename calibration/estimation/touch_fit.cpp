@@ -15,10 +15,11 @@ using Eigen::Index, Eigen::Isometry3d, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::
 
 namespace {
 
-constexpr double kFarthest = 8;  // largest deviation of a number in a fit, in standard deviations
+constexpr double kFarthest = 8;  // largest deviation of a parameter in a fit, in standard deviations
 constexpr int kModelErrorRounds = 24;
 
-/// Least-squares problem of touches with a base and uncertain numbers of the arm; x is the base's step, then z.
+/// Least-squares problem of touches with a base and uncertain parameters of the arm. The variables x are the base step,
+/// then z.
 class TouchProblem {
  public:
   TouchProblem(const deflection::Arm& arm, const UncertainNumbers& numbers, const std::vector<Measurement>& touches,
@@ -40,8 +41,8 @@ class TouchProblem {
     return arm;
   }
 
-  /// Computes the covariance of each touch from its own and its encoders' noise at x, and L^-1 of it with a model
-  /// error; false if a shape does not converge.
+  /// Computes the covariance of each touch at x from its own noise and encoder noise, and the whitener L^-1 of that
+  /// covariance with a model error added; returns false if a shape does not converge.
   bool weigh(const VectorXd& x, double model_error) {
     const deflection::Arm arm = armAt(x);
     const Isometry3d X_WB = baseAt(x);
@@ -60,8 +61,8 @@ class TouchProblem {
     return true;
   }
 
-  /// Computes whitened errors and their slopes by x, followed by those of z's prior; errors in metres if `error` is not
-  /// null.
+  /// Computes whitened errors and their derivatives with respect to x, followed by those of the prior of z; also the
+  /// errors in metres if `error` is not null.
   bool evaluate(const VectorXd& x, VectorXd& r, MatrixXd* jacobian, Eigen::Matrix3Xd* error = nullptr) const {
     const deflection::Arm arm = armAt(x);
     const Isometry3d X_WB = baseAt(x);
@@ -102,7 +103,8 @@ class TouchProblem {
     return problem;
   }
 
-  /// Returns the covariance of the base's step from its fitted place and of the numbers' variables, by the slopes at x.
+  /// Returns the covariance of the base step from the fitted pose and of the parameters' variables, given the Jacobian
+  /// at x.
   [[nodiscard]] MatrixXd covarianceAt(const VectorXd& x, const MatrixXd& jacobian) const {
     const Index n = numbers_.root.rows();
     MatrixXd back = MatrixXd::Zero(6 + n, variables());
@@ -123,7 +125,7 @@ class TouchProblem {
   }
 
  private:
-  /// Returns the slopes from each number's variable to its value.
+  /// Returns the derivative of each parameter's value with respect to its variable.
   [[nodiscard]] Eigen::DiagonalMatrix<double, Eigen::Dynamic> numberSlopes(const VectorXd& x) const {
     VectorXd slopes = numbers_.root * x.tail(x.size() - 6);
     for (Index k = 0; k < slopes.size(); ++k)
@@ -142,7 +144,7 @@ class TouchProblem {
 constexpr const char* kTooCompliant =
     "the model cannot be evaluated at the touches: the arm is too compliant for its load";
 
-/// Minimises with weights that are computed again at the minimum, once.
+/// Minimises twice, the second time with weights computed again at the first minimum.
 bool minimize(TouchProblem& problem, double model_error, LeastSquaresMethod method, VectorXd& x, TouchFit& fit) {
   for (int round = 0; round < 2; ++round) {
     if (!problem.weigh(x, model_error)) {
@@ -164,7 +166,7 @@ bool minimize(TouchProblem& problem, double model_error, LeastSquaresMethod meth
   return true;
 }
 
-/// Finds the model error with which chi-square equals its degrees of freedom.
+/// Finds the model error at which chi-square equals its degrees of freedom.
 bool findModelError(TouchProblem& problem, LeastSquaresMethod method, VectorXd& x, TouchFit& fit) {
   const double refused = fit.chi2;
   double low = fit.model_error, high = low + fit.error_W.norm() / std::sqrt(static_cast<double>(fit.error_W.size()));

@@ -1,11 +1,12 @@
-// The most probable base, and the most probable numbers of the arm beside it, by touches of known holes.
+// The most probable base pose, and the most probable parameters of the arm, given touches of known holes.
 //
-// With z the numbers as independent standard normals (UncertainNumbers) and s a step of the base, the fit minimises
+// Let z be the parameters as independent standard normal variables (UncertainNumbers) and s a step of the base. The fit
+// minimises
 //     sum_k |L_k^-1 (tip_k(s, z) - hole_k)|^2 + |z|^2,
-// L_k L_k^T the covariance of a touch by its own noise, its encoders' and the model's stated error. The uncertainty of
-// the arm's file is so part of the base's covariance: a touch moves the base only by the part of its error that the
-// arm's numbers cannot explain. The minimum has 3 n - 6 degrees of freedom if the numbers have their stated
-// uncertainty.
+// where L_k L_k^T is the covariance of a touch: its own noise, encoder noise and the stated model error. In this way,
+// the covariance of the base includes the uncertainty of the arm's file: a touch moves the base only by the part of its
+// error that the arm's parameters cannot explain. The minimum has 3 n - 6 degrees of freedom, n the number of touches,
+// if the parameters have their stated uncertainty.
 #pragma once
 
 #include <optional>
@@ -18,46 +19,47 @@
 namespace tubeplan::calibration {
 
 struct TouchFitOptions {
-  double model_error = 0;  ///< per coordinate beyond noise and numbers, known beforehand [m]
-  /// True: if chi-square rejects that (p < 0.01), the model error is increased as it requires.
+  /// Standard deviation of the model error per coordinate beyond noise and parameters, known beforehand [m].
+  double model_error = 0;
+  /// True: if chi-square rejects the fit (p < 0.01), the model error is increased as far as needed.
   bool finds_model_error = true;
   LeastSquaresMethod method = LeastSquaresMethod::kHybrid;
 };
 
-/// Variables that are uncertain together and zero at the present base and arm: the base's six first, then numbers.
+/// Jointly uncertain variables, all zero at the present base and arm: the six of the base first, then parameters.
 struct JointUncertainty {
   std::vector<Unknown> numbers;
-  Eigen::MatrixXd covariance;  ///< (6 + n) x (6 + n), of the base's step and of the numbers' variables
+  Eigen::MatrixXd covariance;  ///< covariance of the base step and the parameters' variables, (6 + n) x (6 + n)
 };
 
-/// Base and arm as touches have them.
+/// Base and arm as determined by touches.
 struct TouchedBase {
   int iterations = 0;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  deflection::Arm arm;                ///< with its numbers where the touches have them: the one that stands at X_WB
-  JointUncertainty uncertainty;       ///< about X_WB and `arm`
-  double model_error = 0;             ///< m per coordinate, as counted
-  bool is_model_error_found = false;  ///< by these touches: it is more than was known beforehand
-  double chi2 = kNotKnown;            ///< by what was known beforehand
+  deflection::Arm arm;                ///< the arm with the parameter values found from the touches, standing at X_WB
+  JointUncertainty uncertainty;       ///< joint uncertainty of base and parameters about X_WB and `arm`
+  double model_error = 0;             ///< standard deviation per coordinate included in the covariance [m]
+  bool is_model_error_found = false;  ///< true: these touches require a larger model error than was known beforehand
+  double chi2 = kNotKnown;            ///< chi-square with the model error known beforehand
   int degrees_of_freedom = 0;
   double p_value = kNotKnown;
 };
 
 struct TouchFit : TouchedBase {
   LeastSquaresStatus status = LeastSquaresStatus::kNotRun;
-  std::string reason;                  ///< why it is not kConverged
-  std::vector<Eigen::Matrix3d> noise;  ///< of each touch by its own noise and its encoders' [m^2]
-  Eigen::Matrix3Xd error_W;            ///< tip less hole of each touch [m]
+  std::string reason;                  ///< reason if the status is not kConverged
+  std::vector<Eigen::Matrix3d> noise;  ///< covariance of each touch due to its own noise and encoder noise [m^2]
+  Eigen::Matrix3Xd error_W;            ///< tip minus hole of each touch, in world axes [m]
 };
 
-/// Fits touches of known places, three or more and not on a line, from a base nearby or, after an alignment, from
-/// anywhere.
+/// Fits three or more touches of known positions, not on one line, starting from a nearby base or, after an alignment,
+/// from any base.
 [[nodiscard]] TouchFit fitTouches(const deflection::Arm& arm, const UncertainNumbers& numbers,
                                   const std::vector<Measurement>& touches, const Eigen::Isometry3d& X_WB_start,
                                   const TouchFitOptions& options = {});
 
-/// Returns the remaining uncertainty of a base and an arm that were calibrated by these touches; nothing if a shape
-/// does not converge. `model_error` [m] as in TouchFit.
+/// Returns the joint uncertainty that remains after a base and an arm were calibrated with these touches; empty if a
+/// shape does not converge. `model_error` [m] is as in TouchFit.
 [[nodiscard]] std::optional<JointUncertainty> uncertaintyByTouches(const deflection::Arm& arm,
                                                                    const Eigen::Isometry3d& X_WB,
                                                                    const UncertainNumbers& numbers,

@@ -1,4 +1,4 @@
-// Checks for touches that cannot place a base, made before anything is solved.
+// Checks for touches that cannot determine a base, made before anything is solved.
 #include <algorithm>
 #include <set>
 
@@ -8,9 +8,11 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kSameHole = 2.5e-3;  ///< less than the distance of any two holes of a sheet [m] (0.1 in)
+/// Distance below which two holes count as the same, less than that between any two holes of a sheet [m] (0.1 in).
+constexpr double kSameHole = 2.5e-3;
 
-/// Returns the least spread of the points across any line relative to their longest spread: zero on a line.
+/// Returns the spread of the points perpendicular to their best-fit line, relative to their spread along the line; zero
+/// if they lie on a line.
 double flatness(const std::vector<Measurement>& touches) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const auto& touch : touches) centre += (*touch.p_W) / static_cast<double>(touches.size());

@@ -11,11 +11,11 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kFarBetter = 0.25;        // largest share of chi-square that a supposed hole may leave
-constexpr std::size_t kLeastOthers = 4;    // touches: any three fit nearly anything
+constexpr double kFarBetter = 0.25;        // largest fraction of chi-square that may remain with a supposed hole
+constexpr std::size_t kLeastOthers = 4;    // least number of other touches: any three fit nearly any base
 constexpr double kFirstStep = 2e-3;        // first correction of a misread joint in the search [rad or m]
-constexpr double kMostMisread = 0.2;       // [rad or m]
-constexpr std::size_t kMostSuspected = 3;  // number of readings that are named
+constexpr double kMostMisread = 0.2;       // largest correction of a misread joint [rad or m]
+constexpr std::size_t kMostSuspected = 3;  // largest number of joint readings named
 
 TouchFit fitOf(const TouchesToExplain& asked, const std::vector<Measurement>& touches, double model_error) {
   return fitTouches(asked.arm, asked.numbers, touches, asked.X_WB, {model_error, false, asked.options.method});
@@ -25,20 +25,20 @@ double rmsOf(const Eigen::Matrix3Xd& error_W) {
   return error_W.norm() / std::sqrt(static_cast<double>(error_W.cols()));
 }
 
-/// The touches with one joint of one of them corrected.
+/// The touches with one joint reading of one touch corrected.
 class CorrectedReading {
  public:
   CorrectedReading(const TouchesToExplain& asked, std::size_t touch, Eigen::Index joint)
       : asked_(asked), touches_(asked.touches), touch_(touch), joint_(joint) {}
 
-  /// Returns the chi-square with `added` to the reading; infinite if no base is found.
+  /// Returns the chi-square with `added` added to the joint reading; infinite if no base is found.
   double chi2At(double added) {
     touches_[touch_].q[joint_] = asked_.touches[touch_].q[joint_] + added;
     const TouchFit fit = fitOf(asked_, touches_, asked_.options.model_error);
     return fit.status == LeastSquaresStatus::kConverged ? fit.chi2 : std::numeric_limits<double>::infinity();
   }
 
-  /// Returns the correction with the least chi-square, by parabolas through three converging corrections.
+  /// Returns the correction with the least chi-square, found by parabolas through three ever closer corrections.
   double best() {
     constexpr int kRounds = 4;
     double at = 0, step = kFirstStep;

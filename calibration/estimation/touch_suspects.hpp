@@ -1,5 +1,5 @@
-// Possible errors of touches that no base fits: a hole mistaken for its neighbour, a touch that does not belong to the
-// others, a wrong joint reading.
+// Possible errors of touches that fit no base: a hole mistaken for its neighbour, an odd touch among the others, a
+// wrong joint reading.
 #pragma once
 
 #include <string>
@@ -9,27 +9,27 @@
 
 namespace tubeplan::calibration {
 
-/// Touches to explain, and the conditions of their fit.
+/// Touches to explain, and the settings of their fit.
 struct TouchesToExplain {
   const deflection::Arm& arm;
   const UncertainNumbers& numbers;
   const std::vector<Measurement>& touches;
-  const Eigen::Isometry3d& X_WB;  ///< base near which they are fitted
+  const Eigen::Isometry3d& X_WB;  ///< start of the touches' fits, near the base
   const BaseCalibrationOptions& options;
 };
 
-/// Returns sentences on holes that, named instead of a neighbour, make the touches fit, best first. The model's usual
-/// error is allowed for; `chi2` is that of the touches as they are, fitted in the same way.
+/// Returns a sentence for each neighbouring hole that makes the touches fit if it replaces the named hole, best first.
+/// The model's usual error is allowed for. `chi2` is that of the touches as stated, fitted in the same way.
 [[nodiscard]] std::vector<std::string> findMistakenHoles(const TouchesToExplain& asked, double chi2);
 
-/// The only touch, of four or more, without which the others fit, and their rms then [m]; -1 if there is none.
+/// The only touch, of four or more, without which the others fit (-1: none), and the rms of these others [m].
 struct OddTouch {
   int touch = -1;
   double rms_of_others = kNotKnown;
 };
 [[nodiscard]] OddTouch findOddTouch(const TouchesToExplain& asked);
 
-/// Returns the joint readings that, each corrected alone, make the touches fit, likeliest first.
+/// Returns the joint readings each of which, if corrected alone, makes the touches fit, likeliest first.
 [[nodiscard]] std::vector<SuspectReading> findSuspectReadings(const TouchesToExplain& asked);
 
 }  // namespace tubeplan::calibration

@@ -15,7 +15,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// Sets the unknown places, with the readings that share each.
+/// Lists the unknown places, each with the readings that share it.
 void groupByPlace(const std::vector<Measurement>& readings, ReadingWeights& weights) {
   std::map<std::string, std::size_t> index;
   for (std::size_t k = 0; k < readings.size(); ++k) {
@@ -50,7 +50,8 @@ void eliminatePoints(const std::vector<Measurement>& readings, ReadingWeights& w
   }
 }
 
-/// Computes the slopes of each reading by the numbers of its unknown place, at this state of the arm.
+/// Computes the derivatives of each reading with respect to the parameters of its unknown place, at this state of the
+/// arm.
 bool placeColumns(const PlacedArm& placed, const std::vector<Measurement>& readings, std::vector<MatrixXd>& columns) {
   columns.resize(readings.size());
   for (std::size_t k = 0; k < readings.size(); ++k) {
@@ -66,14 +67,14 @@ bool placeColumns(const PlacedArm& placed, const std::vector<Measurement>& readi
   return true;
 }
 
-/// Returns the weight of a reading from its covariance: L^-1 of L L^T.
+/// Returns the whitener of a reading from its covariance L L^T: L^-1.
 template <int Rows>
 MatrixXd whitenerOf(const MatrixXd& covariance) {
   using Square = Eigen::Matrix<double, Rows, Rows>;
   return Eigen::LLT<Square>(Square(covariance)).matrixL().solve(Square::Identity(covariance.rows(), covariance.rows()));
 }
 
-/// Computes the slopes of each reading by its joint readings.
+/// Computes the derivatives of each reading with respect to the joint readings.
 bool jointSlopes(const PlacedArm& placed, const std::vector<Measurement>& readings, std::vector<MatrixXd>& by_joints,
                  const StopQuestion& stop) {
   by_joints.resize(readings.size());
