@@ -14,7 +14,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// The uncertain numbers, 0 at their fitted values, and their covariance over typical sizes.
+/// The uncertain parameters, as variables that are 0 at the fit, and the covariance of the variables divided by their
+/// typical sizes.
 struct Uncertain {
   Estimate about;
   MatrixXd covariance;
@@ -34,7 +35,7 @@ void append(const std::vector<Unknown>& unknowns, MatrixXd covariance, Uncertain
   uncertain.about.unknowns.insert(uncertain.about.unknowns.end(), unknowns.begin(), unknowns.end());
 }
 
-/// Returns the six unknowns of the last base pose.
+/// Returns the six unknowns of the last base pose, in order.
 std::vector<Unknown> baseUnknowns(const PlacedArm& placed) {
   PlacedArm last = placed;
   for (auto& base_pose : last.base_poses) base_pose.is_known = true;
@@ -53,7 +54,7 @@ Uncertain uncertainOf(const Identification& fit, const CentringForecastOptions& 
   return uncertain;
 }
 
-/// Returns the value that this share of them does not exceed.
+/// Returns the value that the fraction `share` of the values does not exceed.
 double quantile(std::vector<double> values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(values.size() - 1)));
   std::nth_element(values.begin(), values.begin() + at, values.end());
@@ -64,7 +65,8 @@ ForecastFigure figureOf(const std::vector<double>& of_draws) {
   return {quantile(of_draws, 0.5), quantile(of_draws, 0.025), quantile(of_draws, 0.975)};
 }
 
-/// Returns the lateral errors of all postures, two rows each, by independent standard normal variables.
+/// Returns the derivatives of the lateral errors of all postures, two rows per posture, with respect to independent
+/// standard normal variables.
 MatrixXd sidewaysErrors(const Uncertain& uncertain, const std::vector<VectorXd>& postures, double load) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(uncertain.covariance);
   const VectorXd spread = axes.eigenvalues().cwiseMax(0).cwiseSqrt();

@@ -12,13 +12,13 @@ using Eigen::Index, Eigen::MatrixXd;
 
 namespace {
 
-/// A variance of the model's own error and its probability.
+/// A possible variance of the model error, and its probability.
 struct ModelVariance {
   double weight = 1, variance = 0;
 };
 
 std::vector<ModelVariance> modelVariances(const std::optional<StatedModelError>& error) {
-  constexpr int kParts = 8;  // of equal probability, each represented by its median
+  constexpr int kParts = 8;  // parts of equal probability, each represented by its median
   if (!error) return {{1, 0}};
   const double variance = error->sigma * error->sigma;
   const int freedom = error->degrees_of_freedom;
@@ -36,7 +36,7 @@ PredictionRequest byEverything(const std::vector<Unknown>& numbers) {
   return request;
 }
 
-/// Returns the slopes of the tip by base and numbers: 3 x (6 + n).
+/// Returns the Jacobian of the tip with respect to base and parameters, 3 x (6 + n).
 MatrixXd slopesOf(const Prediction& tip, const std::vector<Unknown>& numbers) {
   const auto n = static_cast<Index>(numbers.size());
   MatrixXd slopes(3, 6 + n);
