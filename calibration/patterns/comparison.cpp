@@ -16,7 +16,7 @@ using Eigen::Index, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-/// A model at the readings that were not held out.
+/// A model evaluated at the readings that are not held out.
 struct Evaluation {
   PlacedArm placed;
   ReadingWeights weights;
@@ -64,8 +64,8 @@ ModelLackOfFit lackOfFitOf(const Evaluation& model, int fitted_numbers, double l
   return lack_of_fit;
 }
 
-/// Returns measured minus predicted in the world [m]: along the line for a reading measured along one, zero for a
-/// rotation alone.
+/// Returns measured minus predicted in the world frame [m]: along the line for a reading measured along a line, zero
+/// for a reading of rotation alone.
 Vector3d errorInWorld(const Evaluation& model, std::size_t k) {
   const auto& reading = model.scene.readings[k];
   const Index row = model.weights.first_row[k];
@@ -99,7 +99,7 @@ void describeReadings(const Evaluation& before, const Evaluation& after, const s
   }
 }
 
-/// Judges the held-out readings by themselves.
+/// Compares the held-out readings with the model, separately from the fitted readings.
 void describeHeldOut(const PlacedArm& start, const std::vector<Measurement>& readings, Comparison& result) {
   std::vector<int> which;
   std::vector<Measurement> held_out;
@@ -118,7 +118,7 @@ void listWorst(Comparison& result) {
   });
 }
 
-/// Fits the free numbers. Returns false if there is no model to continue with; `result` states why.
+/// Fits the free parameters. Returns false if there is no model to continue with; `result` then states the reason.
 bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, const ComparisonOptions& options,
            Comparison& result) {
   result.fitted = start;
@@ -138,7 +138,7 @@ bool refit(const PlacedArm& start, const std::vector<Measurement>& readings, con
   return true;
 }
 
-/// Returns the fitted model with its Jacobian by the fitted unknowns; the model alone if there are none.
+/// Returns the fitted model at the readings, with the Jacobian with respect to the fitted unknowns if there are any.
 Evaluation evaluateFitted(const PlacedArm& placed, const Identification& fit, const std::vector<Measurement>& fitted) {
   Evaluation after = evaluate(placed, fitted);
   if (!after.ok || fit.status == IdentificationStatus::kNotRun) return after;

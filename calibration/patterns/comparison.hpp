@@ -1,5 +1,5 @@
-// Comparison of a model with readings: where it fails, by how much, and what its error follows. It is made with the
-// model as it stands, and after a refit of the free numbers.
+// Comparison of a model with readings: where the model fails, by how much, and which variables its error follows. The
+// model is compared as it stands, and after a refit of the free parameters.
 #pragma once
 
 #include <string>
@@ -13,44 +13,48 @@
 namespace tubeplan::calibration {
 
 struct ComparisonOptions {
-  IdentificationOptions refit;               ///< free numbers; may be none
-  double level = kPatternLevel;              ///< level of each test by which a correct model may be said to fall short
-  WorkHooks hooks;                           ///< also of the refit
-  const Identification* refitted = nullptr;  ///< the refit, if it exists already
+  IdentificationOptions refit;   ///< options of the refit, with its free parameters, of which there may be none
+  double level = kPatternLevel;  ///< significance level of each test that may reject a correct model
+  WorkHooks hooks;               ///< hooks of the comparison, also used by the refit
+  const Identification* refitted = nullptr;  ///< result of the refit, if it exists already; null: the refit is made
 };
 
 enum class ComparisonStatus { kNotRun, kDone, kRefused, kNotConverged, kStopped };
 
-/// Verdict on a model. Inconclusive: the readings are too few, or their noise is stated too large, for a verdict.
+/// Verdict on a model. kInconclusive: the readings are too few, or their stated noise is too large, for a verdict.
 enum class Adequacy { kNotRun, kAdequate, kInadequate, kInconclusive };
 
-/// Returns "adequate", "falls-short", ...
+/// Returns the name of a verdict, such as "adequate" or "falls-short".
 [[nodiscard]] const char* nameOf(Adequacy adequacy);
 
-/// Returns "The model falls short", ...
+/// Returns a verdict as a clause, such as "The model falls short".
 [[nodiscard]] const char* wordsOf(Adequacy adequacy);
 
-/// Lack of fit of a model on the readings that a fit may use.
+/// Lack of fit of a model to the readings that a fit may use.
 struct ModelLackOfFit {
   ErrorSize errors;
-  double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms from noise alone [m]
+  double noise_floor = std::numeric_limits<double>::quiet_NaN();  ///< rms error due to noise alone [m]
   double chi2 = std::numeric_limits<double>::quiet_NaN();
-  int degrees_of_freedom = 0;  ///< less the numbers that the readings determine; may be none
-  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< p-value by the stated noise
-  std::string inconclusive;  ///< reason why the readings allow no verdict, and what is needed; empty if they do
+  /// Rows of the readings less the number of parameters that they determine; may not be positive.
+  int degrees_of_freedom = 0;
+  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< p-value of chi-square with the stated noise
+  /// Reason why the readings allow no verdict, and what is needed for one; empty if they allow one.
+  std::string inconclusive;
   Repeats repeats;
   Adequacy adequacy = Adequacy::kNotRun;
 };
 
-/// One reading, in the order of the file.
+/// A reading compared with the model before and after the refit, in the order of the file.
 struct ComparedReading {
   bool is_held_out = false;  ///< true: not used in the fit
-  /// Predicted tip in the world [m].
+  /// Predicted tip in the world frame [m], before and after the refit.
   Eigen::Vector3d tip_before = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   Eigen::Vector3d tip_after = tip_before;
-  /// Measured minus predicted, in the world [m]; for a distance along its line, for an unknown point from its estimate.
+  /// Measured minus predicted, in the world frame [m]: for a distance, along its line; for an unknown point, relative
+  /// to the point's estimate.
   Eigen::Vector3d error_before = tip_before, error_after = tip_before;
-  double sigmas_before = std::numeric_limits<double>::quiet_NaN();  ///< length of the whitened error
+  /// Length of the whitened error, in standard deviations.
+  double sigmas_before = std::numeric_limits<double>::quiet_NaN();
   double sigmas_after = std::numeric_limits<double>::quiet_NaN();
   /// Length of the rotational part of the error [rad]; NaN if the reading measures no rotation.
   double turn_before = std::numeric_limits<double>::quiet_NaN();
@@ -59,23 +63,24 @@ struct ComparedReading {
 
 struct Comparison {
   ComparisonStatus status = ComparisonStatus::kNotRun;
-  std::string reason;                 ///< reason if not done
-  std::vector<FreeProblem> problems;  ///< reasons if refused
+  std::string reason;                 ///< reason if the status is not kDone
+  std::vector<FreeProblem> problems;  ///< names that cannot be freed, if the status is kRefused
   ModelLackOfFit as_it_stands, after_refit;
-  Identification refit;  ///< the refit; not run if nothing is free
+  Identification refit;  ///< result of the refit; kNotRun if nothing is free
   PlacedArm fitted;      ///< the model after the refit
   std::vector<ComparedReading> readings;
-  std::vector<int> worst;                        ///< indices of the fitted readings after the refit, most sigmas first
-  PatternSearch patterns;                        ///< patterns of the lack of fit after the refit
-  JointEquivalents joints_before, joints_after;  ///< columns in the order of `used`
-  std::vector<int> used;                         ///< indices of readings that are not held out
-  Adequacy verdict = Adequacy::kNotRun;          ///< after the refit
-  std::vector<std::string> grounds;              ///< reasons for any verdict other than adequate, one clause each
-  bool noise_disagrees = false;                  ///< true: repeats reject the stated noise, and are used instead
+  std::vector<int> worst;  ///< indices of the fitted readings, largest whitened error after the refit first
+  PatternSearch patterns;  ///< patterns in the residual after the refit
+  /// Residual as joint corrections before and after the refit; columns in the order of `used`.
+  JointEquivalents joints_before, joints_after;
+  std::vector<int> used;                 ///< indices of the readings that are not held out
+  Adequacy verdict = Adequacy::kNotRun;  ///< verdict after the refit
+  std::vector<std::string> grounds;      ///< reasons for any verdict other than kAdequate, one clause each
+  bool noise_disagrees = false;          ///< true: repeats reject the stated noise, and their noise is used instead
 };
 
-/// Returns the lack of fit of a fit on its own readings, judged as by compare(); not run if the model cannot be
-/// evaluated there.
+/// Returns the lack of fit of an identified model to its own readings, judged as by compare(). Adequacy::kNotRun if the
+/// model cannot be evaluated there.
 [[nodiscard]] ModelLackOfFit lackOfFitOf(const Identification& fit, const std::vector<Measurement>& readings,
                                          double level = kPatternLevel);
 

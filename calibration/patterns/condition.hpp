@@ -1,7 +1,7 @@
-// An error that follows a condition stated by the readings: one pattern for each row of deflection/conditions.hpp.
+// Error that depends on a condition stated by the readings: one pattern for each row of deflection/conditions.hpp.
 //
-// Basis: the condition; for conditions with slow effects (a drift, a slip of the base), slow waves over its range. If
-// there are enough readings, up to twelve cycles form a second variable.
+// Basis: the condition itself; for conditions with slow effects (a drift, a slip of the base), slow waves over the
+// range of the condition. If there are enough readings, faster waves of up to twelve cycles form a second variable.
 #pragma once
 
 #include "calibration/patterns/pattern.hpp"

@@ -1,4 +1,5 @@
-// An error that is the same at every reading: in the world, seen from the base's axis, or in the tool.
+// Error that is the same at every reading: in the world frame, in axes around the base's gravity axis, or in the tool
+// frame.
 //
 // Basis: 1.
 #pragma once

@@ -12,7 +12,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-// Least square of a direction's lever, relative to the longest, for conversion into angles.
+// Least squared lever arm of a direction, relative to the largest, for conversion to joint angles.
 constexpr double kLeastLever = 1e-4;
 
 struct Turned {

@@ -1,7 +1,8 @@
-// The residual converted into joint angles: the error of every joint's reading if there were no other cause.
+// The residual converted to joint angles: the error of every joint reading if there were no other cause.
 //
-// With J the tip's derivative by the joints and S the encoders' covariance, dq = -S J^T (J S J^T)^+ e is the least
-// correction of the readings, in encoder sigmas, that takes the predicted tip to the measured one.
+// With J the tip's Jacobian with respect to the joints, S the encoders' covariance and e the residual, dq = -S J^T (J S
+// J^T)^+ e is the least correction of the joint readings, in encoder sigmas, that moves the predicted tip to the
+// measured tip.
 #pragma once
 
 #include <limits>
@@ -11,20 +12,20 @@
 
 namespace tubeplan::calibration {
 
-/// Corrections of joint readings [rad, m on a slide], with joints in the order of the arm's active rows.
+/// Corrections of joint readings [rad, m for a prismatic joint], with joints in the order of the arm's active rows.
 struct JointEquivalents {
   bool ok = false;               ///< false: the model could not be evaluated
-  Eigen::MatrixXd corrections;   ///< joints x readings, to be added to the readings
-  Eigen::VectorXd mean, spread;  ///< mean and standard deviation of each joint's corrections
-  Eigen::VectorXd sigma;         ///< stated sigma of each encoder; 0 if none is stated
-  /// Chi-square by the encoders' noise alone; NaN if none is stated.
+  Eigen::MatrixXd corrections;   ///< corrections to be added to the joint readings, joints x readings
+  Eigen::VectorXd mean, spread;  ///< mean and standard deviation of each joint's corrections over the readings
+  Eigen::VectorXd sigma;         ///< stated standard deviation of each encoder; 0 if not stated
+  /// Chi-square of the corrections with encoder noise alone; NaN if no encoder noise is stated.
   double chi2 = std::numeric_limits<double>::quiet_NaN();
   int degrees_of_freedom = 0;
   double p_value = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Computes the corrections. `error` [m]: predicted minus measured, rows of the readings one after another. Encoders
-/// without a stated sigma count as exact beside others that have one; if none has, all joints count alike.
+/// Computes the corrections. `error` is predicted minus measured [m], with the rows of all readings stacked. Encoders
+/// without a stated sigma count as exact if others have one; if none has, all joints have equal weight.
 [[nodiscard]] JointEquivalents equivalentJoints(const PlacedArm& placed, const std::vector<Measurement>& readings,
                                                 const Eigen::VectorXd& error);
 

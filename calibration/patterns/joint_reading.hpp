@@ -1,7 +1,8 @@
-// An error that follows a joint's reading.
+// Error that depends on a joint's reading.
 //
-// Basis: sine and cosine once per turn of a revolute joint, which over part of a turn form a straight line and a bow;
-// the length and its square for a slide. A second variable has two to four cycles per turn.
+// Basis of a revolute joint: sine and cosine with one cycle per turn, which over part of a turn resemble a straight
+// line and an arc; two to four cycles per turn form a second variable. Basis of a prismatic joint: the length and its
+// square.
 #pragma once
 
 #include <cmath>
@@ -10,7 +11,7 @@
 
 namespace tubeplan::calibration::patterns::joint_reading {
 
-inline constexpr double kBeyondNoise = 50;  // encoder sigmas that a joint must move
+inline constexpr double kBeyondNoise = 50;  // least range of a joint's readings, in encoder sigmas
 
 inline std::vector<Variable> variables(const ReadingScene& scene) {
   std::vector<Variable> list;

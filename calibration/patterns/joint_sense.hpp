@@ -1,6 +1,6 @@
-// An error that follows the direction of a joint's last motion.
+// Error that depends on the direction of a joint's last motion.
 //
-// Basis: the sense of its last motion, -1 or +1; 0 if unknown.
+// Basis: the sign of the joint's last motion, -1 or +1; 0 if unknown.
 #pragma once
 
 #include "calibration/patterns/pattern.hpp"

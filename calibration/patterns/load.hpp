@@ -1,6 +1,6 @@
-// An error that follows the hung load.
+// Error that depends on the load hung from the tip.
 //
-// Basis: the load; its square too if there are three loads or more.
+// Basis: the load; also its square if there are three or more different loads.
 #pragma once
 
 #include <set>

@@ -1,6 +1,6 @@
-// An error that follows the moment about a row's axis, where the arm has compliance or clearance.
+// Error that depends on the moment about a row's axis, where the arm has compliance or clearance.
 //
-// Basis: the moment; its sign too if both occur. A moment that is a multiple of another is tested once.
+// Basis: the moment; also its sign if both signs occur. Moments that are multiples of one another are tested once.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace tubeplan::calibration::patterns::moment {
 
-inline constexpr double kSameCourse = 1e-6;    // largest 1 - |correlation| of two moments that count as the same
-inline constexpr double kLeastShare = 1e-3;    // share of the arm's largest moment from which a moment counts
-inline constexpr double kFewestOfSign = 0.05;  // least share of readings with each sign
+inline constexpr double kSameCourse = 1e-6;    // largest 1 - |correlation| of two moments that count as proportional
+inline constexpr double kLeastShare = 1e-3;    // least moment that is tested, as a fraction of the arm's largest moment
+inline constexpr double kFewestOfSign = 0.05;  // least fraction of readings with either sign for a test of the sign
 
 inline Eigen::VectorXd momentsAbout(const ReadingScene& scene, Eigen::Index row, int axis) {
   Eigen::VectorXd moments(static_cast<Eigen::Index>(scene.readings.size()));

@@ -1,6 +1,6 @@
-// An error that neighbouring readings in the file have in common.
+// Error that neighbouring readings in the file share.
 //
-// Basis: slow waves over the readings' order.
+// Basis: slow waves over the order of the readings.
 #pragma once
 
 #include "calibration/patterns/pattern.hpp"

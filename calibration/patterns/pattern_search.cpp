@@ -16,7 +16,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
-constexpr double kAbsorbed = 1e-6;  // squared share of a column's length below which it counts as absorbed
+constexpr double kAbsorbed = 1e-6;  // squared fraction of a column's norm below which the column counts as absorbed
 constexpr int kTrendSteps = 5;
 constexpr Index kFewGroups = 40;
 constexpr PatternFrame kFrames[] = {PatternFrame::kWorld, PatternFrame::kRadial, PatternFrame::kTool};
@@ -27,7 +27,7 @@ const Eigen::Matrix3d& axesOf(const ReadingScene& scene, PatternFrame frame, std
   return frame == PatternFrame::kTool ? scene.tools[k] : kWorldAxes;
 }
 
-/// Returns orthonormal columns that span the remainder `columns`, whose original lengths are given.
+/// Returns orthonormal columns that span the residual columns, given the norms of the original columns.
 MatrixXd orthonormal(const MatrixXd& columns, const VectorXd& lengths) {
   if (columns.cols() == 0) return columns;
   const MatrixXd scaled = columns * lengths.cwiseMax(1e-300).cwiseInverse().asDiagonal();
@@ -37,19 +37,19 @@ MatrixXd orthonormal(const MatrixXd& columns, const VectorXd& lengths) {
   return scaled * kept * gram.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
-/// The scene, with the space that the fitted unknowns leave to a pattern.
+/// The scene, and the columns that the fitted unknowns absorb.
 struct SearchedScene {
   const ReadingScene& scene;
   const ReadingWeights& weights;
-  MatrixXd absorbed;  ///< orthonormal: the fitted unknowns' columns
+  MatrixXd absorbed;  ///< orthonormal basis of the fitted unknowns' columns
   VectorXd r;
   int freedom = 0;
   const StopQuestion& stop;
 
   [[nodiscard]] Index rowOf(int reading) const { return weights.first_row[static_cast<std::size_t>(reading)]; }
 
-  /// Returns orthonormal columns of a basis in a frame, less the components that `others` (orthonormal) and the points
-  /// absorb.
+  /// Returns orthonormal columns of a basis in a frame, without the components that `others` (orthonormal) and the
+  /// touched points absorb.
   [[nodiscard]] MatrixXd columnsOf(const MatrixXd& basis, PatternFrame frame, const MatrixXd& others) const {
     goOn(stop);
     MatrixXd columns(weights.rows, 3 * basis.cols());
@@ -72,8 +72,8 @@ MatrixXd joined(const MatrixXd& a, const MatrixXd& b) {
   return both;
 }
 
-/// Returns lots of neighbouring readings: equal values are always together, and many values form at most kTrendSteps
-/// lots.
+/// Returns lots of readings with neighbouring values: equal values always share a lot, and many different values form
+/// at most kTrendSteps lots.
 std::vector<std::vector<int>> lotsOf(const Variable& variable) {
   std::vector<int> order;
   for (int k = 0; k < static_cast<int>(variable.value.size()); ++k)
@@ -92,7 +92,8 @@ std::vector<std::vector<int>> lotsOf(const Variable& variable) {
   return lots;
 }
 
-/// Returns the error of each reading that follows the pattern beside the fit, along the frame's axes [m].
+/// Returns, for each reading, the error component that follows the pattern in addition to the fit, in the axes of the
+/// frame [m].
 Eigen::Matrix3Xd followedErrors(const SearchedScene& search, PatternFrame frame, const VectorXd& followed) {
   const auto& scene = search.scene;
   Eigen::Matrix3Xd errors(3, static_cast<Index>(scene.readings.size()));
@@ -134,7 +135,7 @@ double tailOfF(double F, int numbers, int rest) {
   return fisherTail(F, numbers, rest);
 }
 
-/// A variable in one frame, to be tested beside others.
+/// A variable in one frame, to be tested in addition to others.
 struct Question {
   const PatternKind* kind;
   const Variable* variable;
@@ -143,14 +144,14 @@ struct Question {
 
 bool isConstant(const Variable& variable) { return variable.groups.empty() && !varies(variable.value); }
 
-/// The part of the residual that a variable explains, and its degrees of freedom.
+/// The part of the residual that a variable explains, and the number of degrees of freedom that it takes.
 struct Followed {
   VectorXd part;
   int numbers = 0;
 };
 
-/// Returns a column of ones and zeros for each group. It is for few groups, and allows readings that share components
-/// with those of other groups.
+/// Returns a column of ones and zeros for each group. This suits few groups, and allows readings that share components
+/// with readings of other groups.
 MatrixXd membershipOf(const Variable& variable) {
   MatrixXd basis = MatrixXd::Zero(variable.value.size(), static_cast<Index>(variable.groups.size()));
   for (Index k = 0; k < variable.value.size(); ++k) basis(k, static_cast<Index>(variable.value[k])) = 1;
@@ -165,7 +166,7 @@ Followed followFunctions(const SearchedScene& search, const Question& question, 
   return {columns * (columns.transpose() * r), static_cast<int>(columns.cols())};
 }
 
-/// Returns the readings of each group.
+/// Returns the indices of the readings of each group.
 std::vector<std::vector<int>> membersOf(const Variable& variable) {
   std::vector<std::vector<int>> members(variable.groups.size());
   for (Index k = 0; k < variable.value.size(); ++k)
@@ -173,9 +174,9 @@ std::vector<std::vector<int>> membersOf(const Variable& variable) {
   return members;
 }
 
-/// Analyses the variance by groups, where each group's mean is a number of its own. With B the projection on the
-/// groups' means and Q the fitted unknowns, r^T B r has tr B - tr Q^T B Q degrees of freedom. It is computed group by
-/// group, so that a group for every point costs no more than one for all. Components that the readings of a group share
+/// Analyses the variance by groups, where each group's mean is a parameter. With B the projection onto the groups'
+/// means and Q the fitted unknowns, r^T B r has tr B - tr Q^T B Q degrees of freedom. The computation runs group by
+/// group, so that many groups cost no more than one group of all readings. Components that readings of a group share
 /// with other groups are not removed.
 Followed followGroups(const SearchedScene& search, const Variable& variable, const MatrixXd& beside,
                       const VectorXd& r) {
@@ -211,7 +212,7 @@ Followed followGroups(const SearchedScene& search, const Variable& variable, con
   return followed;
 }
 
-/// Tests a question. `test.numbers` stays 0 if no column or no degree of freedom is left.
+/// Tests a question. `PatternTest::numbers` is 0 if no column or no degree of freedom remains.
 PatternTest ask(const SearchedScene& search, const Question& question, const MatrixXd& others) {
   PatternTest test;
   const Variable& variable = *question.variable;
@@ -247,7 +248,7 @@ void correctByHolm(std::vector<PatternTest>& tests, double level) {
   }
 }
 
-/// Returns the findings by variable, each tested again beside all stronger independent ones.
+/// Returns the findings by variable, each tested again in addition to all stronger independent findings.
 std::vector<PatternTest> distinctFindings(const SearchedScene& search, const std::vector<Question>& questions,
                                           const std::vector<PatternTest>& tests, double level) {
   std::vector<PatternTest> findings;

@@ -1,10 +1,10 @@
-// Search for the variables that a residual follows, each by a statistical test.
+// Search for the variables on which a residual depends, each by a statistical test.
 //
-// For a variable with functions f_j and axes e_c of a frame, the columns are W_i e_c(i) f_j(i), W_i the whitener of
-// reading i. The components that the fitted unknowns, the touched points and a constant in that frame can absorb are
-// projected off both columns and residual. The k columns then explain T of the residual's square R; F = (T / k) / ((R -
-// T) / rest) has the F distribution if the residual is noise of any size. Holm's correction over all tests limits the
-// chance of any false finding.
+// For a variable with functions f_j and axes e_c of a frame, the columns are W_i e_c(i) f_j(i), where W_i is the
+// whitener of reading i. The components that the fitted unknowns, the touched points and a constant in the same frame
+// can absorb are projected out of both columns and residual. The k columns then explain a part T of the residual's
+// square R. F = (T / k) / ((R - T) / rest) has the F distribution if the residual is noise of any magnitude. Holm's
+// correction over all tests limits the probability of any false finding.
 #pragma once
 
 #include <string>
@@ -16,49 +16,52 @@
 
 namespace tubeplan::calibration {
 
-/// Axes of the components of an error.
+/// Frame in whose axes an error is resolved.
 enum class PatternFrame { kWorld, kRadial, kTool };
 
-/// Mean over neighbouring values of the variable of the error's part that follows it.
+/// Mean, over neighbouring values of the variable, of the error component that follows the variable.
 struct TrendStep {
-  double at = 0;          ///< mean value of the variable; for groups, the group's number
-  Eigen::Vector3d error;  ///< mean error in the frame's axes [m]
+  double at = 0;          ///< mean value of the variable; for groups, the index of the group
+  Eigen::Vector3d error;  ///< mean error, in the axes of the frame [m]
   int readings = 0;
 };
 
 struct PatternTest {
-  std::string kind;      ///< row of the table
+  std::string kind;      ///< name of the kind of pattern, in its table
   std::string variable;  ///< name of the variable
   deflection::ValueUnit unit;
   PatternFrame frame = PatternFrame::kWorld;
-  double fall = 0;  ///< reduction of chi-square
-  int numbers = 0;  ///< columns that were not absorbed
+  double fall = 0;  ///< reduction of chi-square by the pattern
+  int numbers = 0;  ///< number of columns that were not absorbed
   int rest = 0;     ///< remaining degrees of freedom
   double F = std::numeric_limits<double>::quiet_NaN();
-  double p_value = 1;      ///< p-value of this test alone
-  double p_corrected = 1;  ///< over all tests (Holm)
-  double share = 0;        ///< share of chi-square that it explains
+  double p_value = 1;      ///< p-value of this test alone, without correction
+  double p_corrected = 1;  ///< p-value after Holm's correction over all tests
+  double share = 0;        ///< fraction of chi-square that the pattern explains
   bool is_finding = false;
-  std::string goes_with;            ///< stronger finding without which this would be none; empty if it is independent
-  std::vector<TrendStep> trend;     ///< steps by rising value
-  std::vector<std::string> groups;  ///< names of the groups, if the variable is a group
-  int component = -1;               ///< component of the frame in which the trend is largest
-  int low = -1, high = -1;          ///< steps of the trend with the least and the largest value of that component
-  /// Difference between them [m]; for a constant, its root mean square.
+  std::string goes_with;  ///< stronger finding that also explains this pattern; empty if this pattern is independent
+  std::vector<TrendStep> trend;     ///< mean errors, by rising value of the variable
+  std::vector<std::string> groups;  ///< names of the groups, if the variable is a grouping; else empty
+  int component = -1;               ///< index of the frame's axis along which the trend is largest; -1: none
+  /// Indices of the trend steps with the least and the largest error along the axis `component`; -1: none.
+  int low = -1, high = -1;
+  /// Difference between the errors of the trend steps `high` and `low` [m]; for a constant, the root mean square error.
   double size = std::numeric_limits<double>::quiet_NaN();
-  double followed_rms = std::numeric_limits<double>::quiet_NaN();  ///< rms of the error that follows the variable [m]
+  /// RMS of the error component that follows the variable [m].
+  double followed_rms = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct PatternSearch {
-  std::vector<PatternTest> tests;       ///< all tests, by p-value
-  std::vector<PatternTest> findings;    ///< finding for each variable, in the frame that shows it best; strongest first
-  std::vector<std::string> not_tested;  ///< variables that were not tested, and why
+  std::vector<PatternTest> tests;  ///< all tests, least p-value first
+  /// One finding per variable, in the frame that shows the dependence best; strongest first.
+  std::vector<PatternTest> findings;
+  std::vector<std::string> not_tested;  ///< variables that were not tested, and the reason
 };
 
-inline constexpr double kPatternLevel = 0.01;  ///< default level of a finding
+inline constexpr double kPatternLevel = 0.01;  ///< default significance level of a finding
 
-/// Searches the patterns. `residual` is that of a fit, at its optimum, with the Jacobian by the fitted unknowns;
-/// predicted minus measured. Throws WorkStopped if it was stopped.
+/// Searches for patterns. `residual` is the residual of a fit at its optimum, predicted minus measured, with the
+/// Jacobian with respect to the fitted unknowns. Throws WorkStopped if stopped.
 [[nodiscard]] PatternSearch searchPatterns(const ReadingScene& scene, const ReadingWeights& weights,
                                            const WhitenedResidual& residual, double level, const WorkHooks& hooks = {});
 

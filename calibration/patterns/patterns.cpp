@@ -26,7 +26,8 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Vector3d, Eigen::Ve
 
 namespace {
 
-constexpr double kOnAxis = 1e-6;  // distance from the axis of gravity within which "away from it" has no direction [m]
+// Distance from the vertical through the base within which the radial direction is undefined [m].
+constexpr double kOnAxis = 1e-6;
 constexpr double kSameValue = 1e-9;
 
 Matrix3d radialAxes(const Vector3d& from_base, const Vector3d& gravity) {
@@ -39,7 +40,7 @@ Matrix3d radialAxes(const Vector3d& from_base, const Vector3d& gravity) {
   return axes;
 }
 
-/// Returns the least and largest stated value.
+/// Returns the least and the largest stated value; values that are NaN count as not stated.
 std::pair<double, double> rangeOf(const VectorXd& value) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const double v : value)
@@ -124,7 +125,7 @@ MatrixXd slowWaves(const VectorXd& value) {
 }
 
 MatrixXd fasterWaves(const VectorXd& value) {
-  constexpr Index kFirst = 4, kMostCycles = 12, kReadingsOfCycle = 8;  // the slow waves are the first three
+  constexpr Index kFirst = 4, kMostCycles = 12, kReadingsOfCycle = 8;  // the first three waves are the slow waves
   const Index cycles = std::min(kMostCycles, value.array().isFinite().count() / kReadingsOfCycle);
   if (2 * cycles < kFirst) return {};
   const auto [least, most] = rangeOf(value);

@@ -1,8 +1,8 @@
-// An error that follows the place of the tip in the world.
+// Error that depends on the tip's position in the world frame.
 //
-// Basis: a coordinate and its square, from the middle of the readings. For a touch it is the touched place, because the
-// predicted tip is that place plus the error. A coordinate that hardly varies is not tested, because it would show
-// noise alone.
+// Basis: a coordinate and its square, relative to the mean of the readings. For a touch, the position is that of the
+// touched point, because the predicted tip is the touched point plus the error. A coordinate that hardly varies is not
+// tested, because it would show only noise.
 #pragma once
 
 #include "calibration/measurements/measurement_kinds.hpp"
@@ -10,7 +10,7 @@
 
 namespace tubeplan::calibration::patterns::place {
 
-inline constexpr double kLeastShare = 0.002;  // least range of a coordinate, as a share of the arm's reach
+inline constexpr double kLeastShare = 0.002;  // least range of a coordinate, as a fraction of the arm's reach
 
 inline Eigen::Matrix3Xd places(const ReadingScene& scene) {
   Eigen::Matrix3Xd places = scene.tips;

@@ -1,6 +1,6 @@
-// An error of its own for each point (or posture, if readings name no point): more variance between than within.
+// Separate error of each point (or posture, if readings name no point): more variance between points than within them.
 //
-// Basis: one number for each point.
+// Basis: one parameter per point.
 #pragma once
 
 #include "calibration/estimation/held_out.hpp"

@@ -1,6 +1,6 @@
-// An error of its own for each set-up.
+// Separate error of each set-up.
 //
-// Basis: one number for each set-up.
+// Basis: one parameter per set-up.
 #pragma once
 
 #include "calibration/patterns/pattern.hpp"

@@ -1,4 +1,4 @@
-// Words for the variable of a pattern, for sentences.
+// Noun phrases for the variables of patterns, for use in sentences.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace tubeplan::calibration {
 
-/// Returns "the direction of approach of theta4" for the variable "sense of theta4", "the load" for "load"; joints and
-/// moments keep their names.
+/// Returns a noun phrase for a variable, such as "the direction of approach of theta4" for "sense of theta4" or "the
+/// load" for "load". Joints and moments keep their names.
 [[nodiscard]] inline std::string variableWords(const std::string& variable) {
   constexpr std::string_view kSense = "sense of ";
   if (variable.starts_with(kSense)) return "the direction of approach of " + variable.substr(kSense.size());
