@@ -10,8 +10,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kWidest = deflection::kFullTurn / 2;  // of a side chain's joint without limits [rad or m]
-constexpr double kNoMotion = 1e-9;                     // smaller motions count as none [rad or m]
+// Range to either side of a side chain's joint without limits [rad or m].
+constexpr double kWidest = deflection::kFullTurn / 2;
+constexpr double kNoMotion = 1e-9;  // motion below which a joint counts as not moved [rad or m]
 
 bool swings(const deflection::ConditionKind& kind) { return kind.swing.amplitude > 0 || kind.swing.flutter > 0; }
 
@@ -45,7 +46,7 @@ ConditionSeries::ConditionSeries(const deflection::Arm& arm, const CampaignPace&
   for (const auto& joint : arm.joints()) encoder_sigmas_.push_back(joint.encoder_sigma);
 }
 
-/// Draws the conditions: all swings follow the clock. Draws are in the table's order.
+/// Draws the conditions in the order of their table; all oscillations follow the clock.
 void ConditionSeries::drawConditions(deflection::ConditionValues& stated) {
   const double wait = conditions_.uniform(pace_.shortest, pace_.longest);
   time_ += is_first_ ? 0 : wait;

@@ -1,5 +1,4 @@
-// Conditions of a simulated reading: its time, its stated conditions, the direction from which each joint arrived, and
-// its noise.
+// Conditions of a simulated reading: time, stated conditions, the direction from which each joint arrived, and noise.
 #pragma once
 
 #include "calibration/measurement.hpp"
@@ -10,28 +9,29 @@
 namespace tubeplan::calibration {
 
 struct CampaignPace {
-  double shortest = 60, longest = 180;  ///< between two readings [s]
-  /// Longest period of the conditions' swings; a campaign covers half a period at least [s].
+  double shortest = 60, longest = 180;  ///< least and largest time between two readings [s]
+  /// Longest period of the conditions' oscillations [s]; a campaign covers at least half a period.
   double longest_period = 28800;
-  double overshoot = 0.5;  ///< probability that a joint passes its goal and comes back
+  double overshoot = 0.5;  ///< probability that a joint passes its goal and returns to it
 };
 
 /// Conditions of one reading, drawn before its posture is known.
 struct ReadingConditions {
-  deflection::ConditionValues stated;  ///< time is counted from the start of the campaign
-  std::vector<int> turns;  ///< arrival of each joint: +1 if it stops at its goal, -1 if it passes and comes back
-  std::vector<int> rests;  ///< direction from which each joint returns if it need not move
-  Eigen::Vector3d coordinate_noise = Eigen::Vector3d::Zero();  ///< [m]
-  Eigen::Vector3d turn_noise = Eigen::Vector3d::Zero();        ///< [rad]
-  Eigen::VectorXd encoder_noise;                               ///< [rad or m]
+  deflection::ConditionValues stated;  ///< stated conditions; time counts from the start of the campaign
+  /// Arrival of each joint: +1 if the joint stops at its goal, -1 if it passes the goal and returns.
+  std::vector<int> turns;
+  std::vector<int> rests;  ///< direction of each joint's last motion if the joint need not move
+  Eigen::Vector3d coordinate_noise = Eigen::Vector3d::Zero();  ///< noise of the coordinates [m]
+  Eigen::Vector3d turn_noise = Eigen::Vector3d::Zero();        ///< noise of the angles [rad]
+  Eigen::VectorXd encoder_noise;                               ///< noise of the joint readings [rad or m]
   Eigen::VectorXd side_q;                                      ///< positions of the side chains' joints [rad or m]
-  Eigen::Vector3d push = Eigen::Vector3d::Zero();              ///< force on the tip, in the world's axes [N]
+  Eigen::Vector3d push = Eigen::Vector3d::Zero();              ///< additional force on the tip, in world axes [N]
 
-  /// Returns the direction of each joint's last motion between two postures.
+  /// Returns the sign of each joint's last motion between two postures.
   [[nodiscard]] std::vector<int> approach_directions(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
 };
 
-/// A series of conditions, in order of time.
+/// Generator of the conditions of successive readings, in order of time.
 class ConditionSeries {
  public:
   ConditionSeries(const deflection::Arm& arm, const CampaignPace& pace, int readings, const CampaignDesign& design,

@@ -11,7 +11,7 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kPoundForce = 4.4482216152605;  // [N]
+constexpr double kPoundForce = 4.4482216152605;  // one pound-force [N]
 
 CampaignDesign makeBench(bool) {
   CampaignDesign design;
@@ -48,7 +48,7 @@ constexpr std::array<NamedDesign, 3> kDesigns{{
 
 int readingsPerPoint(const CampaignDesign& design) { return readingsPerPosture(design) * design.postures_per_point; }
 
-/// Returns the least number of readings of a surface that carry information on the arm.
+/// Returns the least number of readings of a surface that give information on the arm.
 int leastOfSurface(const MeasurementKindRow& kind) { return kind.place_numbers({}) + 1; }
 
 std::string findNoiseProblem(const CampaignDesign& design) {
@@ -125,7 +125,8 @@ int readingsPerPosture(const CampaignDesign& design) {
 
 int pointsOf(const CampaignDesign& design, int readings) {
   const int each = readingsPerPoint(design), points = readings / each, left = readings % each;
-  // A single touch of an unknown point, or few of a surface, carry no information: they join the point before.
+  // A single touch of an unknown point, or too few touches of a surface, give no information: such touches are added to
+  // the preceding point.
   const MeasurementKindRow& kind = kindOf(design.kind);
   const int least = kind.settle ? leastOfSurface(kind) : design.points_known ? 1 : 2;
   const bool is_kept = left >= least || (left > 0 && points == 0);

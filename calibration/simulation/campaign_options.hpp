@@ -1,4 +1,4 @@
-// Options of a simulated campaign: number of readings, pace, holes and surroundings.
+// Options of a simulated campaign: number of readings, pace, holes and obstacles.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,21 @@
 
 namespace tubeplan::calibration {
 
-/// Function that returns true if the true arm is clear of its surroundings in that set-up (from 0) under `load` [N].
+/// Function that returns true if the true arm is clear of all obstacles in the set-up of that index (from 0) under
+/// `load` [N].
 using CampaignClearance = std::function<bool(int setup, double load, const Eigen::VectorXd& q)>;
 
 struct CampaignOptions {
   int readings = 120;
   std::uint64_t seed = 1;
   CampaignPace pace;
-  std::vector<CampaignPoint> holes;                        ///< holes of the sheet, for designs at holes [m]
-  Eigen::Vector3d hole_axis_W = Eigen::Vector3d::UnitZ();  ///< direction into a hole
-  double standoff = 0.0254;  ///< distance of the tip below a hole that is not touched, against the axis [m]
-  /// Least distance of the tip from the base's origin without a region, as a share of the arm's reach.
+  std::vector<CampaignPoint> holes;  ///< holes of the sheet, for designs that measure at holes [m]
+  Eigen::Vector3d hole_axis_W = Eigen::Vector3d::UnitZ();  ///< direction into a hole, in the world frame
+  double standoff = 0.0254;  ///< distance of the tip below a hole that is not touched, along the hole's axis [m]
+  /// Least distance of the tip from the base's origin if the design has no region, as a fraction of the arm's reach.
   double least_reach = 0.2;
-  int max_draws = 2000;        ///< postures tried for one point
-  CampaignClearance is_clear;  ///< check of collisions; empty: nothing is in the way
+  int max_draws = 2000;        ///< largest number of postures tried for one point
+  CampaignClearance is_clear;  ///< collision check; empty: there are no obstacles
 };
 
 }  // namespace tubeplan::calibration

@@ -10,9 +10,9 @@ namespace tubeplan::calibration {
 
 namespace {
 
-constexpr double kNoiseMargin = 4;  // encoder sigmas between a posture and its limits
+constexpr double kNoiseMargin = 4;  // margin between a posture and its joint limits, in encoder sigmas
 
-/// Accuracy of a start posture: the reading itself is placed exactly.
+/// Accuracy of a start posture; the reading itself is placed exactly later.
 constexpr deflection::InverseKinematicsOptions kNear{.position_tolerance = 1e-5, .pitch_tolerance = 1e-4};
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Start postures of a campaign's readings, and the places required of the tip.
+// Start postures of a campaign's readings, and the required positions of the tip.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace tubeplan::calibration {
 
-/// A named place in the world [m].
+/// A named point in the world frame [m].
 struct CampaignPoint {
   std::string name;
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
 };
 
-/// The base in one set-up.
+/// Name and pose of the base in one set-up, with the direction of gravity in the base frame.
 struct CampaignSite {
   int setup = 0;
   std::string name;
@@ -28,30 +28,30 @@ struct CampaignSite {
 enum class PostureRefusal { kNone, kNotConverged, kOutOfReach, kStretched, kPastLimit, kOutsideRegion, kNotClear };
 inline constexpr int kPostureRefusals = 7;
 
-/// Returns "past a joint limit", to follow "so many of the postures were ...".
+/// Returns a phrase such as "past a joint limit", which completes "1400 of the postures were ...".
 [[nodiscard]] const char* describe(PostureRefusal refusal);
 
-/// A start posture at a hole.
+/// A start posture at a hole; usable only if `refusal` is kNone.
 struct HoleStart {
   PostureRefusal refusal = PostureRefusal::kNone;
   CampaignPoint hole;
   Eigen::VectorXd q;
 };
 
-/// Random postures of one arm, the same series for a seed.
+/// Generator of random postures of one arm; the same seed gives the same series.
 class PostureSource {
  public:
   PostureSource(const deflection::Arm& arm, std::uint64_t seed);
 
-  /// Returns a posture anywhere within the limits, so far from them that a noisy reading stays within; half a turn each
-  /// way without limits, the arm's reach for a slide.
+  /// Returns a random posture within the joint limits, with a margin for noisy readings. Joints without limits range
+  /// over half a turn to either side, prismatic joints over the arm's reach.
   [[nodiscard]] Eigen::VectorXd anywhere();
 
-  /// Returns a unit vector, with all directions equally likely.
+  /// Returns a random unit vector; all directions are equally likely.
   [[nodiscard]] Eigen::Vector3d direction();
 
-  /// Returns one of the arm's postures at one of the holes, with the tool along the axis and the tip `below` [m] under
-  /// the hole.
+  /// Returns one of the arm's postures at a random hole, with the tool along the axis and the tip `below` [m] under the
+  /// hole.
   [[nodiscard]] HoleStart atHole(const CampaignSite& site, const std::vector<CampaignPoint>& holes,
                                  const Eigen::Vector3d& axis_W, double below, double load);
 

@@ -17,13 +17,13 @@ std::optional<ToolPose> toolIn(const deflection::Arm& arm, const CampaignSite& s
   return toolAt(arm, site.X_WB, reading, kShapeExactly);
 }
 
-/// Returns the known facts of the place where readings of that point are taken.
+/// Returns the known target positions of readings of that point.
 KnownPlaces knownPlaces(const deflection::Arm& arm, const CampaignDesign& design,
                         const std::optional<Vector3d>& point_W) {
   return {design.points_known ? point_W : std::nullopt, design.anchor_W, design.direction_W, -arm.gravity_W};
 }
 
-/// Returns the noise of each row [m]; zero for kinds with a centred tip, whose noise is in its place.
+/// Returns the noise of each row [m]; zero for kinds with a centred tip, whose noise is in the tip position.
 MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& conditions) {
   MeasuredValue noise = MeasuredValue::Zero(kind.rows);
   const int turns = kind.turn_rows;
@@ -32,7 +32,7 @@ MeasuredValue noiseOf(const MeasurementKindRow& kind, const ReadingConditions& c
   return noise;
 }
 
-/// Takes the reading of the arm at its pose.
+/// Takes the reading with the tool at the pose `tool`.
 PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, const ReadingConditions& conditions,
                        ToolPose tool, const std::optional<Surface>& surface, Measurement& reading) {
   const MeasurementKindRow& kind = kindOf(reading);
@@ -48,7 +48,7 @@ PostureRefusal measure(const deflection::Arm& arm, const CampaignSite& site, con
   }
   reading.surface = surface;
   kind.record(tool, deflection::measurementScale(arm), noiseOf(kind, conditions), reading);
-  reading.surface.reset();  // unknown to the readings
+  reading.surface.reset();  // the position of the surface is unknown to the readings
   return isPossible(reading) ? PostureRefusal::kNone : PostureRefusal::kOutsideRegion;
 }
 
@@ -134,10 +134,11 @@ PostureRefusal CampaignStation::begin(const CampaignSite& site, StationReadings&
   return PostureRefusal::kNone;
 }
 
-/// Begins at a surface: the first posture has it at its tip; the others are near it.
+/// Draws a start posture at a surface. The first posture of a surface puts the surface at its tip; further postures are
+/// near the surface.
 PostureRefusal CampaignStation::beginAtSurface(const CampaignSite& site, StationReadings& taken, VectorXd& q) {
   constexpr int kMostPostures = 200;
-  constexpr double kNear = 0.15;  // as a share of the reach
+  constexpr double kNear = 0.15;  // largest distance from the surface, as a fraction of the reach
   const MeasurementKindRow& kind = kindOf(design_.kind);
   for (int draws = 0; draws < kMostPostures; ++draws) {
     Measurement first;
@@ -182,8 +183,8 @@ PostureRefusal CampaignStation::take(const CampaignSite& site, const ReadingCond
   return measure(arm_, site, conditions, trial.tool, taken.surface, reading);
 }
 
-/// Brings the tip to a goal. Effects may depend on the directions from which joints arrive, and those on their goals,
-/// so that both are iterated.
+/// Brings the tip to a goal. Effects may depend on the directions from which joints arrive, and these directions on the
+/// joint values at the goal, so both are iterated.
 PostureRefusal CampaignStation::bringTip(const CampaignSite& site, const ReadingConditions& conditions,
                                          const Vector3d& goal_W, const VectorXd& here, Measurement& reading) const {
   constexpr int kMostPasses = 4;

@@ -1,4 +1,4 @@
-// The readings of one point or posture of a simulated campaign, taken by the true arm under one load after the other.
+// The readings of one point or posture of a simulated campaign, taken with the true arm under one load after another.
 #pragma once
 
 #include <optional>
@@ -15,46 +15,46 @@ namespace tubeplan::calibration {
 /// Readings of a point or posture; usable only if `refusal` is kNone.
 struct StationReadings {
   PostureRefusal refusal = PostureRefusal::kNone;
-  std::string name;                    ///< name of the point or posture: P1, H1, R10C20
-  std::optional<Eigen::Vector3d> p_W;  ///< the point that is touched or measured [m]
-  std::optional<Surface> surface;      ///< the touched surface, for kinds that touch one
+  std::string name;                    ///< name of the point or posture, such as P1, H1 or R10C20
+  std::optional<Eigen::Vector3d> p_W;  ///< position of the touched or measured point in the world frame [m]
+  std::optional<Surface> surface;      ///< touched surface, for kinds that touch a surface
   std::vector<Measurement> readings;
-  std::vector<Eigen::Vector3d> tips_W;  ///< tip of each reading, without noise [m]
+  std::vector<Eigen::Vector3d> tips_W;  ///< tip position at each reading, in the world frame, without noise [m]
 };
 
-/// Pose of the tool in a posture, if that is usable.
+/// Pose of the tool in a posture; valid only if `refusal` is kNone.
 struct TipTrial {
   PostureRefusal refusal = PostureRefusal::kNone;
   ToolPose tool;
 };
 
-/// The true arm at work. It remembers its posture, for the direction from which its joints arrive at the next. The
-/// arguments must outlive it.
+/// The true arm at work. The arm's last posture is kept, because it decides the direction from which joints arrive at
+/// the next posture. The constructor's arguments must outlive this object.
 class CampaignStation {
  public:
   CampaignStation(const deflection::Arm& arm, const CampaignDesign& design, const CampaignOptions& options);
 
-  /// Draws the point or posture of that number (from 1) once, with one reading for each of the conditions. A hole that
-  /// was read is not drawn again.
+  /// Draws the point or posture of index `number` (from 1) once, and takes one reading under each of the conditions. A
+  /// hole that has been measured is not drawn again.
   [[nodiscard]] StationReadings read(const CampaignSite& site, int number,
                                      const std::vector<ReadingConditions>& conditions);
 
-  /// Allows all holes to be drawn again.
+  /// Allows holes that have been measured to be drawn again.
   void renewHoles() { fresh_holes_ = options_.holes; }
 
   /// Draws a random posture under the first load.
   [[nodiscard]] TipTrial tryAnywhere(const CampaignSite& site);
 
-  /// Sets the height against gravity, in the world, for designs in a plane [m].
+  /// Sets the height of the plane in the world frame, against gravity, for designs in a plane [m].
   void setPlaneHeight(double height) { plane_height_ = height; }
 
  private:
-  /// Draws the start posture, and for the first posture of a point the point.
+  /// Draws the start posture; for the first posture of a point, draws the point too.
   [[nodiscard]] PostureRefusal begin(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
   [[nodiscard]] PostureRefusal beginAtSurface(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
   [[nodiscard]] PostureRefusal beginAtHole(const CampaignSite& site, StationReadings& taken, Eigen::VectorXd& q);
 
-  /// Moves the arm from `here` to the reading's place and reads it there, without the encoders' noise.
+  /// Moves the arm from `here` to the reading's target and takes the reading there, without encoder noise.
   [[nodiscard]] PostureRefusal take(const CampaignSite& site, const ReadingConditions& conditions,
                                     const StationReadings& taken, const Eigen::VectorXd& here, Measurement& reading,
                                     Eigen::Vector3d& tip_W) const;
@@ -71,8 +71,8 @@ class CampaignStation {
   const CampaignOptions& options_;
   PostureSource source_;
   double reach_, plane_height_ = 0;
-  std::vector<CampaignPoint> fresh_holes_;  ///< holes that are not read yet
-  Eigen::VectorXd here_;                    ///< the last posture's readings, without noise
+  std::vector<CampaignPoint> fresh_holes_;  ///< holes that have not been measured yet
+  Eigen::VectorXd here_;                    ///< joint values of the last posture, without noise
 };
 
 }  // namespace tubeplan::calibration

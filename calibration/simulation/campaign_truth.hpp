@@ -1,4 +1,4 @@
-// The true arm and base of a simulation, varied about a stated arm and base.
+// The true arm and base poses of a simulation, varied about a stated arm and base.
 #pragma once
 
 #include <cstdint>
@@ -9,28 +9,28 @@
 
 namespace tubeplan::calibration {
 
-/// A base pose; its name is empty if there is only one.
+/// A true base pose; `setup` is empty if there is only one set-up.
 struct TrueBase {
   std::string setup;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
 };
 
-/// The truth that readings are made with. All other behaviour of the arm is part of `arm`.
+/// The truth by which readings are simulated. All other true behaviour, such as effects, is part of `arm`.
 struct CampaignTruth {
   deflection::Arm arm;
   std::vector<TrueBase> bases;  ///< base pose of each set-up
 };
 
 struct TruthOptions {
-  std::vector<deflection::Parameter> parameters;  ///< parameters, of which the stiffnesses are varied
-  double spread = 0;                              ///< standard deviation of a stiffness's logarithm: 0.1 is 10 %
-  double base_shift_sigma = 0;                    ///< per coordinate, about the stated base [m]
-  double base_turn_sigma = 0;                     ///< per axis [rad]
+  std::vector<deflection::Parameter> parameters;  ///< parameters of the arm, of which only the stiffnesses are varied
+  double spread = 0;            ///< standard deviation of the logarithm of each stiffness: 0.1 is about 10 %
+  double base_shift_sigma = 0;  ///< standard deviation of the base's position about the stated base, per coordinate [m]
+  double base_turn_sigma = 0;   ///< standard deviation of the base's rotation about the stated base, per axis [rad]
   int setups = 1;
   std::uint64_t seed = 1;
 };
 
-/// Draws a truth. Without spread and base error it is the stated arm and base, for every set-up.
+/// Draws a truth. Without spread and base errors, the truth is the stated arm and base for every set-up.
 [[nodiscard]] CampaignTruth drawTruth(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                       const TruthOptions& options = {});
 

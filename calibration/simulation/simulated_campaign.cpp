@@ -18,7 +18,7 @@ namespace {
 using RefusalCounts = std::array<int, kPostureRefusals>;
 
 constexpr int kHeightDraws = 101;
-constexpr int kFreshDraws = 200;  // after so many failed draws, hardly any hole in reach is unread
+constexpr int kFreshDraws = 200;  // failed draws after which hardly any hole in reach can be unread
 
 std::vector<CampaignSite> sitesOf(const CampaignTruth& truth) {
   std::vector<CampaignSite> sites;
@@ -28,7 +28,7 @@ std::vector<CampaignSite> sitesOf(const CampaignTruth& truth) {
   return sites;
 }
 
-/// Returns "2000 postures were drawn: 1400 not clear of the scene, 600 past a joint limit".
+/// Returns a text such as "2000 postures were drawn: 1400 not clear of the scene, 600 past a joint limit".
 std::string explain(const RefusalCounts& counts) {
   int drawn = 0;
   std::string text;
@@ -89,7 +89,7 @@ class CampaignMaker {
     return false;
   }
 
-  /// Sets the height that half of the arm's postures exceed.
+  /// Sets the height of the measuring plane, which half of the arm's postures exceed.
   bool findPlane() {
     RefusalCounts counts{};
     std::vector<double> heights;
@@ -134,7 +134,8 @@ class CampaignMaker {
     if (hooks_.progress) hooks_.progress(result_.readings.size(), static_cast<std::size_t>(options_.readings));
   }
 
-  /// Makes displacements from the reading before, in each set-up; its first reading refers to its last.
+  /// Turns readings into displacements from the preceding reading of the same set-up. The first reading of a set-up
+  /// refers to its last reading.
   void relate() {
     auto& readings = result_.readings;
     if (!kindOf(design_.kind).is_from_reading) return;
@@ -150,7 +151,8 @@ class CampaignMaker {
     linkReferences(readings);
   }
 
-  /// Holds out whole points or postures: readings of the same one would not judge each other.
+  /// Holds out whole points or postures, because readings of the same point or posture are no independent test of one
+  /// another.
   void holdOut() {
     if (design_.held_out == 0 || names_.size() < 2) return;
     std::vector<std::string> names(names_.begin(), names_.end());
@@ -169,8 +171,8 @@ class CampaignMaker {
   std::vector<CampaignSite> sites_;
   ConditionSeries series_;
   CampaignStation station_;
-  std::vector<Eigen::Vector3d> tips_W_;  ///< of the readings, without noise
-  std::set<std::string> names_;          ///< of points and postures
+  std::vector<Eigen::Vector3d> tips_W_;  ///< tip positions of the readings, without noise [m]
+  std::set<std::string> names_;          ///< names of the points and postures
   SimulatedCampaign result_;
 };
 

@@ -1,4 +1,4 @@
-// Simulated measurement campaigns of a true arm, for practice with a known truth.
+// Simulated measurement campaigns with a true arm, for practice with a known truth.
 #pragma once
 
 #include <functional>
@@ -22,14 +22,15 @@ struct SimulatedCampaign {
   CampaignStatus status = CampaignStatus::kNotRun;
   std::string reason;
   std::vector<Measurement> readings;
-  /// Points that were touched or measured, in order, each once; empty for other readings.
+  /// Touched or measured points in order, each once; empty for kinds that measure no point.
   std::vector<CampaignPoint> points;
 };
 
-/// Simulates the readings of the true arm by design and options. Each point or posture is drawn until the arm reaches
-/// it under every load, within its limits, with the tip within the region and clear of the scene; then the noise of
-/// coordinates and encoders is added. The arm, and the base of each set-up, are the truth's. Refused: a design with
-/// problems (findDesignProblem()), one at holes without holes, other set-ups than the truth has.
+/// Simulates the readings of the true arm according to design and options. Each point or posture is drawn again until
+/// the arm reaches it under every load, within joint limits, with the tip within the region and clear of the scene.
+/// Then noise of coordinates and encoders is added. The arm and the base of each set-up are those of the truth. Refused
+/// are designs with problems (findDesignProblem()), designs at holes without holes, and designs whose set-ups differ
+/// from the truth's.
 [[nodiscard]] SimulatedCampaign simulateCampaign(const CampaignTruth& truth, const CampaignDesign& design,
                                                  const CampaignOptions& options, const CampaignHooks& hooks = {});
 

@@ -1,5 +1,5 @@
-// Simulated touches of a true arm: the tip centred in a hole within the centring noise, and the joints read with
-// encoder noise.
+// Simulated touches with a true arm: the tip is centred in a hole within the centring noise, and the joints are read
+// with encoder noise.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace tubeplan::calibration {
 
-/// A hole to touch and a start posture, which decides the branch.
+/// A hole to touch, and a start posture that decides the branch of the inverse kinematics.
 struct TouchPlan {
   std::string id, hole;
   Eigen::Vector3d p_WH = Eigen::Vector3d::Zero();
@@ -19,10 +19,10 @@ struct TouchPlan {
 };
 
 struct TouchSimulationOptions {
-  double sigma = 1.27e-4;        ///< noise of each coordinate of the centring [m] (0.005 in)
-  double model_error_sigma = 0;  ///< error of the true arm beyond its own model, per coordinate [m]
-  double load = 0;               ///< [N]
-  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();  ///< the holes' axis
+  double sigma = 1.27e-4;        ///< standard deviation of each coordinate of the centring [m] (0.005 in)
+  double model_error_sigma = 0;  ///< standard deviation per coordinate of the true arm's error beyond its own model [m]
+  double load = 0;               ///< load hung from the tip [N]
+  Eigen::Vector3d axis_W = Eigen::Vector3d::UnitZ();  ///< axis of the holes, in the world frame
   std::uint64_t seed = 1;
 };
 
@@ -31,19 +31,20 @@ enum class TouchSimulationStatus { kNotRun, kDone, kOutOfReach };
 struct TouchSimulation {
   TouchSimulationStatus status = TouchSimulationStatus::kNotRun;
   std::string reason;
-  std::vector<Measurement> touches;  ///< touches of known places
+  std::vector<Measurement> touches;  ///< touches of points with known positions
 };
 
-/// Returns how the arm, standing at X_WB, brings its deflected tip to each of these places, each from a start near it.
+/// Returns the inverse-kinematics branches by which the arm, with its base at X_WB, brings its deflected tip to each of
+/// these points, each from a nearby start posture.
 [[nodiscard]] std::vector<deflection::Branch> reachPlaces(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                                                           const std::vector<Eigen::Vector3d>& places_W,
                                                           const std::vector<Eigen::VectorXd>& starts, double load,
                                                           const Eigen::Vector3d& axis_W);
 
-/// Returns the reading of a planned touch: joints [rad, m], load [N], centring noise of each coordinate [m].
+/// Returns the reading of a planned touch with joints [rad, m], load [N] and centring noise of each coordinate [m].
 [[nodiscard]] Measurement plannedTouch(const TouchPlan& plan, const Eigen::VectorXd& q, double load, double sigma);
 
-/// Returns what the arm `truth`, standing at X_WB, would read at each planned touch.
+/// Returns the touches that the arm `truth`, with its base at X_WB, would give for each plan.
 [[nodiscard]] TouchSimulation simulateTouches(const deflection::Arm& truth, const Eigen::Isometry3d& X_WB,
                                               const std::vector<TouchPlan>& plans,
                                               const TouchSimulationOptions& options = {});
