@@ -7,13 +7,13 @@
 
 namespace tubeplan::calibration {
 
-/// Function that returns true to stop work. Once true it must stay so; several threads may call it at once. Empty:
-/// never.
+/// Function that returns true to request a stop. Once it has returned true, it must keep doing so. Several threads may
+/// call it concurrently. An empty function never requests a stop.
 using StopQuestion = std::function<bool()>;
 
-/// Hooks of long work. `progress` is called with the part of a stage that is done (a total of 0: unknown), by the
-/// calling thread. `stop` is asked whether to stop: the status then says so, and there is no other result. Either may
-/// be empty; neither changes a result.
+/// Hooks of long work; either may be empty, and neither changes a result. The calling thread calls `progress` with the
+/// number of steps done in a stage and their total (0: unknown). `stop` is asked whether to stop. The status of stopped
+/// work then says so, and there is no other result.
 struct WorkHooks {
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress;
   StopQuestion stop;
@@ -21,20 +21,20 @@ struct WorkHooks {
 
 [[nodiscard]] inline bool shouldStop(const StopQuestion& stop) { return stop && stop(); }
 
-/// Returns hooks for work within work, which stops with it and leaves progress to it.
+/// Returns hooks for a nested task, which stops on the same request and reports no progress of its own.
 [[nodiscard]] inline WorkHooks withoutProgress(const WorkHooks& hooks) { return {{}, hooks.stop}; }
 
-/// Exception that unwinds work on a request to stop, within this library: the function with the hooks catches it.
+/// Exception that unwinds stopped work within this library. The function that was given the hooks catches it.
 struct WorkStopped {};
 
-/// Reason of a status for stopped work.
+/// Text of `reason` in the result of stopped work.
 inline constexpr const char* kStoppedReason = "stopped on request";
 
 inline void goOn(const StopQuestion& stop) {
   if (shouldStop(stop)) throw WorkStopped{};
 }
 
-/// Returns what a verb's work gives or, where it was stopped, a result that says so by its status.
+/// Returns the result of `work` or, if the work was stopped, a result with the status `stopped` and its reason.
 template <class Result, class Status, class Work>
 [[nodiscard]] Result unlessStopped(Status Result::*status, Status stopped, const Work& work) {
   try {

@@ -18,15 +18,15 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 constexpr int kPostures = 12;
-constexpr double kNothingNew = 1e-6;  // length of a column's remainder, as a share of its own, that counts as zero
-constexpr double kHardlyNew = 0.01;   // share below which a number waits for those of all ranks
-constexpr double kNearlyAsNew = 0.3;  // share of the newest column's remainder: the first in order above it is taken
+constexpr double kNothingNew = 1e-6;  // fraction of a column's norm outside the span that counts as zero
+constexpr double kHardlyNew = 0.01;   // fraction below which a parameter is deferred until all ranks have been tried
+constexpr double kNearlyAsNew = 0.3;  // multiple of the largest such fraction: the first column above that is taken
 constexpr std::uint64_t kPosturesSeed = 7;
 constexpr int kRanks = 5;
 
 bool isToolTurn(const std::string& name) { return name.starts_with("tool.turn."); }
 
-/// Returns the arm as a mechanism alone: rigid, without effects and parts that only weigh.
+/// Returns the bare mechanism of the arm: rigid, without effects and without side chains, which only add weight.
 Arm mechanismOf(const Arm& arm) {
   Arm mechanism = deflection::rigidCopy(arm);
   mechanism.effects.clear();
@@ -34,7 +34,8 @@ Arm mechanismOf(const Arm& arm) {
   return mechanism;
 }
 
-/// Returns postures all over the turn of each joint, slides within a metre; the limits are left to the readings.
+/// Returns random postures over the full turn of each revolute joint and within a metre of each prismatic joint. Joint
+/// limits are ignored, because they restrict the readings only.
 std::vector<deflection::Posture> posturesAllOver(const Arm& mechanism) {
   RandomStream random(kPosturesSeed);
   std::vector<deflection::Posture> postures(kPostures);
@@ -48,8 +49,8 @@ std::vector<deflection::Posture> posturesAllOver(const Arm& mechanism) {
   return postures;
 }
 
-/// Returns the motions of the tool by each number, in every posture: 6 rows a posture, lengths as parts of the arm's
-/// size. Columns are those of the numbers, then of the six steps of the base.
+/// Returns the derivatives of the tool pose with respect to each parameter, in every posture: 6 rows per posture,
+/// lengths divided by the arm's reach. The columns of the parameters come first, then those of the six base steps.
 MatrixXd motionsBy(const Arm& mechanism, const std::vector<Parameter>& numbers) {
   std::vector<deflection::Variable> variables;
   for (const Parameter& number : numbers) variables.push_back(deflection::Variable::number(number.path));
@@ -69,12 +70,12 @@ MatrixXd motionsBy(const Arm& mechanism, const std::vector<Parameter>& numbers) 
   return motions;
 }
 
-/// Span of the columns taken so far, as an orthonormal basis, and the remainders of the others.
+/// Residuals of all columns outside the span of the columns taken so far.
 class Span {
  public:
   explicit Span(const MatrixXd& motions) : rest_(motions), lengths_(motions.colwise().norm()) {}
 
-  /// Returns the relative remainder of a column outside the span: 1 at first, 0 for one that moves nothing.
+  /// Returns the fraction of a column's norm outside the span: 1 at first, 0 for a column that moves nothing.
   [[nodiscard]] double newnessOf(Index column) const {
     return lengths_[column] > 0 ? rest_.col(column).norm() / lengths_[column] : 0;
   }
@@ -89,7 +90,7 @@ class Span {
   VectorXd lengths_;
 };
 
-/// Returns the rank in which a number is tried; nothing for numbers that a mechanism does not have.
+/// Returns the rank in which a parameter is tried, 0 first; nothing if it is not geometry of the bare mechanism.
 std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   if (number.path.side_chain >= 0 || number.path.effect >= 0 || !isGeometry(number.name)) return std::nullopt;
   if (number.path.row < 0) return 1;
@@ -98,7 +99,7 @@ std::optional<int> rankOf(const Parameter& number, const PlacedArm& placed) {
   return moves(placed.arm.rows[static_cast<std::size_t>(number.path.row)].joint) ? 2 : 3;
 }
 
-/// Takes the numbers of one rank, as long as any adds at least `least` of its own length to the span.
+/// Takes parameters of one rank while any of them has at least the fraction `least` of its norm outside the span.
 void takeAll(std::vector<Index> columns, double least, Span& span, std::vector<Index>& taken) {
   while (!columns.empty()) {
     double newest = 0;
@@ -118,8 +119,8 @@ double priorOf(const Parameter& number, const Priors& priors) {
   return number.quantity == deflection::Quantity::kAngle ? priors.angle : priors.length;
 }
 
-/// Returns for each column taken the variance from numbers that are held: each of these is a combination of the columns
-/// taken and of those of `beside`, which have priors of their own.
+/// Returns the variance of each taken column caused by the parameters that are held fixed. Each held column is a
+/// combination of the taken columns and of those of `beside`, which have priors of their own.
 VectorXd leftByOthers(const MatrixXd& motions, const std::vector<Index>& taken, std::vector<Index> beside,
                       const std::vector<std::pair<Index, double>>& held) {
   beside.insert(beside.begin(), taken.begin(), taken.end());
@@ -140,7 +141,7 @@ VectorXd leftByOthers(const MatrixXd& motions, const std::vector<Index>& taken, 
   return variances;
 }
 
-/// Returns true if the fit alone places every base; with a known base, the numbers up to the first joint remain to be
+/// Returns true if the fit determines every base. With a known base, the parameters up to the first joint remain to be
 /// found.
 bool placesEveryBase(const PlacedArm& placed, const std::vector<Unknown>& free) {
   return std::ranges::none_of(placed.base_poses, &BasePose::is_known) &&

@@ -1,4 +1,4 @@
-// One reading of a session, of any kind.
+// A measurement of any kind: one reading of a session.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,75 +15,77 @@ namespace tubeplan::calibration {
 
 using deflection::Condition;
 
-/// A figure that nobody has stated or worked out.
+/// Placeholder for a value that is neither stated nor computed.
 inline constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
-/// Rows of the table in measurements/measurement_kinds.hpp, which says what each measures.
+/// Kinds of measurement, in the order of the table in measurements/measurement_kinds.hpp.
 enum class MeasurementKind {
-  kPosition,     ///< p_W is the measured place of the tip
-  kTouch,        ///< the tip rests centred at `point`; p_W is that place where it is known
-  kDeflection,   ///< p_W is the tip's measured displacement from its unloaded place at the same joint readings
-  kDistance,     ///< p_W is a fixed anchor, own[0] the measured length from it to the tip [m]
-  kAxis,         ///< p_W is a fixed anchor, own[0] the distance of the tip beyond it along `direction_W` [m]
-  kOrientation,  ///< own is the tool frame's roll, pitch, yaw in the world [rad]
-  kPose,         ///< kPosition and kOrientation in one
-  kOffset,       ///< p_W is a hole or mark, own its centre from the tip along the tool frame's axes [m]
-  kTilt,         ///< own is the angles of the axes of the tool frame, or of a row's, above the horizontal [rad]
-  kSteps,  ///< p_W is a hole, own the number of the tool's steps that entered, and the limits of the centring error [m]
-  kRelative,   ///< p_W is the displacement of the tip from its place at `reference`, or own[0] its length [m]
-  kPlane,      ///< the tip touches the plane `point`, of unknown place
-  kSphere,     ///< the tip touches the sphere `point`, of unknown centre; own[0] is its radius [m] if it is known
-  kPolar,      ///< p_W is a station, own the range [m], horizontal and vertical angle [rad] from it to the tip
-  kDirection,  ///< own is azimuth and altitude [rad] of the x axis of the tool frame, or of a row's
+  kPosition,     ///< p_W is the measured position of the tip
+  kTouch,        ///< the tip rests centred at `point`; p_W is the position of that point, empty if unknown
+  kDeflection,   ///< p_W is the tip's measured displacement from its unloaded position at the same joint readings
+  kDistance,     ///< p_W is a fixed anchor, own[0] the measured distance from the anchor to the tip [m]
+  kAxis,         ///< p_W is a fixed anchor, own[0] the distance of the tip beyond the anchor along `direction_W` [m]
+  kOrientation,  ///< own is roll, pitch and yaw of the tool frame in the world frame [rad]
+  kPose,         ///< position and orientation in one reading: the values of kPosition and kOrientation
+  kOffset,       ///< p_W is a hole or mark, own its centre relative to the tip, in the tool frame [m]
+  kTilt,         ///< own holds the angles above the horizontal of the axes of the tool frame or of a row's frame [rad]
+  kSteps,     ///< p_W is a hole; own is the number of tool steps that entered and the limits of the centring error [m]
+  kRelative,  ///< p_W is the displacement of the tip from its position at `reference`, or own[0] its length [m]
+  kPlane,     ///< the tip touches the plane named `point`, whose position is unknown
+  kSphere,    ///< the tip touches the sphere named `point`, of unknown centre; own[0] is its radius [m], NaN if unknown
+  kPolar,     ///< p_W is a station; own is range [m], horizontal and vertical angle [rad] to the tip
+  kDirection,  ///< own is azimuth and altitude [rad] of the x axis of the tool frame or of a row's frame
 };
 
-/// A touched plane or sphere of unknown place, as fitted to the readings that touched it.
+/// Plane or sphere of unknown position, fitted to the readings that touched it.
 struct Surface {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();           ///< point of a plane, or centre of a sphere [m]
-  Eigen::Vector3d direction_W = Eigen::Vector3d::UnitZ();  ///< normal of a plane
+  Eigen::Vector3d direction_W = Eigen::Vector3d::UnitZ();  ///< unit normal of a plane
   double radius = 0;                                       ///< radius of a sphere [m]
 };
 
-/// Forces and moments on the tip, in the world's axes.
+/// Force and moment on the tip, in world axes.
 struct TipWrench {
-  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< [N]
-  Eigen::Vector3d moment_W = Eigen::Vector3d::Zero();  ///< about the tip [N m]
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();   ///< force [N]
+  Eigen::Vector3d moment_W = Eigen::Vector3d::Zero();  ///< moment about the tip [N m]
   bool operator==(const TipWrench&) const = default;
 };
 
 struct Measurement {
   std::string id;
   MeasurementKind kind = MeasurementKind::kPosition;
-  /// Name of the touched point, shared by readings of kind touch at the same place; may be empty for other kinds.
+  /// Name of the touched point, plane or sphere, shared by all readings that touch it; may be empty for other kinds.
   std::string point;
-  std::string setup;  ///< name of the set-up, shared by readings with the same base pose; empty if there is one for all
-  double load = 0;    ///< load hung from the tip [N]
-  std::optional<TipWrench> wrench;  ///< loads on the tool in addition to `load`
+  /// Name of the set-up, shared by readings with the same base pose; empty if all readings share one base pose.
+  std::string setup;
+  double load = 0;                  ///< load hung from the tip [N]
+  std::optional<TipWrench> wrench;  ///< force and moment on the tip in addition to `load`
   Eigen::VectorXd q;  ///< joint readings in the order of the arm's active rows [rad, m for a prismatic joint]
-  /// Readings of the side chains' joints, in their order (deflection/side_chains.hpp) [rad, m].
+  /// Readings of the side chains' joints, in the order of deflection/side_chains.hpp [rad, m for a prismatic joint].
   Eigen::VectorXd side_q;
-  std::optional<Eigen::Vector3d> p_W;            ///< point of the reading in the world frame [m]
-  std::optional<Eigen::Vector3d> direction_W;    ///< unit vector, for kinds that measure along one
-  std::shared_ptr<const Measurement> reference;  ///< reading from whose tip this one is taken; null for most kinds
-  std::optional<Eigen::Vector3d> p_TQ;  ///< measured point from the tip in the tool frame [m]; nothing: the tip itself
-  /// Touched surface, for kinds that touch one, once it has been fitted (surfaces.hpp).
+  std::optional<Eigen::Vector3d> p_W;          ///< point in the world frame [m], with the meaning stated at `kind`
+  std::optional<Eigen::Vector3d> direction_W;  ///< unit vector along which the kind measures; empty for other kinds
+  /// Reading whose tip position is the origin of this displacement; null for most kinds.
+  std::shared_ptr<const Measurement> reference;
+  std::optional<Eigen::Vector3d> p_TQ;  ///< position of the measured point in the tool frame [m]; empty: the tip itself
+  /// Touched plane or sphere as fitted (surfaces.hpp); empty before the fit and for kinds that touch no surface.
   std::optional<Surface> surface;
-  std::optional<int> row;  ///< row of the arm whose deflected frame is read, for kinds that may; nothing: the tool's
-  /// Numbers of its kind's own columns, in their order; NaN = not stated.
+  std::optional<int> row;  ///< row of the arm whose deflected frame is measured; empty: the tool frame
+  /// Values of the columns specific to the kind, in the order of those columns; NaN = not stated.
   Eigen::Vector3d own = Eigen::Vector3d::Constant(kNotKnown);
-  double turn_sigma = kNotKnown;                 ///< rad, one standard deviation of a measured angle
-  double sigma = kNotKnown;                      ///< m, one standard deviation of each measured coordinate;
-                                                 ///< NaN = not stated
-  std::optional<Eigen::Vector3d> sigma_W;        ///< m, the same of x, y and z apart, where they differ
-  std::optional<Eigen::Vector3d> correlation_W;  ///< of x with y, x with z, y with z; only beside sigma_W. None: no two
-                                                 ///< of them have errors in common
-  std::vector<int> approach_directions;  ///< of each joint's last motion: -1, 0 (not known), +1; empty where not stated
-  deflection::ConditionValues conditions;  ///< that it states
-  bool is_held_out = false;                ///< kept from the fit, to judge it by
-  int line = 0;                            ///< in its file, from 1
+  double turn_sigma = kNotKnown;           ///< standard deviation of a measured angle [rad]; NaN = not stated
+  double sigma = kNotKnown;                ///< standard deviation of each measured coordinate [m]; NaN = not stated
+  std::optional<Eigen::Vector3d> sigma_W;  ///< standard deviations of x, y and z [m]; empty if all equal `sigma`
+  /// Error correlations of x with y, x with z, y with z; only together with sigma_W; empty: uncorrelated.
+  std::optional<Eigen::Vector3d> correlation_W;
+  /// Sign of each joint's last motion: -1, +1 or 0 (not known); empty if not stated.
+  std::vector<int> approach_directions;
+  deflection::ConditionValues conditions;  ///< conditions stated for the reading, such as temperature and time
+  bool is_held_out = false;                ///< true: left out of the fit, to validate the fit
+  int line = 0;                            ///< line number in the measurement file, from 1
 };
 
-/// Returns the items at these places, in their order.
+/// Returns the items at the given indices, in the order of the indices.
 template <class Item>
 [[nodiscard]] std::vector<Item> picked(const std::vector<Item>& all, const std::vector<int>& places) {
   std::vector<Item> some;
@@ -91,7 +93,7 @@ template <class Item>
   return some;
 }
 
-/// Without those at these places, which ascend.
+/// Returns `readings` without the items at the given indices, which must ascend.
 [[nodiscard]] inline std::vector<Measurement> withoutReadings(std::vector<Measurement> readings,
                                                               const std::vector<int>& places) {
   int place = 0;

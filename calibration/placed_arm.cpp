@@ -16,20 +16,20 @@ namespace {
 using deflection::isStiffness, deflection::Parameter, deflection::Quantity;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kStiffest = 1e4;  // largest factor by which a fit may stiffen an axis beyond its start
-constexpr double kSoftest = 100;   // largest multiple of the likely deflection that a fit may give an axis
-// Rotation under the arm's whole weight at its reach: the start of a rigid axis [rad].
+constexpr double kStiffest = 1e4;  // largest factor by which a fit may stiffen an axis relative to its start
+constexpr double kSoftest = 100;   // largest compliance of an axis in a fit, as a multiple of its typical compliance
+// Rotation of a rigid axis at the start of a fit, under the arm's whole weight at full reach [rad].
 constexpr double kNearlyRigid = 1e-5;
-constexpr double kMayGive = 0.02;  // typical rotation under the same weight of an axis taken as rigid [rad]
+constexpr double kMayGive = 0.02;  // typical rotation of an axis under the arm's whole weight at full reach [rad]
 
-/// Returns the arm's weight [N], or that of an arm that one person can hardly lift if it is not stated.
+/// Returns the arm's weight [N]; 100 N, which one person can hardly lift, if no weight is stated.
 double usualWeightOf(const deflection::Arm& arm) {
   const double weight = deflection::weightOf(arm);
   return weight > 0 ? weight : 100;
 }
 
-/// Returns the likely error of a number: a few parts in a thousand of the arm for lengths, a degree for angles, a
-/// factor for stiffnesses, a tenth for the rest.
+/// Returns the likely error of a parameter: 0.5 % of the reach for lengths, about a degree for angles, the plausible
+/// size for effects, 1 for stiffnesses, and a tenth for the rest.
 double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
   if (parameter.path.effect >= 0) {
     const auto& effect = arm.effects.at(static_cast<std::size_t>(parameter.path.effect));
@@ -49,8 +49,8 @@ double typicalOf(const Parameter& parameter, const deflection::Arm& arm) {
   }
 }
 
-/// Returns the factor from a stiffness's number to an angular stiffness: 1, or the rest of a member's E I / L or G J /
-/// L.
+/// Returns the factor that converts a stiffness parameter to an angular stiffness: 1 for a joint, otherwise the
+/// remaining factors of a member's E I / L or G J / L.
 double angleStiffnessOf(const Parameter& parameter, const deflection::Arm& arm) {
   if (parameter.quantity == Quantity::kTorquePerAngle) return 1;
   const auto& beam = *arm.rows.at(static_cast<std::size_t>(parameter.path.row)).beam;
@@ -60,8 +60,8 @@ double angleStiffnessOf(const Parameter& parameter, const deflection::Arm& arm) 
   return (is_torsion ? beam.G : beam.E) / length;
 }
 
-/// Returns the change of a stiffness's inverse that produces the likely deflection of a part under the arm's weight, or
-/// the whole nominal one. It does not depend on the start alone, because that may be far too stiff and results must not
+/// Returns the larger of two compliances: the nominal one, and the one that causes the likely deflection under the
+/// arm's weight. The nominal compliance alone does not suffice: the start may be far too stiff, and results must not
 /// depend on it.
 double typicalCompliance(const Parameter& parameter, const deflection::Arm& arm) {
   const double moment = usualWeightOf(arm) * deflection::reachOf(arm);
@@ -88,15 +88,15 @@ Unknown armUnknown(const Parameter& parameter, const deflection::Arm& arm, bool 
   return unknown;
 }
 
-/// Returns true if a row's beta is nearly the offset of the joint before it, and so is not freed with the numbers of
-/// its row.
+/// Returns true if a row's beta has nearly the same effect as the offset of the preceding joint, so that it is not
+/// freed with the other parameters of its row.
 bool isReplaced(const Parameter& parameter, const deflection::Arm& arm) {
   return parameter.name.ends_with(".beta") && parameter.path.side_chain < 0 && parameter.value == 0 &&
          !deflection::isNearlyParallel(arm.rows.at(static_cast<std::size_t>(parameter.path.row)));
 }
 
-/// Returns true for the size of an effect of the catalogue. The likely size of a user's formula, or of the shape of a
-/// law, is unknown.
+/// Returns true for the size of an effect of the catalogue. The likely size of a user's formula, or of a law's shape
+/// parameter, is unknown.
 bool isSizeOfCatalogue(const Unknown& unknown, const deflection::Arm& arm) {
   if (unknown.path.effect < 0) return false;
   const auto& effect = arm.effects.at(static_cast<std::size_t>(unknown.path.effect));
@@ -140,7 +140,8 @@ void addBase(const PlacedArm& placed, std::vector<Unknown>& list) {
   }
 }
 
-/// Makes a rigid stiffness finite, with hardly any deflection under the arm's weight, so that it becomes a parameter.
+/// Makes a rigid joint axis finite, with hardly any deflection under the arm's weight, so that its stiffness becomes a
+/// parameter. Returns false if `name` is no rigid joint axis.
 bool soften(deflection::Arm& arm, const std::string& name) {
   const std::size_t dot = name.find(".joint_stiffness.");
   if (dot == std::string::npos || name.size() != dot + 18) return false;
@@ -185,7 +186,8 @@ std::vector<std::string> namesBehind(const deflection::Arm& arm, const std::stri
 
 namespace {
 
-/// Adds geometric numbers independent of those that are free already; each includes the part of those that it replaces.
+/// Adds the geometric parameters that are independent of those already free. The prior of each includes the errors of
+/// the parameters that it replaces.
 void addGeometry(const PlacedArm& placed, std::vector<Unknown>& list) {
   for (const auto& number : independentGeometry(placed, list)) {
     Unknown unknown = armUnknown(*deflection::findParameter(placed.arm, number.name), placed.arm, false);

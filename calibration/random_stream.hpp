@@ -26,7 +26,7 @@ class RandomStreamFrom {
     return {x, y, z};
   }
 
-  /// Returns a number from 0 to count - 1.
+  /// Returns a random integer from 0 to count - 1.
   [[nodiscard]] int index(int count) { return boost::random::uniform_int_distribution<int>(0, count - 1)(source_); }
 
   /// Returns a seed for another stream.
@@ -37,7 +37,7 @@ class RandomStreamFrom {
     for (std::size_t k = items.size(); k > 1; --k) std::swap(items[k - 1], items[below(k)]);
   }
 
-  /// Puts a random choice in random order into the first `count` items; the others are left in some order.
+  /// Puts a random selection, in random order, into the first `count` items; the remaining items are left in any order.
   template <class T>
   void choose(std::vector<T>& items, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) std::swap(items[k], items[k + below(items.size() - k)]);

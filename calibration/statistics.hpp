@@ -1,4 +1,4 @@
-// Statistics of samples and of the distributions of their squares, for several estimators.
+// Statistics of samples, and the chi-square and F distributions, shared by several estimators.
 #pragma once
 
 #include <map>
@@ -6,23 +6,24 @@
 
 namespace tubeplan::calibration {
 
-/// Returns the median; of an even number of values the upper of the middle two, of none NaN.
+/// Returns the median: of an even number of values the upper of the middle two; NaN if there are no values.
 [[nodiscard]] double median(std::vector<double> values);
 
-/// Returns the probabilities, one together, of alternatives with these logs of weights.
+/// Returns the normalised probabilities of alternatives, given the logarithms of their weights.
 [[nodiscard]] std::vector<double> probabilitiesOf(const std::vector<double>& log_weights);
 
-/// Upper tail of chi-square; NaN where there is no freedom.
+/// Returns the upper tail probability of the chi-square distribution; NaN if there are no degrees of freedom.
 [[nodiscard]] double chiSquareTail(double chi2, double degrees_of_freedom);
 
-/// Returns the lower tail of chi-square: the probability that noise alone leaves as little.
+/// Returns the lower tail probability of the chi-square distribution: the probability that noise alone leaves `chi2` or
+/// less; NaN if there are no degrees of freedom.
 [[nodiscard]] double chiSquareLowerTail(double chi2, double degrees_of_freedom);
 
-/// Returns the value that chi-square exceeds with probability `tail`, between 0 and 1; there must be degrees of
-/// freedom.
+/// Returns the value that a chi-square variable exceeds with probability `tail`, between 0 and 1. The degrees of
+/// freedom must be positive.
 [[nodiscard]] double chiSquareQuantile(double tail, double degrees_of_freedom);
 
-/// chiSquareQuantile() of one tail for many readings: it is computed once for each number of rows.
+/// Cache of chiSquareQuantile() for a fixed tail: each number of degrees of freedom is computed once.
 class ChiSquareLimit {
  public:
   explicit ChiSquareLimit(double tail) : tail_(tail) {}
@@ -33,10 +34,10 @@ class ChiSquareLimit {
   std::map<int, double> known_;
 };
 
-/// Returns the median of the mean of `count` squares of standard normal numbers: 0.45 for one, 0.79 for three.
+/// Returns the median of the mean square of `count` standard normal variables: 0.45 for one, 0.79 for three.
 [[nodiscard]] double medianOfMeanSquare(int count);
 
-/// Returns the upper tail of Fisher's F; both numbers of degrees of freedom must be above zero.
+/// Returns the upper tail probability of Fisher's F distribution; both numbers of degrees of freedom must be positive.
 [[nodiscard]] double fisherTail(double F, double freedom_above, double freedom_below);
 
 }  // namespace tubeplan::calibration
