@@ -1,12 +1,12 @@
-// Display of pages to the user.
+// Opening of pages in the user's browser.
 #pragma once
 
 #include <string>
 
 namespace tubeplan::app {
 
-/// Passes an address or a file to the desktop's program for it (xdg-open, or the one named by BROWSER), and does not
-/// wait for it. If there is none, says so on standard error.
+/// Opens an address or a file with the program named by the environment variable BROWSER, or else with xdg-open, and
+/// returns without waiting. If that program cannot be started, prints a message on standard error.
 void openInBrowser(std::string place);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// A command of the program: its name, its words and its function.
+// A command of the program: name, help text and function.
 #pragma once
 
 #include <functional>
@@ -10,26 +10,26 @@ class App;
 
 namespace tubeplan::app {
 
-/// Exit codes, a promise to scripts.
+/// Exit codes of the program; scripts rely on them, so they never change.
 enum ExitCode { kDone = 0, kNegativeAnswer = 1, kBadInput = 2, kInternalError = 3 };
 
-/// Exit codes in words for a reader, including kStoppedExitCode.
+/// Description of all exit codes for the help text, including kStoppedExitCode.
 inline constexpr const char* kExitCodes =
     "0 done, 1 a negative answer, 2 bad input, 3 the program failed (no memory left, or a defect of it), "
     "130 stopped by Ctrl-C or SIGTERM";
 
-/// Function that does the work after the command line is read, and returns the exit code. Throws InputError for bad
-/// input.
+/// Function that does a command's work after the command line has been parsed. Returns the exit code; throws InputError
+/// for bad input.
 using Run = std::function<int()>;
 
-/// Function that declares the command's arguments on its part of the command line, and returns the function to run with
-/// them.
+/// Function that declares a command's arguments on its CLI11 subcommand, and returns the function that runs the command
+/// with the parsed values.
 using Configure = Run (*)(CLI::App& cli);
 
 struct Command {
   std::string_view name;
-  std::string_view summary;  ///< one line, for the overview
-  std::string_view example;  ///< one line or more, shown by --help
+  std::string_view summary;  ///< one line, for the list of commands
+  std::string_view example;  ///< one or more example command lines, shown by --help
   Configure configure;
 };
 

@@ -1,4 +1,4 @@
-// Progress on the terminal and Ctrl-C, as hooks of long work.
+// Hooks that show the progress of long work on the terminal and stop it on Ctrl-C.
 #pragma once
 
 #include "calibration/hooks.hpp"
@@ -6,10 +6,10 @@
 
 namespace tubeplan::app {
 
-/// Returns hooks that show one progress line per stage, and stop on the user's request.
+/// Returns planner hooks that show one progress line per stage and stop when the user requests it.
 [[nodiscard]] planner::PlanHooks terminalHooks();
 
-/// Returns the same hooks for fits and diagnoses.
+/// Returns hooks for fits and diagnoses that show one progress line per stage and stop when the user requests it.
 [[nodiscard]] calibration::WorkHooks terminalWorkHooks();
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// A line on the terminal with the progress of long work, its speed and the time left.
+// A terminal line that shows the progress of long work, its rate and the time left.
 #pragma once
 
 #include <chrono>
@@ -7,15 +7,15 @@
 
 namespace tubeplan::app {
 
-/// A progress line on standard error, shown only on a terminal. Not safe from several threads at once.
+/// Progress line on standard error, shown only if standard error is a terminal. Not thread-safe.
 class Progress {
  public:
   Progress(std::string label, std::size_t total);
-  ~Progress();  ///< clears the line
+  ~Progress();  ///< clears the progress line
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Reports that `done` of the total are done. Redraws at most ten times a second.
+  /// Reports that `done` of the `total` items are complete. Redraws the line at most ten times a second.
   void update(std::size_t done);
 
  private:
@@ -27,8 +27,8 @@ class Progress {
   Clock::time_point start_, drawn_;
 };
 
-/// Returns "planning [#####-----] 30/60  12.1/s  0:02 left" in at most `width` characters; "planning ..." if the total
-/// is unknown (0).
+/// Returns a text such as "planning [#####-----] 30/60  12.1/s  0:02 left" of at most `width` characters; "planning
+/// ..." if `total` is 0 (unknown). `seconds` is the elapsed time.
 [[nodiscard]] std::string progressLine(const std::string& label, std::size_t done, std::size_t total, double seconds,
                                        int width);
 

@@ -6,7 +6,7 @@ namespace tubeplan::app {
 
 namespace {
 
-// Flag set by the signal handler, which has no other way to inform the program.
+// Set by the signal handler; a handler may safely do little else than set such a flag.
 volatile std::sig_atomic_t stop_noted = 0;
 
 void noteSignal(int signal_number) {

@@ -1,15 +1,16 @@
-// Ctrl-C as a flag that long work checks now and then.
+// Ctrl-C as a flag that long work polls.
 #pragma once
 
 namespace tubeplan::app {
 
-/// Makes the program note an interrupt (SIGINT) or a request to end (SIGTERM); a second one ends the program at once.
+/// Installs handlers that record SIGINT (Ctrl-C) and SIGTERM. A second signal of the same kind ends the program at
+/// once.
 void noteStopSignals();
 
-/// Returns true if an interrupt or a request to end was noted.
+/// Returns true if SIGINT or SIGTERM was received since noteStopSignals().
 [[nodiscard]] bool stopRequested();
 
-/// Exit code of a stopped program, as shells use it: 128 + SIGINT.
+/// Exit code of a program stopped by a signal, following the shell convention: 128 + SIGINT.
 inline constexpr int kStoppedExitCode = 130;
 
 }  // namespace tubeplan::app
