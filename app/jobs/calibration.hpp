@@ -1,4 +1,4 @@
-// Calibration of the base from touched holes: from a cell and its touches to the base and the figures.
+// Calibration of the base from touched holes: a cell and its touches give the base pose and the results as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,17 +13,19 @@ namespace tubeplan::app {
 
 struct CalibrationOutcome {
   calibration::BaseCalibration calibration;
-  std::optional<ModelError> model_error;  ///< model error estimated with the base
+  std::optional<ModelError> model_error;  ///< model error estimated together with the base; nothing if the cell states
+                                          ///< none and none was found
   std::vector<calibration::Measurement> touches;
-  nlohmann::json figures;  ///< JSON of `tubeplan calibrate --json`
+  nlohmann::json figures;  ///< output of `tubeplan calibrate --json`
 };
 
-/// Calibrates the base. `file` is the source of the touches, for messages. Throws InputError for too few touches, or
-/// holes that do not place a base.
+/// Calibrates the base. `file` names the source of the touches in messages. Throws InputError if there are too few
+/// touches, or if the touched holes do not determine a base pose.
 [[nodiscard]] CalibrationOutcome calibrateCell(const Cell& cell, const std::vector<calibration::Measurement>& touches,
                                                const std::string& file);
 
-/// Returns the cell's text with the base and the model's error that were found, to be written at `out`.
+/// Returns the text of the cell file with the calibrated base and model error, for a file to be written to the path
+/// `out`.
 [[nodiscard]] std::string calibratedCellText(const Cell& cell, const CalibrationOutcome& outcome,
                                              const std::string& out);
 

@@ -1,4 +1,4 @@
-// Present knowledge of the model from a cell and its readings, for commands that plan ahead.
+// Present estimate of a cell's model from its readings, for commands that plan further measurements.
 #pragma once
 
 #include <string>
@@ -10,22 +10,23 @@
 
 namespace tubeplan::app {
 
-/// Returns the readings of a measurement file with a sigma each; none for an empty name. `sigma` [m] is used if the
-/// file states none; 0: InputError then, unless it follows from the cell's tool. `assume` as in MeasurementOptions.
+/// Returns the readings of a measurement file, each with a sigma; none if the file name is empty. `sigma` [m] applies
+/// if the file states none. If `sigma` is 0 as well, it is derived from the cell's tool, or else InputError is thrown.
+/// `assume` is as in MeasurementOptions.
 [[nodiscard]] ReadingsWithChecks readingsMade(const std::string& file, Cell& cell, double sigma,
                                               const std::vector<std::string>& assume = {});
 
-/// Returns the information of the readings on the free numbers. `where` names the source of the request, for the
-/// InputError about a name that is no number of the arm.
+/// Returns the estimate of the free parameters from the readings, with their information. `where` names the source of
+/// the request in the InputError about a name that is no parameter of the arm.
 [[nodiscard]] calibration::Estimate estimateOf(const Cell& cell, const std::vector<calibration::Measurement>& readings,
                                                const calibration::FreeChoice& free, const std::string& where,
                                                const calibration::DoubtBeside& doubt = {});
 
-/// Throws the InputError for a name that cannot be freed.
+/// Throws InputError for a name that cannot be freed, with a suggestion of a similar name if there is one.
 [[noreturn]] void refuseName(const std::string& where, const calibration::FreeProblem& problem,
                              const deflection::Arm& arm);
 
-/// Returns the cell with the estimated arm and base.
+/// Returns the cell with the estimated arm, and with the base pose of the last set-up.
 [[nodiscard]] Cell cellAsEstimated(Cell cell, const calibration::Estimate& estimate);
 
 }  // namespace tubeplan::app

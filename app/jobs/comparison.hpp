@@ -1,5 +1,4 @@
-// Comparison of a model with readings: from a cell and its readings to the figures on where it fails, by how much, and
-// what its error follows.
+// Comparison of a model with readings: where the model fails, by how much, and which variables its error depends on.
 #pragma once
 
 #include <cstdint>
@@ -20,22 +19,23 @@ struct ComparisonRequest {
 
 struct ComparisonOutcome {
   calibration::Comparison comparison;
-  std::vector<calibration::Measurement> readings;  ///< all but those set aside
+  std::vector<calibration::Measurement> readings;  ///< readings compared: all except the outliers in `set_aside`
   std::vector<std::string> set_aside;              ///< ids of outliers
   std::vector<std::string> warnings;               ///< warnings of the fit
-  nlohmann::json figures;                          ///< JSON of `tubeplan compare --json`
+  nlohmann::json figures;                          ///< output of `tubeplan compare --json`
 };
 
-/// Refits the readings. Throws JobStopped.
+/// Refits the model to the readings, and again without outliers if there are any. Throws JobStopped.
 [[nodiscard]] RefitOfReadings refitReadings(const CellReadings& input, const ComparisonRequest& request,
                                             const WorkHooks& hooks = {});
 
-/// Compares the model. `made`: the refit, if it exists already. Throws InputError for a list `identify` that names no
-/// parameters and for readings that determine nothing, JobStopped.
+/// Compares the model with the readings. `made` is the refit, or null to compute it here. Throws InputError if
+/// `identify` names no parameters or the readings determine nothing; throws JobStopped.
 [[nodiscard]] ComparisonOutcome compareModel(const CellReadings& input, const ComparisonRequest& request,
                                              const WorkHooks& hooks = {}, const RefitOfReadings* made = nullptr);
 
-/// Returns the pattern search of the refit's errors, as `tested` of the figures; empty if it cannot be made.
+/// Returns the patterns tested on the errors of the refit, as in `tested` of the comparison's JSON; an empty array if
+/// the comparison throws InputError.
 [[nodiscard]] nlohmann::json testedPatterns(const CellReadings& input, std::uint64_t seed, const WorkHooks& hooks = {});
 
 }  // namespace tubeplan::app

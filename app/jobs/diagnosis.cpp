@@ -13,7 +13,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Proposes the next readings if the verdict leaves something undecided.
+/// Proposes further readings if the verdict is ambiguous or inconclusive.
 void proposeNext(const CellReadings& input, const DiagnosisRequest& request, const WorkHooks& hooks,
                  DiagnosisOutcome& outcome) {
   using calibration::Verdict;

@@ -1,5 +1,4 @@
-// Diagnosis of the physical effect that a model lacks, with the next readings if that is undecided: from a cell and its
-// readings to the figures.
+// Diagnosis of the physical effect that a model lacks, and proposal of further readings if the diagnosis is undecided.
 #pragma once
 
 #include <cstdint>
@@ -16,26 +15,27 @@
 namespace tubeplan::app {
 
 struct DiagnosisRequest {
-  int effects = 3;  ///< largest number in one explanation
+  int effects = 3;  ///< largest number of effects in one explanation
   int next = 6;     ///< number of readings to propose
   std::uint64_t seed = 1;
 };
 
 struct DiagnosisOutcome {
   calibration::Diagnosis diagnosis;
-  std::vector<calibration::ReadingCandidate> candidates;  ///< candidates for the readings to propose
+  std::vector<calibration::ReadingCandidate> candidates;  ///< candidates from which the proposed readings are chosen
   calibration::DiscriminatingMeasurements next;
-  std::vector<calibration::EffectWarning> warnings;         ///< about effects that the cell has
-  std::vector<calibration::ProposedMeasurement> run_sheet;  ///< the proposed readings; empty: none is proposed
-  nlohmann::json figures;                                   ///< JSON of `tubeplan diagnose --json`
+  std::vector<calibration::EffectWarning> warnings;  ///< warnings about effects that the cell's model already contains
+  std::vector<calibration::ProposedMeasurement> run_sheet;  ///< proposed readings; empty if none are proposed
+  nlohmann::json figures;                                   ///< output of `tubeplan diagnose --json`
 };
 
-/// Returns the diagnosis alone, without further readings and warnings; not run if the readings determine nothing.
+/// Returns the diagnosis alone, without proposed readings and warnings. Its status is "not run" if the readings
+/// determine nothing.
 [[nodiscard]] calibration::Diagnosis diagnoseReadings(const Cell& cell,
                                                       const std::vector<calibration::Measurement>& readings,
                                                       const DiagnosisRequest& request, const WorkHooks& hooks = {});
 
-/// Diagnoses the model. Throws InputError for readings that determine nothing, JobStopped.
+/// Diagnoses the model. Throws InputError for readings that determine nothing; throws JobStopped.
 [[nodiscard]] DiagnosisOutcome diagnoseModel(const CellReadings& input, const DiagnosisRequest& request,
                                              const WorkHooks& hooks = {});
 

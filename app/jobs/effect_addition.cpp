@@ -29,7 +29,7 @@ void addOrRefuse(Addition& addition, const Effect& effect) {
                              "name another effect or place");
 }
 
-/// Frees numbers, for "free@latch-link.beam.Iz" or "free@geometry".
+/// Frees the parameters of a cause such as "free@latch-link.beam.Iz" or "free@geometry"; `name` follows the "@".
 void freeNumbers(Addition& addition, const std::string& name) {
   const auto& arm = addition.cell.arm;
   const auto known = calibration::freeableNames(arm);
@@ -40,7 +40,7 @@ void freeNumbers(Addition& addition, const std::string& name) {
   addition.freed.push_back(name);
 }
 
-/// Adds the effect at every joint.
+/// Adds the effect at every joint where it can act.
 void addAtAllJoints(Addition& addition, const std::string& effect) {
   const auto effects = calibration::effectsAtAllJoints(addition.cell.arm, effect);
   if (effects.empty())
@@ -57,7 +57,8 @@ void addCause(Addition& addition, const std::string& text) {
   addOrRefuse(addition, parseEffect(text, addition.cell.arm, addition.cell.units, kWhere).effect);
 }
 
-/// Holds a name of `identify`, or removes an effect with all its free numbers.
+/// Removes a cause from the cell. "free@NAME" is removed from `identify`; an effect is removed with all its free
+/// parameters.
 void removeOrRefuse(Cell& cell, const std::string& cause) {
   const std::string freed = fmt::format("{}@", calibration::kFreedNumbers);
   const bool is_name = cause.starts_with(freed);

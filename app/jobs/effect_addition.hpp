@@ -1,5 +1,5 @@
-// A cell with additions to its model, to be fitted with the rest: effects of the catalogue, the user's own formulas,
-// and numbers of the arm's file that were held.
+// Additions to a cell's model, to be fitted together with the rest: catalogue effects, user formulas, and parameters of
+// the arm file that were held fixed.
 #pragma once
 
 #include <filesystem>
@@ -11,31 +11,31 @@
 
 namespace tubeplan::app {
 
-/// Request in the words of a command. A cause is `EFFECT@AT`, `EFFECT@AT:NUMBER=VALUE,...` (with sizes, as a diagnosis
-/// gives them), `EFFECT@all joints`, `free@NAME` or `free@geometry`. A formula is `TARGET += EXPRESSION`; the causes
-/// may then include `formula@TARGET`.
+/// Requested additions, in the syntax of the command line. A cause is `EFFECT@AT`, `EFFECT@AT:NUMBER=VALUE,...` (with
+/// values, as a diagnosis prints them), `EFFECT@all joints`, `free@NAME` or `free@geometry`. A formula is `TARGET +=
+/// EXPRESSION`. With a formula, `causes` may also contain `formula@TARGET`.
 struct AdditionRequest {
   std::vector<std::string> causes;
   std::string formula;
 };
 
 struct Addition : AddedCauses {
-  Cell cell;  ///< the cell with all additions, in the form in which it will be read again
+  Cell cell;  ///< the cell with all additions, as it would be read back from its written file
 };
 
-/// Adds the causes. Throws InputError for an empty request, an effect that the cell has already, or what the readers of
-/// effects refuse.
+/// Adds the causes to the cell. Throws InputError for an empty request, for an effect that the cell already has, and
+/// for a cause or formula that cannot be parsed.
 [[nodiscard]] Addition addToCell(const Cell& cell, const AdditionRequest& request);
 
-/// Returns the cell without these causes: each an effect, `EFFECT@AT`, with its numbers in `identify`, or `free@NAME`,
-/// a name of `identify` that is held again at its present value. Throws InputError for causes that the cell does not
-/// have.
+/// Returns the cell without the given causes. `EFFECT@AT` removes an effect and its parameters from `identify`.
+/// `free@NAME` removes a name from `identify`, so that the parameter is held at its present value. Throws InputError
+/// for a cause that the cell does not have.
 [[nodiscard]] Cell withoutCauses(const Cell& cell, const std::vector<std::string>& causes);
 
-/// Returns the cell's text with the additions, to be written at `out`.
+/// Returns the text of the cell file with the additions, for a file to be written to the path `out`.
 [[nodiscard]] std::string cellTextWith(const Cell& cell, const Addition& addition, const std::filesystem::path& out);
 
-/// Returns words on the overlap of the cell's formulas with the catalogue at these readings.
+/// Returns a text on how far the cell's formulas overlap with effects of the catalogue at these readings.
 [[nodiscard]] std::string overlapAt(const CellReadings& input);
 
 }  // namespace tubeplan::app

@@ -52,7 +52,7 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   return result;
 }
 
-/// Throws InputError for a refusal: names that are no parameters, readings that determine nothing.
+/// Throws InputError for a refused fit: names that are no parameters, or readings that determine nothing.
 void requireAccepted(const Identification& result, const IdentificationRequest& request, const CellReadings& input) {
   if (result.status != IdentificationStatus::kRefused) return;
   const Cell& cell = input.cell;
@@ -62,7 +62,7 @@ void requireAccepted(const Identification& result, const IdentificationRequest& 
   refuseName(request.free.empty() ? cell.path + " (identify)" : "--free", result.problems.front(), cell.arm);
 }
 
-/// Reads "a,b" or "a,b:SETUP".
+/// Parses one stage: "a,b" or "a,b:SETUP".
 calibration::IdentificationStage stageOf(const std::string& text) {
   calibration::IdentificationStage stage;
   const std::size_t colon = text.find(':');
@@ -94,7 +94,8 @@ Identification identifyAsAsked(const IdentificationRequest& request, const Cell&
   return std::move(results.back());
 }
 
-/// Returns warnings about the cell's fitted effects; none after stages, which hold some of them.
+/// Returns warnings about the cell's fitted effects. There are none for a fit in stages, because the last stage holds
+/// some effects fixed.
 std::vector<calibration::EffectWarning> effectWarnings(const IdentificationRequest& request, const Cell& cell,
                                                        const std::vector<calibration::Measurement>& readings,
                                                        const Identification& result, const WorkHooks& hooks) {
@@ -103,7 +104,7 @@ std::vector<calibration::EffectWarning> effectWarnings(const IdentificationReque
                                     result);
 }
 
-/// Returns an outcome without a fit, because the numbers would compensate for a mistake in the readings.
+/// Returns an outcome without a fit. Fitted parameters would compensate for the mistake in the readings.
 IdentificationOutcome unidentified(const CellReadings& input, const std::string& mistake) {
   const Units& units = input.cell.units;
   IdentificationOutcome outcome;
@@ -121,7 +122,7 @@ IdentificationOutcome unidentified(const CellReadings& input, const std::string&
   return outcome;
 }
 
-/// Fits without outliers; stages and robust losses take all readings.
+/// Fits the readings without outliers. A fit in stages or with a robust loss uses all readings.
 void fitReadings(const CellReadings& input, const IdentificationRequest& request, const WorkHooks& hooks,
                  IdentificationOutcome& outcome) {
   const auto& cell = input.cell;
@@ -145,8 +146,8 @@ void fitReadings(const CellReadings& input, const IdentificationRequest& request
   outcome.set_aside = std::move(refit.set_aside);
 }
 
-/// Returns a clause with the reason why the readings reject a fit; empty if they do not. Repeated readings may scatter
-/// less than stated, or so much more that a misfit by the stated noise counts as none.
+/// Returns a clause that says why the readings reject the fit; empty if they do not. The scatter of repeated readings
+/// also counts: if it exceeds the stated noise enough to explain the misfit, the fit is not inadequate.
 std::string refutation(const calibration::ModelLackOfFit& lack) {
   const bool is_off = lack.p_value < calibration::kPatternLevel;
   if (lack.adequacy == calibration::Adequacy::kInadequate)
@@ -162,8 +163,8 @@ std::string refutation(const calibration::ModelLackOfFit& lack) {
                 : "";
 }
 
-/// Records whether a fit leaves more than noise explains, by the rule of `compare`, for every kind of fit and every end
-/// of it. Robust losses leave outliers in, so that they are no reason to refuse a base.
+/// Records whether the residuals exceed the noise, by the criterion of `compare`, whatever the kind of fit and however
+/// it ended. A robust fit keeps its outliers, so its misfit is no reason to refuse the base.
 void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& outcome) {
   const auto& fit = outcome.fit;
   const auto lack = calibration::lackOfFitOf(fit, outcome.readings);
@@ -188,7 +189,7 @@ void judgeByNoise(const IdentificationRequest& request, IdentificationOutcome& o
 IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
                                     const WorkHooks& hooks) {
   const auto& cell = input.cell;
-  (void)identificationOptions(request, cell, hooks);  // refuses bad options before any work
+  (void)identificationOptions(request, cell, hooks);  // throws for bad options before any work
   if (const auto mistake = mistakeText(input.checks, cell.units); !mistake.empty()) return unidentified(input, mistake);
   beginStep(hooks, "fit");
   IdentificationOutcome outcome;

@@ -1,4 +1,5 @@
-// Identification of the numbers of a model and the base: from a cell and its readings to the fit and its figures.
+// Identification of a model's parameters and base from readings: a cell and its readings give the fit and the results
+// as JSON.
 #pragma once
 
 #include <cstdint>
@@ -21,33 +22,35 @@ inline constexpr int kMostFolds = 100;
 
 struct IdentificationRequest {
   std::string method = "in-turn", robust = "none";
-  std::vector<std::string> free;    ///< replaces the cell's `identify`
-  std::vector<std::string> stages;  ///< "NAMES[:SETUP]" each; empty: all at once
+  std::vector<std::string>
+      free;  ///< names of the parameters to free, instead of the cell's `identify`; empty: `identify`
+  std::vector<std::string> stages;  ///< stages of the fit, each "NAMES[:SETUP]"; empty: one fit of everything
   double drop = 0;
   int starts = 1, folds = 5;
   std::uint64_t seed = 1;
-  /// Called with the fit of every stage but the last, as it is done; may be empty.
+  /// Called with the fit of each completed stage except the last; may be empty.
   std::function<void(int stage, const calibration::Identification&)> stage_done = {};
-  calibration::IterationObserver observe = {};  ///< called at the fit's iterations
+  calibration::IterationObserver observe = {};  ///< called at each iteration of the fit; may be empty
 };
 
 struct IdentificationOutcome {
-  calibration::Identification fit;  ///< the fit; not run if the readings hold a mistake, which is its reason
-  std::vector<calibration::Measurement> readings;  ///< readings given to the fit: all but those set aside
+  calibration::Identification
+      fit;  ///< the fit; if the readings contain a mistake, it is not run and its `reason` names the mistake
+  std::vector<calibration::Measurement> readings;  ///< readings fitted: all except the outliers in `set_aside`
   std::vector<std::string> set_aside;              ///< ids of outliers
-  std::vector<std::string> warnings;               ///< about the readings
-  /// Verdict on the remaining error of the fit beside the noise, by the rule of `compare`; inconclusive if there is a
-  /// mistake.
+  std::vector<std::string> warnings;               ///< warnings about the fit and the readings
+  /// Verdict on the residuals relative to the noise, by the criterion of `compare`; inconclusive if the readings
+  /// contain a mistake.
   calibration::Adequacy adequacy = calibration::Adequacy::kNotRun;
-  bool is_base_refused = false;  ///< true: only the base was found, and the readings do not fit it
+  bool is_base_refused = false;  ///< true: only the base was fitted, and the readings reject the fit
   std::vector<calibration::FormulaOverlap> overlaps;
   PredictedCentring centring;
   std::vector<calibration::EffectWarning> of_effects;
-  nlohmann::json figures;  ///< JSON of `tubeplan identify --json`
+  nlohmann::json figures;  ///< output of `tubeplan identify --json`
 };
 
-/// Identifies the model. Throws InputError for names that are no parameters, nothing to free and readings that
-/// determine nothing, JobStopped.
+/// Identifies the model's parameters. Throws InputError if a name is no parameter, nothing is free or the readings
+/// determine nothing; throws JobStopped.
 [[nodiscard]] IdentificationOutcome identifyModel(const CellReadings& input, const IdentificationRequest& request,
                                                   const WorkHooks& hooks = {});
 

@@ -1,4 +1,4 @@
-// Repeated diagnosis, addition and identification, until no further cause is certain: for a cell and its readings.
+// Repeated diagnosis, addition and identification for a cell and its readings, until no further cause is certain.
 #pragma once
 
 #include "app/formats/measurements/reading_input.hpp"
@@ -6,8 +6,8 @@
 
 namespace tubeplan::app {
 
-/// Improves the model. Nothing is added while a mistake in the readings explains the error. Throws InputError for
-/// readings from which nothing can be fitted, JobStopped.
+/// Improves the model. Adds nothing if a mistake in the readings explains the error. Throws InputError for readings to
+/// which nothing can be fitted; throws JobStopped.
 [[nodiscard]] Improvement improveModel(const CellReadings& input, const ImprovementRequest& request,
                                        const WorkHooks& hooks = {});
 

@@ -19,7 +19,8 @@ std::vector<calibration::Measurement> without(const CellReadings& input, const s
   return readings;
 }
 
-/// Returns a cell for its sheet and tool: the one that was named, else the first that has both.
+/// Returns the cell that provides the sheet and the tool: the cell named in the request, else the first model's cell
+/// that has both. Nothing if there is none.
 std::optional<Cell> sheetCell(const LadderRequest& request, const std::vector<LadderModel>& models) {
   for (const auto& path : {request.sheet, request.truth})
     if (!path.empty()) return readCell(path);
@@ -35,7 +36,8 @@ void requireOneSheet(const Cell& cell, const tubesheets::Sheet& sheet) {
                      "name cells under one tube sheet");
 }
 
-/// Returns the arm of the truth, or else of the best model, under the sheet.
+/// Returns the real arm for the step tables: the arm of the truth, or of the best model if no truth is named. The sheet
+/// and the tool are those of `with_sheet`.
 RealArm realArmOf(const LadderRequest& request, const Cell& with_sheet, const ModelComparisonRow* best) {
   RealArm real;
   real.cell = workcellOf(with_sheet, "count the steps that go in");
@@ -48,7 +50,7 @@ RealArm realArmOf(const LadderRequest& request, const Cell& with_sheet, const Mo
     real.cell.X_WB = truth.X_WB;
     real.name = request.truth;
   }
-  real.cell.arm.tool_axis_L = with_sheet.arm.tool_axis_L;  // a cell without a sheet may not state it
+  real.cell.arm.tool_axis_L = with_sheet.arm.tool_axis_L;  // the truth's cell may state no tool axis
   return real;
 }
 
@@ -71,7 +73,7 @@ bool isMade(const calibration::Identification* fit) {
   return fit && fit->status != calibration::IdentificationStatus::kNotRun;
 }
 
-/// Returns the ids of the outliers of a model that is still to be fitted, and of readings that were set aside before.
+/// Fits a model and returns the ids of its outliers, followed by the ids that were already set aside.
 std::vector<std::string> setAsideBy(const LadderModel& model, const LadderRequest& request, const WorkHooks& hooks) {
   beginStep(hooks, "fit");
   CellReadings input = model.input;

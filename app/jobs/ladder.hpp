@@ -1,4 +1,4 @@
-// The error of one model after another on the same readings: from models to rows of the comparison and figures.
+// Comparison of several models on the same readings (a "ladder"): one row with the error of each model.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,18 +10,19 @@
 
 namespace tubeplan::app {
 
-/// A model for the ladder, with the readings in its form.
+/// A model of the ladder, with its cell and the readings as interpreted with this cell.
 struct LadderModel {
   std::string name;
   CellReadings input;
-  const calibration::Identification* fit = nullptr;  ///< result of fitForLadder(), if it exists already
+  const calibration::Identification* fit = nullptr;  ///< result of fitForLadder(); null: not computed yet
 };
 
 struct LadderRequest {
-  std::string truth;  ///< a cell's file; empty: the best model of the ladder, with an unmodelled error
-  std::string sheet;  ///< a cell's file, for its sheet and tool; empty: the truth's, else the first cell's that has one
-  int holes = 1000;   ///< number in the step table
-  /// Ids of readings that are outliers already; if the last model's fit exists, all that it was made without.
+  std::string truth;  ///< cell file of the true arm; empty: the ladder's best model, with an unmodelled error
+  std::string sheet;  ///< cell file with the sheet and the tool; empty: `truth`, else the first cell with both
+  int holes = 1000;   ///< number of holes in a step table
+  /// Ids of readings already known as outliers. If the last model is already fitted, these are all readings left out of
+  /// its fit.
   std::vector<std::string> set_aside = {};
   std::uint64_t seed = 1;
 };
@@ -29,15 +30,15 @@ struct LadderRequest {
 struct LadderOutcome {
   std::vector<ModelComparisonRow> comparison;
   LadderSteps steps;
-  std::vector<std::string> set_aside;  ///< ids of outliers of the last model: no model is judged on them
-  nlohmann::json figures;              ///< JSON of `tubeplan ladder --json`
+  std::vector<std::string> set_aside;  ///< ids of outliers of the last model; excluded for all models
+  nlohmann::json figures;              ///< output of `tubeplan ladder --json`
 };
 
-/// Returns the cell with its arm taken as rigid, so that only its base is fitted.
+/// Returns the cell with a rigid arm, of which nothing but the base is fitted.
 [[nodiscard]] Cell rigidOf(Cell cell);
 
-/// Compares the models, of which there must be one or more. Outliers of the last are set aside, so that all are judged
-/// on the same readings. Throws InputError for sheets that differ, JobStopped.
+/// Compares one or more models. Outliers of the last model are excluded for all models, so that all are compared on the
+/// same readings. Throws InputError if the models' tube sheets differ; throws JobStopped.
 [[nodiscard]] LadderOutcome climbLadder(const std::vector<LadderModel>& models, const LadderRequest& request,
                                         const WorkHooks& hooks = {});
 

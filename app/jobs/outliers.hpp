@@ -1,4 +1,4 @@
-// Readings that a job sets aside before it judges a model: one rule for comparisons, and for a ladder of models.
+// Outliers that a job excludes before it judges a model; comparisons, fits and ladders use the same criterion.
 #pragma once
 
 #include <functional>
@@ -10,24 +10,24 @@
 
 namespace tubeplan::app {
 
-/// Returns the indices of the readings with errors beyond the noise; none if the readings hold a mistake, which is to
-/// be corrected first. `fit` is of all readings by `options`, or not run if nothing is free.
+/// Returns the indices of readings whose errors exceed the noise; none if the readings contain a mistake, which must be
+/// corrected first. `fit` is the fit of all readings with `options`, or has status "not run" if nothing is free.
 [[nodiscard]] std::vector<int> outliersOf(const CellReadings& input, const calibration::Identification& fit,
                                           const calibration::IdentificationOptions& options);
 
-/// Returns the ids of the readings with these indices.
+/// Returns the ids of the readings at these indices.
 [[nodiscard]] std::vector<std::string> idsAt(const std::vector<int>& places,
                                              const std::vector<calibration::Measurement>& readings);
 
-/// A fit to the readings that are no outliers.
+/// A fit to the readings without their outliers.
 struct RefitOfReadings {
-  std::vector<calibration::Measurement> readings;  ///< all but those set aside
+  std::vector<calibration::Measurement> readings;  ///< readings fitted: all except the outliers in `set_aside`
   std::vector<std::string> set_aside;              ///< ids of outliers
-  calibration::Identification fit;                 ///< fit of `readings`; not run if nothing is free
+  calibration::Identification fit;                 ///< fit of `readings`; has status "not run" if nothing is free
 };
 
-/// Fits all readings and, if `outliers` finds indices of some by that fit, the others. A fit that is refused is the
-/// result.
+/// Fits all readings. If `outliers` then returns indices of readings, fits again without these readings. If the first
+/// fit is refused, returns it unchanged.
 [[nodiscard]] RefitOfReadings fitWithoutOutliers(
     const std::vector<calibration::Measurement>& readings,
     const std::function<calibration::Identification(const std::vector<calibration::Measurement>&)>& fitted,

@@ -64,7 +64,7 @@ void countChanges(const std::vector<int>& before, PlanOutcome& outcome) {
   outcome.tubes_removed = static_cast<int>(old.size()) - kept;
 }
 
-constexpr double kMostStandoff = 1;  // also the largest insertion [m]
+constexpr double kMostStandoff = 1;  // [m]; also the largest insertion
 
 double standoffOf(const PlanRequest& request, const PlanOutcome& outcome) {
   if (!request.standoff) return planner::CompensationOptions{}.standoff;
@@ -96,7 +96,7 @@ planner::VisitPlanOptions planOptions(const PlanRequest& request, const PlanOutc
   return options;
 }
 
-/// Checks the padding, which keeps the arm away by the base's uncertainty in addition to the scene's clearance.
+/// Checks the padding: the distance, in standard deviations of the base, that is added to the scene's clearance.
 void checkPadding(const PlanRequest& request, const PlanOutcome& outcome) {
   constexpr double kMostSigmas = 10;
   if (!(request.padding >= 0 && request.padding <= kMostSigmas))
@@ -113,7 +113,7 @@ void addTruth(const std::string& file, PlanOutcome& outcome) {
   requireSameSheet(outcome.nominal, *outcome.truth, file);
 }
 
-/// Returns an outcome with the planner's cell, and the true one.
+/// Returns an outcome with the nominal workcell and, if the request names a truth, the true workcell.
 PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
   PlanOutcome outcome;
   outcome.cell = cell;
@@ -127,7 +127,7 @@ PlanOutcome begun(const Cell& cell, const PlanRequest& request) {
   return outcome;
 }
 
-/// Refuses a zone without any of the tubes, which was meant for another list.
+/// Throws InputError for a zone that contains none of the tubes to visit; it was probably meant for another work list.
 void requireZonesOfTheList(const ConditionsRequest& asked, const planner::VisitConditions& conditions,
                            const std::vector<int>& tubes) {
   for (std::size_t k = 0; k < conditions.zones.size(); ++k) {
@@ -138,7 +138,7 @@ void requireZonesOfTheList(const ConditionsRequest& asked, const planner::VisitC
   }
 }
 
-/// Adds the conditions of the work list, and the requested kind of travel.
+/// Sets the selected tubes, their visit conditions and the warnings about the work list.
 void addConditions(const PlanRequest& request, const tubesheets::Selection& selection, PlanOutcome& outcome) {
   outcome.conditions = conditionsOf(request.conditions, outcome.cell, selection.dwell);
   requireZonesOfTheList(request.conditions, outcome.conditions, selection.tube_indices);
@@ -149,7 +149,7 @@ void addConditions(const PlanRequest& request, const tubesheets::Selection& sele
     outcome.cell.warnings.push_back(std::move(doubtful));
 }
 
-/// Calibrates the base by the touches; returns false if that fails.
+/// Calibrates the base from the touches. Returns false if the calibration fails.
 bool placeBase(PlanOutcome& outcome, std::vector<calibration::Measurement> touches) {
   outcome.touches = std::move(touches);
   outcome.calibration = calibrateBoth(outcome.nominal, outcome.cell, outcome.touches);

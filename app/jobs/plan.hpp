@@ -1,4 +1,4 @@
-// The main job: touches, calibration, plan and score, from the files of a request to results in memory.
+// The planning job: reads the files of a request, calibrates, plans and scores, and returns the results in memory.
 #pragma once
 
 #include "app/documents/plan_outcome.hpp"
@@ -7,12 +7,13 @@
 
 namespace tubeplan::app {
 
-/// Reads, calibrates, plans and scores. Throws InputError for bad input. If the calibration is refused, the plan is not
-/// run. `checkpoint` supplies known results and keeps new ones.
+/// Reads the input, calibrates the base, plans the visits and scores them. Throws InputError for bad input. If the
+/// calibration is refused, nothing is planned. `checkpoint` supplies results of an earlier run and stores new ones.
 [[nodiscard]] PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanCheckpoint& checkpoint);
 
-/// Plans the visits of a given cell with its present base, and scores against the request's truth. No other file of the
-/// request is read, and nothing is kept. Its tubes are a selection, not a file.
+/// Plans the visits of a given cell with its present base, and scores them against the request's truth. Of the
+/// request's files only the truth is read, and nothing is stored. `tubes` of the request is a selection, not a file
+/// name.
 [[nodiscard]] PlanOutcome planCell(const Cell& cell, const PlanRequest& request, planner::PlanHooks hooks);
 
 }  // namespace tubeplan::app

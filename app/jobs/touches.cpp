@@ -20,13 +20,13 @@ namespace {
 
 using calibration::Estimate, calibration::Measurement;
 
-constexpr double kUsualSigma = 1.27e-4;  // [m]: 0.005 in, the centring of a calibration tool
+constexpr double kUsualSigma = 1.27e-4;  // [m] (0.005 in), centring tolerance of a calibration tool
 
 bool wants(const TouchRequest& request, const std::string& goal) {
   return request.goal == goal || request.goal == "both";
 }
 
-/// Returns the median sigma of the readings of that sort [m]; 0 if there are none.
+/// Returns the median sigma of the touches (`is_touch`), or of all other readings [m]; 0 if there are none.
 double medianSigma(const std::vector<Measurement>& readings, bool is_touch) {
   std::vector<double> sigmas;
   for (const auto& reading : readings)
@@ -34,7 +34,7 @@ double medianSigma(const std::vector<Measurement>& readings, bool is_touch) {
   return sigmas.empty() ? 0 : calibration::median(std::move(sigmas));
 }
 
-/// Returns the noise assumed for a future reading.
+/// Returns the noise assumed for a future touch (`is_touch`) or other reading, with its source.
 ReadingNoise noiseOf(const TouchRequest& request, const Cell& cell, const std::vector<Measurement>& readings,
                      bool is_touch) {
   if (request.sigma > 0) return {cell.units.toInternal(request.sigma, dimension::kLength), "--sigma"};
@@ -43,7 +43,7 @@ ReadingNoise noiseOf(const TouchRequest& request, const Cell& cell, const std::v
   return {kUsualSigma, "default; --sigma changes it"};
 }
 
-/// Returns the loads asked for, else those of the readings, else none; each once, in order.
+/// Returns the requested loads, else the loads of the readings, else zero load [N]; sorted and without duplicates.
 std::vector<double> loadsOf(const TouchRequest& request, const Cell& cell, const std::vector<Measurement>& readings) {
   std::set<double> loads;
   for (const double load : request.loads) {
@@ -58,10 +58,10 @@ std::vector<double> loadsOf(const TouchRequest& request, const Cell& cell, const
   return {loads.begin(), loads.end()};
 }
 
-/// Returns the present set-up of the arm, in which new readings are made.
+/// Returns the set-up of the latest readings, in which new readings are made.
 std::string lastSetup(const Estimate& estimate) { return estimate.start.base_poses.back().setup; }
 
-/// Adds notes on the estimate. `known`: the model error that the cell states [m].
+/// Adds notes on the estimate. `known` is the model error that the cell states [m].
 void noteEstimate(const Estimate& estimate, double known, const Units& units, std::vector<std::string>& notes) {
   if (!estimate.note.empty())
     notes.push_back("the readings could not be fitted (" + estimate.note + "): the cell's values are used instead");
@@ -74,7 +74,7 @@ void noteEstimate(const Estimate& estimate, double known, const Units& units, st
     notes.push_back("new readings belong to the last set-up, '" + lastSetup(estimate) + "'");
 }
 
-/// Adds the information of the readings to the task, and places the cell accordingly.
+/// Adds the estimates from the readings to the task, and gives the outcome's cell the estimated arm and base.
 void learn(const TouchRequest& request, const std::vector<Measurement>& readings, const std::string& named_by,
            TouchTask& task, TouchOutcome& outcome) {
   if (wants(request, "parameters")) {
@@ -96,7 +96,7 @@ void learn(const TouchRequest& request, const std::vector<Measurement>& readings
   outcome.cell = cellAsEstimated(outcome.cell, *task.of_base);
 }
 
-/// Returns the request with defaults filled in.
+/// Returns the checked request with defaults filled in.
 TouchRequest completed(TouchRequest request, const Cell& cell) {
   if (!std::isfinite(request.sigma) || request.sigma < 0)
     throw InputError("--sigma", fmt::format("{}", request.sigma),
@@ -124,7 +124,8 @@ void requireEnough(const TouchRequest& request, const TouchOutcome& outcome) {
                      "give --loads=0,20 or --kind position");
 }
 
-/// Sets the postures of the work and the possible readings.
+/// Copies the options of the request to the task and, for a cell with a sheet, sets the workcell and the tubes of the
+/// work list.
 void settleTask(const TouchRequest& request, TouchTask& task, TouchOutcome& outcome) {
   task.cell = outcome.cell;
   task.by_touch = request.kind == "touch";

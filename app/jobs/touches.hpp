@@ -1,5 +1,4 @@
-// Proposals of the next measurements, from the files of a request to results in memory: holes that place the base, and
-// readings that improve the free numbers.
+// Proposals of further measurements: holes to touch that place the base, and readings that improve the free parameters.
 #pragma once
 
 #include <vector>
@@ -8,10 +7,10 @@
 
 namespace tubeplan::app {
 
-/// Proposes measurements. Throws InputError for bad input.
+/// Proposes measurements from the files named in the request. Throws InputError for bad input.
 [[nodiscard]] TouchOutcome proposeTouches(const TouchRequest& request);
 
-/// Proposes measurements for a given cell and readings, instead of the request's files.
+/// Proposes measurements for the given cell and readings; the request's files are not read.
 [[nodiscard]] TouchOutcome proposeTouches(const TouchRequest& request, const Cell& cell,
                                           const std::vector<calibration::Measurement>& readings);
 
