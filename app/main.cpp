@@ -19,22 +19,22 @@
 
 namespace {
 
-/// Reports a failed write to standard output (full disk, or pipe closed by its reader) and returns the exit code.
+/// Reports a failed write to standard output (full disk, or a pipe closed by its reader) and returns the exit code.
 int tellOfOutput(int error) {
   std::fprintf(stderr, "tubeplan: standard output: the text cannot be written (%s); check where it goes\n",
                std::strerror(error));
   return tubeplan::app::kBadInput;
 }
 
-/// Has freed memory kept for later allocations: MUMPS frees and takes some megabytes in every iteration of Ipopt.
+/// Makes malloc keep freed memory: the solver MUMPS allocates and frees several megabytes in each iteration of Ipopt.
 void keepFreedMemory() {
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
   mallopt(M_TRIM_THRESHOLD, 256 << 20);
   mallopt(M_TOP_PAD, 16 << 20);
 }
 
-/// Ends the program with a message for an exception outside of any handler. Such a case is lack of memory for a new
-/// thread of oneTBB's pool. The next run removes partly written files, as after a kill.
+/// Ends the program with a message for an exception that no handler catches, such as lack of memory for a new thread in
+/// oneTBB's pool. The next run removes partly written files, as after a kill.
 [[noreturn]] void endInWords() {
   const std::exception_ptr thrown = std::current_exception();
   if (!thrown) std::abort();
@@ -55,7 +55,7 @@ void keepFreedMemory() {
 int main(int argc, char** argv) {
   keepFreedMemory();
   std::set_terminate(endInWords);
-  std::signal(SIGPIPE, SIG_IGN);  // a write to a closed pipe fails like any other
+  std::signal(SIGPIPE, SIG_IGN);  // a write to a closed pipe then returns an error instead of ending the program
   try {
     const int exit_code = tubeplan::app::runCommandLine(std::vector<std::string>(argv + 1, argv + argc));
     return std::fflush(stdout) == 0 ? exit_code : tellOfOutput(errno);

@@ -1,6 +1,6 @@
-// The module `tubeplan` of Python: poses of an arm in batches as NumPy arrays, and the commands on cells and readings
-// with results as dictionaries, with the keys of their --json output. Arrays are in metres, radians and newtons;
-// dictionaries in the cell's own units.
+// The Python module `tubeplan`: batches of arm poses as NumPy arrays, and the commands on cells and readings. Commands
+// return dictionaries with the keys of their --json output. Arrays are in metres, radians and newtons; dictionaries are
+// in the cell's own units.
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -41,7 +41,8 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 
 py::object toPython(const nlohmann::json& json) { return py::module_::import("json").attr("loads")(json.dump()); }
 
-/// Ends long work on Ctrl-C, as in the terminal: once the calling thread has noticed it, all of them stop.
+/// Stop condition that makes Ctrl-C end long work, as in the terminal. The calling thread detects the signal; all
+/// threads then stop.
 class Interruption {
  public:
   bool operator()() const {
@@ -56,14 +57,14 @@ class Interruption {
   std::shared_ptr<std::atomic<bool>> is_seen_ = std::make_shared<std::atomic<bool>>(false);
 };
 
-/// Runs work without Python's lock, so that its other threads need not wait.
+/// Runs `work` without Python's global interpreter lock, so that other Python threads can run.
 template <class Work>
 auto withoutLock(Work&& work) {
   const py::gil_scoped_release released;
   return work();
 }
 
-/// Returns rotations as one array of N x 3 x 3.
+/// Returns rotation matrices as one N x 3 x 3 array.
 py::array_t<double> stacked(const std::vector<Eigen::Matrix3d>& rotations) {
   py::array_t<double> out({static_cast<py::ssize_t>(rotations.size()), py::ssize_t{3}, py::ssize_t{3}});
   auto at = out.mutable_unchecked<3>();
@@ -75,7 +76,7 @@ py::array_t<double> stacked(const std::vector<Eigen::Matrix3d>& rotations) {
 
 class PythonCell {
  public:
-  /// The absolute path is kept, because a program may change its folder.
+  /// Stores the absolute path, because a Python program may change its working directory.
   explicit PythonCell(const std::filesystem::path& path)
       : path_(path.empty() ? "" : std::filesystem::absolute(path).string()), cell_(readCell(path.string())) {}
 
@@ -94,8 +95,8 @@ class PythonCell {
     return limits;
   }
 
-  /// Returns deflected tips in the world: N x 3 places [m], N x 3 x 3 tool frames, and for each true if its shape
-  /// converged.
+  /// Returns the deflected tip poses in the world frame: N x 3 positions [m], N x 3 x 3 rotations of the tool frame,
+  /// and N flags, true if the deflected shape converged.
   [[nodiscard]] py::tuple poses(const Rows& q, double load) const {
     const auto joints = cell_.arm.jointCount();
     if (q.cols() != joints)
@@ -171,7 +172,7 @@ class PythonCell {
     return asked;
   }
 
-  /// Runs work; if Ctrl-C ends it, Python's own KeyboardInterrupt is raised.
+  /// Runs a command's work. If Ctrl-C ends the work, raises Python's KeyboardInterrupt.
   static py::object run(const std::function<nlohmann::json()>& work) {
     const nlohmann::json figures = withoutLock([&] {
       const InputRecord inputs;
