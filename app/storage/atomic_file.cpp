@@ -27,7 +27,7 @@ fs::path temporaryBeside(const fs::path& path) {
 
 std::string asideName(const fs::path& path) { return path.filename().string() + ".old"; }
 
-/// Returns the number in ".NAME.1234.part"; 0 for any other name.
+/// Returns the process id in a temporary file's name ".NAME.1234.part"; 0 if `file` is no such name.
 int writerOf(const std::string& file, const std::string& name) {
   const std::string before = "." + name + ".", after = ".part";
   if (!file.starts_with(before) || !file.ends_with(after) || file.size() <= before.size() + after.size()) return 0;
@@ -39,15 +39,16 @@ int writerOf(const std::string& file, const std::string& name) {
 
 bool isRunning(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
 
-// Returns true for a device or pipe (/dev/null, /dev/stdout), which is written directly: a rename would replace it by a
-// file.
+// Returns true for a device or pipe (/dev/null, /dev/stdout). Such a path is written directly, because a rename would
+// replace it by a regular file.
 bool isSpecialFile(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-// Returns the target of a symbolic link, which is replaced instead of the link.
+// Returns the target if `named` is a symbolic link, so that the target is replaced and the link kept; otherwise
+// `named`.
 fs::path behindLink(const fs::path& named) {
   std::error_code error;
   return fs::is_symlink(named, error) ? fs::weakly_canonical(named, error) : named;
@@ -55,7 +56,8 @@ fs::path behindLink(const fs::path& named) {
 
 constexpr const char* kScratch = "tubeplan";  // name of the scratch folder within an OutputFolder
 
-/// Returns " (process 1234)", the process whose scratch folder is in the folder.
+/// Returns a text such as " (process 1234)" that names the running process with a scratch folder in `folder`; empty if
+/// there is none.
 std::string holderOf(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
@@ -123,7 +125,7 @@ void removeLeftovers(const fs::path& folder, const std::string& name) {
 
 OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
     : path_(absoluteFolder(path, option)), option_(option), staged_(option) {
-  if (!path_.has_filename()) path_ = path_.parent_path();  // removes a slash at the end
+  if (!path_.has_filename()) path_ = path_.parent_path();  // removes a trailing slash
   std::error_code error;
   if (fs::exists(path_, error) && !fs::is_directory(path_))
     throw InputError::saying(option, fmt::format("'{}' is a file, not a folder", path_.string()),
@@ -139,7 +141,7 @@ OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
   if (error) failToWrite(option, path_, error.message());
 }
 
-// Uses only operations that cannot fail for lack of memory.
+// Allocates no memory, so that the clean-up also works after std::bad_alloc.
 OutputFolder::~OutputFolder() {
   staged_.discard();
   std::error_code ignored;
@@ -168,7 +170,7 @@ void OutputFolder::remove(const std::string& name) { stale_.push_back(path_ / na
 void OutputFolder::commit() {
   made_.sync(option_);
   staged_.putInPlace();
-  std::error_code ignored;  // a stale file that cannot be removed does no other harm
+  std::error_code ignored;  // a leftover that cannot be removed does no other harm
   for (const fs::path& path : stale_) fs::remove(path, ignored);
 }
 

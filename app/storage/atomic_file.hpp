@@ -1,4 +1,4 @@
-// Files written completely or not at all.
+// Files that are written completely or not at all.
 #pragma once
 
 #include <filesystem>
@@ -9,35 +9,36 @@
 
 namespace tubeplan::app {
 
-/// File to be written.
+/// A file to be written: path and content.
 struct TextFile {
   std::filesystem::path path;
   std::string text;
 };
 
-/// Throws InputError, naming the option, unless a file can be written there. Its folder must exist or be possible to
-/// create; the path must be no folder, no file that the command reads and no output of another option (InputRecord).
-/// Leaves no files behind, and removes leftovers of programs that were killed. For use before long work.
+/// Throws InputError, naming the option, unless a file can be written at the path. Its folder must exist or be possible
+/// to create. The path must not be a folder, a file that the command reads or the output of another option
+/// (InputRecord). Leaves no files behind, and removes temporary files of killed programs. Meant to be called before
+/// long work.
 void checkWritableFile(const std::filesystem::path& path, const std::string& option);
 
-/// Writes beside the path, waits for the disk and renames, so that no reader sees a part of a file, not even after a
-/// power failure. Writes directly to a device or pipe and never replaces it. Creates missing folders. Throws InputError
-/// naming the option.
+/// Writes a temporary file beside the path, flushes it to the disk and renames it, so that no reader sees a partial
+/// file, not even after a power failure. A device or pipe is written directly and never replaced. Creates missing
+/// folders. Throws InputError naming the option.
 void writeFileAtomically(const std::filesystem::path& path, const std::string& content, const std::string& option);
 
-/// Writes files that belong together: all of them, or none if one cannot be written. Renames them in this order, each
-/// on the disk before the next. Throws InputError naming the option.
+/// Writes files that belong together: all of them, or none if one of them cannot be written. Renames them in the given
+/// order, and flushes each rename to the disk before the next. Throws InputError naming the option.
 void writeFilesTogether(const std::vector<TextFile>& files, const std::string& option);
 
-/// Removes the temporary files beside `name` of programs that were killed while they wrote it.
+/// Removes temporary files for `name` that killed programs left in the folder.
 void removeLeftovers(const std::filesystem::path& folder, const std::string& name);
 
-/// Folder of results. It is created and checked for write access at once; its files appear together at commit().
-/// Without a commit nothing remains, not even folders that had to be created.
+/// Folder for results. The constructor creates it and checks write access; all files appear together at commit().
+/// Without commit() nothing remains, not even folders that had to be created.
 class OutputFolder {
  public:
-  /// Throws InputError, naming the option, for a folder that cannot be created or written, or to which another program
-  /// is writing: the files of two runs would be mixed.
+  /// Throws InputError, naming the option, if the folder cannot be created or written, or if another program is writing
+  /// to it, because the files of two runs would be mixed.
   OutputFolder(const std::filesystem::path& path, const std::string& option);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -45,18 +46,18 @@ class OutputFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// Throws InputError, naming the option, if files of these names exist but none of the `marks` that runs of the same
-  /// command leave beside them: they belong to something else.
+  /// Throws InputError, naming the option, if the folder contains a file of `names` but no file of `marks`, which every
+  /// run of the same command leaves there: the files then belong to something else.
   void requireOwn(const std::vector<std::string>& marks, const std::vector<std::string>& names) const;
 
-  /// Writes a file of the folder; `name` has no folders.
+  /// Writes a file to be placed in the folder at commit(); `name` is a file name without folders.
   void write(const std::string& name, const std::string& content);
 
-  /// Marks a file of an earlier run, which does not belong to the new files, for removal at commit().
+  /// Marks a file of an earlier run for removal at commit(), because it does not belong to the new files.
   void remove(const std::string& name);
 
-  /// Renames all files to their final names, replacing older ones of the same names, or none; other files of the folder
-  /// stay.
+  /// Renames all files to their final names, or none if this fails. Replaces older files of the same names; other files
+  /// of the folder are kept.
   void commit();
 
  private:

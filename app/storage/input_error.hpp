@@ -1,4 +1,4 @@
-// Exception for input of the user that cannot be used. Readers and commands throw it; main catches it in one place.
+// Exception for user input that cannot be used. Readers and commands throw it; main() catches it in one place.
 #pragma once
 
 #include <filesystem>
@@ -8,23 +8,23 @@
 
 namespace tubeplan::app {
 
-/// Error in the user's input, with a message of one line: "where: found F, expected E; advice" of a wrong value, else
+/// Error in the user's input, with a one-line message: "where: found F, expected E; advice" for a wrong value, or else
 /// "where: what happened; advice".
 class InputError : public std::runtime_error {
  public:
-  /// Creates the error of a wrong value. `where` names the file with line and column, or the option. `found` and
-  /// `expected` are values or kinds of values, which continue "found ..., expected ...". `advice` states the remedy and
-  /// may be empty.
+  /// Creates the error for a wrong value. `where` names the file with line and column, or the option. `found` and
+  /// `expected` are values or descriptions of values, which complete "found ..., expected ...". `advice` states the
+  /// remedy and may be empty.
   InputError(std::string where, std::string found, std::string expected, std::string advice = "");
 
-  /// Returns the error of anything but a wrong value. `what` is a sentence without its full stop, "no such file";
-  /// `advice` states what to do, "check the name and the folder", and may be empty.
+  /// Returns the error for a problem other than a wrong value. `what` is a sentence without its full stop, such as "no
+  /// such file". `advice` states a remedy, such as "check the name and the folder", and may be empty.
   [[nodiscard]] static InputError saying(std::string where, std::string what, std::string advice = "");
 
   [[nodiscard]] const std::string& where() const { return where_; }
-  /// Returns the wrong value, or the sentence of what happened.
+  /// Returns the wrong value, or the sentence passed to saying().
   [[nodiscard]] const std::string& found() const { return found_; }
-  /// Returns the expected value; empty unless a value is wrong.
+  /// Returns the expected value; empty for an error made by saying().
   [[nodiscard]] const std::string& expected() const { return expected_; }
   [[nodiscard]] const std::string& advice() const { return advice_; }
 
@@ -32,14 +32,14 @@ class InputError : public std::runtime_error {
   std::string where_, found_, expected_, advice_;
 };
 
-/// Returns the error for a failed operation of the file system, with the file and the reason.
+/// Returns the error for a failed file-system operation, with the file and the reason.
 [[nodiscard]] InputError inputErrorOf(const std::filesystem::filesystem_error& error);
 
-/// Returns text of the user's in quotes, for one line of a message: unprintable bytes as `\xNN`, cut after 60
-/// characters.
+/// Returns user text in quotes for a one-line message. Unprintable bytes become `\xNN`; text beyond 60 characters is
+/// cut.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
-/// Returns a name of the user's for a line of a table: printable as with inQuotes(), but without the quotes.
+/// Returns a user-defined name for a line of a table: escaped as by inQuotes(), but without quotes.
 [[nodiscard]] std::string nameInLine(std::string_view name);
 
 }  // namespace tubeplan::app

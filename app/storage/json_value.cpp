@@ -13,14 +13,14 @@ namespace {
 
 using nlohmann::json;
 
-/// Returns the bounds as " from 0 to 10" or ", at least 0"; empty without bounds.
+/// Returns a text such as " from 0 to 10" or ", at least 0"; empty if both bounds are infinite.
 std::string boundsText(double least, double most) {
   if (std::isfinite(least) && std::isfinite(most)) return fmt::format(" from {} to {}", least, most);
   if (std::isfinite(least)) return fmt::format(", at least {}", least);
   return std::isfinite(most) ? fmt::format(", at most {}", most) : "";
 }
 
-/// Returns "plan.json:3:17", the place of the byte at which the library's parser stopped.
+/// Returns a position such as "plan.json:3:17" (line and column) for the byte at which the JSON parser stopped.
 std::string placeIn(std::string_view text, const std::string& where, std::size_t byte) {
   const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');

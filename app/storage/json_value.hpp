@@ -1,4 +1,4 @@
-// Values of a JSON document with their places in it, read with checks of kind and range.
+// Values of a JSON document that know their position in it; reading checks type and range.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 
 namespace tubeplan::app {
 
-/// Maximum depth of nesting in a JSON text of the program's own.
+/// Maximum nesting depth of the JSON texts that this program writes.
 inline constexpr int kDeepestJson = 16;
 
 class NotJson : public InputError {
@@ -21,27 +21,27 @@ class NotJson : public InputError {
 };
 
 /// Parses a JSON text. Throws NotJson, with line and column, for text that is not JSON or is nested deeper than
-/// kDeepestJson; `expected` and `advice` are for its message.
+/// kDeepestJson. `expected` and `advice` become parts of the error message.
 [[nodiscard]] nlohmann::json parseJson(std::string_view text, const std::string& where, const std::string& expected,
                                        const std::string& advice = "");
 
-/// Reference to a value of a document that outlives it. Each reading function throws InputError, with the value's
-/// place, for another kind or a number out of its bounds.
+/// Reference to a value of a JSON document, which must outlive it. Each reading function throws InputError, with the
+/// value's position, for a value of another type or a number out of bounds.
 class JsonValue {
  public:
-  /// Refers to the whole document, called `name` in messages; `advice` ends every message.
+  /// Refers to the whole document, which messages call `name`; `advice` ends every message.
   JsonValue(const nlohmann::json& document, std::string name, std::string advice = "")
       : JsonValue(document, std::move(name), "", std::move(advice)) {}
 
   [[nodiscard]] const nlohmann::json& json() const { return value_; }
 
-  /// Returns true if the value is an object with that key.
+  /// Returns true if the value is an object with this key.
   [[nodiscard]] bool has(const std::string& key) const { return value_.is_object() && value_.contains(key); }
 
-  /// Returns the value of a required key; messages call it "plan.json sheet.name".
+  /// Returns the value of a required key; messages name it as "plan.json sheet.name".
   [[nodiscard]] JsonValue at(const std::string& key) const;
 
-  /// Returns the items of a list; messages call them "plan.json tubes[0]".
+  /// Returns the items of an array; messages name them as "plan.json tubes[0]".
   [[nodiscard]] std::vector<JsonValue> items() const;
 
   [[nodiscard]] std::string text() const;
@@ -49,10 +49,10 @@ class JsonValue {
   [[nodiscard]] double number(double least = -std::numeric_limits<double>::infinity(),
                               double most = std::numeric_limits<double>::infinity()) const;
 
-  /// Returns a whole number, also one written as 3.0.
+  /// Returns the value as an integer; a number such as 3.0 is accepted.
   [[nodiscard]] int integer(int least, int most) const;
 
-  /// Returns a list of `count` numbers.
+  /// Returns the value as an array of exactly `count` numbers.
   [[nodiscard]] Eigen::VectorXd numbers(Eigen::Index count) const;
 
   [[noreturn]] void refuse(const std::string& expected) const;

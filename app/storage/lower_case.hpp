@@ -1,4 +1,4 @@
-// Lower case of ASCII letters; all other bytes stay unchanged.
+// Conversion of ASCII letters to lower case; all other bytes are unchanged.
 #pragma once
 
 #include <string>

@@ -19,7 +19,7 @@ namespace {
 
 thread_local InputRecord* record_of_thread = nullptr;
 
-/// Returns a file's name as UTF-8 for documents, with a question mark for each byte that is not UTF-8.
+/// Returns the file name of a path as UTF-8, with a question mark for each byte that is not UTF-8.
 std::string nameIn(const std::string& path) {
   const std::string name = fs::path(path).filename().string();
   std::string text;
@@ -31,7 +31,7 @@ std::string nameIn(const std::string& path) {
   return text;
 }
 
-/// Returns true if two paths name the same file, also one that does not exist yet.
+/// Returns true if two paths name the same file; the file need not exist yet.
 bool isSameFile(const fs::path& a, const fs::path& b) {
   std::error_code error;
   if (fs::exists(a, error) && fs::exists(b, error)) return fs::equivalent(a, b, error);

@@ -1,5 +1,5 @@
-// Origin of a result: the program's version and each input file with its SHA-256. Prevents options from overwriting an
-// input file or the output of another option.
+// Origin of a result: the program's version, and each input file with its SHA-256. The record also prevents options
+// from overwriting an input file or the output of another option.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 namespace tubeplan::app {
 
-/// Record of the files read on its thread during its lifetime, one for each command. A thread has at most one at a
-/// time.
+/// Record of the files that a thread reads during the record's lifetime, made once for each command. A thread has at
+/// most one record at a time.
 class InputRecord {
  public:
   InputRecord();
@@ -20,36 +20,37 @@ class InputRecord {
   InputRecord(const InputRecord&) = delete;
   InputRecord& operator=(const InputRecord&) = delete;
 
-  /// Returns the record of this thread; null if there is none, as in a served page.
+  /// Returns the record of the calling thread; null if there is none, such as while a page is served.
   [[nodiscard]] static InputRecord* current();
 
-  /// Notes a file with its content at its first reading; for readers.
+  /// Records a file and its content; later readings of the same path are ignored. Called by file readers.
   void note(const std::string& path, std::string_view bytes);
 
-  /// Claims a path for output; for writers. Throws InputError, naming the option, for an input file that may not be
-  /// replaced and for an output of another option. Any option may write to devices and pipes.
+  /// Claims a path for output. Throws InputError, naming the option, if the path is an input file that may not be
+  /// replaced or the output of another option. Devices and pipes are exempt. Called by file writers.
   void claim(const std::filesystem::path& path, const std::string& option);
 
-  /// Allows writing over an input file, as an improved cell over the original.
+  /// Allows overwriting an input file, for example when an improved cell replaces the original.
   void allowReplacing(const std::string& path) { replaceable_.push_back(path); }
 
-  /// Returns [{name, bytes, sha256}] in the order of reading. Names have no folder, so that results are independent of
-  /// the place of the files.
+  /// Returns [{name, bytes, sha256}] in the order of reading. Names have no folder, so that results do not depend on
+  /// where the files are.
   [[nodiscard]] const nlohmann::json& inputs() const { return inputs_; }
 
  private:
   std::vector<std::string> paths_, replaceable_;
-  std::vector<std::pair<std::filesystem::path, std::string>> outputs_;  ///< output paths with their options
+  std::vector<std::pair<std::filesystem::path, std::string>>
+      outputs_;  ///< output paths, each with the option that claimed it
   nlohmann::json inputs_ = nlohmann::json::array();
 };
 
-/// Notes a file in the thread's InputRecord, if there is one; for readers.
+/// Records a file in the calling thread's InputRecord, if there is one. Called by file readers.
 void noteInput(const std::string& path, std::string_view bytes);
 
-/// Calls InputRecord::claim() of the thread's record, if there is one; for writers.
+/// Calls InputRecord::claim() of the calling thread's record, if there is one. Called by file writers.
 void claimOutput(const std::filesystem::path& path, const std::string& option);
 
-/// Adds `version`, and `inputs` if there is a record, to a document that has none of its own.
+/// Adds `version` and, if the thread has a record, `inputs` to a JSON object. Existing entries are kept.
 void stateOrigin(nlohmann::json& document);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4) in the format of `sha256sum`, to identify the inputs of a report.
+// SHA-256 digests (FIPS 180-4) in the format of `sha256sum`, which identify the input files of a report.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace tubeplan::app {
 
-/// Returns 64 hexadecimal digits. Throws std::bad_alloc if there is no memory for the library's work.
+/// Returns the digest as 64 hexadecimal digits. Throws std::bad_alloc if OpenSSL runs out of memory.
 [[nodiscard]] std::string sha256Of(std::string_view bytes);
 
 }  // namespace tubeplan::app

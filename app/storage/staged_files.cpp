@@ -19,7 +19,7 @@ namespace {
 
 std::error_code lastError() { return {errno, std::generic_category()}; }
 
-/// File descriptor, closed by the destructor at the latest.
+/// File descriptor; the destructor closes it if close() was not called.
 class Descriptor {
  public:
   Descriptor(const fs::path& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
@@ -38,7 +38,7 @@ class Descriptor {
     return true;
   }
 
-  /// Waits for the disk, except for files that cannot be flushed (pipes, some file systems).
+  /// Flushes the file to the disk. Returns true also for files that cannot be flushed (pipes, some file systems).
   [[nodiscard]] bool sync() const {
     while (::fsync(number_) != 0) {
       if (errno == EINVAL || errno == ENOTSUP || errno == ENOSYS || errno == EROFS) return true;
@@ -47,7 +47,7 @@ class Descriptor {
     return true;
   }
 
-  /// Closes the descriptor. Some file systems report only here that a write has failed.
+  /// Closes the descriptor. Returns false if closing fails, because some file systems report a failed write only then.
   [[nodiscard]] bool close() {
     const int number = std::exchange(number_, -1);
     return number < 0 || ::close(number) == 0 || errno == EINTR;
@@ -59,8 +59,8 @@ class Descriptor {
 
 fs::path parentOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-/// Keeps the old file under a second name by a hard link, so that its path always exists; renames it on file systems
-/// without links.
+/// Keeps the old file under a second name as a hard link, so that `place` always exists. On file systems without hard
+/// links the old file is renamed instead.
 std::error_code keepAside(const fs::path& place, const fs::path& aside) {
   std::error_code error;
   if (fs::is_directory(place, error)) return std::make_error_code(std::errc::is_a_directory);
@@ -86,7 +86,7 @@ std::error_code writeToDisk(const fs::path& path, const std::string& content) {
 std::error_code syncFolder(const fs::path& folder) {
   const Descriptor list(folder, O_RDONLY | O_DIRECTORY);
   return !list.isOpen() || list.sync() ? std::error_code()
-                                       : lastError();  // a folder without read permission is not flushed
+                                       : lastError();  // a folder without read permission cannot be flushed
 }
 
 void StagedFiles::discard() noexcept {
@@ -135,7 +135,7 @@ void StagedFiles::takeBack() {
       fs::rename(file->aside, file->place, failure);
     else if (file->is_placed)
       fs::remove(file->place, failure);
-    if (file->has_old && failure) file->aside.clear();  // the old file stays there for the user to find
+    if (file->has_old && failure) file->aside.clear();  // keeps the old file at `aside` for the user to find
   }
 }
 

@@ -1,5 +1,5 @@
-// Files that are written beside their final paths, flushed to the disk and renamed together; folders created for them,
-// and removed again if they stay empty.
+// Files that are written beside their final paths, flushed to the disk and renamed together; and folders created for
+// such files, which are removed again if they stay empty.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +9,18 @@
 
 namespace tubeplan::app {
 
-/// Throws the InputError for an output that cannot be written: "--out: '/there/file' cannot be written (WHY)".
+/// Throws InputError for an output that cannot be written, with a message such as "--out: '/there/file' cannot be
+/// written (WHY)".
 [[noreturn]] void failToWrite(const std::string& option, const std::filesystem::path& path, const std::string& why);
 
-/// Creates or empties a file and waits until all of `content` is on the disk. Writes to a device or pipe without
-/// waiting.
+/// Creates or truncates a file, writes `content` and flushes it to the disk. For a device or pipe nothing is flushed.
 [[nodiscard]] std::error_code writeToDisk(const std::filesystem::path& path, const std::string& content);
 
-/// Waits until a folder's list of files is on the disk.
+/// Flushes a folder's directory entries to the disk.
 [[nodiscard]] std::error_code syncFolder(const std::filesystem::path& folder);
 
-/// Set of temporary files. The destructor removes those that were not renamed, so that a failure leaves the old files
-/// unchanged.
+/// Set of temporary files to be renamed together. The destructor removes files not yet renamed, so that a failure
+/// leaves the old files unchanged.
 class StagedFiles {
  public:
   explicit StagedFiles(std::string option) : option_(std::move(option)) {}
@@ -28,16 +28,16 @@ class StagedFiles {
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;
 
-  /// Writes `content` to `temporary`; putInPlace() later moves the old file from `place` to `aside` and this one to
-  /// `place`. Throws InputError.
+  /// Writes `content` to the file `temporary`. At putInPlace() the old file at `place` is kept as `aside`, and
+  /// `temporary` is renamed to `place`. Throws InputError.
   void add(std::filesystem::path temporary, std::filesystem::path aside, std::filesystem::path place,
            const std::string& content);
 
-  /// Renames the files in the order of their addition, each on the disk before the next. Throws InputError and restores
-  /// the old files, unless the only failure is to flush the last rename to the disk.
+  /// Renames the files in the order in which they were added, and flushes each rename to the disk before the next. On
+  /// failure, throws InputError and restores the old files, unless only the flush of the last rename failed.
   void putInPlace();
 
-  /// Removes the files that have not been renamed to their final paths.
+  /// Removes temporary files that have not been renamed to their final paths.
   void discard() noexcept;
 
  private:
@@ -60,18 +60,18 @@ class MadeFolders {
   MadeFolders(const MadeFolders&) = delete;
   MadeFolders& operator=(const MadeFolders&) = delete;
 
-  /// Creates all missing folders on the path to `folder`. Throws InputError naming the option.
+  /// Creates all missing folders on the path to `folder`, and `folder` itself. Throws InputError naming the option.
   void make(const std::filesystem::path& folder, const std::string& option);
 
-  /// Waits until the folders themselves are on the disk, not only their content. Throws InputError.
+  /// Flushes the directory entries of the created folders to the disk. Throws InputError naming the option.
   void sync(const std::string& option) const;
 
  private:
   std::vector<std::filesystem::path> paths_;  ///< created folders, outermost first
 };
 
-/// Lock on a folder or file for one program at a time, until its release or the end of the process. No lock file
-/// remains.
+/// Exclusive lock on a folder or file among processes, held until release() or the end of the process. No lock file is
+/// left behind.
 class FileLock {
  public:
   enum class Outcome { kTaken, kHeldByAnother, kNotPossible };
@@ -81,8 +81,8 @@ class FileLock {
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
-  /// Tries to take the lock; `flags` are those of open(). Returns kNotPossible for a path that cannot be opened or a
-  /// file system without locks.
+  /// Tries to take the lock without waiting; `flags` are passed to open(). Returns kNotPossible if the path cannot be
+  /// opened or its file system has no locks.
   [[nodiscard]] Outcome tryTake(const std::filesystem::path& place, int flags);
   void release();
 

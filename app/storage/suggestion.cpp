@@ -8,7 +8,8 @@ namespace tubeplan::app {
 
 namespace {
 
-// Returns the number of changed, missing, added and swapped letters (optimal string alignment), case ignored.
+// Returns the number of changed, missing, added and swapped letters between two words (optimal string alignment
+// distance), ignoring case.
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i)

@@ -7,10 +7,11 @@
 
 namespace tubeplan::app {
 
-/// Returns "did you mean 'limits'?" if one of the candidates is similar enough to the word, else empty.
+/// Returns a text such as "did you mean 'limits'?" with the candidate most similar to the word; empty if none is
+/// similar enough.
 [[nodiscard]] std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
-/// Returns the words as "a, b or c".
+/// Returns the words as an enumeration such as "a, b or c".
 [[nodiscard]] std::string alternatives(const std::vector<std::string>& words);
 
 }  // namespace tubeplan::app

@@ -28,7 +28,8 @@ std::string readAtMost(std::ifstream& stream, std::size_t limit) {
   return text;
 }
 
-/// Returns the bytes of a text file, with a byte order mark if it has one. Throws InputError as readTextFile() does.
+/// Returns the bytes of a text file, including a byte order mark. Throws InputError for a file that is missing, a
+/// folder, unreadable or larger than 64 MB.
 std::string bytesOfText(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);

@@ -1,4 +1,4 @@
-// Complete text files, checked for size and encoding.
+// Reading of whole text files, with checks of size and encoding.
 #pragma once
 
 #include <string>
@@ -8,23 +8,23 @@
 
 namespace tubeplan::app {
 
-/// Returns the file's text without a byte order mark. Throws InputError for a file that is missing, a folder,
-/// unreadable, larger than 64 MB, empty (blanks only) or no text (control characters, bytes that are not UTF-8).
+/// Returns the text of a file without a byte order mark. Throws InputError if the file is missing, a folder,
+/// unreadable, larger than 64 MB, blank, or not text (control characters, or bytes that are not UTF-8).
 [[nodiscard]] std::string readTextFile(const std::string& path);
 
-/// Returns the text of a file with its byte order mark, for text that is written again with some changes. Throws
+/// Returns the text of a file including a byte order mark, for a file that is written back with changes. Throws
 /// InputError as readTextFile() does.
 [[nodiscard]] std::string readTextBytes(const std::string& path);
 
-/// Returns the text of a file of the program's own, which is no input of a result (origin.hpp). Throws InputError as
-/// readTextFile() does.
+/// Returns the text of one of the program's own files, which is not recorded as an input of the result (origin.hpp).
+/// Throws InputError as readTextFile() does.
 [[nodiscard]] std::string readKeptFile(const std::string& path);
 
-/// Throws InputError unless the text meets the conditions of readTextFile(), for text from another source. `path` is
-/// its name in messages.
+/// Throws InputError unless the text meets the conditions of readTextFile(). For text that does not come from a file;
+/// messages call it `path`.
 void checkText(const std::string& path, std::string_view text);
 
-/// Throws InputError for a problem of that file's text, with its line.
+/// Throws InputError for a problem in the text of the file `path`, with the problem's line.
 [[noreturn]] void refuseText(const std::string& path, const tubesheets::Problem& problem);
 
 }  // namespace tubeplan::app

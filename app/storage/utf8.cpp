@@ -10,7 +10,7 @@ namespace {
 
 unsigned char byteAt(std::string_view text, std::size_t at) { return static_cast<unsigned char>(text[at]); }
 
-/// Returns the length of the sequence with this first byte; 0 if no sequence starts with it.
+/// Returns the length in bytes of a UTF-8 sequence with this first byte; 0 if no sequence starts with the byte.
 std::size_t lengthBy(unsigned char first) {
   return first < 0x80                    ? 1
          : first >= 0xC2 && first < 0xE0 ? 2
@@ -19,7 +19,8 @@ std::size_t lengthBy(unsigned char first) {
                                          : 0;
 }
 
-/// Returns true for a valid second byte, which excludes overlong forms, surrogates and code points above U+10FFFF.
+/// Returns true for a valid second byte of a UTF-8 sequence; excludes overlong forms, surrogates and code points above
+/// U+10FFFF.
 bool isSecond(unsigned char first, unsigned char second) {
   const unsigned char least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
   const unsigned char most = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
@@ -33,7 +34,7 @@ unsigned codePointOf(std::string_view sequence) {
   return point;
 }
 
-/// Returns true for marks that change the direction of the text after them.
+/// Returns true for a Unicode control mark that changes the writing direction of the text after it.
 bool turnsDirection(unsigned point) {
   return point == 0x061C || point == 0x200E || point == 0x200F || (point >= 0x202A && point <= 0x202E) ||
          (point >= 0x2066 && point <= 0x2069);
