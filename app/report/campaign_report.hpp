@@ -1,4 +1,4 @@
-// The page of `tubeplan campaign`, one self-contained HTML file made from one JSON document.
+// Page of `tubeplan campaign`: one self-contained HTML file made from one JSON document.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,10 +6,10 @@
 
 namespace tubeplan::app {
 
-/// Returns the page, from campaign.json with title, and for a campaign of centring
-///   sheet: as renderPlanReport() takes it
+/// Returns the page for the content of campaign.json with a `title` and, for a campaign of centring, also
+///   sheet: as for renderPlanReport()
 ///   maps: [{setting, way, holes: [[row, column, x, y, visits, mean, [[chance, low, high], ...]], ...]}, ...]
-/// Safe for hostile text as renderPage(). Every part may be absent or null; the page then says so there.
+/// Hostile text is safe, as in renderPage(). Every part may be absent or null; the page then states that it is missing.
 [[nodiscard]] std::string renderCampaignReport(const nlohmann::json& report);
 
 }  // namespace tubeplan::app

@@ -6,7 +6,7 @@
 namespace tubeplan::app {
 
 struct EmbeddedFile {
-  std::string_view path;  ///< "index.html", "assets/index-1a2b.js", "report.js"
+  std::string_view path;  ///< path within the embedded folder: "index.html", "assets/index-1a2b.js", "report.js"
   std::string_view content;
 };
 

@@ -40,8 +40,8 @@ struct Insertion {
   std::string text;
 };
 
-/// Returns JSON in which no character can be read as markup: `<`, `>` and `&` occur inside strings only, where an
-/// escape means the same; all characters beyond ASCII (U+2028 and U+2029 too) are escaped by the writer.
+/// Returns JSON without any character that HTML reads as markup: `<`, `>` and `&`, which occur only within strings, are
+/// written as escapes of the same meaning. All characters beyond ASCII (also U+2028 and U+2029) are escaped too.
 std::string embeddableJson(const nlohmann::json& report) {
   const std::string plain = report.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   std::string safe;
@@ -64,8 +64,8 @@ std::string embeddableJson(const nlohmann::json& report) {
   return safe;
 }
 
-/// Returns the page with each marker replaced, in the order given and once: inserted text is never searched, so data
-/// that looks like a marker stays data.
+/// Returns the page with each marker replaced once, in the given order. Inserted text is not searched for markers, so
+/// data that looks like a marker remains unchanged.
 template <std::size_t kCount>
 std::string assemble(std::string_view page, const std::array<Insertion, kCount>& insertions) {
   std::string result;
@@ -100,7 +100,8 @@ std::string htmlOf(std::string_view text) {
   return safe;
 }
 
-/// Returns the program's version and the input files of the page, unless the page has a list of its own.
+/// Returns HTML with the program's version and the input files of the page; empty for pages with their own list of
+/// inputs.
 std::string originOf(const nlohmann::json& report) {
   if (!report.is_object() || !report.contains("inputs") || report.contains("commands")) return "";
   std::string text = "tubeplan " + htmlOf(report.value("version", "")) + " of";
@@ -109,7 +110,7 @@ std::string originOf(const nlohmann::json& report) {
   return text;
 }
 
-/// Returns the text shown instead of pictures by a program built without its page.
+/// Returns the HTML shown instead of pictures if the program was built without the report script; otherwise empty.
 std::string missingText(const PageKind& kind, const PageSources& sources) {
   if (!sources.script.empty()) return "";
   return fmt::format(

@@ -1,4 +1,4 @@
-// A self-contained page: one HTML file from its sources and one JSON document.
+// Self-contained pages: one HTML file made from a script, a style and one JSON document.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,14 +10,15 @@ namespace tubeplan::app {
 
 /// Kind of a page.
 struct PageKind {
-  std::string_view name;     ///< `page` of its document, which selects the script's sections
-  std::string_view title;    ///< shown until the script sets the document's own
-  std::string_view figures;  ///< place of the same figures, for readers without scripts
+  std::string_view name;     ///< `page` in the JSON document; selects the sections that the script shows
+  std::string_view title;    ///< shown until the script sets the title of the document
+  std::string_view figures;  ///< where readers without scripts find the same results, in words
 };
 
-/// Returns the page with the document embedded so that no text in it can end its script block. A document that is no
-/// object counts as an empty one. Bytes that are not UTF-8 become U+FFFD and numbers that are not finite become null.
-/// Equal documents give equal bytes. Without a script the page says that this program has no report pictures.
+/// Returns the page with the JSON document embedded so that no text in the document can end its script block. A
+/// document that is not an object is treated as an empty object. Bytes that are not UTF-8 become U+FFFD; numbers that
+/// are not finite become null. Equal documents give identical bytes. If the program was built without a script, the
+/// page says that it has no pictures.
 [[nodiscard]] std::string renderPage(const PageKind& kind, const nlohmann::json& report,
                                      const PageSources& sources = builtPageSources());
 

@@ -1,4 +1,4 @@
-// Script and style of reports: built from app/web, and embedded in the program.
+// Script and style of report pages, built from app/web and embedded in the program.
 #pragma once
 
 #include <string_view>
@@ -8,15 +8,15 @@
 
 namespace tubeplan::app {
 
-/// Returns the report's script and style; generated at build time by embed_files.cmake. Empty if the page was not
-/// built.
+/// Returns the files of the report's script and style, which embed_files.cmake generates at build time; empty if the
+/// page was not built.
 [[nodiscard]] const std::vector<EmbeddedFile>& embeddedReport();
 
 struct PageSources {
-  std::string_view style, script;  ///< ASCII; nothing in them ends its block of the page
+  std::string_view style, script;  ///< ASCII; contain no text that ends their `<style>` or `<script>` block
 };
 
-/// Returns the program's own sources, by their names in embeddedReport().
+/// Returns the script and style of embeddedReport(), found there by file name.
 [[nodiscard]] PageSources builtPageSources();
 
 }  // namespace tubeplan::app
