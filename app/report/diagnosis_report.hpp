@@ -28,8 +28,8 @@ namespace tubeplan::app {
 [[nodiscard]] std::string renderLadderReport(const nlohmann::json& report);
 
 /// Returns the page of `tubeplan improve` from the command's --json output, with `models` as for renderLadderReport().
-/// Each step also has `figures`, the input of renderDiagnosisReport(). Missing parts and hostile text are handled as
-/// there.
+/// Each step also has `figures`, the input of renderDiagnosisReport(). Missing parts and hostile text are handled as in
+/// renderDiagnosisReport().
 [[nodiscard]] std::string renderImprovementReport(const nlohmann::json& report);
 
 /// Returns the page of `tubeplan report` from projectReportJson(). Missing parts and hostile text are handled as in

@@ -12,7 +12,7 @@ namespace tubeplan::app {
 struct PageKind {
   std::string_view name;     ///< `page` in the JSON document; selects the sections that the script shows
   std::string_view title;    ///< shown until the script sets the title of the document
-  std::string_view figures;  ///< where readers without scripts find the same results, in words
+  std::string_view figures;  ///< phrase naming where readers without scripts find the same results
 };
 
 /// Returns the page with the JSON document embedded so that no text in the document can end its script block. A
