@@ -10,11 +10,11 @@ namespace tubeplan::app {
 
 namespace {
 
-/// A cell under one load in one set-up.
+/// A workcell in one set-up under one load, with its clearance check.
 struct LoadedCell {
   explicit LoadedCell(planner::Workcell loaded) : cell(std::move(loaded)), clearance(cell) {}
   planner::Workcell cell;
-  planner::ArmClearance clearance;  ///< refers to the cell
+  planner::ArmClearance clearance;  ///< keeps a reference to `cell`
 };
 
 planner::Workcell workcellUnder(const CellModel& cell, const calibration::CampaignTruth& truth, int setup,

@@ -1,4 +1,4 @@
-// Check that a simulated campaign's true arm is clear of the cell's scene.
+// Check that the true arm of a simulated campaign is clear of the cell's scene.
 #pragma once
 
 #include "app/studies/cell_model.hpp"
@@ -7,9 +7,9 @@
 
 namespace tubeplan::app {
 
-/// Returns a check by the planner, for the deflected true arm at its true base in each set-up; with `touches_holes` the
-/// tool may be in the sheet. Empty if the cell has no bodies that could touch anything. Not safe from several threads
-/// at once.
+/// Returns a function that checks the clearance of a posture, for the deflected true arm on its true base in a given
+/// set-up. With `touches_holes` the tool may be inside the sheet. Empty if the scene has no bodies. The function is not
+/// thread-safe.
 [[nodiscard]] calibration::CampaignClearance clearanceOf(const CellModel& cell, const calibration::CampaignTruth& truth,
                                                          bool touches_holes);
 

@@ -25,17 +25,17 @@ using calibration::Measurement, calibration::MeasurementKind, calibration::Propo
     calibration::ReadingCandidate;
 using Eigen::VectorXd;
 
-constexpr double kReached = 1e-7;  // accuracy of a touched point [m]
-constexpr int kMostTouches = 4;    // of a point, if an arm has more postures for it
+constexpr double kReached = 1e-7;  // largest error of a touched point [m]
+constexpr int kMostTouches = 4;    // largest number of touch postures per point
 
-/// Common properties of the readings so far, which the next ones share.
+/// Common properties of the readings so far, to be used for the proposed readings too.
 struct Custom {
   MeasurementKind kind = MeasurementKind::kPosition;
-  bool has_known_points = false;  ///< true: is taken at holes or marks
+  bool has_known_points = false;  ///< true: readings are taken at holes or marks
   std::vector<double> loads;
   double sigma = 0, turn_sigma = 0;
   deflection::ConditionValues conditions;
-  std::set<std::optional<int>> rows;  ///< rows of the arm whose frames were read; empty: the tool
+  std::set<std::optional<int>> rows;  ///< rows of the arm whose frames were measured; nullopt: the tool
   bool has_approach_directions = false;
   std::optional<Eigen::Vector3d> anchor, direction;
   VectorXd side_q;
@@ -50,7 +50,7 @@ MeasurementKind usualKind(const std::vector<Measurement>& readings) {
       ->first;
 }
 
-/// Returns at most so many values, the least and the largest among them.
+/// Returns at most `most` values spread over the sorted list, including the smallest and the largest.
 std::vector<double> thinnedOut(const std::set<double>& all, int most) {
   const std::vector<double> sorted(all.begin(), all.end());
   if (static_cast<int>(sorted.size()) <= most) return sorted;
@@ -60,7 +60,8 @@ std::vector<double> thinnedOut(const std::set<double>& all, int most) {
   return some;
 }
 
-/// Returns the median of each condition, and the last time, because nothing can be read earlier.
+/// Returns the median of each condition over the readings of kind `of`. Time is the exception: it is the latest time,
+/// because no new reading can be earlier.
 deflection::ConditionValues usualConditionsOf(const std::vector<Measurement>& readings, MeasurementKind of) {
   deflection::ConditionValues usual;
   for (const auto& kind : deflection::kConditionKinds) {
@@ -101,7 +102,7 @@ Custom customOf(const std::vector<Measurement>& readings, int most_loads) {
   return custom;
 }
 
-/// Returns the points read so far and, for a cell with a sheet, holes spread over it.
+/// Returns the points measured so far and, for a cell with a sheet, holes spread over the sheet.
 std::vector<Measurement> pointsToReadAt(const CellModel& cell, const std::vector<Measurement>& readings,
                                         MeasurementKind kind, std::size_t most) {
   std::vector<Measurement> points;
@@ -121,7 +122,8 @@ std::vector<Measurement> pointsToReadAt(const CellModel& cell, const std::vector
   return points;
 }
 
-/// Returns the vector from the point of a reading to the tip, in the base frame [m]; zero for kinds with a centred tip.
+/// Returns the vector from the reading's known point to the tip, in the base frame [m]; zero for kinds of readings with
+/// a centred tip.
 Eigen::Vector3d standoffOf(const planner::Workcell& work, const Measurement& reading) {
   if (kindOf(reading).is_centring) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d gravity_B = deflection::gravityInBase(work.arm, work.X_WB);
@@ -129,7 +131,8 @@ Eigen::Vector3d standoffOf(const planner::Workcell& work, const Measurement& rea
   return shape.X_BD.p - work.X_WB.inverse() * *reading.p_W;
 }
 
-/// Adds postures with the tool at a point under a load, at that standoff, one for each branch.
+/// Adds one candidate for each posture branch that places the tip at the point plus `standoff_B` [m, base frame], under
+/// the load of `work`.
 void addAtPoint(const planner::Workcell& work, const planner::ArmClearance& clear, deflection::InverseSolver& solver,
                 const Measurement& point, const Eigen::Vector3d& standoff_B,
                 std::vector<ReadingCandidate>& candidates) {
@@ -149,7 +152,7 @@ void addAtPoint(const planner::Workcell& work, const planner::ArmClearance& clea
   }
 }
 
-/// Returns the surfaces touched so far, by the first reading of each, as fitted with the arm.
+/// Returns the first reading on each touched surface, with the surface as fitted together with the arm.
 std::vector<Measurement> surfacesTouched(const calibration::PlacedArm& fitted, std::vector<Measurement> readings,
                                          MeasurementKind kind) {
   std::vector<Measurement> touched;
@@ -166,7 +169,8 @@ bool isWithinLimits(const deflection::Arm& arm, const VectorXd& q) {
   return true;
 }
 
-/// Returns the posture with the tip on the surface, from one nearby; nothing if the arm does not reach it.
+/// Returns a posture near `q` with the tip on the surface of reading `of`; nothing if the arm does not reach the
+/// surface.
 std::optional<VectorXd> broughtTo(const planner::Workcell& work, const Measurement& of, const VectorXd& q) {
   const deflection::Posture start{q, work.load, deflection::gravityInBase(work.arm, work.X_WB)};
   const auto shape = deflection::solveFlexibleKinematics(work.arm, start);
@@ -177,7 +181,7 @@ std::optional<VectorXd> broughtTo(const planner::Workcell& work, const Measureme
   return is_there && isWithinLimits(work.arm, placed.q) ? std::optional(placed.q) : std::nullopt;
 }
 
-/// Returns touches from each posture on each of the surfaces, under each load.
+/// Returns one touch for each posture, surface and load; unreachable touches and collisions are left out.
 std::vector<ReadingCandidate> surfaceTouches(planner::Workcell work, const std::vector<VectorXd>& postures,
                                              const std::vector<double>& loads,
                                              const std::vector<Measurement>& surfaces) {
@@ -240,7 +244,8 @@ std::vector<ReadingCandidate> bareCandidates(const CellModel& cell, const calibr
   return positionReadings(postures, custom.loads, custom.sigma);
 }
 
-/// Sets the conditions that the next readings have in common; for angles, the rows read so far take turns.
+/// Sets the properties that all proposed readings share. For angles, the measured rows of the arm are used in turn, by
+/// `number`.
 void makeAsUsual(const Custom& custom, const std::string& setup, std::size_t number, ProposedMeasurement& reading) {
   const auto& kind = kindOf(custom.kind);
   reading.kind = custom.kind;

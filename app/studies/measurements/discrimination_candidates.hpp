@@ -1,5 +1,5 @@
-// Candidates for the next readings to distinguish explanations: of the kind, under the loads and in the conditions of
-// the readings so far.
+// Candidates for the next readings that distinguish explanations of a model's error. They have the kind, loads and
+// conditions of the readings so far.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@
 namespace tubeplan::app {
 
 struct DiscriminationCandidateOptions {
-  int postures = 48;  ///< number of postures or points
+  int postures = 48;  ///< largest number of postures, or of points
   int most_loads = 3;
   std::uint64_t seed = 1;
 };
 
-/// Returns candidates reached by the fitted model where it stood last. They are postures within the limits and clear of
-/// the scene, or points of the readings and holes of the sheet. Without a scene, postures must be within the room of
-/// the readings (measured_room.hpp). Approach directions are drawn at random if readings state them; conditions are the
-/// middle of the readings' range, and the time is their last. Angles are proposed on the tool or on the rows on which
-/// they were read.
+/// Returns candidates that the fitted model reaches from the base of its last set-up. They are postures within the
+/// limits and clear of the scene, or points of the readings and holes of the sheet. Without a scene, postures must be
+/// within the measured room (measured_room.hpp). Conditions are the medians over the readings; the time is the latest
+/// time read. Approach directions are drawn at random if the readings state them. Angles are proposed for the tool or
+/// for the rows at which angles were measured.
 [[nodiscard]] std::vector<calibration::ReadingCandidate> discriminationCandidates(
     const CellModel& cell, const calibration::PlacedArm& fitted, const std::vector<calibration::Measurement>& readings,
     const DiscriminationCandidateOptions& options = {});

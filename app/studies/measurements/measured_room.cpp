@@ -13,14 +13,14 @@ namespace {
 using calibration::Measurement;
 using Eigen::Vector3d;
 
-constexpr double kShortLink = 1e-3;  // length below which two frames have no link between them [m]
-constexpr double kSlack = 1e-3;      // distance that a posture may go beyond the measured ones [m]
+constexpr double kShortLink = 1e-3;  // shortest link [m]; frames closer than this have no link between them
+constexpr double kSlack = 1e-3;      // distance by which a posture may exceed the measured room [m]
 
 struct Link {
   Vector3d from, to;
 };
 
-/// Returns the links in the world, in order; none if the shape does not converge.
+/// Returns the links in the world frame, from base to tip; empty if the deflected shape does not converge.
 std::vector<Link> linksAt(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                           const deflection::Posture& posture) {
   const auto shape = deflection::solveFlexibleKinematics(arm, posture);
@@ -43,7 +43,7 @@ double lowestOf(const std::vector<Link>& links) {
   return lowest;
 }
 
-/// Returns the distance of two links [m] (Ericson 2005, "Real-Time Collision Detection", 5.1.9).
+/// Returns the distance between two links [m] (Ericson 2005, "Real-Time Collision Detection", 5.1.9).
 double distance(const Link& a, const Link& b) {
   const Vector3d u = a.to - a.from, v = b.to - b.from, apart = a.from - b.from;
   const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), u_apart = u.dot(apart),
@@ -55,11 +55,12 @@ double distance(const Link& a, const Link& b) {
   return (apart + s * u - t * v).norm();
 }
 
-/// Returns the distance of each pair of links that are no neighbours, in a fixed order; infinite if one of them is too
-/// short.
+/// Returns the distance between the links of each pair [m], in a fixed order. Infinite for neighbouring links, and if a
+/// link is shorter than kShortLink.
 std::vector<double> distancesOf(const std::vector<Link>& links) {
   const auto isLink = [&](std::size_t k) { return (links[k].to - links[k].from).norm() > kShortLink; };
-  std::vector<int> group(links.size());  // links with only short ones between them are neighbours
+  std::vector<int> group(links.size());  // group number of each link; links separated only by short ones have adjacent
+                                         // groups and are neighbours
   for (std::size_t k = 1; k < links.size(); ++k) group[k] = group[k - 1] + isLink(k);
   std::vector<double> distances;
   for (std::size_t a = 0; a < links.size(); ++a)

@@ -1,4 +1,4 @@
-// The room that an arm without a described scene is known to have: that of the postures measured so far.
+// Room known to be free for an arm without a described scene, derived from the postures measured so far.
 #pragma once
 
 #include <limits>
@@ -9,21 +9,23 @@
 
 namespace tubeplan::app {
 
-/// The room of measured postures. A posture is safe if the arm hangs no lower than it did (the floor), and links that
-/// are not neighbours come no nearer to one another than they did. Links are lines from frame to frame, so that the
-/// room holds for links as thick as the measured ones.
+/// Free room of the measured postures. A posture is inside if the arm hangs no lower than in the measured postures (the
+/// floor), and if no two links that are not neighbours come closer than they did there. Links are lines between frames.
+/// Their thickness needs no allowance, because the same links were this close when measured.
 class MeasuredRoom {
  public:
-  /// `fitted` stands where the readings, one or more, were taken.
+  /// `fitted` must have a base pose for each set-up of the readings, of which there must be at least one.
   MeasuredRoom(const calibration::PlacedArm& fitted, const std::vector<calibration::Measurement>& readings);
 
-  /// Returns true if the arm has room at joint values `q` under a load [N], from the base of its last set-up.
+  /// Returns true if the posture `q` [rad, m] under a load [N] is inside the room. The arm stands on the base of its
+  /// last set-up.
   [[nodiscard]] bool holds(const Eigen::VectorXd& q, double load) const;
 
  private:
   calibration::PlacedArm fitted_;
-  double lowest_ = std::numeric_limits<double>::infinity();  ///< height in the world [m]
-  std::vector<double> nearest_;                              ///< least distance of each pair of links [m]
+  double lowest_ =
+      std::numeric_limits<double>::infinity();  ///< lowest height of the measured postures in the world [m]
+  std::vector<double> nearest_;                 ///< smallest measured distance for each pair of links [m]
 };
 
 }  // namespace tubeplan::app

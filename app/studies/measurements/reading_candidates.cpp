@@ -20,9 +20,9 @@ namespace {
 using calibration::MeasurementKind, calibration::ProposedMeasurement, calibration::ReadingCandidate;
 using Eigen::VectorXd;
 
-constexpr int kTriesPerPosture = 40;  // tries before the search ends for lack of room
-constexpr double kNearLimits = 0.02;  // distance from a joint's limits, as a share of its range
-constexpr double kSamePlace = 1e-7;   // accuracy of a place touched again [m]
+constexpr int kTriesPerPosture = 40;  // random tries per requested posture before the search ends
+constexpr double kNearLimits = 0.02;  // distance from a joint's limits, as a fraction of the joint's range
+constexpr double kSamePlace = 1e-7;   // largest error of a point touched under another load [m]
 
 VectorXd drawPosture(const deflection::Arm& arm, PostureChoice choice, boost::random::mt19937_64& random) {
   VectorXd q(arm.jointCount());
@@ -33,7 +33,7 @@ VectorXd drawPosture(const deflection::Arm& arm, PostureChoice choice, boost::ra
     const double upper = std::isfinite(joint.upper) ? joint.upper : span;
     const double within = choice == PostureChoice::kNearLimits ? kNearLimits * (upper - lower) : 0;
     q[k] = boost::random::uniform_real_distribution<double>(lower + within, upper - within)(random);
-    // One of three choices: anywhere, or near one of the two limits.
+    // Each joint takes one of three choices with equal chance: anywhere, or near its lower or upper limit.
     if (choice != PostureChoice::kNearLimits) continue;
     const int where = boost::random::uniform_int_distribution<int>(0, 2)(random);
     if (where > 0) q[k] = where == 1 ? lower + within : upper - within;
@@ -41,7 +41,7 @@ VectorXd drawPosture(const deflection::Arm& arm, PostureChoice choice, boost::ra
   return q;
 }
 
-/// Clearance of postures under each of several loads.
+/// Clearance checks of postures under several loads.
 class ClearUnderLoads {
  public:
   ClearUnderLoads(const planner::Workcell& cell, const std::vector<double>& loads) : cells_(loads.size(), cell) {
@@ -62,7 +62,7 @@ class ClearUnderLoads {
   [[nodiscard]] const planner::Workcell& cell(std::size_t load) const { return cells_[load]; }
 
  private:
-  std::vector<planner::Workcell> cells_;  // must outlive the clearances
+  std::vector<planner::Workcell> cells_;  // must outlive `clearances_`
   std::deque<planner::ArmClearance> clearances_;
 };
 
@@ -75,7 +75,7 @@ ProposedMeasurement readingOf(MeasurementKind kind, const VectorXd& q, double lo
   return reading;
 }
 
-/// Returns the joints that bring the tip back under another load, or nothing.
+/// Returns joint values near `near` that bring the tip to `goal` under the load of `cell`; nothing if there are none.
 std::optional<VectorXd> touchAgain(const planner::Workcell& cell, const deflection::ToolGoal& goal,
                                    const VectorXd& near) {
   const auto branch =
@@ -106,8 +106,8 @@ planner::Workcell armAndScene(const CellModel& cell) {
   work.arm = cell.arm;
   work.X_WB = cell.X_WB;
   work.scene = cell.scene;
-  // The default axis may be that of the last joint, about which no pitch can be held: the direction to the tip replaces
-  // it.
+  // The default axis may coincide with the last joint's axis, which leaves the tilt of the tool undetermined. The
+  // direction to the tip replaces the default.
   if (!cell.tool_axis_stated && cell.arm.p_LT.norm() > 0) work.arm.tool_axis_L = cell.arm.p_LT.normalized();
   return work;
 }

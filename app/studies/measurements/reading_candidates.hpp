@@ -1,4 +1,4 @@
-// Candidates for the next measurements in a cell: holes and postures that the arm reaches without collision.
+// Candidates for further measurements: holes and postures that the arm reaches without collision.
 #pragma once
 
 #include <cstdint>
@@ -12,46 +12,47 @@
 
 namespace tubeplan::app {
 
-/// Returns the cell's arm and scene, for cells without a sheet too.
+/// Returns a workcell with the cell's arm, base and scene. Cells without a tube sheet are allowed.
 [[nodiscard]] planner::Workcell armAndScene(const CellModel& cell);
 
-/// A hole that can be touched, with one of the postures that reach it.
+/// A hole that can be touched, with a posture that reaches it.
 struct ReachedHole {
-  int tube = -1;  ///< index in the sheet
+  int tube = -1;  ///< index in the tube sheet
   Eigen::VectorXd q;
 };
 
-/// Returns the postures that reach these tubes under the cell's load, clear during the whole approach, in the tubes'
-/// order: all of each tube, or the first only.
+/// Returns postures that reach the given tubes under the cell's load, without collision during the whole approach. They
+/// are in the order of the tubes: all branches of each tube, or the first branch only.
 [[nodiscard]] std::vector<ReachedHole> reachHoles(const planner::Workcell& cell, const std::vector<int>& tubes,
                                                   bool all_branches);
 
-/// Function that returns true if a posture under a load [N] may be proposed.
+/// Function that returns true if a posture `q` under a load [N] may be proposed.
 using PostureQuestion = std::function<bool(const Eigen::VectorXd& q, double load)>;
 
-/// Choice of random postures: anywhere within the limits, or with each joint anywhere or near one of its limits, where
-/// models differ most.
+/// Distribution of random postures: each joint anywhere within its limits, or, where models differ most, either
+/// anywhere or near one of its limits.
 enum class PostureChoice { kAnywhere, kNearLimits };
 
-/// Returns random postures within the joints' limits (a turn for angles without limits), clear of the scene under each
-/// of the loads [N], and allowed by `is_allowed`. There are fewer if hardly any is clear.
+/// Returns random postures within the joint limits (a full turn for joints without limits). They are clear of the scene
+/// under each of the loads [N] and allowed by `is_allowed`. There are fewer than `count` if the random search finds too
+/// few.
 [[nodiscard]] std::vector<Eigen::VectorXd> clearPostures(planner::Workcell cell, const std::vector<double>& loads,
                                                          int count, std::uint64_t seed,
                                                          const PostureQuestion& is_allowed = {},
                                                          PostureChoice choice = PostureChoice::kAnywhere);
 
-/// Returns touches of each hole under the cell's load.
+/// Returns a touch of each hole under the cell's load, with the noise `sigma` [m].
 [[nodiscard]] std::vector<calibration::ReadingCandidate> holeTouches(const planner::Workcell& cell,
                                                                      const std::vector<ReachedHole>& holes,
                                                                      double sigma);
 
-/// Returns readings of the tip's place at each posture under each load.
+/// Returns a reading of the tip position at each posture under each load [N], with the noise `sigma` [m].
 [[nodiscard]] std::vector<calibration::ReadingCandidate> positionReadings(const std::vector<Eigen::VectorXd>& postures,
                                                                           const std::vector<double>& loads,
                                                                           double sigma);
 
-/// Returns touches of the place where each posture's tip rests under the first load, under every load (two or more).
-/// Places that cannot be reached again under another load, clear, are left out.
+/// Returns, for each posture, touches of one point under every load (two or more) [N]. The point is where the tip rests
+/// in this posture under the first load. Points that cannot be reached without collision under every load are left out.
 [[nodiscard]] std::vector<calibration::ReadingCandidate> pointTouches(planner::Workcell cell,
                                                                       const std::vector<Eigen::VectorXd>& postures,
                                                                       const std::vector<double>& loads, double sigma);

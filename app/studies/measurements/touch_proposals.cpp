@@ -17,10 +17,11 @@ using calibration::Estimate, calibration::ReadingCandidate;
 
 constexpr int kTouchHoles = 60, kReadingPostures = 600, kWorkPostures = 60;
 constexpr int kBaseTouches = 3, kReadings = 10;
-constexpr int kExhaustive = 150;    // holes of which all triples are compared; exchange finds the best of more
-constexpr int kNearestTried = 400;  // holes round the base that are tried for the nearest three
+constexpr int kExhaustive =
+    150;  // largest number of holes for which all triples are compared; an exchange search is used for more
+constexpr int kNearestTried = 400;  // number of holes around the base that are tried to find the nearest three
 
-/// Returns the three holes nearest the base that can be touched and are not on a line.
+/// Returns the three holes nearest to the base that can be touched and do not lie on a line.
 std::vector<ReachedHole> nearestHoles(const planner::Workcell& cell) {
   std::vector<int> order(cell.sheet.tubes.size());
   std::iota(order.begin(), order.end(), 0);
@@ -40,7 +41,7 @@ std::vector<ReachedHole> nearestHoles(const planner::Workcell& cell) {
   return nearest;
 }
 
-/// A task in progress.
+/// Search for the proposals of one task.
 class TouchSearch {
  public:
   explicit TouchSearch(const TouchTask& task) : task_(task) {}
@@ -54,7 +55,8 @@ class TouchSearch {
   }
 
  private:
-  /// Finds the postures where the tip must be known: at the holes of the work list, or at random.
+  /// Finds the postures in which the tip must be known: at the holes of the work list, or at random if there is no
+  /// sheet.
   void findWork() {
     if (task_.under_sheet) {
       for (const auto& hole : reachHoles(*task_.under_sheet, task_.tubes, false)) work_.postures.push_back(hole.q);
@@ -79,7 +81,8 @@ class TouchSearch {
         .tube_indices;
   }
 
-  /// Returns the holes still in reach from other likely places of an uncalibrated base; all, if these are too few.
+  /// Returns the holes that remain in reach for other likely poses of the uncalibrated base; all holes if too few
+  /// remain.
   std::vector<ReachedHole> surelyReached(const std::vector<ReachedHole>& holes, int count) {
     const auto& cell = *task_.under_sheet;
     std::vector<calibration::TouchPlan> plans;
@@ -94,7 +97,7 @@ class TouchSearch {
     return kept;
   }
 
-  /// Returns the best three (and more) of all holes, before any reading determines anything.
+  /// Returns the best `count` (three or more) of all holes, while no reading determines anything yet.
   [[nodiscard]] static calibration::Design exhaustiveChoice(const calibration::DesignProblem& problem, int count) {
     const auto choice = calibration::chooseTouches(problem, count);
     if (choice.status == calibration::TouchChoiceStatus::kDone)
@@ -133,7 +136,7 @@ class TouchSearch {
     proposal.next = calibration::forecastReadings(*task_.of_base, posed, std::move(design), options);
     proposal.reason = proposal.next.reason;
     if (!task_.is_first) return;
-    // The choice must not be one that is refused once it is touched.
+    // Checks that a calibration with the chosen touches would not be refused.
     std::vector<calibration::Measurement> touches;
     for (const auto& step : proposal.next.design.steps)
       touches.push_back(calibration::conditionsOf(proposal.chosen(step).readings.front()));
@@ -152,7 +155,7 @@ class TouchSearch {
     return candidates;
   }
 
-  /// Returns possible readings: holes or postures, each under each load.
+  /// Returns the possible readings: holes or postures, each under every load.
   [[nodiscard]] std::vector<ReadingCandidate> findCandidates() const {
     if (task_.by_touch && task_.under_sheet) return touchesUnderLoads();
     const int count = task_.candidates > 0 ? task_.candidates : kReadingPostures;

@@ -1,4 +1,4 @@
-// Interpretation of touched holes: the centring noise, and the holes that one may have been mistaken for.
+// Interpretation of touched holes: the centring noise, and the holes with which a touched hole may have been confused.
 #pragma once
 
 #include "app/studies/cell_model.hpp"
@@ -9,19 +9,20 @@
 
 namespace tubeplan::app {
 
-/// Returns a function for the neighbours of the hole that a touch names, none if it names none. `sheet` must outlive
-/// it.
+/// Returns a function that lists the neighbours of the hole named by a touch; none if the touch names no hole. `sheet`
+/// must outlive the function.
 [[nodiscard]] calibration::NeighbourQuestion neighboursOn(const tubesheets::Sheet& sheet);
 
-/// Returns the doubt with which touches place a cell's base: of its arm's numbers, and its model's own error as far as
-/// known. Touches are chosen and fitted with the same doubt.
+/// Returns the uncertainties to be considered when touches place the cell's base: those of the arm's parameters, and
+/// the model error if it is known. Touches must be chosen and fitted with the same uncertainties.
 [[nodiscard]] calibration::DoubtBeside doubtBeside(const CellModel& cell);
 
-/// Returns the options for calibrating a cell's base by touches: with that doubt, and with the neighbours of holes.
-/// `cell` must outlive them.
+/// Returns the options to calibrate the cell's base from touches: the uncertainties of doubtBeside(), and the
+/// neighbours of holes. `cell` must outlive the options.
 [[nodiscard]] calibration::BaseCalibrationOptions calibrationOptionsOf(const CellModel& cell);
 
-/// Returns the centring noise of the tool's last step, as one sigma of a coordinate [m]: half of that step's tolerance.
+/// Returns the centring noise of the tool's last step, as the standard deviation of a coordinate [m]: half of the
+/// step's tolerance.
 [[nodiscard]] double touchSigmaOf(const tubesheets::SteppedTool& tool);
 
 }  // namespace tubeplan::app
