@@ -1,4 +1,4 @@
-// The common start of every fit of a cell's model to readings.
+// Common start of all fits of a cell's model to readings.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,15 @@
 
 namespace tubeplan::app {
 
-/// Returns the free numbers of the cell: its `identify`, and the base if that is unknown.
+/// Returns the free parameters of the cell: the names in `identify`, and the base if it is unknown.
 [[nodiscard]] calibration::FreeChoice freeNumbersOf(const CellModel& cell);
 
-/// Returns the cell's arm with a base pose for every set-up of the readings.
+/// Returns the cell's arm with a base pose for each set-up of the readings.
 [[nodiscard]] calibration::PlacedArm startOf(const CellModel& cell,
                                              const std::vector<calibration::Measurement>& readings);
 
-/// Returns the placed arm, with bases that the cell does not place aligned with the readings.
+/// Returns the cell's arm with a base pose for each set-up. Base poses that the cell does not state are aligned with
+/// the readings.
 [[nodiscard]] calibration::PlacedArm placedWhereRead(const CellModel& cell,
                                                      const std::vector<calibration::Measurement>& readings);
 

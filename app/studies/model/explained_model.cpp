@@ -7,8 +7,8 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Returns the numbers of an effect that a fit must find: those that the diagnosis could measure, and shapes other than
-/// instants.
+/// Returns the parameters of an effect that a fit must free: those that the diagnosis could determine, and shape
+/// parameters except times.
 std::vector<std::string> freedOf(const deflection::Arm& arm, const calibration::FoundEffect& effect) {
   std::vector<std::string> freed;
   const auto& numbers = deflection::numbersOf(effect.fitted);

@@ -1,4 +1,5 @@
-// A model with the findings of a diagnosis: effects of the catalogue, and numbers of the arm's file that were held.
+// A model extended by the findings of a diagnosis: catalogue effects, and parameters of the arm file that were held
+// fixed.
 #pragma once
 
 #include <string>
@@ -10,21 +11,22 @@
 namespace tubeplan::app {
 
 struct AddedCauses {
-  std::vector<std::string> names;  ///< names of the causes: `backlash@tool.z`, `free@latch-link.beam.Iz`
-  std::vector<std::string> freed;  ///< numbers added to the cell's `identify`
+  std::vector<std::string> names;  ///< names of the causes, such as `backlash@tool.z` or `free@latch-link.beam.Iz`
+  std::vector<std::string> freed;  ///< parameters added to the cell's `identify`
   std::vector<deflection::Effect> formulas;
 };
 
-/// Adds an effect, and frees those of its numbers that a fit must find. Returns false, without any change, if the model
-/// has it already.
+/// Adds an effect to the cell's arm and its parameters named in `freed` to `added`. Returns false, and changes nothing,
+/// if the arm already has the effect.
 [[nodiscard]] bool addEffect(const deflection::Effect& effect, const std::vector<std::string>& freed, CellModel& cell,
                              AddedCauses& added);
 
-/// Adds freed numbers to `identify`; keeps in `freed` those that were not there, each once.
+/// Adds `added.freed` to the cell's `identify`. Afterwards `added.freed` has only the names that `identify` did not
+/// contain, without duplicates.
 void freeAdded(CellModel& cell, AddedCauses& added);
 
-/// Adds a diagnosis's explanation with the numbers that it found; an effect that the model already has is left
-/// unchanged.
+/// Adds the effects of an explanation with their fitted values, and frees the parameters that the explanation frees. An
+/// effect that the model already has is not changed.
 AddedCauses addExplanation(const calibration::Explanation& found, CellModel& cell);
 
 }  // namespace tubeplan::app

@@ -17,10 +17,11 @@ namespace {
 using calibration::Diagnosis, calibration::Explanation, calibration::Verdict;
 using calibration::IdentificationStatus, calibration::Measurement;
 
-constexpr double kWorthIt = 0.95;  // largest ratio of errors after and before with an uncertain cause
-constexpr double kNoWorse = 1.05;  // largest ratio of the farthest poses' errors after and before with a certain cause
+constexpr double kWorthIt = 0.95;  // largest ratio of errors after and before adding an uncertain cause
+constexpr double kNoWorse =
+    1.05;  // largest ratio of errors of the farthest poses after and before adding a certain cause
 
-/// Consequence of a diagnosis: a cause to add, or the end.
+/// Decision after a diagnosis: the cause to add, or the end of the loop (null cause).
 struct Decision {
   const Explanation* cause = nullptr;
   ImprovementEnd end = ImprovementEnd::kNotRun;
@@ -28,8 +29,9 @@ struct Decision {
   double first = std::numeric_limits<double>::quiet_NaN(), second = first;
 };
 
-/// Returns, of the explanations that were judged and are worth it, most probable first, the first that no other
-/// improves on by 5 % at the farthest poses: less than that is noise.
+/// Returns the best explanation at the farthest poses among those that were judged and accepted by `isWorthIt`; null if
+/// there is none. They are in order of probability: a less probable one replaces the best so far only if its error is
+/// at least 5 % lower.
 template <class IsWorthIt>
 const Explanation* bestCarried(const std::vector<Explanation>& explanations, const IsWorthIt& isWorthIt) {
   const Explanation* best = nullptr;
@@ -40,7 +42,8 @@ const Explanation* bestCarried(const std::vector<Explanation>& explanations, con
   return best;
 }
 
-/// Decides between equal explanations: one is added only if the choice between them hardly matters.
+/// Decides between equally good explanations: adds the best one if they differ little, or else the causes common to all
+/// if they lower the errors.
 Decision amongEquals(const Diagnosis& diagnosis) {
   double widest = 0;
   for (const auto& alternative : diagnosis.alternatives)
@@ -55,8 +58,8 @@ Decision amongEquals(const Diagnosis& diagnosis) {
   return {nullptr, ImprovementEnd::kAmbiguous, ImprovementReason::kAlternativesApart, widest, std::max(0., gain)};
 }
 
-/// Decides without a certain cause: one is added only for its effect on readings that it was not fitted to, near and
-/// far.
+/// Decides without a certain cause. A cause is added only if it lowers the error of readings left out of its fit, both
+/// held-out folds and the farthest poses.
 Decision amongUnsure(const Diagnosis& diagnosis) {
   const Explanation* best = bestCarried(diagnosis.closest, [&](const Explanation& one) {
     return one.heldout.rms < kWorthIt * diagnosis.heldout_before.rms &&
@@ -108,7 +111,8 @@ ImprovementStep stepOf(const Diagnosis& diagnosis, const Decision& decision) {
 
 bool isUsable(const calibration::Identification& fit) { return fit.status == IdentificationStatus::kDone; }
 
-/// Returns true if a fit leaves every size of an effect of its model within two standard deviations of zero.
+/// Returns true if a fit has freed parameters of the effect and found all within two standard deviations of their
+/// neutral values. A freed shape parameter gives false.
 bool isFoundToBeNone(const calibration::Identification& fit, int effect) {
   constexpr double kNearNone = 2;
   const auto& carried = fit.fitted.arm.effects.at(static_cast<std::size_t>(effect));
@@ -122,8 +126,8 @@ bool isFoundToBeNone(const calibration::Identification& fit, int effect) {
   return is_fitted;
 }
 
-/// Removes from a cell those of the added effects that its fit found to be zero, with their free numbers; returns their
-/// names. A cause at several places may be zero at some.
+/// Removes from the cell the added effects that the fit found to be zero, with their free parameters, and returns their
+/// names. Nothing is removed if all added effects are zero.
 std::vector<std::string> takeOutNone(const std::vector<std::string>& added, const calibration::Identification& fit,
                                      CellModel& cell) {
   std::vector<std::string> none;
@@ -140,7 +144,7 @@ std::vector<std::string> takeOutNone(const std::vector<std::string>& added, cons
   return none;
 }
 
-/// One run of the loop.
+/// One run of the improvement loop.
 class Improver {
  public:
   Improver(const std::vector<Measurement>& readings, const ImprovementRequest& request, const WorkHooks& hooks)
@@ -192,8 +196,8 @@ class Improver {
     result_.models.push_back(std::move(model));
   }
 
-  /// Fits every model to the readings that the diagnosis used, because its verdict applies to those, and errors are
-  /// compared.
+  /// Refits every model to the readings that the diagnosis used, so that the verdict applies to them and errors are
+  /// comparable.
   void setAside(const Diagnosis& diagnosis, const WorkHooks& hooks) {
     if (diagnosis.verdict == Verdict::kNotRun || diagnosis.set_aside == set_aside_) return;
     const auto before = std::exchange(set_aside_, diagnosis.set_aside);
@@ -208,7 +212,7 @@ class Improver {
     if (request_.on_model) request_.on_model(result_.models.back());
   }
 
-  /// Runs one round; false at the end of the loop.
+  /// Runs one round; returns false if the loop ends.
   bool improveOnce(const WorkHooks& hooks) {
     const Diagnosis diagnosis = diagnosisOf(result_.models.back().cell, hooks);
     setAside(diagnosis, hooks);
@@ -237,11 +241,11 @@ class Improver {
     return true;
   }
 
-  /// Returns the model without those members of a cause at several places that its fit found to be zero, if it is no
-  /// worse.
+  /// Returns the model without the added effects that the fit found to be zero; the model unchanged if fewer than three
+  /// effects were added or the reduced model is worse.
   ImprovedModel withoutNone(ImprovedModel model, CellModel cell, const WorkHooks& hooks) {
     constexpr std::size_t kSeveral = 3;
-    constexpr double kAsLow = 1.01;  // ratio of held-out errors
+    constexpr double kAsLow = 1.01;  // largest ratio of held-out errors
     ImprovementStep& step = result_.steps.back();
     if (step.added.size() < kSeveral) return model;
     auto none = takeOutNone(step.added, model.fit, cell);

@@ -1,5 +1,5 @@
-// Repeated diagnosis, addition and identification, until no further cause is certain: from a cell's model and its
-// readings to the improved model.
+// Repeated diagnosis, addition and identification until no further cause is certain: turns a cell's model and its
+// readings into an improved model.
 #pragma once
 
 #include <cstdint>
@@ -14,67 +14,72 @@
 
 namespace tubeplan::app {
 
-/// A fitted model of the loop: as given, or after a step.
+/// A fitted model of the loop: the given model, or the model after a step that added a cause.
 struct ImprovedModel {
-  std::string name;  ///< "as given", "+ backlash@tool.z"
-  CellModel cell;    ///< the cell with the additions; its numbers are those of `fit`
+  std::string name;  ///< "as given", or the added causes: "+ backlash@tool.z"
+  CellModel cell;    ///< the cell with the added causes, before the fit; `fit` has the fitted values
   calibration::Identification fit;
-  int step = 0;                ///< number of steps before that added something
-  std::vector<int> set_aside;  ///< readings left out of the fit as outliers of the last diagnosis
+  int step = 0;                ///< number of steps so far that added a cause
+  std::vector<int> set_aside;  ///< indices of readings left out of the fit, as outliers of the last diagnosis
 };
 
 struct ImprovementRequest {
-  int steps = 6;  ///< largest number of steps that add something
+  int steps = 6;  ///< largest number of steps that add a cause
   std::uint64_t seed = 1;
-  /// Called with every model once it is fitted; again if it is fitted to other readings.
+  /// Called with each model once it is fitted, and again when it is refitted to other readings.
   std::function<void(const ImprovedModel&)> on_model;
 };
 
 enum class ImprovementEnd {
   kNotRun,
   kAdequate,     ///< nothing is missing
-  kNothingSure,  ///< something is missing, but no cause lowers the error of held-out readings, or the noise is larger
-  kAmbiguous,    ///< alternatives differ over the arm's range by more than the first gains
+  kNothingSure,  ///< something is missing, but it is scatter alone, or no cause lowers the error of held-out readings
+  kAmbiguous,    ///< alternatives differ over the arm's range by more than the best of them would gain
   kDoesNotCarryOver,  ///< the cause does not lower the error of held-out readings, or of the farthest poses
   kMistake,           ///< a mistake in the readings explains the error
   kInconclusive,      ///< the readings allow no verdict
   kMostSteps,
-  kNotFitted,  ///< the given model cannot be fitted
+  kNotFitted,  ///< the given model could not be fitted
 };
 
 /// Reason for adding a cause, or for the end of the loop.
 enum class ImprovementReason {
   kNothingMissing,
-  kScatter,            ///< the remaining error follows no smooth function of the stated variables; `first`: its size
+  kScatter,            ///< the residual is no smooth function of the stated variables; `first`: size of the residual
   kSure,               ///< the cause is certain and predicts the farthest poses
   kSureInAll,          ///< the cause is certain in every alternative
   kAlternativesClose,  ///< alternatives differ by `first` over the arm's range, less than the gain `second`
-  kAlternativesApart,  ///< alternatives differ by `first`, more than the gain `second`
+  kAlternativesApart,  ///< alternatives differ by `first` over the arm's range, more than the gain `second`
   kUnsureButLower,     ///< the cause is uncertain, but lowers the error of held-out readings and of the farthest poses
-  kNoneLower,          ///< no cause is certain, and none lowers those errors
-  kFarthestWorse,      ///< the error of the farthest poses with a fit to the nearer ones is `first`, before `second`
-  kNotLowerTogether,   ///< the cause, fitted with everything else, does not lower the error of held-out readings
+  kNoneLower,         ///< no cause is certain, and none lowers the error of held-out readings and of the farthest poses
+  kFarthestWorse,     ///< the error of the farthest poses, predicted by a fit to the nearer poses, rose to `first` from
+                      ///< `second`
+  kNotLowerTogether,  ///< the cause, fitted together with the other parameters, does not lower the error of held-out
+                      ///< readings
   kMistakeExplains,
   kNoVerdict,
 };
 
-/// One completed round of the loop.
+/// One completed round of the improvement loop.
 struct ImprovementStep {
   calibration::Diagnosis diagnosis;
   ImprovementReason reason = ImprovementReason::kNoVerdict;
-  double first = std::numeric_limits<double>::quiet_NaN(), second = first;  ///< see ImprovementReason [m]
-  std::vector<std::string> added;                        ///< names of added causes; empty in the last round
-  std::vector<std::string> also;                         ///< causes that no reading distinguishes from the added ones
-  std::vector<std::string> not_needed;                   ///< members of a cause that the fit found to be zero
-  calibration::ErrorSize heldout_before, heldout_after;  ///< errors with folds of poses held out
-  /// Errors with the quarter of the poses that reach farthest held out.
+  double first = std::numeric_limits<double>::quiet_NaN(),
+         second = first;                ///< values that ImprovementReason explains [m]; NaN if it names none
+  std::vector<std::string> added;       ///< names of the added causes; empty if none was added
+  std::vector<std::string> also;        ///< causes that no reading distinguishes from the added causes
+  std::vector<std::string> not_needed;  ///< added effects that the fit found to be zero and that were removed again
+  calibration::ErrorSize heldout_before,
+      heldout_after;  ///< errors of poses held out in folds, before and after the addition
+  /// Errors of the farthest-reaching quarter of the poses, held out of the fit, before and after the addition.
   calibration::ErrorSize farthest_before, farthest_after;
 };
 
 struct Improvement {
   ImprovementEnd end = ImprovementEnd::kNotRun;
   std::vector<ImprovementStep> steps;
-  /// The given model as first fitted, then one for each step that added something. All are fitted to the same readings.
+  /// The given model as first fitted, then one model for each step that added a cause. All are fitted to the same
+  /// readings.
   std::vector<ImprovedModel> models;
 
   /// Returns true if there is a usable model.
@@ -84,11 +89,11 @@ struct Improvement {
   }
 };
 
-/// Runs the loop. If readings determine nothing it ends as kNotFitted, with the fit refused. Throws JobStopped.
+/// Runs the loop. If the readings determine nothing, it ends with kNotFitted and a refused fit. Throws JobStopped.
 [[nodiscard]] Improvement improveModel(const CellModel& cell, const std::vector<calibration::Measurement>& readings,
                                        const ImprovementRequest& request, const WorkHooks& hooks = {});
 
-/// Returns the rows of the models for a ladder.
+/// Returns one comparison row for each model, for a ladder.
 [[nodiscard]] std::vector<ModelComparisonRow> comparisonRowsOf(const Improvement& result);
 
 }  // namespace tubeplan::app

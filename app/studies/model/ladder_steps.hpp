@@ -1,4 +1,4 @@
-// The step tables of a ladder: for each of its models, how many steps of the tool would enter in how many holes.
+// Step tables of a ladder: for each model, the number of holes that each number of the tool's steps would enter.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 namespace tubeplan::app {
 
 struct LadderSteps {
-  std::string reason;  ///< reason if there are none; else empty
+  std::string reason;  ///< why there are no tables; empty if there are some
   RealArm real;
   int holes = 0, out_of_reach = 0;
 };
 
-/// Returns the model with the least held-out error, or null if none could be fitted.
+/// Returns the row with the smallest error of held-out readings; null if no model could be fitted.
 [[nodiscard]] const ModelComparisonRow* bestRow(const std::vector<ModelComparisonRow>& comparison);
 
-/// Uses the best model instead of the real arm, with an error equal to the noise floor.
+/// Uses the best model in place of the real arm, with an unmodelled error equal to the noise floor.
 void standIn(const ModelComparisonRow& best, RealArm& real);
 
-/// Adds a step table, at `holes` random holes, to every row of the comparison. Throws JobStopped.
+/// Adds a step table, for the same `holes` random holes, to every row of the comparison. Throws JobStopped.
 [[nodiscard]] LadderSteps addStepTables(RealArm real, int holes, std::uint64_t seed,
                                         std::vector<ModelComparisonRow>& comparison, const WorkHooks& hooks = {});
 

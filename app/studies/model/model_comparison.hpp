@@ -1,4 +1,4 @@
-// The error of one model after another on the same readings: the worth of each step of a model.
+// Comparison of several models on the same readings: shows what each step of the modelling gains.
 #pragma once
 
 #include <optional>
@@ -12,30 +12,31 @@
 
 namespace tubeplan::app {
 
-/// One model on the ladder.
+/// Results of one model in a comparison.
 struct ModelComparisonRow {
   std::string name;
   int fitted_numbers = 0;
-  calibration::ErrorSize as_it_stands;  ///< error with the base of the file
-  calibration::ErrorSize fitted;        ///< error with `identify` fitted, and the base if it is unknown
+  calibration::ErrorSize as_it_stands;  ///< error of the model as in its file, with the base of the file
+  calibration::ErrorSize fitted;        ///< error with `identify` fitted, and with the base fitted if it is unknown
   calibration::ErrorSize heldout;
   double noise_floor = 0;  ///< [m]
   double chi2_per_dof = 0;
-  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< p-value of chi-square, by the stated noise
-  calibration::PlacedArm model;    ///< the fitted model; without rows if it could not be fitted
-  std::optional<StepTable> steps;  ///< step table, if asked for
+  double p_value = std::numeric_limits<double>::quiet_NaN();  ///< p-value of chi-square for the stated noise; NaN: none
+  calibration::PlacedArm model;    ///< the fitted model; its arm has no rows if it could not be fitted
+  std::optional<StepTable> steps;  ///< step table; nothing: not requested
 };
 
-/// Judges a cell's model on readings; if it frees nothing, it is judged as it stands. Throws JobStopped.
+/// Compares a cell's model with the readings. A model without free parameters is evaluated as it is, without a fit.
+/// Throws JobStopped.
 [[nodiscard]] ModelComparisonRow comparisonRowOf(const std::string& name, const CellModel& cell,
                                                  const std::vector<calibration::Measurement>& readings,
                                                  std::uint64_t seed, const WorkHooks& hooks = {});
 
-/// Returns the row of an already fitted model.
+/// Returns the comparison row of a model that is already fitted.
 [[nodiscard]] ModelComparisonRow comparisonRowOf(const std::string& name, const calibration::Identification& fit);
 
-/// Returns the fit for a row of the comparison, equal to the refit of `compare`. Not run if the cell frees nothing.
-/// Throws JobStopped.
+/// Returns the fit for a comparison row, identical to the refit of `compare`. Its status is "not run" if the cell frees
+/// nothing. Throws JobStopped.
 [[nodiscard]] calibration::Identification fitForLadder(const CellModel& cell,
                                                        const std::vector<calibration::Measurement>& readings,
                                                        std::uint64_t seed, const WorkHooks& hooks = {});
