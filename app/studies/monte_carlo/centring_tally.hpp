@@ -1,5 +1,5 @@
-// Results of many runs, hole by hole and in total. They are whole numbers only: tallies merged in any order are the
-// same to the last bit.
+// Results of many runs, for each hole and in total. They are sums of integers, so that tallies merged in any order are
+// identical.
 #pragma once
 
 #include <vector>
@@ -10,46 +10,50 @@
 
 namespace tubeplan::app {
 
-/// Results of one hole and one way of compensation.
+/// Results at one hole with one method of compensation.
 struct HoleTally {
   ErrorSketch errors;
-  std::vector<std::uint64_t> at_least;  ///< visits that took 1, 2, ... steps or more; empty if there was none
-  std::uint64_t missed = 0;             ///< visits without a posture
+  std::vector<std::uint64_t>
+      at_least;  ///< number of visits in which at least k + 1 steps entered, at index k; empty without visits
+  std::uint64_t missed = 0;  ///< number of visits without a posture
 };
 
-/// Results of all holes and one way of compensation.
+/// Results at all holes with one method of compensation.
 struct WayTally {
   std::vector<HoleTally> holes;
-  RunSums errors;                        ///< sums in units of ErrorSketch
-  std::vector<RunSums> at_least;         ///< 1, 2, ... steps or more
-  std::vector<std::uint64_t> all_holes;  ///< runs in which all holes took so many
+  RunSums errors;                 ///< sums of centring errors, in units of ErrorSketch::kUnit
+  std::vector<RunSums> at_least;  ///< visits in which at least k + 1 steps entered, at index k
+  std::vector<std::uint64_t>
+      all_holes;  ///< number of runs in which at least k + 1 steps entered every visited hole, at index k
 
   [[nodiscard]] ErrorSketch allErrors() const;
   [[nodiscard]] std::uint64_t missed() const;
 };
 
 struct FailureCount {
-  std::uint64_t runs = 0, first_run = 0;  ///< first_run: index of the first such run
+  std::uint64_t runs = 0, first_run = 0;  ///< number of failed runs, and index of the first of them
 };
 
 struct SettingTally {
   std::uint64_t runs = 0;
-  std::array<FailureCount, kTrialFailures> failures;  ///< counts by TrialFailure; at kNone the runs that were scored
-  FailureCount misfits;  ///< scored runs whose touches do not fit, by chi-square
+  std::array<FailureCount, kTrialFailures> failures;  ///< indexed by TrialFailure; kNone counts the scored runs
+  FailureCount misfits;                               ///< scored runs whose touches are rejected by chi-square
   std::array<WayTally, kWays.size()> ways;
 };
 
 class CentringTally {
  public:
-  /// `holes`: number that may be visited; `steps`: number of the tool's.
+  /// `settings`: number of settings; `holes`: number of holes that may be visited; `steps`: number of steps of the
+  /// tool.
   CentringTally(std::size_t settings, std::size_t holes, std::size_t steps);
 
-  /// Adds the trials of one run, one for each setting.
+  /// Adds one run: its trial under each setting.
   void add(const std::vector<Trial>& trials, std::uint64_t run);
 
   void put(TallyWords& words) const;
 
-  /// Merges the words of a tally of the same shape. Returns false, with an invalid tally, if they are not.
+  /// Merges a tally written by put(). Returns false if its dimensions differ or it is incomplete; this tally is then
+  /// invalid.
   [[nodiscard]] bool merge(const TallyWords& words);
 
   [[nodiscard]] const std::vector<SettingTally>& settings() const { return settings_; }

@@ -12,9 +12,10 @@ namespace {
 using calibration::CalibrationStatus, calibration::TouchPlan;
 using Draw = calibration::RandomStreamFrom<SplitMix>;
 
-constexpr double kLeastWeighingSigma = 1e-6;  // [m]; without any noise all weights would be infinite
+constexpr double kLeastWeighingSigma = 1e-6;  // [m]; weights would be infinite for touches without noise
 
-/// Purpose of a key's random numbers; each has its own, so that more of one do not change another.
+/// Purpose of random numbers, as a part of their key. Separate keys keep one quantity's numbers the same when more of
+/// another are drawn.
 enum Purpose : std::uint64_t { kTruthKey = 1, kVisitedKey, kTouchedKey, kTipErrorKey, kNoiseKey };
 
 constexpr std::array kRules{
@@ -24,14 +25,15 @@ constexpr std::array kRules{
     TouchRuleRow{TouchRule::kRandom, "random", "drawn at random in every run"},
     TouchRuleRow{TouchRule::kTested, "tested", "drawn from the holes that are visited, as `score --runs`"}};
 
-/// Returns a cell without its sheet and scene, which are large and which no run needs.
+/// Returns the workcell without its sheet and scene, which are large and not needed by any run.
 planner::Workcell armOnly(planner::Workcell cell) {
   cell.sheet = {};
   cell.scene = {};
   return cell;
 }
 
-/// Returns the hole furthest from the middle, then always the one furthest from those chosen.
+/// Returns holes chosen by farthest-point sampling: first the hole farthest from the centroid, then repeatedly the hole
+/// farthest from all holes chosen before.
 std::vector<TouchPlan> furthestApart(const std::vector<TouchPlan>& plans, int count) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const auto& plan : plans) middle += plan.p_WH / static_cast<double>(plans.size());
@@ -135,7 +137,8 @@ TrialHole CentringTrials::trialHole(const Hole& hole, std::uint64_t run) const {
   return {hole.plan, hole.tube, draw.vector(options_.spread.unmodelled_sigma)};
 }
 
-/// Returns drawn holes; empty if no choice had its first `well_spread` holes well off a line.
+/// Returns `count` drawn holes. In repeated draws the first `well_spread` holes must lie well off a line; empty if
+/// kMostDraws draws fail.
 std::vector<const CentringTrials::Hole*> CentringTrials::drawnHoles(std::uint64_t key, int count,
                                                                     int well_spread) const {
   Draw draw(key);

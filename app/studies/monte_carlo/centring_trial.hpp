@@ -1,5 +1,5 @@
-// One run of a campaign: a true arm is drawn, touches holes, is calibrated by its touches, and is then sent to other
-// holes. The same true arm is used under every setting, so that results differ by the settings alone.
+// One run of a campaign: draws a true arm, lets it touch holes, calibrates its base from the touches, and sends it to
+// other holes. All settings use the same true arm, so that results differ only because of the settings.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,12 @@
 
 namespace tubeplan::app {
 
-/// Choice of the touched holes.
+/// Rule for choosing the touched holes.
 enum class TouchRule {
-  kBest,    ///< holes that place the base best, the same in every run
-  kSpread,  ///< holes furthest from each other, the same in every run
-  kRandom,  ///< others in every run, well off a line
-  kTested,  ///< holes like those of kRandom, but out of the ones that are then visited, as in the thesis's experiment
+  kBest,    ///< holes that determine the base best, the same in every run
+  kSpread,  ///< holes farthest from one another, the same in every run
+  kRandom,  ///< random holes well off a line, different in every run
+  kTested,  ///< random holes well off a line, taken from the holes then visited, as in the experiment of the thesis
 };
 
 struct TouchRuleRow {
@@ -29,22 +29,22 @@ struct TouchRuleRow {
 };
 [[nodiscard]] std::span<const TouchRuleRow> touchRules();
 
-/// Setting of the base's calibration.
+/// One setting of the base calibration.
 struct CentringSetting {
   int touches = 3;
   TouchRule rule = TouchRule::kBest;
-  double touch_sigma = 1.27e-4;  ///< centring noise of each coordinate [m]; touches are weighed with 1e-6 m at least
+  double touch_sigma = 1.27e-4;  ///< centring noise of each coordinate [m]; at least 1e-6 m is used to weight touches
 };
 
-/// Holes that may be visited, and holes that may be touched if the best are asked for.
+/// Holes that may be visited, and holes that may be touched under the rule kBest.
 struct CentringHoles {
   std::vector<calibration::TouchPlan> visited, touchable;
 };
 
 struct CentringOptions {
   TruthSpread spread;
-  calibration::DoubtBeside doubt;  ///< doubt with which touches are chosen and bases calibrated
-  int holes = 10;                  ///< number visited in a run, each time others
+  calibration::DoubtBeside doubt;  ///< uncertainties considered in choosing touches and calibrating bases
+  int holes = 10;                  ///< number of holes visited in a run; drawn anew in each run
   std::uint64_t seed = 1;
   std::vector<CentringSetting> settings;
 };
@@ -52,42 +52,43 @@ struct CentringOptions {
 enum class TrialFailure { kNone, kTooNarrow, kUntouchable, kMistakenHole, kNotConverged, kRigidRefused };
 inline constexpr std::size_t kTrialFailures = 6;
 
-/// Returns a phrase, "the true arm cannot touch one of the holes".
+/// Returns a phrase such as "the true arm cannot touch one of the holes".
 [[nodiscard]] std::string_view nameOf(TrialFailure failure);
 
-/// Ways of compensation; a visit's centring is empty if that way finds no posture.
+/// Methods of compensation.
 inline constexpr std::array<std::string_view, 2> kWays{"none", "compensated"};
 inline constexpr std::array<std::string_view, kWays.size()> kWayWords{"without compensation", "with compensation"};
 struct TrialVisit {
-  int hole = -1;  ///< index among those that may be visited
+  int hole = -1;  ///< index among the holes that may be visited
   std::array<std::optional<planner::Centring>, kWays.size()> centring;
 };
 
-/// Result of a run under one setting.
+/// Result of one run under one setting.
 struct Trial {
   TrialFailure failure = TrialFailure::kNone;
-  double touch_error = std::numeric_limits<double>::quiet_NaN();  ///< mean residual of the touches [m]
-  bool is_misfit = false;  ///< true: chi-square rejects the touches of the flexible arm
+  double touch_error =
+      std::numeric_limits<double>::quiet_NaN();  ///< mean residual of the touches [m]; NaN if the run failed
+  bool is_misfit = false;                        ///< true: chi-square rejects the touches for the flexible arm
   std::vector<TrialVisit> visits;
 };
 
-/// Runs of a campaign, with everything prepared that does not depend on the run.
+/// Simulated runs of a campaign; holds everything that does not depend on the run.
 class CentringTrials {
  public:
-  /// There must be at least `options.holes` holes to visit, and as many to touch as any setting asks for.
+  /// `holes` must have at least `options.holes` holes to visit, and as many holes to touch as any setting requires.
   CentringTrials(const planner::Workcell& model, const planner::Workcell& truth, const CentringHoles& holes,
                  const CentringOptions& options);
 
-  /// Returns why no holes could be chosen for some setting, which then has no runs; otherwise empty.
+  /// Returns the reason if no holes could be chosen for some setting, which then has no runs; otherwise empty.
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
-  /// Returns the run of that index under each setting. Safe from any number of threads at once.
+  /// Returns the results of the run with this index, one for each setting. Thread-safe.
   [[nodiscard]] std::vector<Trial> run(std::uint64_t index) const;
 
-  /// Returns the hole's index in the sheet.
+  /// Returns the index, in the sheet, of the tube of hole number `hole`.
   [[nodiscard]] int tubeOfHole(std::size_t hole) const { return holes_[hole].tube; }
 
-  /// Returns the names of the holes that a setting touches in every run; empty if they differ.
+  /// Returns the names of the holes that a setting touches in every run; empty if they differ between runs.
   [[nodiscard]] std::vector<std::string> touchedHoles(std::size_t setting) const;
 
  private:
@@ -95,7 +96,7 @@ class CentringTrials {
     calibration::TouchPlan plan;
     int tube;
   };
-  struct Run;  ///< part that settings share
+  struct Run;  ///< data of a run that all settings share
 
   [[nodiscard]] std::vector<Hole> prepared(const std::vector<calibration::TouchPlan>& plans) const;
   [[nodiscard]] std::vector<Hole> fixedHoles(const planner::Workcell& model, const CentringHoles& holes,
@@ -115,7 +116,8 @@ class CentringTrials {
   tubesheets::Sheet sheet_;
   std::vector<Hole> holes_;
   std::string problem_;
-  std::vector<std::vector<Hole>> fixed_;  ///< touched holes by setting; empty if drawn
+  std::vector<std::vector<Hole>>
+      fixed_;  ///< touched holes of each setting; empty for a setting that draws them in each run
 };
 
 }  // namespace tubeplan::app

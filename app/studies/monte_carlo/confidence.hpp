@@ -1,4 +1,4 @@
-// Confidence intervals of figures from random runs.
+// Confidence intervals of results from random runs.
 #pragma once
 
 #include <cstdint>
@@ -7,33 +7,35 @@
 
 namespace tubeplan::app {
 
-inline constexpr double kTwoSided95 = 1.959963984540054;  ///< sigmas of a 95 % interval
+inline constexpr double kTwoSided95 =
+    1.959963984540054;  ///< half-width of a two-sided 95 % interval, in standard deviations
 
-/// A share with its 95 % interval.
+/// A probability with its 95 % confidence interval.
 struct Probability {
   double value, low, high;
 };
 
-/// Returns Wilson's score interval (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927) for `count` in `of` independent cases;
-/// NaN, 0 and 1 without cases. Neither need be whole: an effective number of cases is allowed.
+/// Returns Wilson's score interval (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927) for `count` successes among `of`
+/// independent cases; {NaN, 0, 1} if `of` is 0. The arguments need not be integers: `of` may be an effective number of
+/// cases.
 [[nodiscard]] Probability wilsonInterval(double count, double of);
 
-/// Sums over independent runs of a quantity that each run has several dependent cases of. They give the mean of all
+/// Sums, over independent runs, of a quantity with several dependent cases in each run. They give the mean over all
 /// cases and its standard error by the ratio estimator (Cochran, Sampling Techniques, 1977, section 6.4). The sums are
-/// whole numbers: merged in any order they are the same to the last bit.
+/// integers, so that sums merged in any order are identical.
 class RunSums {
  public:
-  /// Adds one run: `sum` of the quantity over its `count` cases.
+  /// Adds one run: the `sum` of the quantity over the run's `count` cases.
   void add(std::uint64_t sum, std::uint64_t count);
   void merge(const RunSums& other);
 
   [[nodiscard]] std::uint64_t runs() const { return runs_; }
   [[nodiscard]] std::uint64_t count() const { return count_; }
-  [[nodiscard]] double mean() const;           ///< NaN without cases
-  [[nodiscard]] double standardError() const;  ///< standard error of the mean; NaN below two runs
+  [[nodiscard]] double mean() const;           ///< mean over all cases; NaN without cases
+  [[nodiscard]] double standardError() const;  ///< standard error of the mean; NaN for fewer than two runs
 
-  /// Returns, for a quantity that is 0 or 1, Wilson's interval with the number of independent cases that gives this
-  /// standard error. If all cases are alike, nothing determines that number: a run then counts as one case.
+  /// Returns, for a quantity that is 0 or 1, Wilson's interval with the effective number of independent cases that
+  /// gives standardError(). If all cases are alike, this number is undetermined, and each run counts as one case.
   [[nodiscard]] Probability probability() const;
 
   void put(TallyWords& words) const;

@@ -21,8 +21,8 @@ std::uint64_t ErrorSketch::unitsOf(double error) {
   return static_cast<std::uint64_t>(std::llround(std::min(error, kLargest) / kUnit));
 }
 
-// Returns the part of a number. Up to 2^6 every number has its own; beyond, the part is the octave and the six bits
-// after the leading one.
+// Returns the bin of a number. Numbers below 2^6 have a bin each; for larger numbers the bin is determined by the
+// octave and the six bits after the leading bit.
 std::uint32_t ErrorSketch::partOf(std::uint64_t units) {
   if (units < kPartsOfOctave) return static_cast<std::uint32_t>(units);
   const int shift = std::bit_width(units) - 1 - kPartBits;

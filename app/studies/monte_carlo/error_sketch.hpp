@@ -1,8 +1,8 @@
-// The distribution of errors in little memory: exact sums and counts by size.
+// Distribution of errors in little memory: exact sums, and a histogram.
 //
-// Errors are lengths, taken to whole units of 2^-30 m (0.93 nm). All stored numbers are sums of whole numbers, so that
-// sketches merged in any order, in any grouping, are the same to the last bit. Sizes are counted in 64 equal parts of
-// each octave (as Tene's HdrHistogram does): a quantile is within 1/64 of the exact one, or one unit.
+// Errors are lengths, rounded to integer multiples of 2^-30 m (0.93 nm). All stored values are sums of integers, so
+// that sketches merged in any order and grouping are identical. Each octave of the histogram has 64 equal bins (as in
+// Tene's HdrHistogram), so a quantile is within 1/64 of the exact value, or within one unit.
 #pragma once
 
 #include <cstdint>
@@ -14,33 +14,33 @@ namespace tubeplan::app {
 
 class ErrorSketch {
  public:
-  /// Unit of the whole numbers [m].
+  /// Unit of the integers [m].
   static constexpr double kUnit = 1. / (1 << 30);
-  /// Largest error [m]; larger ones count as this.
+  /// Largest error [m]; larger errors are counted as this value.
   static constexpr double kLargest = 1 << 13;
   static constexpr int kPartsOfOctave = 64;
 
-  /// Returns an error [m], not negative, in units.
+  /// Returns a non-negative error [m] in units of kUnit, rounded.
   [[nodiscard]] static std::uint64_t unitsOf(double error);
 
   void add(std::uint64_t units);
   void merge(const ErrorSketch& other);
 
   [[nodiscard]] std::uint64_t count() const { return count_; }
-  [[nodiscard]] double mean() const;   ///< [m]; NaN without errors, as for all below
-  [[nodiscard]] double rms() const;    ///< [m]
-  [[nodiscard]] double sigma() const;  ///< standard deviation of one error (n - 1) [m]; NaN below two
-  [[nodiscard]] double max() const;    ///< [m]
+  [[nodiscard]] double mean() const;   ///< mean error [m]; NaN without errors, as are rms() and max()
+  [[nodiscard]] double rms() const;    ///< root mean square of the errors [m]
+  [[nodiscard]] double sigma() const;  ///< standard deviation of the errors (n - 1) [m]; NaN for fewer than two errors
+  [[nodiscard]] double max() const;    ///< largest error [m]
 
-  /// Returns the least error that this share of all does not exceed [m].
+  /// Returns the `share` quantile of the errors [m]; NaN without errors.
   [[nodiscard]] double quantile(double share) const;
 
-  /// A point of the distribution: `count` errors are at most `error` [m].
+  /// A point of the cumulative distribution: `count` errors are at most `error` [m].
   struct Point {
     double error;
     std::uint64_t count;
   };
-  /// Returns a point at the end of each part with any errors, in order.
+  /// Returns a point of the cumulative distribution at the upper end of each bin with errors, in ascending order.
   [[nodiscard]] std::vector<Point> distribution() const;
 
   void put(TallyWords& words) const;
@@ -56,7 +56,7 @@ class ErrorSketch {
   std::uint64_t count_ = 0, max_ = 0;
   WideCount sum_ = 0, squares_ = 0;
   std::uint32_t first_part_ = 0;
-  std::vector<std::uint64_t> counts_;  ///< counts by part, from first_part_
+  std::vector<std::uint64_t> counts_;  ///< number of errors in each bin, starting with bin first_part_
 };
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// The repeated experiment of a campaign, as workers and checkpoints see it.
+// Interface of a campaign's repeated experiment for workers and checkpoints.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace tubeplan::app {
 
-/// Runs by index, from `first` to before `end`. A run depends on its index and not on earlier runs.
+/// Runs with indices from `first` up to, but not including, `end`. A run depends on its index, not on earlier runs.
 struct RunRange {
   std::uint64_t first = 0, end = 0;
   bool operator==(const RunRange&) const = default;
@@ -18,13 +18,14 @@ class Experiment {
  public:
   virtual ~Experiment() = default;
 
-  /// Returns the tally of these runs alone; nothing if stopped before the end. Safe from several threads at once.
+  /// Returns the tally of the given runs alone; nothing if stopped before their end. Thread-safe.
   [[nodiscard]] virtual std::optional<TallyWords> run(RunRange runs, const std::function<bool()>& stop) const = 0;
 
-  /// Adds a tally to the total, in any order. Returns false if it is not one of this experiment.
+  /// Adds a tally to the total; the order of additions does not matter. Returns false if the tally does not belong to
+  /// this experiment.
   [[nodiscard]] virtual bool add(const TallyWords& tally) = 0;
 
-  /// Returns the total.
+  /// Returns the sum of all added tallies.
   [[nodiscard]] virtual TallyWords total() const = 0;
 };
 

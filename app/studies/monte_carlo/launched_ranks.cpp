@@ -1,4 +1,4 @@
-// Detection of the launcher of this process, from its environment.
+// Detection, from the environment, of a launcher that started this process.
 #include <cstdlib>
 
 #include "app/studies/monte_carlo/ranks.hpp"
@@ -15,10 +15,11 @@ int numberOf(const char* variable) {
 }  // namespace
 
 bool areRanksLaunched() {
-  // Open MPI's mpirun; MPICH's and Intel's mpiexec.
+  // Variables set by Open MPI's mpirun, and by mpiexec of MPICH and Intel MPI.
   for (const char* size : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (numberOf(size) > 1) return true;
-  // srun gives every process of a step its rank; a batch script with many tasks that is one process itself is no step.
+  // Under Slurm, srun sets a rank for every process of a job step. A single process in a batch script for many tasks is
+  // no job step.
   return std::getenv("SLURM_PROCID") && std::getenv("SLURM_STEP_ID") && numberOf("SLURM_STEP_NUM_TASKS") > 1;
 }
 

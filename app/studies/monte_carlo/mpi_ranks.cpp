@@ -1,4 +1,4 @@
-// The only user of MPI.
+// Implementation of Ranks with MPI; the only file that uses MPI.
 #define OMPI_SKIP_MPICXX 1
 #define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
@@ -11,7 +11,7 @@ bool isBuiltForRanks() { return true; }
 
 Ranks::Ranks() {
   int provided = MPI_THREAD_SINGLE;
-  // Threads compute; only the first one communicates.
+  // Several threads compute, but only the first thread calls MPI.
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);

@@ -1,4 +1,4 @@
-// Replacement of mpi_ranks.cpp in a program built without MPI.
+// Replacement for mpi_ranks.cpp in a build without MPI.
 #include "app/studies/monte_carlo/ranks.hpp"
 
 namespace tubeplan::app {

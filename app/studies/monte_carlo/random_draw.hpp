@@ -1,4 +1,4 @@
-// The source of random bits of one run among many, determined by its key.
+// Random number generator for one run among many, determined by a key.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace tubeplan::app {
 
-/// A source of random bits whose state is its key alone: its first number is already good, and it costs nothing to
-/// create (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
+/// Random bit generator whose whole state is a 64-bit key. It needs no warm-up and costs nothing to create (Steele, Lea
+/// and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
 class SplitMix {
  public:
   using result_type = std::uint64_t;
@@ -30,7 +30,7 @@ class SplitMix {
   result_type state_;
 };
 
-/// Returns one key for several numbers: a campaign's seed, the index of a run, the drawn quantity, the hole.
+/// Combines several numbers into one key: a campaign's seed, the index of a run, the drawn quantity, the hole.
 inline std::uint64_t keyOf(std::initializer_list<std::uint64_t> numbers) {
   std::uint64_t key = 0;
   for (const std::uint64_t number : numbers) key = SplitMix::mixed(SplitMix(key ^ SplitMix::mixed(number + 1))());

@@ -1,5 +1,5 @@
-// The processes of a campaign that runs on several machines. Only mpi_ranks.cpp uses MPI; a build without MPI has
-// no_ranks.cpp instead.
+// Processes ("ranks") of a campaign that runs on several machines. Only mpi_ranks.cpp uses MPI; a build without MPI
+// compiles no_ranks.cpp instead.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,17 @@
 
 namespace tubeplan::app {
 
-/// Returns true if this program was built to run on several machines.
+/// Returns true if this program was built with MPI, to run on several machines.
 [[nodiscard]] bool isBuiltForRanks();
 
-/// Returns true if a launcher of parallel programs (mpirun, srun) started several copies of this process, according to
-/// the environment. MPI is used only then.
+/// Returns true if, according to the environment, a parallel launcher (mpirun, srun) started several copies of this
+/// process. Only then is MPI used.
 [[nodiscard]] bool areRanksLaunched();
 
-/// Returns how many of them are on this machine, 1 if that is unknown.
+/// Returns the number of launched processes on this machine; 1 if it is unknown.
 [[nodiscard]] int ranksOnThisMachine();
 
-/// The ranks of this program; one object for the life of the process, in a program built for it.
+/// Communication between the ranks. There is one object for the life of the process, only in a program built with MPI.
 class Ranks {
  public:
   Ranks();
@@ -30,10 +30,10 @@ class Ranks {
   [[nodiscard]] int rank() const { return rank_; }
   [[nodiscard]] int size() const { return size_; }
 
-  /// Returns the text of the first rank on every rank; all must call it.
+  /// Returns the first rank's text on every rank; all ranks must call this function.
   [[nodiscard]] std::string fromFirst(const std::string& text);
 
-  /// Returns true if this holds on every rank; all must call it.
+  /// Returns true on every rank if `here` is true on all ranks; all ranks must call this function.
   [[nodiscard]] bool holdsEverywhere(bool here);
 
   struct Message {
@@ -43,7 +43,7 @@ class Ranks {
   };
   void send(int to, int subject, const TallyWords& words);
 
-  /// Returns a message that has arrived, or nothing. It never waits.
+  /// Returns a message that has arrived, or nothing. Does not wait.
   [[nodiscard]] std::optional<Message> receive();
 
  private:

@@ -8,20 +8,20 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Subjects of the messages between ranks.
+/// Subjects of the messages between ranks. The first rank distributes chunks of runs; the other ranks are workers.
 enum Subject {
-  kWant = 1,  ///< to the first: how many more chunks are wanted
-  kRuns,      ///< to another: first and end of a chunk
-  kTally,     ///< to the first: first and end, then the tally
-  kEnd,       ///< to another: stop and leave
-  kLeft,      ///< to the first: last message
+  kWant = 1,  ///< to the first rank: number of further chunks wanted
+  kRuns,      ///< to a worker rank: first and end of a chunk
+  kTally,     ///< to the first rank: first and end of a chunk, then its tally
+  kEnd,       ///< to a worker rank: stop work and leave
+  kLeft,      ///< to the first rank: last message of a worker rank
 };
 
-// Long compared with a check for messages, short compared with a chunk.
+// Longer than a check for messages, shorter than the computation of a chunk.
 constexpr std::chrono::microseconds kPause{10000};
 constexpr std::chrono::milliseconds kPauseAlone{20};
 
-/// The first rank.
+/// The first rank, which distributes chunks, works on some and adds the tallies.
 class Master {
  public:
   Master(Experiment& experiment, RunSchedule& schedule, const RepeatHooks& hooks, Ranks* ranks)
@@ -46,7 +46,7 @@ class Master {
     return RepeatStatus::kDone;
   }
 
-  /// Tells all ranks to leave and waits until they have; messages still to come are dropped.
+  /// Tells all ranks to leave and waits until they have left. Other messages that arrive meanwhile are dropped.
   void dismiss() {
     if (!ranks_) return;
     for (int rank = 1; rank < ranks_->size(); ++rank) ranks_->send(rank, kEnd, {});
@@ -96,7 +96,7 @@ class Master {
   RunSchedule& schedule_;
   const RepeatHooks& hooks_;
   Ranks* ranks_;
-  std::vector<int> wanted_;  ///< chunks that each rank waits for
+  std::vector<int> wanted_;  ///< number of chunks that each rank is waiting for
 };
 
 }  // namespace

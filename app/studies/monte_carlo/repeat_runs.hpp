@@ -1,5 +1,5 @@
-// Runs a campaign to its end or to a stop. Chunks are given to workers on demand, on this machine and on others, and
-// their tallies are added as they return. The sums do not depend on who ran what.
+// Execution of a campaign until it is complete or stopped. Workers on this and other machines receive chunks on demand,
+// and their tallies are added as they arrive. The sums do not depend on the distribution of the chunks.
 #pragma once
 
 #include <functional>
@@ -12,17 +12,18 @@ namespace tubeplan::app {
 struct RepeatHooks {
   std::function<void(std::uint64_t done)> progress;
   std::function<bool()> stop;
-  std::function<void(bool must)> keep;  ///< called when a checkpoint may be written; `must`: the last one
+  std::function<void(bool must)>
+      keep;  ///< called when a checkpoint may be written; `must`: it must be written, because no further call follows
 };
 
 enum class RepeatStatus { kNotRun, kDone, kStopped };
 
-/// Runs the campaign on the first rank, which distributes, works and adds; `ranks` may be null. When it returns, no
-/// other rank is at work.
+/// Runs the campaign on the first rank, which distributes chunks, works and adds tallies. `ranks` is null without other
+/// ranks. All other ranks have stopped working on return.
 [[nodiscard]] RepeatStatus repeatRuns(Experiment& experiment, RunSchedule& schedule, int workers,
                                       const RepeatHooks& hooks, Ranks* ranks);
 
-/// Runs chunks on any other rank, until it is told to end.
+/// Works on chunks on a rank other than the first, until the first rank tells it to end.
 void serveRuns(const Experiment& experiment, int workers, Ranks& ranks);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// The runs of a campaign that are done, those at work, and those that come next.
+// Schedule of a campaign's runs: those done, those in progress and those still to come.
 #pragma once
 
 #include <deque>
@@ -9,10 +9,10 @@
 
 namespace tubeplan::app {
 
-/// Runs as ordered ranges that neither touch nor overlap.
+/// Set of run indices, as ordered ranges that neither overlap nor adjoin.
 class RunSet {
  public:
-  /// Adds runs, none of which may be in the set.
+  /// Adds runs that are not yet in the set.
   void insert(RunRange runs);
 
   [[nodiscard]] std::uint64_t size() const;
@@ -24,13 +24,13 @@ class RunSet {
 
 class RunSchedule {
  public:
-  /// `total` runs in chunks of at most `chunk`; those in `done` are not run again.
+  /// Divides `total` runs into chunks of at most `chunk` runs; the runs in `done` are not repeated.
   RunSchedule(std::uint64_t total, std::uint64_t chunk, RunSet done = {});
 
-  /// Returns the next chunk for a worker; nothing if all are given.
+  /// Returns the next chunk for a worker; nothing if all chunks have been given out.
   [[nodiscard]] std::optional<RunRange> next();
 
-  /// Notes that a given chunk is done.
+  /// Records that a chunk returned by next() is done.
   void finish(RunRange runs) { done_.insert(runs); }
 
   [[nodiscard]] std::uint64_t total() const { return total_; }
@@ -40,10 +40,11 @@ class RunSchedule {
  private:
   std::uint64_t total_, chunk_;
   RunSet done_;
-  std::deque<RunRange> open_;  ///< chunks that are not given yet
+  std::deque<RunRange> open_;  ///< runs not given out yet
 };
 
-/// Returns a chunk size so small that no worker waits long for the last ones, and so large that there are few.
+/// Returns the chunk size: 1/64 of the runs, from 1 to `largest`. Smaller chunks cost more, larger ones keep workers
+/// waiting for the last chunks.
 [[nodiscard]] std::uint64_t chunkFor(std::uint64_t runs, std::uint64_t largest);
 
 }  // namespace tubeplan::app

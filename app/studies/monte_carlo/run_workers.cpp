@@ -13,7 +13,7 @@ int usualWorkers(int others) {
   return std::max(1, std::min(allowed, cores / std::max(1, others)));
 }
 
-// The thread that distributes chunks does not take part in the arena, so that it is always available.
+// The distributing thread stays outside the arena, so that it is never occupied by a run.
 RunWorkers::RunWorkers(const Experiment& experiment, int workers)
     : experiment_(experiment),
       workers_(workers),
@@ -62,7 +62,8 @@ std::optional<RunWorkers::Result> RunWorkers::take(std::chrono::microseconds wai
   return result;
 }
 
-// Runs work and keeps an exception, which the group would report only at its end, while the program waits for results.
+// Works on chunks and stores an exception for take(). The task group itself would report it only at its end, while the
+// caller would wait for results.
 void RunWorkers::workOrFail() noexcept {
   try {
     work();
@@ -82,7 +83,7 @@ void RunWorkers::work() {
     waiting_.pop_front();
     ++under_way_;
     lock.unlock();
-    // Parallel loops within a run must not take up another worker's work while they wait.
+    // A worker that waits in a parallel loop within a run must not take over another worker's task.
     auto tally = oneapi::tbb::this_task_arena::isolate(
         [&] { return experiment_.run(runs, [this] { return is_broken_off_.load(); }); });
     lock.lock();

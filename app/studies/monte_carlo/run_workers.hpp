@@ -1,4 +1,4 @@
-// The threads that run a campaign's chunks on this machine (oneTBB).
+// Threads that run a campaign's chunks on this machine (oneTBB).
 #pragma once
 
 #include <oneapi/tbb/global_control.h>
@@ -17,20 +17,20 @@
 
 namespace tubeplan::app {
 
-/// Returns the usual number of workers of this process: the cores that it may use, shared with `others` of its kind on
-/// this machine.
+/// Returns the default number of workers of this process: the cores that it may use, but no more than the machine's
+/// cores divided by the number of processes (`others`) that share it.
 [[nodiscard]] int usualWorkers(int others = 1);
 
 class RunWorkers {
  public:
   /// `experiment` must outlive this object.
   RunWorkers(const Experiment& experiment, int workers);
-  /// Drops chunks that were not begun, and stops those under way.
+  /// Discards chunks that have not begun and stops those in progress.
   ~RunWorkers();
   RunWorkers(const RunWorkers&) = delete;
   RunWorkers& operator=(const RunWorkers&) = delete;
 
-  /// Returns how many more chunks are needed so that no worker waits.
+  /// Returns the number of further chunks needed to keep all workers busy.
   [[nodiscard]] int wanted() const;
   void give(RunRange runs);
 
@@ -38,7 +38,7 @@ class RunWorkers {
     RunRange runs;
     TallyWords tally;
   };
-  /// Returns a finished chunk, waiting no longer than `wait` for one. Throws what a run has thrown.
+  /// Returns a finished chunk; nothing if none is finished within `wait`. Throws the exception of a run that failed.
   [[nodiscard]] std::optional<Result> take(std::chrono::microseconds wait);
 
  private:
@@ -52,7 +52,7 @@ class RunWorkers {
   std::condition_variable given_, done_;
   std::deque<RunRange> waiting_;
   std::deque<Result> results_;
-  std::exception_ptr failure_;  ///< the first failure of a run
+  std::exception_ptr failure_;  ///< exception of the first run that failed; null: none
   int under_way_ = 0;
   bool is_closed_ = false;
   std::atomic<bool> is_broken_off_ = false;

@@ -1,4 +1,4 @@
-// Tallies as rows of 64-bit words, the form of workers' messages and checkpoints.
+// Tallies as sequences of 64-bit words, for messages between workers and for checkpoints.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace tubeplan::app {
 
 using TallyWords = std::vector<std::uint64_t>;
 
-// Integer for sums of squares. ISO C++ has no such type, but every supported compiler has.
+// 128-bit integer for sums of squares. ISO C++ has no such type, but every supported compiler provides it.
 __extension__ using WideCount = unsigned __int128;
 
 inline void putWide(TallyWords& words, WideCount value) {
@@ -17,7 +17,7 @@ inline void putWide(TallyWords& words, WideCount value) {
   words.push_back(static_cast<std::uint64_t>(value));
 }
 
-/// Reader of words one after the other; missing words read as zero and are noted.
+/// Sequential reader of words. Missing words are read as zero and recorded.
 class WordReader {
  public:
   explicit WordReader(const TallyWords& words) : words_(words) {}
@@ -31,8 +31,8 @@ class WordReader {
     const WideCount high = next();
     return high << 64 | next();
   }
-  /// Returns a count of items that follow, of at least one word each. A count beyond the remaining words is noted and
-  /// read as zero.
+  /// Returns the number of items that follow, each of at least one word. A number that exceeds the remaining words is
+  /// read as zero and recorded.
   std::size_t nextSize() {
     const std::uint64_t size = next();
     if (size <= words_.size() - at_) return static_cast<std::size_t>(size);

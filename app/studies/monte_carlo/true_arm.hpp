@@ -1,4 +1,4 @@
-// True arms drawn about a given one: the unknown of an experiment.
+// True arms drawn at random about a given arm; the true arm is unknown to the simulated experiment.
 #pragma once
 
 #include <cmath>
@@ -12,17 +12,17 @@
 namespace tubeplan::app {
 
 struct TruthSpread {
-  double base_shift_sigma = 0.0127;  ///< per coordinate about the truth's base [m] (0.5 in)
-  double base_turn_sigma = 0.0087;   ///< per axis [rad] (0.5 deg)
-  double stiffness_sigma = 0.02;     ///< relative, of every stiffness of the true arm
-  /// Error of the true arm beyond any model, per coordinate [m], independent in each posture. About a truth equal to
-  /// the model, 0.0197 in leaves a mean error of 0.030 in at 14 touch points after the base is fitted, as table 5.6
-  /// does after its fit; a truth with other stiffnesses leaves more. The resulting figure is measured in every run of
-  /// `score` and printed.
+  double base_shift_sigma = 0.0127;  ///< per coordinate of the base position [m] (0.5 in)
+  double base_turn_sigma = 0.0087;   ///< per axis of the base rotation [rad] (0.5 deg)
+  double stiffness_sigma = 0.02;     ///< relative, of each stiffness of the arm
+  /// Error of the true arm that no model predicts, per coordinate [m], independent in each posture. About a truth equal
+  /// to the model, 0.0197 in leaves a mean error of 0.030 in at 14 touch points after the base is fitted, as in table
+  /// 5.6 of the thesis after its fit; a truth with other stiffnesses leaves more. Each run of `score` measures and
+  /// prints the resulting value.
   double unmodelled_sigma = 5.0e-4;
 };
 
-/// Draws true arms, with another base and other stiffnesses.
+/// Draws true arms with random base poses and stiffnesses about a given workcell.
 class TruthMaker {
  public:
   TruthMaker(planner::Workcell about, const TruthSpread& spread) : about_(std::move(about)), spread_(spread) {

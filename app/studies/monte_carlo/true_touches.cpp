@@ -11,7 +11,8 @@ std::vector<Measurement> touchHoles(const planner::Workcell& truth, const std::v
     const auto& hole = holes[static_cast<std::size_t>(k)];
     plans.push_back(hole.plan);
     plans.back().id = "T" + std::to_string(k + 1);
-    // Steering compensates the true arm's own error: the tip of its model is then displaced by that much.
+    // Steering compensates the unmodelled tip error: the modelled tip is displaced from the hole by the opposite of
+    // this error.
     plans.back().p_WH -= hole.tip_error;
   }
   calibration::TouchSimulationOptions options;
