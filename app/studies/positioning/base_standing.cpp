@@ -11,8 +11,8 @@ namespace {
 
 struct PlacingRow {
   BasePlacing placing;
-  const char *name, *words;  ///< {}: the number of touches
-  const char* warning;       ///< empty: none
+  const char *name, *words;  ///< `words` may contain {}, replaced by the number of touches
+  const char* warning;       ///< as `words`; empty: no warning
   bool is_placed;
 };
 

@@ -1,4 +1,4 @@
-// The origin of a base's place, which qualifies plans, proofs and counts of steps.
+// Origin of a base pose (nominal, stated, identified or calibrated), which qualifies plans, proofs and step counts.
 #pragma once
 
 #include <cstddef>
@@ -11,38 +11,38 @@
 
 namespace tubeplan::app {
 
-/// Kind of a base's placement, in the order of the table.
+/// How the base pose was determined. The order is that of the table in base_standing.cpp.
 enum class BasePlacing { kNominal, kStated, kIdentified, kCalibrated, kMisfit, kEachRun };
 
 struct BaseStanding {
   BasePlacing placing = BasePlacing::kNominal;
-  std::size_t touches = 0;  ///< number that placed it; 0 for bases that each run calibrates with different numbers
+  std::size_t touches =
+      0;  ///< number of touches that determined the base; 0: not by touches, or a different number in each run
 };
 
-/// Returns how the base of a cell was placed: by `placed_by` if a calibration has just found it, else as the cell
-/// states.
+/// Returns how the base was determined: by `placed_by` if a calibration has just been made, or else as the cell states.
 [[nodiscard]] BaseStanding standingOf(const CellModel& cell, const calibration::BaseCalibration* placed_by = nullptr);
 
-/// Returns the standing of bases that each run calibrates by its own touches.
+/// Returns the origin of base poses that each run calibrates from its own touches.
 [[nodiscard]] inline BaseStanding standingOfEachRun(int touches) {
   return {BasePlacing::kEachRun, static_cast<std::size_t>(touches)};
 }
 
-/// Returns a sentence of warning for runs whose touches do not fit; nothing if there are none.
+/// Returns a warning about runs whose touches do not fit; empty if there are none.
 [[nodiscard]] std::vector<std::string> misfitWarnings(std::uint64_t misfits, std::uint64_t runs);
 
-/// Returns the name in documents: "nominal", "calibrated", ...
+/// Returns the name used in documents: "nominal", "calibrated", ...
 [[nodiscard]] std::string nameOf(BasePlacing placing);
 
-/// Returns true if the base was placed by a measurement or a statement; results for a nominal base only hold for its
-/// nominal place.
+/// Returns true if the base was determined by a measurement or a statement. Results for a nominal base hold only if the
+/// base is exactly at its nominal pose.
 [[nodiscard]] bool isPlaced(const BaseStanding& standing);
 
-/// Returns "for the nominal base; not calibrated", "for the base calibrated from 3 touches", to follow "proved" and
-/// "steps".
+/// Returns a phrase to follow "proved" or "steps", such as "for the nominal base; not calibrated" or "for the base
+/// calibrated from 3 touches".
 [[nodiscard]] std::string wordsOf(const BaseStanding& standing);
 
-/// Returns a sentence of warning; empty for a reliable base.
+/// Returns a sentence of warning about the base; empty if the base is reliable.
 [[nodiscard]] std::string warningOf(const BaseStanding& standing);
 
 }  // namespace tubeplan::app

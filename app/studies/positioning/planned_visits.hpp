@@ -1,4 +1,4 @@
-// Places of the tip at each visit of a plan: by the model itself, and by a true arm.
+// Tip poses at the visits of a plan: as the model predicts them, and as a true arm reaches them.
 #pragma once
 
 #include <vector>
@@ -8,20 +8,20 @@
 
 namespace tubeplan::app {
 
-/// Returns the posture of each visit, in their order.
+/// Returns the posture of each visit, in the order of the visits.
 [[nodiscard]] std::vector<Eigen::VectorXd> visitPostures(const planner::VisitPlan& plan);
 
-/// Returns the model's own prediction of each visit.
+/// Returns the centring at each visit as the model predicts it.
 [[nodiscard]] std::vector<planner::Centring> predictVisits(const planner::Workcell& model,
                                                            const planner::VisitPlan& plan);
 
-/// Returns the scores of each visit in every mode of compensation, computed on all cores.
+/// Returns the centring of each visit in every mode of compensation, computed on all cores.
 [[nodiscard]] std::vector<ModeScores> scoreVisitModes(const ScoringModels& models, const planner::VisitPlan& plan);
 
-/// Returns the least clearance of the tool in the tube of each visit [m].
+/// Returns the smallest clearance between tool and tube at each visit [m].
 [[nodiscard]] std::vector<double> playInTubes(const planner::Workcell& model, const planner::VisitPlan& plan);
 
-/// Returns the largest padding of a tip at a visited hole [m], for `sigmas` of the base.
+/// Returns the largest padding of the tip over the visited holes [m], for `sigmas` standard deviations of the base.
 [[nodiscard]] double paddingAtHoles(const planner::Workcell& model, const planner::VisitPlan& plan, double sigmas);
 
 }  // namespace tubeplan::app

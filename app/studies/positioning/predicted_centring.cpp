@@ -13,16 +13,15 @@ using calibration::CentringForecastStatus;
 
 constexpr std::size_t kHoles = 200;
 
-/// Postures under holes spread over a cell's sheet: where an arm works.
+/// Postures under holes spread over a cell's sheet, which represent the work of the arm.
 struct SpreadPostures {
-  std::vector<int> tubes;                 ///< tubes in reach, as indices in the sheet
-  std::vector<Eigen::VectorXd> postures;  ///< first branch that reaches each of these tubes
-  int asked = 0;                          ///< number of holes, those out of reach included
+  std::vector<int> tubes;                 ///< indices, in the sheet, of the tubes in reach
+  std::vector<Eigen::VectorXd> postures;  ///< a posture for each of `tubes`: the first branch found
+  int asked = 0;                          ///< number of holes tried, including those out of reach
 };
 
-/// Returns postures for at most that many holes; fewer for arms whose inverse kinematics is a search. None if the cell
-/// has no sheet or does not state the direction in which the tool enters. Collisions are not checked. The result is
-/// unusable once `stop` has returned true.
+/// Returns postures under at most `most` holes of the sheet. Empty if the cell has no sheet or does not state the
+/// direction of insertion. Collisions are not checked. The result is invalid if `stop` has returned true.
 SpreadPostures spreadPostures(const CellModel& cell, const deflection::Arm& arm, const Eigen::Isometry3d& X_WB,
                               std::size_t most, const calibration::StopQuestion& stop) {
   SpreadPostures spread;
@@ -34,7 +33,7 @@ SpreadPostures spreadPostures(const CellModel& cell, const deflection::Arm& arm,
   work.X_WB = X_WB;
   planner::CompensationOptions options;
   options.with_approach = false;
-  options.inverse.most_branches = 4;  // the first that converges is taken
+  options.inverse.most_branches = 4;  // the first branch that converges is used
   std::vector<Eigen::VectorXd> found(tubes.size());
   oneapi::tbb::parallel_for(std::size_t{0}, tubes.size(), [&](std::size_t k) {
     if (calibration::shouldStop(stop)) return;

@@ -1,5 +1,5 @@
-// Predicted centring error of the identified arm at the holes of its cell's sheet, from the uncertainty that the
-// readings leave.
+// Predicted centring error of the identified arm at the holes of its cell's sheet, caused by the parameter uncertainty
+// that remains after the fit.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 namespace tubeplan::app {
 
 struct PredictedCentring {
-  std::string reason;  ///< reason if there is none; else empty
+  std::string reason;  ///< why there is no prediction; empty if there is one
   calibration::CentringForecast forecast;
-  int holes = 0;         ///< number that the arm reaches
-  int out_of_reach = 0;  ///< number that it does not reach
+  int holes = 0;         ///< number of tried holes that the arm reaches
+  int out_of_reach = 0;  ///< number of tried holes that the arm does not reach
   int on_sheet = 0;
   std::string worst_hole;
-  bool later_stage = false;  ///< true: numbers found in earlier stages count as exact
+  bool later_stage = false;  ///< true: parameters found in earlier stages are treated as exact
 };
 
-/// Predicts the error under holes spread over the sheet (all of a small one), in the first posture that reaches each;
-/// links are not checked for collisions. `is_staged`: the fit is the last of several stages. The result is unusable
-/// once `stop` has returned true.
+/// Predicts the centring error under holes spread over the sheet (all holes of a small sheet), each in the first
+/// posture that reaches it; links are not checked for collisions. `is_staged`: the fit is the last of several stages.
+/// The result is invalid if `stop` has returned true.
 [[nodiscard]] PredictedCentring predictCentring(const CellModel& cell, const calibration::Identification& fit,
                                                 bool is_staged, const calibration::StopQuestion& stop = {});
 

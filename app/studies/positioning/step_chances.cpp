@@ -23,8 +23,8 @@ std::vector<double> mixed(const std::vector<calibration::TipErrorCase>& cases, c
   return chances;
 }
 
-/// Returns the uncertainty that an identification left of a base that it placed and of the arm: the cell's
-/// `determined`, base first. Nothing if it has no base.
+/// Returns the joint uncertainty of base and arm that an identification stored in the cell's `determined`, with the
+/// base first. Nothing if `determined` lacks the base.
 std::optional<calibration::JointUncertainty> determinedWithBase(const CellModel& cell, const deflection::Arm& arm) {
   const auto& determined = cell.uncertainty.determined;
   std::vector<Index> order;
@@ -49,7 +49,7 @@ std::optional<calibration::JointUncertainty> determinedWithBase(const CellModel&
   return joint;
 }
 
-/// Returns the uncertainty of the cell's base and arm.
+/// Returns the joint uncertainty of the cell's base and arm.
 calibration::JointUncertainty uncertaintyOf(const CellModel& cell, const planner::Workcell& model) {
   if (cell.placed_by) {
     const double model_error = cell.model_error ? cell.model_error->sigma : 0;

@@ -1,5 +1,5 @@
-// Probabilities of the number of the calibration tool's steps that enter, under all uncertainty: of the joints'
-// readings, of the base, and of the arm beyond its model.
+// Probabilities that 0, 1, ... steps of the calibration tool enter a hole, under all uncertainties: joint readings,
+// base, arm parameters and model error.
 #pragma once
 
 #include <string>
@@ -13,34 +13,35 @@
 namespace tubeplan::app {
 
 struct StepChances {
-  std::string reason;                     ///< reason if there are none; else empty
-  std::optional<ModelError> model_error;  ///< error used; nothing: left out
-  bool base_is_exact = false;             ///< true: the base is stated as known, without an uncertainty
-  bool numbers_are_exact = false;         ///< true: the uncertainty of the arm's numbers is unknown
-  /// Probabilities of 0, 1, ... steps at each posture; each list adds up to 1.
+  std::string reason;                     ///< why there are no probabilities; empty if there are some
+  std::optional<ModelError> model_error;  ///< model error used; nothing: not considered
+  bool base_is_exact = false;             ///< true: the base is stated as known, without uncertainty
+  bool numbers_are_exact = false;         ///< true: the uncertainty of the arm parameters is unknown and not considered
+  /// Probabilities of 0, 1, ... steps for each posture; they add up to 1.
   std::vector<std::vector<double>> by_posture;
 };
 
-/// Input of stepChances(): the goals of the arm by its model, and the tool's predicted poses.
+/// Input of stepChances(): the placed model, its postures at the holes, and the predicted centring in each posture.
 struct StepQuestion {
-  const CellModel& cell;           ///< the cell that was read: its statements on base, numbers and model error
-  const planner::Workcell& model;  ///< the placed workcell
-  const calibration::BaseCalibration* placed_by;  ///< calibration that placed it; null: the base is that of the cell
+  const CellModel& cell;           ///< the cell as read, with its statements on base, parameters and model error
+  const planner::Workcell& model;  ///< the workcell with the base in use
+  const calibration::BaseCalibration*
+      placed_by;  ///< calibration that determined this base; null: the base is that of the cell
   const std::vector<Eigen::VectorXd>& postures;
-  const std::vector<planner::Centring>& predicted;  ///< centring by the model itself, one for each posture
+  const std::vector<planner::Centring>& predicted;  ///< centring as the model predicts it, one for each posture
 };
 
-/// Returns the probabilities; none for a base that was never placed.
+/// Returns the probabilities; none if the base pose is only nominal.
 [[nodiscard]] StepChances stepChances(const StepQuestion& question);
 
-/// Returns the likeliest number of steps; the lower of two equally likely ones.
+/// Returns the most probable number of steps; the smallest if several are equally probable.
 [[nodiscard]] int likeliestSteps(const std::vector<double>& chances);
 
-/// Returns the expected numbers of holes that take 0, 1, ... steps.
+/// Returns the expected number of holes in which 0, 1, ... steps enter.
 [[nodiscard]] std::vector<double> expectedCounts(const StepChances& chances);
 
-/// Returns the model's own error for a calibrated base: that estimated from touches which do not fit, else the known
-/// one.
+/// Returns the model error for a calibrated base: estimated from touches that do not fit, or else the known model error
+/// of the cell.
 [[nodiscard]] std::optional<ModelError> modelErrorBeside(const CellModel& cell,
                                                          const calibration::BaseCalibration& base);
 

@@ -15,7 +15,7 @@ using calibration::CampaignRandom;
 using deflection::BranchStatus;
 using Eigen::VectorXd;
 
-constexpr std::size_t kBatch = 256;  // holes tried at once
+constexpr std::size_t kBatch = 256;  // number of holes tried at once
 
 Eigen::Vector3d placeOf(const planner::Workcell& cell, int tube) {
   return planner::holeCentre(cell.sheet.tubes[static_cast<std::size_t>(tube)]);
@@ -35,7 +35,7 @@ std::vector<int> openTubes(const tubesheets::Sheet& sheet) {
   return open;
 }
 
-/// Returns a posture of the arm under each tube; empty ones where it does not reach.
+/// Returns a posture of the arm under each tube; an empty vector for a tube out of reach.
 std::vector<VectorXd> posturesUnder(const planner::Workcell& cell, const std::vector<int>& tubes,
                                     const calibration::StopQuestion& stop) {
   std::vector<VectorXd> postures(tubes.size());

@@ -1,5 +1,5 @@
-// The numbers of tubes in which each number of the calibration tool's steps would enter, if a model steered the real
-// arm.
+// Step table: the number of holes in which 0, 1, ... steps of the calibration tool would enter if a model steered the
+// real arm.
 #pragma once
 
 #include <cstdint>
@@ -12,42 +12,45 @@
 
 namespace tubeplan::app {
 
-/// The arm that represents the real one.
+/// Workcell and unmodelled error that stand for the real arm.
 struct RealArm {
   planner::Workcell cell;
-  std::string name;       ///< description for people
-  double unmodelled = 0;  ///< sigma of a coordinate of its error beyond its own model, independent in each posture [m]
+  std::string name;  ///< description for the reader
+  double unmodelled =
+      0;  ///< standard deviation of each coordinate of the unmodelled tip error [m], independent in each posture
 };
 
 /// A hole that the real arm reaches.
 struct StepHole {
   int tube = -1;
-  Eigen::VectorXd q;            ///< a posture of the branch that every model must use
-  Eigen::Vector3d tip_error_W;  ///< error of the real arm beyond its model there [m]
+  Eigen::VectorXd q;            ///< a posture; every model must use its branch
+  Eigen::Vector3d tip_error_W;  ///< unmodelled tip error of the real arm in this posture [m]
 };
 
 struct StepHoles {
   std::vector<StepHole> holes;
-  int out_of_reach = 0;  ///< number of holes drawn in addition, but beyond the real arm's reach
+  int out_of_reach = 0;  ///< number of additional holes drawn that the real arm does not reach
 };
 
-/// Draws open holes of the sheet at random until `count` are within the real arm's reach; fewer on a small sheet. Links
-/// are not checked for collisions. The result is unusable once `stop` has returned true.
+/// Draws open holes of the sheet at random until the real arm reaches `count` of them; fewer if the sheet has too few.
+/// Links are not checked for collisions. The result is invalid if `stop` has returned true.
 [[nodiscard]] StepHoles drawStepHoles(const RealArm& real, int count, std::uint64_t seed,
                                       const calibration::StopQuestion& stop = {});
 
 struct StepTable {
-  std::string reason;  ///< reason if there is none; else empty
+  std::string reason;  ///< why there is no table; empty if there is one
   int holes = 0;
-  std::vector<int> counts;  ///< holes in which 0, 1, ... steps enter
-  int no_posture = 0;       ///< holes that the model does not reach: no step enters
-  /// Centring error over the holes that it reaches [m].
+  std::vector<int> counts;  ///< number of holes in which 0, 1, ... steps enter
+  int no_posture = 0;       ///< number of holes for which the model finds no posture; counted as 0 steps
+  /// Median of the centring error over the holes for which the model finds a posture [m]; NaN: none.
   double median_error = std::numeric_limits<double>::quiet_NaN();
-  double p95_error = std::numeric_limits<double>::quiet_NaN();  ///< [m]
+  double p95_error =
+      std::numeric_limits<double>::quiet_NaN();  ///< 95th percentile of the centring error [m]; NaN: none
 };
 
-/// Computes the table for a model that steers with its deflection compensated, with the tool axis of the real arm; the
-/// tip's place is the real arm's. The result is unusable once `stop` has returned true.
+/// Computes the step table of a model that steers the real arm with compensated deflection. The model takes over the
+/// tool axis of the real arm; the tip position is that of the real arm. The result is invalid if `stop` has returned
+/// true.
 [[nodiscard]] StepTable stepTableOf(const deflection::Arm& arm, const Eigen::Isometry3d& X_WB, const RealArm& real,
                                     const StepHoles& holes, const calibration::StopQuestion& stop = {});
 
