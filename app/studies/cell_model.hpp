@@ -1,5 +1,5 @@
-// The cell as studies use it: an arm on its base, with the tube sheet, the calibration tool and the scene around it if
-// it has them.
+// The cell as studies use it: an arm on its base and, if the cell has them, a tube sheet, a calibration tool and a
+// scene.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -18,55 +18,60 @@ namespace tubeplan::app {
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// Uncertainty of the base's place before its calibration: standard deviation of each coordinate and about each axis.
+/// Uncertainty of the base pose before calibration: standard deviation of each coordinate of the position and of the
+/// rotation about each axis.
 struct BasePrior {
-  double shift = 0.0127;  ///< [m] (0.5 in)
-  double turn = 0.0087;   ///< [rad] (0.5 deg)
+  double shift = 0.0127;  ///< per coordinate [m] (0.5 in)
+  double turn = 0.0087;   ///< per axis [rad] (0.5 deg)
 };
 
-/// Stated error of the arm at a posture beyond its model: standard deviation of each coordinate of the tip.
+/// Stated error of the arm that its model does not predict: standard deviation of each tip coordinate, independent in
+/// each posture.
 struct ModelError {
-  double sigma = 0;            ///< [m]
-  int degrees_of_freedom = 0;  ///< degrees of freedom of its estimate; 0: taken as known
-  std::string from;            ///< source of the figure: "identify", kByTouches; empty: written by hand
+  double sigma = 0;            ///< per coordinate of the tip [m]
+  int degrees_of_freedom = 0;  ///< degrees of freedom of the estimate of `sigma`; 0: sigma is taken as known
+  std::string from;            ///< source of `sigma`: "identify" or kByTouches; empty: written by hand
 };
 
-/// ModelError::from of an error estimated from the touches of a calibration.
+/// Value of ModelError::from for an error estimated from the touches of a base calibration.
 inline constexpr const char* kByTouches = "touches";
 
-/// Touches that placed the base, and the arm as in its file; with that base, the arm's numbers are those fitted to the
-/// touches.
+/// Touches from which the base was calibrated, and the arm as in its file. The cell's own arm then has the parameters
+/// fitted to the touches.
 struct PlacedByTouches {
   std::vector<calibration::Measurement> touches;
   deflection::Arm filed_arm;
 };
 
-/// A cell in internal units.
+/// A cell in internal units (m, N, rad, s, K).
 struct CellModel {
-  deflection::Arm arm;  ///< the arm, with the tool axis that the cell states, if the arm file does not
-  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< world = tube-sheet frame
+  deflection::Arm arm;  ///< the arm; its tool axis is that of the cell if the arm file states none
+  Eigen::Isometry3d X_WB =
+      Eigen::Isometry3d::Identity();  ///< base pose in the world, which is the frame of the tube sheet
   bool base_known = false;
-  bool tool_axis_stated = false;  ///< true: stated by the arm file or the scene; false: the default
-  /// Covariance of shift [m] and small rotation [rad] along and about the world's x, y, z.
+  bool tool_axis_stated =
+      false;  ///< true: the arm file or the scene states the tool axis; false: the axis is the default
+  /// Covariance of the base's translation [m] along and small rotation [rad] about the world's x, y, z axes.
   std::optional<Matrix6d> base_covariance;
   BasePrior base_prior;
-  /// Touches that placed the base; nothing if there are none, or if the base was written by hand.
+  /// Touches from which the base was calibrated; nothing if it was not calibrated or was written by hand.
   std::optional<PlacedByTouches> placed_by;
-  calibration::ArmUncertainty uncertainty;  ///< uncertainty of the arm's numbers that are not fitted
+  calibration::ArmUncertainty uncertainty;  ///< uncertainty of the arm parameters that are not fitted
   std::optional<ModelError> model_error;
   std::optional<tubesheets::Sheet> sheet;
   std::optional<tubesheets::SteppedTool> tool;
-  std::optional<Eigen::VectorXd> park;  ///< joint readings of the rest position [rad, m]
-  planner::Scene scene;                 ///< the scene, with links only if the file has neither scene nor shapes
-  std::vector<std::string> identify;    ///< dotted names, or `geometry`
-  calibration::Priors priors;           ///< priors of the numbers that a fit frees
+  std::optional<Eigen::VectorXd> park;  ///< joint values of the parking position [rad, m]
+  planner::Scene scene;               ///< the scene; has the arm's links alone if the file has neither scene nor shapes
+  std::vector<std::string> identify;  ///< dotted names of the parameters to fit, or `geometry`
+  calibration::Priors priors;         ///< priors of the parameters to fit
 
-  /// Returns the model's own error, unless it is known from the touches of a base alone.
+  /// Returns the stated model error; nothing if there is none or if it was estimated from the touches of a base
+  /// calibration.
   [[nodiscard]] std::optional<ModelError> knownModelError() const {
     return model_error && model_error->from != kByTouches ? model_error : std::nullopt;
   }
 
-  /// Returns the arm as in its file.
+  /// Returns the arm as in its file, without the parameters fitted to touches.
   [[nodiscard]] const deflection::Arm& filedArm() const { return placed_by ? placed_by->filed_arm : arm; }
 };
 
