@@ -1,4 +1,4 @@
-// Request and answer of a campaign. Kinds of campaign are an open table.
+// Request and results of a campaign, and the table of campaign kinds.
 #pragma once
 
 #include <cstdint>
@@ -16,33 +16,33 @@
 
 namespace tubeplan::app {
 
-/// Request as typed, in the cell's units; each kind has its own defaults.
+/// Request as given on the command line, in the cell's units. Each kind of campaign uses a part of the values.
 struct CampaignRequest {
   std::string cell, truth;
   std::uint64_t seed = 1;
 
-  // centring
-  std::string tubes;                 ///< empty: spread:80
-  std::vector<std::string> columns;  ///< meanings of a work list's columns
+  // Values for campaigns of kind centring.
+  std::string tubes;                 ///< selection or work list; empty: spread:80
+  std::vector<std::string> columns;  ///< meanings of the work list's columns
   int holes = 10;
   std::vector<int> touches = {3};
   std::vector<std::string> choices = {"best"};
   std::vector<double> touch_sigmas;
   std::optional<double> base_shift, base_turn, stiffness, unmodelled, encoder_sigma;
 
-  // diagnosis
+  // Values for campaigns of kind diagnosis.
   std::string design = "bench", hide = "any";
   int readings = 120;
   double nothing = 0.5;
   int effects = 2;
 };
 
-/// Numbers of runs behind the figures.
+/// Number of runs requested, and number done so far.
 struct CampaignProgress {
   std::uint64_t runs = 0, done = 0;
 };
 
-/// File of results next to campaign.json.
+/// A results file to be written next to campaign.json.
 struct CampaignResult {
   std::string name, content;
 };
@@ -50,7 +50,7 @@ struct CampaignResult {
 struct Campaign {
   std::unique_ptr<Experiment> experiment;
   PlanKey question;
-  std::uint64_t largest_chunk = 1;  ///< maximum number of runs that a worker takes at once
+  std::uint64_t largest_chunk = 1;  ///< largest number of runs given to a worker at once
   std::function<nlohmann::json(const CampaignProgress&)> figures;
   std::function<std::string(const nlohmann::json& figures)> text;
   std::function<std::vector<CampaignResult>(const nlohmann::json& figures)> files;
@@ -62,7 +62,7 @@ struct CampaignKind {
 };
 [[nodiscard]] std::span<const CampaignKind> campaignKinds();
 
-// Each is defined in the file of its name.
+// Defined in the source files of the same names.
 Campaign makeCentringCampaign(const CampaignRequest& request);
 Campaign makeDiagnosisCampaign(const CampaignRequest& request);
 

@@ -1,4 +1,4 @@
-// Campaign of centring: its runs, and the results of their tally.
+// Centring campaign: its runs, and its results from their tally.
 #include "app/commands/campaign/centring_figures.hpp"
 #include "app/formats/sheet/touch_input.hpp"
 
@@ -45,7 +45,7 @@ class CentringExperiment : public Experiment {
   CentringTally total_;
 };
 
-constexpr std::uint64_t kLargestChunk = 256;  // about a tenth of a second
+constexpr std::uint64_t kLargestChunk = 256;  // takes about a tenth of a second
 
 }  // namespace
 

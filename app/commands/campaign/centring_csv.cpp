@@ -41,7 +41,7 @@ class HolesTable {
   [[nodiscard]] std::string text() const { return text_; }
 
  private:
-  /// Returns the number as text; empty if it is not finite.
+  /// Returns a number as text with `digits` significant digits; empty if the number is not finite.
   static std::string number(double value, int digits) {
     return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "";
   }

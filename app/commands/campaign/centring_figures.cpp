@@ -58,7 +58,8 @@ json quantilesJson(const ErrorSketch& errors, const Units& units) {
   return quantiles;
 }
 
-/// Returns errors and the share of visits up to each, thinned out.
+/// Returns the cumulative distribution of the errors, thinned out: pairs of an error and the fraction of visits with at
+/// most this error.
 json curveJson(const ErrorSketch& errors, const Units& units) {
   const auto points = errors.distribution();
   json curve = json::array();
@@ -72,7 +73,7 @@ json curveJson(const ErrorSketch& errors, const Units& units) {
   return curve;
 }
 
-/// Returns the holes with the largest mean error, of those visited ten times or more.
+/// Returns the holes with the largest mean errors among holes visited at least ten times.
 json worstHoles(const CentringResults& results, const WayTally& way) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < way.holes.size(); ++k)
@@ -124,7 +125,7 @@ json waysJson() {
   return ways;
 }
 
-/// Returns the standing of the base for all counts; each run calibrates its own base.
+/// Returns the origin of the base poses for all results: each run calibrates its own base.
 BaseStanding standingOf(const std::vector<CentringSetting>& settings) {
   const int touches = settings.front().touches;
   const bool is_one = std::ranges::all_of(settings, [&](const auto& other) { return other.touches == touches; });

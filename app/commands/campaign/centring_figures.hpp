@@ -1,4 +1,4 @@
-// Results of a campaign of centring: JSON, a text for people, a CSV of holes, a page.
+// Results of a centring campaign as JSON, as text, as a CSV table of holes and as a page.
 #pragma once
 
 #include "app/commands/campaign/centring_request.hpp"
@@ -14,16 +14,16 @@ struct CentringResults {
   CampaignProgress progress;
 };
 
-/// Returns all figures except those of single holes, of which only the worst are included.
+/// Returns all results. Of the results for single holes, only those of the worst holes are included.
 [[nodiscard]] nlohmann::json centringJson(const CentringResults& results);
 
-/// Returns the figures as a short text.
+/// Returns the results as a short text, from their JSON.
 [[nodiscard]] std::string centringText(const nlohmann::json& figures);
 
-/// Returns one line for each setting, way and visited hole.
+/// Returns CSV with one line for each setting, method of compensation and visited hole.
 [[nodiscard]] std::string holesCsv(const CentringResults& results);
 
-/// Returns the self-contained page.
+/// Returns the campaign's self-contained HTML page.
 [[nodiscard]] std::string centringPage(const CentringResults& results, const nlohmann::json& figures);
 
 }  // namespace tubeplan::app

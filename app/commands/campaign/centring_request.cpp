@@ -18,10 +18,10 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr int kTouchableHoles = 24;  // as for `plan --touches auto`
+constexpr int kTouchableHoles = 24;  // as in `plan --touches auto`
 constexpr std::size_t kMostSettings = 100;
 constexpr int kMostTouchedHoles = 50;
-constexpr double kMostLength = 0.254;  // [m] (10 in); no arm finds a hole beyond it
+constexpr double kMostLength = 0.254;  // [m] (10 in); an arm with a larger error finds no hole
 constexpr double kMostAngle = 0.5;     // [rad]
 
 void requireWithin(const std::string& option, double value, double most, const std::string& what) {
@@ -103,10 +103,10 @@ std::vector<CentringSetting> settingsOf(const CampaignRequest& request, const Ce
   return settings;
 }
 
-/// Number of tubes spread over the sheet if none are named.
+/// Number of tubes spread over the sheet if the request names none.
 constexpr std::size_t kTubes = 80;
 
-/// Finds the tubes to visit, without those whose state excludes the tool.
+/// Finds the tubes to visit; tubes whose state excludes the tool are left out.
 void findHoles(const CampaignRequest& request, CentringTask& task) {
   const std::string tubes = tubesOrSpread(request.tubes, task.model.sheet, kTubes);
   requireWorkList(request.columns, {tubes});

@@ -1,4 +1,4 @@
-// Request for a campaign of centring, checked and in internal units.
+// Checked request for a centring campaign, in internal units.
 #pragma once
 
 #include "app/commands/campaign/campaign.hpp"
@@ -11,14 +11,14 @@ struct CentringTask {
   Cell cell;
   planner::Workcell model, truth;
   CentringHoles holes;
-  int tubes = 0;  ///< number of requested tubes; those out of reach are not among the holes
+  int tubes = 0;  ///< number of requested tubes; `holes` lacks those out of reach
   CentringOptions options;
 };
 
-/// Reads the cells, finds the holes in reach, and lists the settings. Throws InputError.
+/// Reads the cells, finds the holes in reach and lists the settings. Throws InputError for bad input.
 [[nodiscard]] CentringTask centringTask(const CampaignRequest& request);
 
-/// Returns everything that the figures depend on except the number of runs.
+/// Returns a key made of everything that affects the results, except the number of runs.
 [[nodiscard]] PlanKey centringKey(const CentringTask& task, const CampaignRequest& request);
 
 }  // namespace tubeplan::app

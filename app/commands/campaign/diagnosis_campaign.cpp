@@ -1,4 +1,4 @@
-// Campaign of diagnoses: its runs, and the results of their tally.
+// Diagnosis campaign: its runs, and its results from their tally.
 #include <fmt/format.h>
 
 #include "app/commands/campaign/campaign.hpp"
@@ -22,7 +22,7 @@ using nlohmann::json;
 constexpr std::size_t kOutcomes = kDiagnosisOutcomes.size();
 using OutcomeCounts = std::array<std::uint64_t, kOutcomes>;
 
-/// Counts by hidden effect (none first, then the catalogue), class of size and outcome.
+/// Counts of trials by hidden effect (none first, then in the order of the catalogue), size class and outcome.
 class DiagnosisTally {
  public:
   DiagnosisTally() : counts_(deflection::effectKinds().size() + 1) {}
@@ -44,7 +44,7 @@ class DiagnosisTally {
     return reader.isWhole();
   }
 
-  /// Returns the counts of an effect (-1: nothing hidden), for all sizes or one class.
+  /// Returns the outcome counts for one hidden effect (-1: no hidden effect), for one size class or for all (-1).
   [[nodiscard]] OutcomeCounts of(int effect, int size_class = -1) const {
     OutcomeCounts sum{};
     const auto& classes = counts_[static_cast<std::size_t>(effect + 1)];
@@ -166,7 +166,7 @@ json countsJson(const OutcomeCounts& counts) {
   return named;
 }
 
-/// Names of the rates in foundJson, and their words as shares of the runs that hide an effect.
+/// Names of the rates in JSON, with a description of each; all are fractions of the runs with a hidden effect.
 constexpr std::array<std::pair<const char*, const char*>, 5> kRates{{{"truth_among_answers", "truth among the answers"},
                                                                      {"named", "named alone"},
                                                                      {"wrong", "another named"},
@@ -179,7 +179,7 @@ json ratesJson() {
   return rates;
 }
 
-/// Returns the outcomes in the order of tables, from the correct answer to runs that could not be judged.
+/// Returns the outcomes in the order of table columns, from the correct answer to runs without a diagnosis.
 json outcomesJson() {
   using Kind = DiagnosisOutcomeKind;
   json outcomes = json::array();
@@ -252,7 +252,8 @@ json diagnosisFigures(const DiagnosisTask& task, const CampaignRequest& request,
 
 constexpr std::string_view kShareWords = "{count} of {of}, {value:.1%} % ({low:.1%} to {high:.1%})\n";
 
-/// Returns the counts outside all rates: diagnoses without a verdict, and readings that could not be diagnosed.
+/// Returns one line for each of the outcomes inconclusive and not made, with the number of runs; empty if there are
+/// none.
 std::string undecidedText(const std::string& hidden, const json& outcomes) {
   std::string text;
   for (const auto kind : {DiagnosisOutcomeKind::kInconclusive, DiagnosisOutcomeKind::kNotMade}) {
@@ -298,7 +299,7 @@ Campaign makeDiagnosisCampaign(const CampaignRequest& request) {
   const DiagnosisExperiment& made = *experiment;
   Campaign campaign;
   campaign.question = diagnosisQuestion(*task, request);
-  campaign.largest_chunk = 1;  // because a run takes seconds
+  campaign.largest_chunk = 1;  // a run takes seconds
   campaign.figures = [task, request, &made](const CampaignProgress& progress) {
     return diagnosisFigures(*task, request, made.tally(), progress);
   };

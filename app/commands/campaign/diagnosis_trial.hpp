@@ -1,5 +1,5 @@
-// Single run of a campaign of diagnoses: an arm with a random hidden effect, or none, is read, and the readings are
-// diagnosed.
+// One run of a diagnosis campaign: simulates readings of an arm with a random hidden effect or none, and diagnoses
+// them.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 
 namespace tubeplan::app {
 
-/// Outcome of a diagnosis compared with the truth.
+/// Outcome of a diagnosis, compared with the truth.
 enum class DiagnosisOutcomeKind {
-  kNotMade,       ///< the arm could not be read, or its readings could not be fitted
-  kAdequate,      ///< verdict: nothing is missing
-  kInconclusive,  ///< verdict: undecided
-  kNamed,         ///< the true effect and nothing else
-  kAmong,         ///< several effects, the true one among them
-  kOther,         ///< one or several effects without the true one
-  kUnexplained,   ///< something is missing that no known effect explains
+  kNotMade,       ///< the readings could not be simulated or could not be fitted
+  kAdequate,      ///< verdict that nothing is missing
+  kInconclusive,  ///< verdict undecided
+  kNamed,         ///< the true effect alone was named
+  kAmong,         ///< several effects were named, among them the true effect
+  kOther,         ///< one or several effects were named, but not the true effect
+  kUnexplained,   ///< verdict that something is missing which no known effect explains
 };
 inline constexpr std::array<std::string_view, 7> kDiagnosisOutcomes{"not-made", "adequate", "inconclusive", "named",
                                                                     "among",    "other",    "unexplained"};
@@ -32,31 +32,31 @@ inline constexpr std::array<std::string_view, 7> kOutcomeWords{"not made",
                                                                "another named",
                                                                "refused as unexplained"};
 
-/// Smallest size of a hidden effect, as a share of the largest that a machine has. Sizes are drawn between this and 1,
-/// uniformly in their logarithm.
+/// Smallest size of a hidden effect, as a fraction of the largest usual size on a machine. The fraction is drawn
+/// between this value and 1, uniformly in its logarithm.
 inline constexpr double kLeastShare = 0.02;
 inline constexpr std::size_t kSizeClasses = 4;
 
 struct DiagnosisTrial {
-  int effect = -1;             ///< index into effectKinds(); -1: no hidden effect
-  std::size_t size_class = 0;  ///< quarter of the logarithmic range of sizes, from the least
+  int effect = -1;             ///< index in effectKinds(); -1: no hidden effect
+  std::size_t size_class = 0;  ///< quarter of the logarithmic range of sizes; 0: smallest sizes
   DiagnosisOutcomeKind outcome = DiagnosisOutcomeKind::kNotMade;
 };
 
 struct DiagnosisTrialOptions {
-  SimulationRequest readings;  ///< all but the seed
-  double nothing = 0.5;        ///< share of the runs without a hidden effect
-  int effects = 2;             ///< maximum number in one explanation
+  SimulationRequest readings;  ///< request for the simulated readings; its seed is not used
+  double nothing = 0.5;        ///< fraction of the runs without a hidden effect
+  int effects = 2;             ///< largest number of effects in one explanation
   std::uint64_t seed = 1;
 };
 
 class DiagnosisTrials {
  public:
-  /// Prepares the runs. `kinds`: effects that may be hidden, as indices into effectKinds(). Throws InputError for
-  /// readings that cannot be taken.
+  /// Prepares the runs. `kinds` lists the effects that may be hidden, as indices in effectKinds(). Throws InputError
+  /// for readings that cannot be simulated.
   DiagnosisTrials(const Cell& cell, std::vector<int> kinds, const DiagnosisTrialOptions& options);
 
-  /// Runs one trial; safe for any number of threads at once. Returns nullopt if it was asked to stop.
+  /// Runs the trial with this index; nothing if `stop` has returned true. Thread-safe.
   [[nodiscard]] std::optional<DiagnosisTrial> run(std::uint64_t index, const calibration::StopQuestion& stop) const;
 
  private:
@@ -65,7 +65,7 @@ class DiagnosisTrials {
   DiagnosisTrialOptions options_;
 };
 
-/// Returns the effects of the catalogue that have a place on the arm and that readings of the design could show.
+/// Returns the catalogue effects that can act on the cell's arm and that readings of the requested design could show.
 [[nodiscard]] std::vector<int> hideableKinds(const Cell& cell, const DiagnosisTrialOptions& options);
 
 }  // namespace tubeplan::app
