@@ -1,5 +1,5 @@
 // `tubeplan arm`: import of arms from URDF or a controller's calibration, export to URDF or to rows of another
-// convention, and display of an arm's file for checking.
+// convention, and display of an arm file for checking.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -46,7 +46,7 @@ const Units& urdfUnits() {
   return kUnits;
 }
 
-/// Content of a file of an arm, or of a cell with one.
+/// Content of an arm file, or of a cell file that contains an arm.
 struct ShownArm {
   deflection::Arm arm;
   Units units;
@@ -66,7 +66,7 @@ ShownArm readAnyArm(const std::string& path, const std::string& tip) {
 }
 
 void tell(const char* kind, const std::vector<std::string>& sentences) {
-  constexpr std::size_t kLongest = 500;  // maximum length of names from a file
+  constexpr std::size_t kLongest = 500;  // maximum length of a printed text, since names from a file may be long
   for (const auto& what : sentences) fmt::print(stderr, "{}: {}\n", kind, printable(what, kLongest));
 }
 
@@ -84,7 +84,7 @@ std::string cellText(const UrdfArm& read, const std::string& arm_file) {
   return text;
 }
 
-/// File of the nominal arm with its calibrated values, and remarks on it.
+/// Text of the nominal arm file with calibrated values inserted, and remarks on these values.
 struct CalibratedText {
   std::string arm;
   std::vector<std::string> remarks;
@@ -159,7 +159,7 @@ int exportRows(const ArmOptions& options) {
   return kDone;
 }
 
-/// Exports into the URDF that the arm was imported from, with the arm's other data.
+/// Exports an arm into the URDF file from which it was imported, and lists what changed and what URDF cannot express.
 int exportIntoUrdf(const ArmOptions& options) {
   const deflection::Arm arm = readAnyArm(options.file, options.tip).arm;
   const UrdfEdit edit = withArmInUrdf(readTextBytes(options.into), options.into, options.tip, arm);
@@ -177,7 +177,7 @@ int exportUrdf(const ArmOptions& options) {
   return kDone;
 }
 
-/// Exports the kinematics YAML that ROS reads for a Universal Robots arm.
+/// Exports the kinematics YAML file that ROS reads for a Universal Robots arm.
 int exportKinematics(const ArmOptions& options) {
   const deflection::Arm arm = readAnyArm(options.file, options.tip).arm;
   writeFileAtomically(options.out, robotKinematicsText(robotKinematicsOf(arm, options.file)), "--out");
@@ -205,7 +205,7 @@ int exportArm(const ArmOptions& options) {
   return options.convention.empty() ? exportUrdf(options) : exportRows(options);
 }
 
-/// Throws InputError for an option of another action, which would have no effect.
+/// Throws InputError for an option of another action, because it would have no effect.
 void requireOptionsOf(const ArmOptions& options) {
   const std::string kinematics = options.is_kinematics ? "on" : "";
   const std::string format = printsText({"", options.figures.format}) ? "" : options.figures.format;

@@ -1,4 +1,4 @@
-// `tubeplan calibrate`: the place of the base, from touched holes.
+// `tubeplan calibrate`: the base pose, from touched holes.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -32,7 +32,7 @@ struct CalibrateOptions {
 
 int run(const CalibrateOptions& options) {
   Cell cell = readCell(options.cell);
-  cell.base_known = false;  // the base is the unknown
+  cell.base_known = false;  // the base is to be determined
   const auto [readings, checks] = readAndCheck({options.measurements}, cell, {options.sigma, {}, options.assume});
   const auto touches = touchesOf(readings, cell, options.measurements, options.setup);
   checkFigures(options.figures);

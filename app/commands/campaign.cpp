@@ -1,4 +1,4 @@
-// `tubeplan campaign`: many calibrations or diagnoses over random truths.
+// `tubeplan campaign`: many simulated calibrations or diagnoses, each with a random true arm.
 #include "app/commands/campaign/campaign.hpp"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ const CampaignKind& campaignKindOf(const std::string& name) {
   throw InputError("--kind", inQuotes(name), alternatives(names), suggestion(name, names));
 }
 
-/// Checkpoint and output of a campaign, which only the first rank has.
+/// Checkpoint and output of a campaign; only the first rank has this object.
 class CampaignDesk {
  public:
   CampaignDesk(const CampaignOptions& options, const Campaign& campaign)
@@ -51,7 +51,7 @@ class CampaignDesk {
       throw InputError::saying("--resume", "the folder to continue in is missing",
                                "add --out with the folder of the stopped campaign");
     RunSet done;
-    noteStopSignals();  // before the first folder is made, so that a stop removes it
+    noteStopSignals();  // before the first folder is created, so that a stop removes it
     if (!options.out.empty()) {
       folder_.emplace(options.out, "--out");
       folder_->requireOwn({kTallyFile, "campaign.json"}, {"holes.csv", "outcomes.csv", "report.html"});
@@ -133,8 +133,8 @@ int runAlone(const CampaignOptions& options) {
   return CampaignDesk(options, campaign).run(workersOf(options), nullptr);
 }
 
-/// Runs a campaign on several ranks. All ranks read and prepare the same; only the first reports errors, keeps
-/// checkpoints and writes.
+/// Runs a campaign on several ranks. All ranks read and prepare the same input. Only the first rank reports errors,
+/// keeps checkpoints and writes results.
 int runRanked(const CampaignOptions& options, Ranks& ranks) {
   std::optional<InputError> wrong;
   std::optional<Campaign> campaign;
@@ -151,15 +151,14 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
     for (const auto& [name, value] : campaign->question) question += name + ": " + value + "\n";
   const bool is_same = ranks.fromFirst(question) == question;
   if (!ranks.holdsEverywhere(is_same && !wrong)) {
-    // mpirun ends all ranks at the first exit code other than 0, which must be that of the rank that reported the
-    // error.
+    // mpirun stops all ranks at the first nonzero exit code, which must come from the rank that reports the error.
     if (ranks.rank() > 0) return kDone;
     if (wrong) throw *wrong;
     throw InputError::saying("campaign", "one of the machines has other options or files, or could not read them",
                              "copy the same program and the same files to every machine");
   }
   if (desk) return desk->run(workersOf(options), &ranks);
-  noteStopSignals();  // the first rank decides on the end
+  noteStopSignals();  // only the first rank decides when to stop
   serveRuns(*campaign->experiment, workersOf(options), ranks);
   return kDone;
 }
@@ -175,7 +174,7 @@ int run(const CampaignOptions& options) {
 
 std::string groupOf(std::string_view kind) { return fmt::format("Of kind {}, in the cell's units", kind); }
 
-/// Throws InputError for an option of another kind, which would have no effect.
+/// Throws InputError for an option of another kind of campaign, because it would have no effect.
 void requireOptionsOf(const CLI::App& cli, const std::string& chosen) {
   for (const auto& kind : campaignKinds()) {
     if (kind.name == chosen) continue;

@@ -27,7 +27,8 @@ std::string overview() {
   return text + fmt::format("\n`tubeplan COMMAND --help` describes one. Exit codes: {}.\n", kExitCodes);
 }
 
-// Replaces `help`, `help CMD` and no words by --help. Returns true for the overview of all commands.
+// Replaces `help`, `help CMD` and an empty command line by --help. Returns true if the overview of all commands is
+// requested.
 bool asksForOverview(std::vector<std::string>& words) {
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
@@ -69,7 +70,7 @@ int runCommandLine(std::vector<std::string> words) {
     runs[std::string(command.name)] = command.configure(*sub);
   }
   try {
-    std::vector<std::string> reversed(words.rbegin(), words.rend());  // the order that CLI11 expects
+    std::vector<std::string> reversed(words.rbegin(), words.rend());  // CLI11 expects the arguments in reverse order
     cli.parse(reversed);
   } catch (const CLI::CallForHelp&) {
     fmt::print("{}", cli.get_subcommand(name)->help("tubeplan"));
@@ -77,7 +78,7 @@ int runCommandLine(std::vector<std::string> words) {
   } catch (const CLI::ParseError& error) {
     throw commandLineError(error, *cli.get_subcommand(name), words);
   }
-  const InputRecord inputs;  // inputs of this command
+  const InputRecord inputs;  // records the input files of this command
   return runs.at(cli.get_subcommands().front()->get_name())();
 }
 

@@ -1,4 +1,4 @@
-// Parser and runner of the command line.
+// Parsing and execution of the command line.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace tubeplan::app {
 
-/// Runs the command of `words` (without the program's name) and returns its exit code. For --help, help, --version and
-/// no words at all it prints the text and returns 0. Throws InputError for words that are no command line.
+/// Runs the command given by the arguments `words` (without the program name) and returns its exit code. For --help,
+/// help, --version or no arguments, prints the text and returns 0. Throws InputError for invalid arguments.
 int runCommandLine(std::vector<std::string> words);
 
 }  // namespace tubeplan::app

@@ -20,7 +20,7 @@ using Words = std::vector<std::string>;
 
 std::string helpOf(const CLI::App& command) { return fmt::format("see `tubeplan {} --help`", command.get_name()); }
 
-/// Returns the name of the kind of value in the help, without what the checks add to it: "INT".
+/// Returns the name of an option's value type in the help, such as "INT", without what the option's checks append.
 std::string typeOf(const CLI::Option& option) {
   const std::string name = option.get_type_name();
   return name.substr(0, name.find(':'));
@@ -28,7 +28,8 @@ std::string typeOf(const CLI::Option& option) {
 
 bool isFlag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
 
-/// Returns "usage: tubeplan improve CELL MEASUREMENTS... --out TEXT, see `tubeplan improve --help`".
+/// Returns a usage line such as "usage: tubeplan improve CELL MEASUREMENTS... --out TEXT, see `tubeplan improve
+/// --help`".
 std::string usageOf(const CLI::App& command) {
   std::string positionals, options;
   for (const CLI::Option* option : command.get_options()) {
@@ -42,7 +43,7 @@ std::string usageOf(const CLI::App& command) {
   return fmt::format("usage: tubeplan {}{}{}, {}", command.get_name(), positionals, options, helpOf(command));
 }
 
-/// Returns "CELL, MEASUREMENTS and --out".
+/// Returns names as an enumeration such as "CELL, MEASUREMENTS and --out".
 std::string inOneList(const Words& names) {
   if (names.size() < 2) return names.empty() ? "" : names.front();
   return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
@@ -50,14 +51,14 @@ std::string inOneList(const Words& names) {
 
 std::string shown(const std::string& value) { return tubesheets::parseNumber(value) ? value : inQuotes(value); }
 
-/// Returns the words that neither the command nor the program could take.
+/// Returns the arguments that neither the command nor the program accepted.
 Words wordsLeft(const CLI::App& command) {
   Words left = command.remaining();
   for (auto& word : command.get_parent()->remaining()) left.push_back(std::move(word));
   return left;
 }
 
-/// Returns the first option among the words left over, without its value; words after "--" are none.
+/// Returns the first option among the unaccepted arguments, without its value. Arguments after "--" are no options.
 std::optional<std::string> findUnknownOption(const Words& left) {
   const auto end = std::ranges::find(left, "--");
   const auto found = std::find_if(left.begin(), end, [](const std::string& word) {
@@ -74,8 +75,8 @@ InputError unknownOption(const CLI::App& command, const std::string& name) {
   return InputError::saying(nameInLine(name), "there is no such option", near.empty() ? helpOf(command) : near);
 }
 
-/// Returns the option at which the parser stopped. It checks and then converts the values of each option, in the order
-/// of the help, and takes an option as done before the conversion.
+/// Returns the option at which the parser stopped; null if there is none. The parser goes through the options in the
+/// order of the help, first checking and then converting the values. An option is marked as done before the conversion.
 CLI::Option* stoppedAt(CLI::App& command, bool converting) {
   CLI::Option* before = nullptr;
   for (CLI::Option* option : command.get_options()) {
@@ -105,7 +106,7 @@ std::optional<InputError> wrongValue(CLI::App& command) {
   return std::nullopt;
 }
 
-/// Returns the kind of value that an option takes, in words; empty for a text.
+/// Returns the kind of value that an option takes, such as "a whole number"; empty for a text.
 std::string kindOfValue(const CLI::Option& option) {
   const std::string type = typeOf(option);
   if (type == "FLOAT") return "a number";
@@ -130,7 +131,7 @@ std::optional<InputError> unreadableValue(CLI::App& command) {
   return InputError(name, fmt::format("{}", fmt::join(values, ",")), "a whole number of at most 9 digits");
 }
 
-/// Returns the last option of the words that takes a value.
+/// Returns the last option on the command line that takes a value; null if there is none.
 const CLI::Option* lastWithValue(const CLI::App& command, const Words& words) {
   for (auto word = words.rbegin(); word != words.rend(); ++word)
     for (const CLI::Option* option : command.get_options())

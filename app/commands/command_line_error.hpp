@@ -1,4 +1,4 @@
-// The errors of a command's words, in sentences.
+// Error messages, in sentences, for command lines that cannot be parsed.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ class ParseError;
 
 namespace tubeplan::app {
 
-/// Returns the error of the words that CLI11 refused for a command. An unknown option comes before every other mistake.
-/// `words` are those of the command line in their order.
+/// Returns the error message for arguments that CLI11 refused for a command. An unknown option is reported before any
+/// other mistake. `words` are the arguments in their order on the command line.
 [[nodiscard]] InputError commandLineError(const CLI::ParseError& error, CLI::App& command,
                                           const std::vector<std::string>& words);
 

@@ -2,7 +2,7 @@
 
 namespace tubeplan::app {
 
-// Each is defined in <name>.cpp.
+// Each function is defined in the source file of its command.
 Run configureAdd(CLI::App& cli);
 Run configureArm(CLI::App& cli);
 Run configureCalibrate(CLI::App& cli);

@@ -7,7 +7,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the open table: a new command is its file in this folder, its declaration and its row in command_table.cpp.
+/// Returns the table of commands. A new command needs a file in this folder, and its declaration and row in
+/// command_table.cpp.
 [[nodiscard]] std::span<const Command> commands();
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Words of the command line, as the commands declare them: for completion by shells, and for the manual page.
+// Names and descriptions of all commands and options, collected for shell completion and the manual page.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace tubeplan::app {
 
 struct OptionWords {
-  std::vector<std::string> names;  ///< "--json", "-o"; for a positional argument its name alone
+  std::vector<std::string> names;  ///< "--json", "-o"; for a positional argument only its name
   std::string value;               ///< name of the value, in capitals; empty for a flag
   std::string description;
   std::string initial;  ///< default value; empty if there is none
@@ -19,13 +19,13 @@ struct CommandWords {
   std::vector<OptionWords> options;  ///< in the order of the help
 };
 
-/// Returns the words of all commands of the table.
+/// Returns the names and descriptions of all commands in the table.
 [[nodiscard]] std::vector<CommandWords> commandWords();
 
-/// Returns a script for a shell's completion of commands and options. Throws InputError for an unknown shell.
+/// Returns a shell script that completes commands and options. Throws InputError for an unknown shell.
 [[nodiscard]] std::string completionScript(const std::string& shell);
 
-/// Returns the manual page, section 1, in roff.
+/// Returns the manual page (section 1) in roff.
 [[nodiscard]] std::string manualPage();
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// `tubeplan compare`: places and size of a model's error, and the variables that it follows.
+// `tubeplan compare`: where a model's error occurs, how large it is, and which variables it depends on.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// `tubeplan completion SHELL`: the script for a shell's completion of commands and options.
+// `tubeplan completion SHELL`: prints a shell script that completes commands and options.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

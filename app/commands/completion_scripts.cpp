@@ -1,4 +1,4 @@
-// Completion scripts for commands and options in the usual shells.
+// Scripts that complete commands and options, for the usual shells.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -50,7 +50,7 @@ std::string bash() {
       fmt::join(names, " "), cases);
 }
 
-/// Returns text in single quotes, with the special characters of an argument's description escaped.
+/// Returns text in single quotes, with characters escaped that are special in zsh argument descriptions.
 std::string zshText(const std::string& text) {
   return replaced(replaced(replaced(replaced(text, "'", "'\\''"), "[", "\\["), "]", "\\]"), ":", "\\:");
 }

@@ -32,7 +32,8 @@ struct DiagnoseOptions {
   DiagnosisRequest request;
 };
 
-/// Returns the result of --run-sheet, with the instruction for its use.
+/// Returns a message on the run sheet: the written file and how to use it, or why no sheet was written. Empty without
+/// --run-sheet, and if the readings contain a mistake.
 std::string sheetText(const DiagnoseOptions& options, const CellReadings& input,
                       const std::vector<calibration::ProposedMeasurement>& sheet) {
   if (options.run_sheet.empty() || calibration::grossMistake(input.checks)) return "";

@@ -1,4 +1,4 @@
-// `tubeplan effects`: the physical effects that a cell's arm can have, and their places.
+// `tubeplan effects`: lists the physical effects that a cell's arm can have, and where each can act.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -16,7 +16,7 @@ namespace {
 
 struct OutputFormat {
   std::string_view name;
-  std::string (*write)(const nlohmann::json& figures);  ///< null: each command has its own text
+  std::string (*write)(const nlohmann::json& figures);  ///< converts the results; null: the command prints its own text
 };
 
 std::string jsonText(const nlohmann::json& figures) { return figures.dump(2) + "\n"; }
@@ -24,7 +24,7 @@ std::string jsonText(const nlohmann::json& figures) { return figures.dump(2) + "
 constexpr OutputFormat kFormats[] = {
     {"text", nullptr}, {"json", jsonText}, {"csv", figuresCsv}, {"markdown", figuresMarkdown}};
 
-/// Returns the format of standard output; --json - is equal to --format json.
+/// Returns the format of standard output; `--json -` means the same as `--format json`.
 const OutputFormat& formatOf(const FiguresTarget& target) {
   const std::string name = target.json == "-" ? "json" : target.format;
   return *std::ranges::find(kFormats, name, &OutputFormat::name);

@@ -1,4 +1,5 @@
-// Destination of a command's figures: --json, a file or standard output, and --format, the form on standard output.
+// Destination of a command's results: --json writes a file or to standard output, and --format selects the format of
+// standard output.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,26 +9,27 @@
 namespace tubeplan::app {
 
 struct FiguresTarget {
-  std::string json;             ///< file, - for standard output; empty: not written
-  std::string format = "text";  ///< form on standard output, one of figureFormats()
+  std::string json;             ///< file name; "-": standard output; empty: not written
+  std::string format = "text";  ///< format of standard output, one of figureFormats()
 };
 
 [[nodiscard]] std::vector<std::string> figureFormats();
 
-/// Checks before the work that --json can be written and that only one document is for standard output. Throws
-/// InputError.
+/// Checks, before the work, that the --json file can be written and that only one document goes to standard output.
+/// Throws InputError.
 void checkFigures(const FiguresTarget& target);
 
-/// Returns true if the figures are for a file or for standard output; else only the text is requested.
+/// Returns true if the results go to a file or, in a format other than text, to standard output.
 [[nodiscard]] bool wantsFigures(const FiguresTarget& target);
 
-/// Writes the figures to their destinations, NaN and infinity as null; does nothing if only the text is requested.
+/// Writes the results to all requested destinations, with NaN and infinity as null. Does nothing if only the text is
+/// requested.
 void writeFigures(const FiguresTarget& target, const nlohmann::json& figures);
 
-/// Returns true if standard output is for the text.
+/// Returns true if standard output shows the command's own text.
 [[nodiscard]] bool printsText(const FiguresTarget& target);
 
-/// Writes the figures, or prints the text.
+/// Writes the results to all requested destinations, and prints `text` if standard output shows text.
 void showFigures(const FiguresTarget& target, const nlohmann::json& figures, const std::string& text);
 
 }  // namespace tubeplan::app

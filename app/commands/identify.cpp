@@ -1,4 +1,4 @@
-// `tubeplan identify`: the parameters of the model, and the base, from measurements.
+// `tubeplan identify`: the parameters of the model and the base pose, from measurements.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -37,7 +37,7 @@ struct IdentifyOptions {
   IdentificationRequest request;
 };
 
-/// Prints a line for each iteration of the fit; with JSON on standard output, lines go to the stream for progress.
+/// Prints one line for each iteration of the fit to `out`: the progress stream if JSON goes to standard output.
 void printIteration(std::FILE* out, const calibration::LeastSquaresIteration& now) {
   if (now.iteration == 0)
     fmt::print(out, "  {}\n  {:>9} {:>15} {:>12} {:>12}\n", now.method, "iteration", "chi-square", "step", "damping");
@@ -45,7 +45,7 @@ void printIteration(std::FILE* out, const calibration::LeastSquaresIteration& no
   std::fflush(out);
 }
 
-/// Prints the reason for a withheld result, in the words of a diagnosis.
+/// Prints why the result is withheld, in the form of a diagnosis.
 void printWithheld(const IdentifyOptions& options, const IdentificationOutcome& outcome) {
   fmt::print("{}\n{}\n{}{}", nameOf(calibration::Verdict::kInconclusive), noVerdictSentence(outcome.fit.reason),
              options.out.empty() ? "" : "nothing was written\n", warningsText(outcome.warnings));

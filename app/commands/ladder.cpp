@@ -1,4 +1,4 @@
-// `tubeplan ladder`: the error of each of several models, fitted and held-out, compared with the noise floor.
+// `tubeplan ladder`: compares several models by their errors, fitted and held-out, and with the noise floor.
 #include "app/jobs/ladder.hpp"
 
 #include <CLI/CLI.hpp>

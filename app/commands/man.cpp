@@ -1,4 +1,4 @@
-// `tubeplan man`: the manual page.
+// `tubeplan man`: prints the manual page.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

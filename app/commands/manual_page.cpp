@@ -10,7 +10,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Returns text with the special characters of roff escaped.
+/// Returns text with characters escaped that are special in roff.
 std::string plain(const std::string& text) {
   std::string out;
   bool begins = true;

@@ -1,4 +1,4 @@
-// `tubeplan map`: the holes of a cell's tube sheet.
+// `tubeplan map`: shows or exports the holes of a cell's tube sheet.
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <map>
@@ -68,7 +68,7 @@ constexpr TextLine kMapWords[] = {
     {"", "fingerprint {fingerprint}\n"},
     {"warnings", "warning: {}\n"}};
 
-// Returns the map's unit of length: in, mm or m.
+// Returns the length unit of the exported map: that of the cell if a map can use it (in, mm or m), otherwise inches.
 const tubesheets::LengthUnit& csvUnit(const Cell& cell) {
   const auto* unit = tubesheets::findLengthUnit(cell.units.length().name);
   return unit ? *unit : tubesheets::kInch;

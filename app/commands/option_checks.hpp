@@ -1,6 +1,6 @@
-// Checks of options' values, for CLI::Option::check(). Of a value that it refuses, a check returns what it expects, as
-// in "D, G or V" or "0 to 65535"; the error of the command line (command_line_error.hpp) continues "found ...,
-// expected".
+// Checks of option values, for CLI::Option::check(). For a value that it refuses, a check returns a description of the
+// expected value, such as "D, G or V" or "0 to 65535". The error message continues "found ..., expected" with it
+// (command_line_error.hpp).
 #pragma once
 
 #include <fmt/format.h>
@@ -11,10 +11,10 @@
 
 namespace tubeplan::app {
 
-/// Returns the check of a word out of these.
+/// Returns a check that the value is one of these words.
 [[nodiscard]] CLI::Validator oneOf(const std::vector<std::string>& words);
 
-/// Returns the check of a number within limits.
+/// Returns a check that the value is a number from `least` to `most`.
 template <class Number>
 [[nodiscard]] CLI::Validator within(Number least, Number most) {
   const CLI::Range range(least, most);
@@ -23,13 +23,13 @@ template <class Number>
           range.get_description()};
 }
 
-/// Returns the check of a number of zero or more.
+/// Returns a check that the value is a number of zero or more.
 [[nodiscard]] CLI::Validator notNegative();
 
-/// Returns the check of a length above zero.
+/// Returns a check that the value is a length above zero.
 [[nodiscard]] CLI::Validator lengthAboveZero();
 
-/// Returns the check of a seed: a whole number of 64 bits.
+/// Returns a check that the value is a seed: an unsigned 64-bit integer.
 [[nodiscard]] CLI::Validator seedNumber();
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Options that several commands share.
+// Declarations of options that several commands share.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,41 +12,41 @@
 namespace tubeplan::app {
 
 void addCell(CLI::App& cli, std::string& cell);
-void addReadings(CLI::App& cli, ReadingFiles& files);   ///< MEASUREMENTS, one or more files
+void addReadings(CLI::App& cli, ReadingFiles& files);   ///< MEASUREMENTS: one or more files
 void addFigures(CLI::App& cli, FiguresTarget& target);  ///< --json and --format
 
-/// Adds --seed; `of` names the seeded process, for --help.
+/// Adds --seed; `of` names the random process, for --help.
 void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of);
 
-/// Adds --sigma above zero, a standard deviation of a coordinate in the cell's unit of length; `when` is the condition
-/// of its use, for --help.
+/// Adds --sigma (above zero): the standard deviation of a coordinate in the cell's length unit. `when` states, for
+/// --help, when it is used.
 void addSigma(CLI::App& cli, double& sigma, const std::string& when);
 
 /// Adds --sigma, --prior and --assume, for commands that fit a model to readings.
 void addMeasurementOptions(CLI::App& cli, MeasurementOptions& options);
 
-/// Adds --assume alone, for commands that take readings as a secondary input.
+/// Adds only --assume, for commands that read measurements as a secondary input.
 void addAssumeOption(CLI::App& cli, std::vector<std::string>& assume);
 
-/// Adds --column, the meanings of a work list's columns, for commands whose --tubes may be a work list
+/// Adds --column, the meanings of a work list's columns, for commands whose --tubes may name a work list
 /// (app/formats/cell/command_inputs.cpp).
 CLI::Option* addListColumns(CLI::App& cli, std::vector<std::string>& columns);
 
-/// Page of results: --report FILE, and --open.
+/// Destination of the results page: --report FILE, and --open to show it in a browser.
 struct ReportTarget {
-  std::string file;  ///< empty: no page
+  std::string file;  ///< file name; empty: no page
   bool open = false;
 
   [[nodiscard]] bool isWanted() const { return !file.empty(); }
 };
 
-/// Adds --report and --open; `words` describe the page, for --help.
+/// Adds --report and --open; `words` describe the page for --help.
 void addReportOptions(CLI::App& cli, ReportTarget& target, const std::string& words);
 
-/// Checks before the work that the page can be written. Throws InputError.
+/// Checks, before the work, that the page can be written. Throws InputError.
 void checkReportTarget(const ReportTarget& target);
 
-/// Writes the page, and opens it in a browser with --open.
+/// Writes the page and, with --open, opens it in a browser.
 void writeReport(const ReportTarget& target, const std::string& page);
 
 }  // namespace tubeplan::app

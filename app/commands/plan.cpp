@@ -1,4 +1,4 @@
-// `tubeplan plan`: the tour of the tool through the tubes, from a cell to the files of a plan.
+// `tubeplan plan`: plans the tour of the tool through the tubes of a cell, and writes the plan's files.
 #include "app/jobs/plan.hpp"
 
 #include <fmt/format.h>
@@ -67,7 +67,7 @@ std::string keptText(const std::string& from, const PlanOutcome& outcome) {
       2 * plan.visits.size() - 1, outcome.tubes_added, outcome.tubes_removed);
 }
 
-/// Throws InputError for an output folder in which the plan would overwrite its own inputs.
+/// Throws InputError for an output folder in which the plan would overwrite one of its input files.
 void requireOtherNames(const PlanOptions& options) {
   const auto& request = options.request;
   for (const auto& input : {request.cell, request.touches, request.tubes, request.truth}) {
@@ -85,16 +85,17 @@ int run(const PlanOptions& options) {
   requireOtherNames(options);
   if (options.trajectory) requireAccelerations(readCell(options.request.cell).arm);
   checkFigures(options.figures);
-  noteStopSignals();  // before the first folder is made, so that a stop removes it
+  noteStopSignals();  // before the first folder is created, so that a stop removes it
   OutputFolder folder(options.out, "--out");
   std::vector<std::string> names(std::begin(kPlanFiles), std::end(kPlanFiles));
-  if (options.request.touches != "auto") std::erase(names, "touches.csv");  // an existing file stays unchanged
+  if (options.request.touches != "auto")
+    std::erase(names, "touches.csv");  // an existing touches.csv is then not replaced
   folder.requireOwn({"plan.json", kProgressFile}, names);
   PlanCheckpoint checkpoint(folder.path(), options.resume, options.from);
   const PlanOutcome outcome = runPlanJob(options.request, terminalHooks(), checkpoint);
   if (outcome.plan.status == planner::VisitPlanStatus::kStopped) return explainStop(checkpoint, folder);
   if (outcome.plan.status != planner::VisitPlanStatus::kPlanned) {
-    // A plan refused for its touches keeps the checkpoint of an earlier run.
+    // If the touches were refused and nothing was planned, the checkpoint of an earlier run is kept.
     if (outcome.plan.status != planner::VisitPlanStatus::kNotRun) checkpoint.discard();
     return explain(outcome);
   }

@@ -1,4 +1,4 @@
-// Check that a plan's files belong to this sheet and agree on every tube.
+// Check that a plan's files belong to a given tube sheet and agree on every tube.
 #pragma once
 
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace tubeplan::app {
 
-/// Returns one sentence for each fault: another sheet (or this one's mirror image), another leg or viewing side, a tube
-/// entry or a path row that names another leg or tube than its visit. Path rows: the first twenty.
+/// Returns one sentence for each fault: the plan was made for another sheet (or for the mirror image of this sheet),
+/// another leg or another viewing side, or a tube entry or path row names another leg or tube than the visit does. At
+/// most twenty path rows are reported.
 [[nodiscard]] std::vector<std::string> findIdentityProblems(const PlanFiles& files, const tubesheets::Sheet& sheet);
 
-/// Returns the mirror image of the sheet along the divider plate, with hot and cold leg exchanged.
+/// Returns the sheet mirrored at the divider plate, with hot and cold leg exchanged.
 [[nodiscard]] tubesheets::Sheet mirroredLeg(tubesheets::Sheet sheet);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// `tubeplan pose`: the place of the tip, rigid and deflected.
+// `tubeplan pose`: the pose of the tip, rigid and deflected.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -30,7 +30,7 @@ struct PoseOptions {
   bool all = false;
 };
 
-/// Returns the intermediate results of Appendix A for every link: frames, loads and each component's deflection.
+/// Returns the intermediate results of Appendix A for every link: frames, loads and the deflection of each component.
 nlohmann::json intermediatesJson(const deflection::Arm& arm, const deflection::FlexibleKinematics& shape,
                                  const Units& units) {
   nlohmann::json rows = nlohmann::json::array(), components = nlohmann::json::array();

@@ -6,8 +6,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the exit code of a command by its result; a mistake in the readings overrides the result. Used by all
-/// commands that take readings.
+/// Returns the exit code of a command for a positive or negative result. A mistake in the readings makes it negative.
+/// Used by all commands that evaluate readings.
 [[nodiscard]] inline ExitCode answerOver(const calibration::MeasurementChecks& checks, bool is_positive) {
   return is_positive && !calibration::grossMistake(checks) ? kDone : kNegativeAnswer;
 }

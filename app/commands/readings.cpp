@@ -1,4 +1,4 @@
-// `tubeplan readings`: tables of other programs as a measurement table.
+// `tubeplan readings`: converts tables of other programs into a measurement table.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -50,8 +50,8 @@ void write(const ReadingsOptions& options, const std::string& text) {
     writeFileAtomically(options.out, text, "--out");
 }
 
-/// Counts the readings by reading the new text back, which proves it readable. Errors refer to the source tables,
-/// because the new text's lines are unknown to the user.
+/// Returns the number of readings in the converted text. Parsing the text also proves that it can be read. Errors refer
+/// to lines of the source tables, because the user has not seen the converted text.
 std::size_t countOf(const ForeignReadings& readings, const Cell& cell) {
   const std::string name = "the readings";
   try {

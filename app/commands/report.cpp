@@ -1,4 +1,4 @@
-// `tubeplan report`: a project of the workbench as a page, with all files needed to reproduce its figures.
+// `tubeplan report`: writes a workbench project as a page, with all files needed to reproduce its results.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-// `tubeplan score`: centring and steps inserted by the true arm, without compensation, with goal-point and with
-// via-point compensation.
+// `tubeplan score`: centring of a true arm and number of tool steps that enter, for three modes: no compensation,
+// goal-point and via-point compensation.
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -38,20 +38,20 @@ struct ScoreOptions : ScoredRunsOptions {
   std::vector<std::string> columns;
 };
 
-/// Number of tubes spread over the sheet if none are named.
+/// Number of tubes spread over the sheet if none are named: without --runs, and with --runs.
 constexpr std::size_t kTubes = 60, kTubesOfRuns = 80;
 
 struct ScoredTube {
   int tube;
-  std::string reason;  ///< reason for the failure; empty if scored
+  std::string reason;  ///< why the tube was not scored; empty if it was scored
   ModeScores scores;
-  Eigen::VectorXd q = {};  ///< joint angles by the model with its calibrated base; empty on failure
+  Eigen::VectorXd q = {};  ///< joint values of the model on its calibrated base; empty on failure
 };
 
 struct Scored {
   BothCalibrations calibration;
   std::vector<ScoredTube> tubes;
-  std::vector<std::string> warnings;  ///< on too few segments, and on the base
+  std::vector<std::string> warnings;  ///< about too few beam segments, and about the base
 };
 
 Scored scoreAll(const planner::Workcell& nominal, const planner::Workcell& truth, const std::vector<int>& tubes,
@@ -92,7 +92,7 @@ nlohmann::json scoresJson(const ModeScores& scores, const Units& units) {
   return json;
 }
 
-/// Returns the results of all tubes by each compensation; without an error if no tube has a posture.
+/// Returns the results over all tubes for each compensation mode. Errors are null if no tube has a posture.
 nlohmann::json compensationsJson(const std::vector<ModeScores>& scores, std::size_t steps, const Units& units) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const auto counts = countByMode(scores, static_cast<int>(steps));

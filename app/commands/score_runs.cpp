@@ -22,17 +22,18 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Numbers of holes in the thesis's experiment (Calkins 1994, section 5.5, table 5.7), whose trials touch the first of
-/// the holes that they visit.
+/// Numbers of holes in the experiment of the thesis (Calkins 1994, section 5.5, table 5.7). The touched holes are the
+/// first of the visited holes.
 constexpr int kTouchedHoles = 3, kVisitedHoles = 10;
-/// Number of touched holes and of repetitions for the error that a base alone, fitted to the touches, leaves there.
+/// Number of touched holes, and number of repetitions, for the mean error that remains at the touches after a fit of
+/// the base alone.
 constexpr int kFittedHoles = 14;
 constexpr std::uint64_t kBaseFits = 20;
 
 struct ScoredRuns {
-  std::vector<std::vector<ModeScores>> scores;  ///< per scored run and hole
+  std::vector<std::vector<ModeScores>> scores;  ///< [run][hole], for the scored runs
   std::vector<std::string> refused;             ///< reason for each run that could not be calibrated
-  std::uint64_t misfits = 0;                    ///< number of runs whose touches do not fit
+  std::uint64_t misfits = 0;                    ///< number of scored runs whose touches do not fit
   bool is_stopped = false;
 };
 
@@ -47,14 +48,15 @@ ScoredRuns scoredBy(const CentringTrials& trials, int runs, const planner::PlanH
       scored.refused.emplace_back(nameOf(trial.failure));
       continue;
     }
-    auto& scores = scored.scores.emplace_back();  // at the hole itself, goal-point and via-point compensation coincide
+    auto& scores =
+        scored.scores.emplace_back();  // at the hole itself, goal-point and via-point compensation are the same
     for (const auto& [hole, centring] : trial.visits) scores.push_back({centring[0], centring[1], centring[1]});
     scored.misfits += trial.is_misfit ? 1 : 0;
   }
   return scored;
 }
 
-/// Returns the mean error that a base alone, fitted to many touches, leaves at them [m].
+/// Returns the mean error that remains at many touches after a fit of the base alone [m].
 double meanTouchError(const CentringTrials& trials) {
   double sum = 0;
   int count = 0;

@@ -1,4 +1,4 @@
-// `tubeplan score --runs`: the thesis's experiment repeated with true arms drawn about the given one.
+// `tubeplan score --runs`: repeats the experiment of the thesis with true arms drawn at random about the given arm.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@ namespace tubeplan::app {
 struct ScoredRunsOptions {
   FiguresTarget figures;
   int runs = 0;
-  double unmodelled = -1;  ///< standard deviation per coordinate, in the cell's unit of length; negative: the default
-  double stiffness = -1;   ///< relative standard deviation of the true arm's stiffnesses; negative: the default
+  double unmodelled = -1;  ///< standard deviation per coordinate, in the cell's length unit; negative: default
+  double stiffness = -1;   ///< relative standard deviation of the true arm's stiffnesses; negative: default
   std::uint64_t seed = 1;
 };
 
-/// Runs the experiment with holes drawn from the tubes and shows its figures. Returns the exit code of the command.
+/// Runs the experiment with holes drawn from `tubes`, and prints the results. Returns the command's exit code.
 [[nodiscard]] int scoreRuns(const ScoredRunsOptions& options, const std::vector<int>& tubes,
                             const planner::Workcell& model, const planner::Workcell& truth, const Cell& cell);
 

@@ -1,4 +1,4 @@
-// `tubeplan sensitivity`: members worth stiffening or making lighter, and parameters whose accuracy matters (Calkins
+// `tubeplan sensitivity`: which members to stiffen or lighten, and which parameters must be known accurately (Calkins
 // 1994, section 6.3).
 #include <fmt/format.h>
 
@@ -37,14 +37,14 @@ struct SensitivityOptions {
   std::uint64_t seed = 1;
 };
 
-/// Returns holes of the sheet, of which the best are touched.
+/// Returns the best holes of the sheet to touch.
 BestTouches touchedHoles(const Cell& cell, const std::vector<Eigen::VectorXd>& work_postures) {
   planner::Workcell work = workcellOf(cell, "touch holes");
   work.load = 0;
   return bestTouches(work, touchCandidates(work, kTouchable), work_postures, kChosenTouches, doubtBeside(cell));
 }
 
-/// Returns postures of a cell without a sheet, each of which touches a mark.
+/// Returns the best postures in which to touch a mark, for a cell without a sheet.
 BestTouches touchedPostures(const Cell& cell, const std::vector<Eigen::VectorXd>& work_postures, std::uint64_t seed) {
   std::vector<calibration::TouchPlan> marks;
   for (const auto& q : clearPostures(armAndScene(cell), {0}, kTouchable, seed))
@@ -53,7 +53,7 @@ BestTouches touchedPostures(const Cell& cell, const std::vector<Eigen::VectorXd>
   return bestTouches(cell.arm, cell.X_WB, marks, work_postures, {kChosenTouches, usual.touch_sigma, doubtBeside(cell)});
 }
 
-/// Chooses the best three touches to place the base. Returns the reason if there are none, else an empty text.
+/// Chooses the three touches that determine the base best. Returns why there are none; empty if they were found.
 std::string chooseBaseTouches(const Cell& cell, std::uint64_t seed, SensitivityReport& report,
                               calibration::SensitivityTask& task) {
   const BestTouches best = cell.sheet ? touchedHoles(cell, task.work) : touchedPostures(cell, task.work, seed);
@@ -78,7 +78,8 @@ void findSheetWork(const Cell& cell, const SensitivityOptions& options, Sensitiv
   task.hole_axis_W = planner::kHoleAxis_W;
 }
 
-/// Returns the sigma of every number of the arm, as determined by the readings.
+/// Returns the posterior standard deviation of each arm parameter [its internal unit]; NaN for parameters that are not
+/// among the unknowns.
 std::vector<double> posteriorSigmas(const calibration::Estimate& estimate, const deflection::Arm& arm) {
   const auto n = estimate.information.rows();
   const Eigen::MatrixXd covariance = estimate.information.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
@@ -119,7 +120,7 @@ int run(const SensitivityOptions& options) {
   else
     task.work = clearPostures(armAndScene(cell), {task.load}, options.postures, options.seed);
   report.work = static_cast<int>(task.work.size());
-  std::string reason;  // empty: without a sheet, a known base stays known
+  std::string reason;  // empty: without a sheet, a known base remains known
   if (!task.work.empty() && (report.has_sheet || !cell.base_known))
     reason = chooseBaseTouches(cell, options.seed + 1, report, task);
   if (reason.empty()) report.figures = calibration::findSensitivities(cell.arm, cell.X_WB, task);

@@ -31,7 +31,7 @@ struct ServeOptions {
 };
 
 constexpr std::size_t kShortestToken = 12;
-constexpr auto kGlanceAtArm = std::chrono::milliseconds(50);  // interval of checks for new data of a running arm
+constexpr auto kGlanceAtArm = std::chrono::milliseconds(50);  // interval between checks for new data of a running arm
 
 void requireToken(const DoorRules& door) {
   if (door.token.empty() && isLoopback(door.host)) return;

@@ -1,4 +1,4 @@
-// `tubeplan simulate`: simulated measurements of a cell for practice, and the truth in a separate file.
+// `tubeplan simulate`: simulates measurements of a cell for practice, and writes the truth to a separate file.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -36,7 +36,7 @@ int run(const SimulateOptions& options) {
   const auto& request = options.request;
   const Cell cell = readCell(options.cell);
   const SimulationTask task = prepareSimulation(cell, request);
-  noteStopSignals();  // before the first folder is made, so that a stop removes it
+  noteStopSignals();  // before the first folder is created, so that a stop removes it
   OutputFolder folder(options.out, "--out");
   folder.requireOwn({"truth.yaml"}, {"measurements.csv"});
   const auto campaign = measure(cell, task, request.seed);

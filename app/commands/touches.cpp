@@ -1,4 +1,4 @@
-// `tubeplan touches`: the next holes to touch, or postures and loads to measure.
+// `tubeplan touches`: proposes holes to touch, or postures and loads to measure, next.
 #include "app/jobs/touches.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ void writeSheet(const std::string& file, const TouchOutcome& outcome) {
   writeFileAtomically(file, runSheetCsv(runSheetOf(outcome), outcome.cell.arm, outcome.cell.units), "--csv");
 }
 
-/// Returns the instruction for the sheet that was written.
+/// Returns the message on the written run sheet: the file, and how to fill it in.
 std::string sheetText(const TouchesOptions& options, const TouchOutcome& outcome) {
   return fmt::format("wrote {}: {}\n", options.csv,
                      fillInText(runSheetOf(outcome), outcome.cell.arm, outcome.cell.units));

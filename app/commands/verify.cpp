@@ -1,4 +1,4 @@
-// `tubeplan verify`: an independent proof of a plan, by other code than the planner's.
+// `tubeplan verify`: an independent proof of a plan, computed by code that the planner does not use.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -32,7 +32,8 @@ struct VerifyOptions {
   FiguresTarget figures;
 };
 
-/// Returns the differences between the arm of the cell and the arm of the plan, in the notation of their files.
+/// Returns a sentence for each difference between the arm in the cell and the arm in the plan; names are those of the
+/// arm files.
 std::vector<std::string> armDifferences(const deflection::Arm& cell, const deflection::Arm& plan) {
   const auto now = deflection::parametersOf(cell), then = deflection::parametersOf(plan);
   if (now.size() != then.size()) return {"the cell's arm is not the plan's: its rows or flexible axes differ"};
@@ -43,7 +44,8 @@ std::vector<std::string> armDifferences(const deflection::Arm& cell, const defle
   return differences;
 }
 
-/// Returns sheet, tool and scene of the present cell, with arm and base of the plan.
+/// Returns a workcell with the sheet, tool and scene of the present cell, and with the arm, base, load and insertion of
+/// the plan.
 planner::Workcell checkedWorkcell(const Cell& cell, const Cell& planned, const PlanFiles& files) {
   planner::Workcell work = workcellOf(cell, "verify a plan on it");
   work.arm = workcellOf(planned, "verify a plan on it").arm;
@@ -97,7 +99,8 @@ constexpr TextLine kPlanCheckWords[] = {
      "between rows, what deflection adds to the travel is sampled over postures, not proved: {}\n"},
     {"findings", "  {}\n"}};
 
-/// Returns the difference between the plan's base and that of the cell, which may have been calibrated since.
+/// Returns a sentence on the difference between the plan's base and the cell's base, which may have been calibrated
+/// since; empty if both agree.
 std::string baseDifference(const Cell& cell, const Cell& planned) {
   constexpr double kSamePlace = 1e-6, kSameTurn = 1e-6;  // [m], [rad]
   if (!cell.base_known) return "";
@@ -111,7 +114,8 @@ std::string baseDifference(const Cell& cell, const Cell& planned) {
       lengthText(place, cell.units), angleOf(std::abs(turn), cell.units), cell.units.angle().name, cell.path);
 }
 
-/// Returns the tubes of the plan that the map's states would exclude, because the map may be newer than the plan.
+/// Returns a sentence that names the plan's tubes whose state on the map excludes them, because the map may be newer
+/// than the plan; empty if there are none.
 std::string statesText(const tubesheets::Sheet& sheet, const planner::StatedPlan& plan) {
   constexpr std::size_t kNamed = 10;
   std::vector<std::string> named;
@@ -142,8 +146,8 @@ int run(const VerifyOptions& options) {
   planner::PlanCheckOptions checks;
   checks.padding = files.padding_sigmas;
   checks.via_points = files.compensation == "via-point";
-  // Without compensation the deflected tip misses by design, so only the files' own statements are compared with the
-  // model.
+  // Without compensation the deflected tip misses the holes by design. Only the values stated in the files are then
+  // compared with the model.
   if (files.compensation == "none") {
     checks.centring_tolerance = 1;
     checks.limits_tilt = false;
