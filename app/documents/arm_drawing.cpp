@@ -16,7 +16,7 @@ namespace {
 using deflection::Arm, deflection::JointType;
 using Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd;
 
-constexpr double kView = 420, kMargin = 40;  // [px]
+constexpr double kView = 420, kMargin = 40;  // size of a view and width of its margin [px]
 
 VectorXd middleOf(const Arm& arm) {
   VectorXd q(arm.jointCount());
@@ -28,7 +28,7 @@ VectorXd middleOf(const Arm& arm) {
   return q;
 }
 
-/// Origins of the rows from the base on, and the tip.
+/// Origins of all rows, starting with the base, followed by the tip; in the base frame [m].
 struct Outline {
   std::vector<Vector3d> rigid{Vector3d::Zero()}, deflected{Vector3d::Zero()};
 };
@@ -45,7 +45,7 @@ Outline outlineOf(const Arm& arm) {
   return outline;
 }
 
-/// View along one of the base's axes: `across` to the right, `up` upwards.
+/// View along an axis of the base frame. The coordinate with index `across` points to the right, `up` upwards.
 class View {
  public:
   View(const Outline& outline, int across, int up, double left) : across_(across), up_(up), left_(left) {
@@ -83,7 +83,7 @@ std::string jointMark(const deflection::Joint<double>& joint, const Vector2d& at
   return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" class=\"joint\"/>\n", at.x(), at.y());
 }
 
-/// Returns a length of one, two or five times a power of ten, about a third of the view.
+/// Returns the largest length that is one, two or five times a power of ten and does not exceed `longest`.
 double roundLength(double longest) {
   const double power = std::pow(10, std::floor(std::log10(longest)));
   for (const double step : {5., 2.})

@@ -1,4 +1,4 @@
-// Drawing of an arm from the side and from above, as SVG.
+// Drawing of an arm in side view and top view, as SVG.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace tubeplan::app {
 
-/// Draws all joints at the middle of their limits (at zero if they have none): links as lines, joints as circles
-/// (squares if they slide), the deflected shape in a second colour, with a scale.
+/// Returns an SVG drawing of the arm with each joint at the middle of its limits (at zero without limits). Links are
+/// lines, revolute joints circles, and prismatic joints squares. The deflected shape has a second colour, and there is
+/// a scale bar.
 [[nodiscard]] std::string armDrawing(const deflection::Arm& arm, const Units& units);
 
 }  // namespace tubeplan::app

@@ -19,7 +19,7 @@ namespace {
 using deflection::Arm, deflection::JointType;
 using Eigen::Vector3d, Eigen::VectorXd;
 
-/// Sets coordinates of the size of rounding errors to zero.
+/// Sets coordinates to zero that are only rounding errors compared with `size`.
 void clean(Vector3d& p, double size) {
   for (double& x : p)
     if (std::abs(x) < 1e-12 * size) x = 0;
@@ -39,7 +39,7 @@ std::string typeOf(const deflection::Joint<double>& joint) {
   return joint.type == JointType::kPassive ? "fixed" : joint.type == JointType::kRevolute ? "revolute" : "prismatic";
 }
 
-/// Returns the flexible parts of a row: "joint z, beam".
+/// Returns the flexible parts of a row, such as "joint z, beam"; empty for a rigid row.
 std::string complianceOf(const deflection::Row<double>& row) {
   std::string axes;
   for (int k = 0; k < 3; ++k)

@@ -1,4 +1,4 @@
-// Figures of an arm as text and JSON, for checking: rows, joints, compliances and weights.
+// Description of an arm as text and JSON, for checking: rows, joints, compliances and weights.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,7 +10,7 @@
 namespace tubeplan::app {
 
 /// Returns {name, reach, weight, joints, rows: [{name, joint, type, position, z_axis, limits, compliant, weight}], tip,
-/// units}; places and axes in the base frame, all joints at zero.
+/// units}. Positions and axes are in the base frame, with all joints at zero.
 [[nodiscard]] nlohmann::json armJson(const deflection::Arm& arm, const Units& units);
 
 [[nodiscard]] std::string armText(const deflection::Arm& arm, const Units& units);

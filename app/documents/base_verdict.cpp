@@ -18,14 +18,18 @@ namespace {
 
 using calibration::BaseCalibration;
 
-constexpr double kMostSigmas = 3;     // standard deviations of a plausible base
-constexpr double kMostPitches = 10;   // largest usual miscount
-constexpr double kOnLattice = 0.75;   // in pitches; a shift beyond the sheet's size exceeds this at all of its holes
-constexpr double kTooGood = 1e-6;     // share of calibrations that fit this well by chance
-constexpr double kMiscounted = 0.01;  // share of sessions in which all holes are named from a wrong row or column
-constexpr std::size_t kEnoughTouches = 4;  // number of touches that distinguishes a wrong touch from a wrong model
+// Largest plausible deviation of the base from nominal, in standard deviations of its prior.
+constexpr double kMostSigmas = 3;
+constexpr double kMostPitches = 10;  // largest plausible miscount of rows or columns, in pitches
+constexpr double kOnLattice = 0.75;  // in pitches; a shift beyond the sheet leaves more than this at every hole
+constexpr double kTooGood = 1e-6;  // probability that a calibration fits so well by chance; below it a warning is given
+// Prior probability that all holes of a session are counted from a wrong row or column.
+constexpr double kMiscounted = 0.01;
+// Smallest number of touches with which a wrong touch can be distinguished from a wrong model.
+constexpr std::size_t kEnoughTouches = 4;
 
-/// Returns "if theta1 of touch T6 was read 0.4 deg too large, the touches fit (p = 0.4): read it again".
+/// Returns a sentence such as "if theta1 of touch T6 was read 0.4 deg too large, the touches fit (p = 0.4): read it
+/// again".
 std::string suspectText(const calibration::SuspectReading& suspect, const Cell& cell) {
   const auto& joint = cell.arm.joint(suspect.joint);
   const Dimension dimension = jointDimension(joint);
@@ -63,13 +67,14 @@ void judgeFit(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdic
         "the touches agree far better than their stated noise: sigma is too large, or in another unit");
 }
 
-/// Displacement from one hole of the sheet to another.
+/// Displacement from one hole of the sheet to another, in rows, in columns and as a vector.
 struct HolesApart {
   int rows = 0, columns = 0;
-  Eigen::Vector2d way = Eigen::Vector2d::Zero();  ///< [m]
+  Eigen::Vector2d way = Eigen::Vector2d::Zero();  ///< vector between the two holes [m]
 };
 
-/// Returns the displacement between holes, from the middle of the sheet, that is nearest to `way`.
+/// Returns the displacement between two holes of the sheet that is closest to `way`, starting at the hole nearest to
+/// the middle.
 HolesApart holesNearest(const tubesheets::Sheet& sheet, const Eigen::Vector2d& way) {
   const auto placeOf = [](const tubesheets::Tube& tube) { return Eigen::Vector2d(tube.x, tube.y); };
   const auto nearestTo = [&](const Eigen::Vector2d& place) {
@@ -82,13 +87,13 @@ HolesApart holesNearest(const tubesheets::Sheet& sheet, const Eigen::Vector2d& w
   return {to.row - from.row, to.column - from.column, placeOf(to) - placeOf(from)};
 }
 
-/// Returns the likelihood ratio of a base at distance `there` from nominal to one at `here`, by the base's prior.
+/// Returns the ratio of the prior probability densities of the base at displacement `there` and at `here` from nominal.
 double likelihoodRatio(const Eigen::Vector3d& there, const Eigen::Vector3d& here, const BasePrior& prior) {
   return std::exp((here.squaredNorm() - there.squaredNorm()) / (2 * prior.shift * prior.shift));
 }
 
-/// Warns of a miscount by whole rows and columns in the name of every hole, if that is likelier, by the base's prior,
-/// than the base as found.
+/// Warns if all hole names may be wrong by the same number of rows and columns: if, given the prior of the base, such a
+/// miscount is more probable than the base found.
 void judgeShift(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdict) {
   const Units& units = cell.units;
   const Eigen::Vector3d shift = base.from_start.head<3>();
@@ -130,7 +135,7 @@ void judgeTurn(const BaseCalibration& base, const Cell& cell, BaseVerdict& verdi
                   angleOf(verdict.angle, units), units.angle().name, angleOf(most, units), units.angle().name));
 }
 
-/// Standard deviations of the base's place and rotation, all directions combined.
+/// Standard deviations of the base position [m] and rotation [rad], combined over the three directions.
 struct FromNominalSigma {
   double distance, angle;
 };

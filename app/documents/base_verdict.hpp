@@ -1,5 +1,5 @@
-// Verdict on a calibrated base before its use: the fit of the touches, and the distance of the base from its nominal
-// place.
+// Verdict on a calibrated base before it is used: how well the touches fit, and how far the base is from its nominal
+// pose.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,21 +14,23 @@
 namespace tubeplan::app {
 
 struct BaseVerdict {
-  bool fit_is_off = false;      ///< true if chi-square rejects the fit at the stated noise
-  bool is_implausible = false;  ///< true if the base is further from nominal than expected
-  double distance = std::numeric_limits<double>::quiet_NaN();  ///< distance of the base's origin from nominal [m]
-  double angle = std::numeric_limits<double>::quiet_NaN();     ///< rotation of the base from nominal [rad]
-  /// Shift along and across the sheet's x and y, in pitches; NaN without a sheet.
+  bool fit_is_off = false;      ///< true: chi-square rejects the fit for the stated noise
+  bool is_implausible = false;  ///< true: the base is farther from nominal than expected
+  /// Distance of the base origin from nominal [m]; NaN for a refused base.
+  double distance = std::numeric_limits<double>::quiet_NaN();
+  /// Rotation angle of the base from nominal [rad]; NaN for a refused base.
+  double angle = std::numeric_limits<double>::quiet_NaN();
+  /// Shift of the base along the x and y axes of the sheet, in pitches; NaN without a sheet.
   Eigen::Vector2d pitches = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
-  std::vector<std::string> warnings;  ///< one sentence each
-  std::vector<std::string> to_do;     ///< remedies, one sentence each
+  std::vector<std::string> warnings;  ///< one sentence per element
+  std::vector<std::string> to_do;     ///< remedies, one sentence per element
 };
 
-/// Judges a base against `cell` before the calibration, whose base is the nominal one. Judges a refused base by its
-/// touches alone.
+/// Judges a calibrated base. `cell` is the cell before the calibration, with the nominal base. A refused base is judged
+/// only by its touches.
 [[nodiscard]] BaseVerdict judgeBase(const calibration::BaseCalibration& base, const Cell& cell);
 
-/// Returns {verdict: adequate | falls-short, warnings, to_do, nominal: {shift, turn, distance, angle, pitches,
+/// Returns {verdict: adequate or falls-short, warnings, to_do, nominal: {shift, turn, distance, angle, pitches,
 /// implausible}}; without `nominal` for a refused base.
 [[nodiscard]] nlohmann::json baseVerdictJson(const BaseVerdict& verdict, const calibration::BaseCalibration& base,
                                              const Units& units);

@@ -16,7 +16,7 @@ namespace {
 
 using calibration::BaseCalibration, calibration::CalibrationStatus;
 
-/// Returns the covariance in file units; order x, y, z, then the rotations about them.
+/// Returns a pose covariance in file units; order: x, y, z, then the rotations about these axes.
 nlohmann::json covarianceJson(const Eigen::Matrix<double, 6, 6>& covariance, const Units& units) {
   Eigen::Matrix<double, 6, 1> scale;
   scale << Eigen::Vector3d::Constant(1 / units.factor(dimension::kLength)),
@@ -30,7 +30,8 @@ nlohmann::json covarianceJson(const Eigen::Matrix<double, 6, 6>& covariance, con
   return rows;
 }
 
-/// Returns the information of the touches on the arm's numbers.
+/// Returns the arm parameters that were fitted together with the base, each with its standard deviation before and
+/// after the touches.
 nlohmann::json numbersJson(const BaseCalibration& result, const Units& units) {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& number : result.numbers) {

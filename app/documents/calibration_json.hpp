@@ -1,4 +1,4 @@
-// Results of a base calibration as JSON and as a short text.
+// Results of a base calibration, as JSON and as short text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,12 +9,12 @@
 
 namespace tubeplan::app {
 
-/// Returns the calibration with its verdict (base_verdict.hpp). `cell` is the cell before the calibration, with the
-/// nominal base.
+/// Returns the JSON of a calibration, including its verdict (base_verdict.hpp). `cell` is the cell before the
+/// calibration, with the nominal base.
 [[nodiscard]] nlohmann::json calibrationJson(const calibration::BaseCalibration& result, const Cell& cell);
 
-/// Returns the base, its sigmas, the residual of each touch and the verdict; with `in_full` also the distance checks
-/// and the remedies.
+/// Returns the base with its standard deviations, the residual of each touch, and the verdict; with `in_full` also the
+/// distance checks and the remedies.
 [[nodiscard]] std::string calibrationText(const calibration::BaseCalibration& result, const Cell& cell,
                                           bool in_full = true);
 

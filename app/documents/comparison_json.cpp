@@ -42,7 +42,7 @@ json repeatsJson(const Repeats& repeats) {
             {"p_value", finiteJson(repeats.lack_of_fit_p_value)}}}};
 }
 
-/// Returns the unit of a comparison's errors.
+/// Returns the unit in which the errors of a comparison are written.
 ErrorUnit errorUnitOf(const Comparison& result, const Units& units) {
   return errorUnitOf(result.after_refit.errors.are_angles || result.as_it_stands.errors.are_angles, units);
 }
@@ -167,7 +167,7 @@ std::string errorClause(const Comparison& result, const Units& units) {
                      errorText(result.after_refit.noise_floor, unit, 3));
 }
 
-/// Returns the error, then each of the verdict's reasons.
+/// Returns a sentence on the error, followed by one sentence for each reason of the verdict.
 std::vector<std::string> comparisonSentences(const Comparison& result, const Units& units) {
   std::vector<std::string> sentences = {errorClause(result, units)};
   sentences.insert(sentences.end(), result.grounds.begin(), result.grounds.end());

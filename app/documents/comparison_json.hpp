@@ -1,4 +1,4 @@
-// Comparison of model and readings as JSON and as a short text.
+// Comparison of a model with readings, as JSON and as short text.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,19 @@
 
 namespace tubeplan::app {
 
-/// Sign convention of the errors, as `errors` of a comparison's document.
+/// Sign convention of errors, written as `errors` in the JSON of a comparison.
 inline constexpr const char* kErrorsAre = "measured less predicted";
 
-/// Returns the comparison in one plain sentence.
+/// Returns the result of a comparison in one sentence.
 [[nodiscard]] std::string comparisonSentence(const calibration::Comparison& result, const Units& units);
 
-/// Returns the comparison's document. `readings` are those compared; `set_aside` counts the others.
+/// Returns the JSON of a comparison. `readings` are the compared readings; `set_aside` is the number of excluded
+/// readings.
 [[nodiscard]] nlohmann::json comparisonJson(const calibration::Comparison& result,
                                             const std::vector<calibration::Measurement>& readings,
                                             std::size_t set_aside, const Units& units);
 
-/// Returns the comparison in words, from its JSON.
+/// Returns a comparison as text, from its JSON.
 [[nodiscard]] std::string comparisonText(const nlohmann::json& figures);
 
 }  // namespace tubeplan::app

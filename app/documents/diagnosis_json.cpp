@@ -36,7 +36,8 @@ nlohmann::json numberJson(const FoundNumber& number, const Units& units) {
   return json;
 }
 
-/// Adds the sizes that explain the readings equally, and the kinds of measurement that would decide.
+/// Adds the sets of parameter values that explain the readings equally well, and the kinds of measurement that would
+/// decide between them.
 void addModes(const FoundEffect& effect, const Units& units, nlohmann::json& json) {
   if (effect.modes.empty()) return;
   for (const auto& values : effect.modes) {
@@ -97,7 +98,7 @@ nlohmann::json effectsJson(const Explanation& explanation, const Diagnosis& resu
   return effects;
 }
 
-/// Returns an explanation with its remainder.
+/// Returns the JSON of an explanation with its probability and the errors that remain.
 nlohmann::json explanationJson(const Explanation& explanation, const Diagnosis& result, const Units& units) {
   const ErrorUnit unit = errorUnitOf(result.before.are_angles, units);
   return {{"effects", effectsJson(explanation, result, units)},
@@ -110,7 +111,7 @@ nlohmann::json explanationJson(const Explanation& explanation, const Diagnosis& 
           {"heldout_rms", errorJson(explanation.heldout.rms, unit)}};
 }
 
-/// Returns the explanations shown.
+/// Returns the JSON of the explanations that are shown to the user.
 nlohmann::json explanationsJson(const Diagnosis& result, const Units& units) {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& explanation : calibration::explanationsShown(result)) {
@@ -130,7 +131,8 @@ nlohmann::json remainderJson(const Diagnosis& result, const ErrorUnit& unit) {
           {"follows", follows}};
 }
 
-/// Returns the smallest detectable size of every effect; `best` marks the smallest of each kind.
+/// Returns the smallest detectable magnitude of each effect at each place; `best` marks the smallest one of each
+/// effect.
 nlohmann::json detectableJson(const std::vector<calibration::DetectableEffect>& detectable, const Units& units) {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& entry : detectable) {

@@ -1,4 +1,4 @@
-// Diagnosis as JSON, and that document in words.
+// Diagnosis as JSON, and this JSON as text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,7 +15,8 @@ namespace tubeplan::app {
 
 [[nodiscard]] std::string diagnosisText(const nlohmann::json& figures);
 
-/// Returns the command that adds the first explanation to the cell at this path; empty if no explanation is certain.
+/// Returns the command line that adds the first explanation to the cell file `cell`; empty if no explanation is
+/// certain.
 [[nodiscard]] std::string additionCommand(nlohmann::json figures, const std::string& cell);
 
 }  // namespace tubeplan::app

@@ -19,7 +19,8 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Adds the readings in the form of the page's pictures, at the tip's place after the refit.
+/// Adds the readings in the form that the page draws: the tip position after the refit, and the errors before and after
+/// it.
 void addPictures(const Cell& cell, nlohmann::json& json) {
   json["joints"] = jointsJson(cell.arm, cell.units);
   for (auto& reading : json["readings"]) {
@@ -29,7 +30,7 @@ void addPictures(const Cell& cell, nlohmann::json& json) {
   }
 }
 
-/// Returns the joints, and the axes of rows on which the found effects act.
+/// Returns the names of all joints, and of the row axes on which the found effects act.
 std::vector<std::string> leverNames(const deflection::Arm& arm, const nlohmann::json& page) {
   std::vector<std::string> names = deflection::jointNames(arm);
   for (const auto& explanation : page.value("explanations", nlohmann::json::array()))
@@ -40,7 +41,8 @@ std::vector<std::string> leverNames(const deflection::Arm& arm, const nlohmann::
   return names;
 }
 
-/// Adds the leverages, which convert an error at the tip into that of a joint, and the moments, at the readings drawn.
+/// Adds the moments, and the leverages that convert a tip error into a joint error, for the readings that the page
+/// draws.
 void addLevers(const Cell& cell, const std::vector<calibration::Measurement>& readings, nlohmann::json& page) {
   std::set<std::string> drawn;
   for (const auto& reading : page.at("readings")) drawn.insert(reading.at("id").get<std::string>());
@@ -52,7 +54,7 @@ void addLevers(const Cell& cell, const std::vector<calibration::Measurement>& re
   page["moments"] = momentsJson(cell, some);
 }
 
-/// Returns the figures with the data of the page's head.
+/// Returns the results with the data for the head of the page added.
 nlohmann::json pageOf(const std::string& what, const CellReadings& input, std::uint64_t seed,
                       const nlohmann::json& figures) {
   nlohmann::json page = figures;
@@ -83,7 +85,7 @@ std::string diagnosisPage(const CellReadings& input, std::uint64_t seed, const n
 
 namespace {
 
-/// Returns the data of a step's diagnosis for its plots.
+/// Returns the diagnosis of a step with the data that its plots need.
 nlohmann::json stepPictures(const CellReadings& input, const ImprovementStep& step, const CellModel& model) {
   nlohmann::json figures = diagnosisJson(step.diagnosis, input.readings, input.cell.units);
   for (const char* name : {"ranking", "detectable", "closest", "added_variable", "not_tried", "ladder"})

@@ -1,4 +1,4 @@
-// Pages of `compare --report`, `diagnose --report` and `improve --report`.
+// HTML pages of `compare --report`, `diagnose --report` and `improve --report`.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace tubeplan::app {
 
-/// Returns the page of a comparison. `figures` is the document that `--json` writes.
+/// Returns the HTML page of a comparison. `figures` is the JSON that `compare --json` writes.
 [[nodiscard]] std::string comparisonPage(const CellReadings& input, std::uint64_t seed, const nlohmann::json& figures);
-/// Returns the page of a diagnosis. `tested` is the pattern search of the refit's errors, as in the comparison's
-/// figures; may be empty.
+/// Returns the HTML page of a diagnosis. `tested` has the patterns tested on the errors of the refit, as in the JSON of
+/// a comparison; it may be empty.
 [[nodiscard]] std::string diagnosisPage(const CellReadings& input, std::uint64_t seed, const nlohmann::json& figures,
                                         const nlohmann::json& tested);
-/// Returns the page of an improvement: the models, and for each step its errors with the added cause, or with the
-/// closest candidate.
+/// Returns the HTML page of an improvement: all models, and for each step the errors with the added cause, or with the
+/// best candidate if none was added.
 [[nodiscard]] std::string improvementPage(const CellReadings& input, std::uint64_t seed, const Improvement& result);
 
 }  // namespace tubeplan::app

@@ -19,9 +19,10 @@ namespace {
 using calibration::Diagnosis, calibration::Explanation, calibration::FoundEffect, calibration::FoundNumber,
     calibration::Measurement, calibration::Verdict;
 
-constexpr int kDigits = 3;  // digits of a length in a sentence
+constexpr int kDigits = 3;  // significant digits of a length in a sentence
 
-/// Returns "0.0586 ± 0.0010": sigma to two digits, the value to the same decimals.
+/// Returns a text such as "0.0586 ± 0.0010": sigma with two significant digits, and the value with the same number of
+/// decimals.
 std::string withSigmaText(double value, double sigma) {
   constexpr double kLeastPlain = 1e-3, kMostPlain = 1e5;
   const double size = std::max(std::abs(value), sigma);
@@ -34,7 +35,8 @@ std::string effectAtPlace(const std::string& effect, const std::string& at) {
   return fmt::format("{} at {}", effect, at);
 }
 
-/// Returns "joint-compliance at theta2-row.z (softness 0.0021 ± 0.0001 rad/kNm)"; for many numbers only their count.
+/// Returns a text such as "joint-compliance at theta2-row.z (softness 0.0021 ± 0.0001 rad/kNm)"; for more than three
+/// parameters only their number.
 std::string foundText(const FoundEffect& effect, const Units& units) {
   constexpr std::size_t kMost = 3;
   std::vector<std::string> numbers;
@@ -46,14 +48,15 @@ std::string foundText(const FoundEffect& effect, const Units& units) {
   return numbers.empty() ? name : fmt::format("{} ({})", name, fmt::join(numbers, ", "));
 }
 
-/// Returns the explanation with sizes if that is short.
+/// Returns the effects of an explanation, with their parameter values if this text is short enough.
 std::string shortText(const Explanation& explanation, const Units& units) {
   constexpr std::size_t kShort = 90;
   const std::string text = sizesText(explanation, units);
   return text.size() <= kShort ? text : namesText(explanation);
 }
 
-/// Returns ", or joint-offset at A5 in place of link-length at bend, which ..."; empty if no cause has other names.
+/// Returns a text such as ", or joint-offset at A5 in place of link-length at bend, which ..."; empty if no other
+/// effect has the same consequences.
 std::string orText(const Explanation& explanation) {
   std::vector<std::string> others;
   for (const auto& effect : explanation.effects)
@@ -64,7 +67,8 @@ std::string orText(const Explanation& explanation) {
   return fmt::format(", or {}, which no reading with this tool tells apart", fmt::join(others, " and "));
 }
 
-/// Returns "load (50 %), theta1 (20 %)": the variables of a remainder with the explained shares.
+/// Returns the variables that the unexplained residual depends on, each with the fraction it explains: "load (50 %),
+/// theta1 (20 %)".
 std::string followsText(const calibration::Remainder& remainder) {
   constexpr std::size_t kMost = 3;
   std::vector<std::string> variables;
@@ -73,7 +77,7 @@ std::string followsText(const calibration::Remainder& remainder) {
   return fmt::format("{}", fmt::join(variables, ", "));
 }
 
-/// Returns an error of the readings in words, with its unit.
+/// Returns an error of the diagnosed readings as text, with its unit.
 std::string errorText(double error, const Diagnosis& result, const Units& units, int digits = kDigits) {
   return errorText(error, errorUnitOf(result.before.are_angles, units), digits);
 }
@@ -86,7 +90,8 @@ std::string remainderSentence(const Diagnosis& result, const Units& units) {
   return fmt::format("{} remains that no known effect explains; it follows {}.", size, followsText(remainder));
 }
 
-/// Returns a warning if repeated readings show a larger noise than stated.
+/// Returns a sentence that compares the scatter of repeated readings with the stated noise; empty if no readings are
+/// repeated.
 std::string repeatsSentence(const calibration::Repeats& repeats) {
   if (repeats.groups == 0) return "";
   return fmt::format("Repeated readings scatter {:.2f} times as much as stated, and this is all that is left.",
@@ -103,7 +108,8 @@ std::string missingSentence(const Diagnosis& result, const Units& units) {
   return fmt::format("Missing: {}{}.", shortText(found, units), orText(found));
 }
 
-/// Returns "base-slip at base has 3 sizes that explain the readings equally; ..."; empty if each has one size.
+/// Returns a text such as "base-slip at base has 3 sizes that explain the readings equally; ..."; empty if all effects
+/// have unique values.
 std::string modesSentence(const Explanation& explanation) {
   std::vector<std::string> sentences;
   for (const auto& effect : explanation.effects) {
@@ -115,10 +121,10 @@ std::string modesSentence(const Explanation& explanation) {
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-/// Returns the sentence on the drop of the error. An error far below the noise floor, as of readings with an open
-/// range, is stated only as less than it.
+/// Returns a sentence on the decrease of the error. An error far below the noise floor, which occurs for readings with
+/// an open range, is only said to be less than the noise floor.
 std::string fallSentence(const Diagnosis& result, const Units& units) {
-  constexpr double kNothing = 0.5;  // of the noise floor
+  constexpr double kNothing = 0.5;  // as a fraction of the noise floor
   if (result.heldout_after.rms < kNothing * result.noise_floor)
     return fmt::format("With it the held-out error falls from {} to less than the noise floor of {}.",
                        errorText(result.heldout_before.rms, result, units),
@@ -136,7 +142,7 @@ std::string scatterSentence(const Diagnosis& result, const Units& units) {
       errorText(budgetOf(result).remainder, result, units), kFollowsNothing);
 }
 
-/// Returns the sentence for an error within the stated noise that is nevertheless not random.
+/// Returns the sentence for an error that is within the stated noise but not random.
 std::string withinNoiseSentence(const Diagnosis& result, const Units& units) {
   const std::string follows =
       result.remainder.follows.empty() ? "" : " (it follows " + followsText(result.remainder) + ")";
@@ -147,7 +153,7 @@ std::string withinNoiseSentence(const Diagnosis& result, const Units& units) {
       errorText(budgetOf(result).total, result, units), errorText(result.noise_floor, result, units), follows);
 }
 
-constexpr double kWorthNaming = 0.03;  // probability of something unknown besides the explanations
+constexpr double kWorthNaming = 0.03;  // smallest probability of an unknown cause that a sentence mentions
 
 std::string ambiguousSentence(const Diagnosis& result) {
   if (result.alternatives.size() == 1)
@@ -169,7 +175,7 @@ std::string inconclusiveSentence(const Diagnosis& result) {
       100 * (1 - result.nothing_probability));
 }
 
-/// Returns the sentences of a result; empty for topics that do not apply.
+/// Returns the sentences of a diagnosis; an element is empty if its topic does not apply.
 std::vector<std::string> sentencesOf(const Diagnosis& result, const Units& units) {
   switch (result.verdict) {
     case Verdict::kNotRun:

@@ -1,4 +1,4 @@
-// Sentences of a diagnosis, which texts, pages and reports show unchanged.
+// Sentences on a diagnosis, shared by texts, pages and reports.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace tubeplan::app {
 
-/// Predicate for a remainder that no slow function of the measurements' conditions explains.
+/// Predicate for a residual that does not depend smoothly on the recorded conditions of the measurements.
 inline constexpr const char* kFollowsNothing = "follows no slow function of what the readings record";
 
-/// Meaning of the probabilities in a ranking: each sums over the models that include the effect.
+/// Meaning of the probabilities in a ranking: each is the sum over all models that include the effect.
 inline constexpr const char* kProbabilityWords =
     "the probability of an effect is that it is there; several may be, so that these do not add to 100 %";
 
@@ -20,25 +20,28 @@ inline constexpr const char* kProbabilityWords =
 [[nodiscard]] std::vector<std::string> idsOf(const std::vector<int>& places,
                                              const std::vector<calibration::Measurement>& readings);
 
-/// Returns "half width 0.0586 ± 0.0010 deg"; for a size that the readings do not determine, "x -0.040 to 0.042 in".
+/// Returns a text such as "half width 0.0586 ± 0.0010 deg"; for a parameter that the readings leave undetermined, its
+/// interval, such as "x -0.040 to 0.042 in".
 [[nodiscard]] std::string numberText(const calibration::FoundNumber& number, const Units& units);
 
-/// Returns "hysteresis at theta4 (half width 0.0586 ± 0.0010 deg) and ...".
+/// Returns the effects of an explanation with their parameter values: "hysteresis at theta4 (half width 0.0586 ± 0.0010
+/// deg) and ...".
 [[nodiscard]] std::string sizesText(const calibration::Explanation& explanation, const Units& units);
 
-/// Returns "hysteresis at theta4 and link-bending at 4 places".
+/// Returns the effects of an explanation without values: "hysteresis at theta4 and link-bending at 4 places".
 [[nodiscard]] std::string namesText(const calibration::Explanation& explanation);
 
-/// Returns the other effects that no reading could distinguish from this one, in words; empty if there are none.
+/// Returns a text that names the effects which no reading could distinguish from the given effect; empty if there are
+/// none.
 [[nodiscard]] std::string alsoText(const calibration::FoundEffect& effect);
 
-/// Returns the conclusions of a diagnosis, one sentence each.
+/// Returns the conclusions of a diagnosis, one sentence per element.
 [[nodiscard]] std::vector<std::string> diagnosisSentences(const calibration::Diagnosis& result, const Units& units);
 
-/// Returns diagnosisSentences() joined into one text.
+/// Returns the sentences of diagnosisSentences() joined into one text.
 [[nodiscard]] std::string diagnosisSentence(const calibration::Diagnosis& result, const Units& units);
 
-/// Returns an effect that a diagnosis found, in the notation of AdditionRequest::causes.
+/// Returns a found effect in the notation of AdditionRequest::causes.
 [[nodiscard]] std::string additionText(const calibration::FoundEffect& found, const deflection::Arm& arm,
                                        const Units& units);
 

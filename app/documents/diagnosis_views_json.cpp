@@ -22,7 +22,8 @@ using calibration::AddedVariable, calibration::Diagnosis, calibration::Explanati
     calibration::ReadingView;
 using nlohmann::json;
 
-/// Rounds to six digits: enough for any picture, and hundreds of readings stay small.
+/// Returns a value rounded to six significant digits, which suffice for plots and keep the JSON of many readings small;
+/// null if not finite.
 json brief(double value) {
   return std::isfinite(value) ? json(std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr)) : json();
 }

@@ -26,12 +26,13 @@ std::string explanationName(const DiscriminatingMeasurements& result, int index)
   return calibration::nameOf(result.explanations[static_cast<std::size_t>(index)]);
 }
 
-/// Returns true if the reading is taken at a hole or mark of known place.
+/// Returns true if the reading is taken at a hole or mark with a known position.
 bool isAtPoint(const ProposedMeasurement& reading) {
   return calibration::kindOf(reading.kind).names_hole && reading.known_W;
 }
 
-/// Returns a chosen reading. Touches of one unknown point share a name, N1; a hole or known point has its own name.
+/// Returns the JSON of a chosen reading. Touches of one unknown point share a name such as N1; a hole or known point
+/// keeps its own name.
 nlohmann::json chosenReadingJson(const DiscriminatingMeasurements& result, const DiscriminatingMeasurement& chosen,
                                  std::size_t number, const ProposedMeasurement& reading, const deflection::Arm& arm,
                                  const Units& units) {
@@ -78,7 +79,8 @@ std::string firstMeans(const DiscriminatingMeasurements& result) {
   return fmt::format("{}", fmt::join(some, ", or "));
 }
 
-/// Returns "A and B"; the first of many pairs.
+/// Returns a text such as "A and B" for the first pair of explanations that cannot be distinguished, with the number of
+/// further pairs.
 std::string neverText(const DiscriminatingMeasurements& result) {
   const auto& first = result.never.front();
   const std::string more = result.never.size() > 1 ? fmt::format(" (and {} pairs more)", result.never.size() - 1) : "";

@@ -1,4 +1,4 @@
-// Readings that would decide between the explanations of a diagnosis, as JSON and in words.
+// Readings proposed to decide between the explanations of a diagnosis, as JSON and as text.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,21 +10,21 @@
 
 namespace tubeplan::app {
 
-/// Adds `next_readings` (a list) and `discrimination` (their expected effect, other remedies) to a diagnosis, and the
-/// advice to its sentence.
+/// Adds two entries to the JSON of a diagnosis: `next_readings`, a list, and `discrimination`, their expected benefit
+/// and other remedies. Appends the advice to the `sentence` of the diagnosis.
 void addNextReadings(const calibration::DiscriminatingMeasurements& result,
                      const std::vector<calibration::ReadingCandidate>& candidates, const deflection::Arm& arm,
                      const Units& units, nlohmann::json& diagnosis);
 
-/// Returns the advice in one plain sentence; empty if there is nothing to decide.
+/// Returns the advice in one sentence; empty if there is nothing to decide.
 [[nodiscard]] std::string discriminationAdvice(const calibration::DiscriminatingMeasurements& result);
 
-/// Returns the proposed readings, each with an id that the existing readings do not have; none if nothing is proposed.
+/// Returns the proposed readings, each with an id that no reading in `taken` has; empty if none are proposed.
 [[nodiscard]] std::vector<calibration::ProposedMeasurement> runSheetOf(
     const calibration::DiscriminatingMeasurements& result, const std::vector<calibration::ReadingCandidate>& candidates,
     const std::vector<calibration::Measurement>& taken);
 
-/// Returns a short text.
+/// Returns the proposed readings and their benefit as short text.
 [[nodiscard]] std::string discriminationText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

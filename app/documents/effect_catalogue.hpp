@@ -1,4 +1,4 @@
-// Catalogue of the effects that a cell's arm can have, as JSON and in words.
+// Catalogue of the effects that a cell's arm can have, as JSON and as text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,11 +8,11 @@
 
 namespace tubeplan::app {
 
-/// Returns every effect at every place of the arm, with its words, law and numbers.
+/// Returns every effect at every place of the arm, with its description, law and parameters.
 [[nodiscard]] nlohmann::json catalogueJson(const Cell& cell);
 
-/// Returns the catalogue with a paragraph for each kind: words, law, numbers with their units and largest usual sizes,
-/// places. Restricted to the kind `only` unless that is empty.
+/// Returns the catalogue as text with a paragraph for each kind of effect: description, law, parameters with units and
+/// largest usual magnitudes, and places. `only` selects one kind; empty: all kinds.
 [[nodiscard]] std::string catalogueText(const Cell& cell, const std::string& only);
 
 }  // namespace tubeplan::app

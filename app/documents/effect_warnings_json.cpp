@@ -35,7 +35,7 @@ double inFile(double value, deflection::Quantity quantity, const Units& units) {
 
 std::string warnedPlace(const EffectWarning& warning) { return warning.effect + "@" + warning.at; }
 
-/// Returns "(p = 0.4; held-out error 0.0061 in with, 0.0060 in without)".
+/// Returns a text such as "p = 0.4; held-out error 0.0061 with, 0.0060 in without".
 std::string groundsText(const EffectWarning& warning, const Units& units) {
   std::string text = fmt::format("p = {:.2g}", warning.p_value);
   if (std::isfinite(warning.heldout_with.rms) && std::isfinite(warning.heldout_without.rms))
@@ -67,7 +67,8 @@ std::string beyondText(const EffectWarning& warning, const Units& units) {
 
 using WarningGroup = std::vector<const EffectWarning*>;
 
-/// Returns true if one sentence can state both warnings; a better shape belongs to one effect alone.
+/// Returns true if one sentence can state both warnings. Warnings that another shape of the same effect fits better are
+/// stated separately.
 bool isSaidTogether(const EffectWarning& a, const EffectWarning& b) {
   if (a.kind != b.kind || a.is_within_noise != b.is_within_noise) return false;
   return a.kind != EffectWarningKind::kBetterExplainedBy ||
@@ -95,7 +96,7 @@ std::string warningList(const WarningGroup& group, TextOf&& textOf) {
   return text;
 }
 
-/// Returns "0.014 to 1", or the one value if all are printed equally.
+/// Returns the range of a value over the group, such as "0.014 to 1"; a single value if all are printed the same.
 template <class ValueOf>
 std::string warningRange(const WarningGroup& group, int digits, ValueOf&& valueOf) {
   const auto [least, greatest] =
@@ -104,7 +105,8 @@ std::string warningRange(const WarningGroup& group, int digits, ValueOf&& valueO
   return from == to ? from : from + " to " + to;
 }
 
-/// Returns the warning that effects are not needed. Each was removed alone, so another may have absorbed its share.
+/// Returns the warning that effects are not needed. Each effect was removed alone, so that another effect may have
+/// taken over its contribution.
 std::string notNeededText(const WarningGroup& group, const Units& units) {
   const EffectWarning& first = *group.front();
   std::string grounds = "p = " + warningRange(group, 2, [](const EffectWarning& w) { return w.p_value; });

@@ -1,4 +1,4 @@
-// Warnings about the effects that a cell carries, as JSON and as plain sentences.
+// Warnings about the effects in a cell's model, as JSON and as sentences.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,14 +10,15 @@
 
 namespace tubeplan::app {
 
-/// Returns "backlash@tool.z: the readings do not need it (...): take it out".
+/// Returns a warning as a sentence such as "backlash@tool.z: the readings do not need it (...): take it out".
 [[nodiscard]] std::string warningText(const calibration::EffectWarning& warning, const Units& units);
 
-/// Returns one sentence for all warnings of a kind, with the effects concerned, in the order of the first.
+/// Returns the warnings as sentences; similar warnings share a sentence that names all effects concerned. The order is
+/// that of the first warnings.
 [[nodiscard]] std::vector<std::string> warningTexts(const std::vector<calibration::EffectWarning>& warnings,
                                                     const Units& units);
 
-/// Returns [{effect, at, kind, sentence, ...}].
+/// Returns [{effect, at, kind, sentence, ...}, ...].
 [[nodiscard]] nlohmann::json effectWarningsJson(const std::vector<calibration::EffectWarning>& warnings,
                                                 const Units& units);
 

@@ -1,4 +1,4 @@
-// Description of an effect next to its name in a document, because pages hold no words of effects.
+// Descriptions of effects, added to documents next to the effects' names because pages contain no texts on effects.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -6,8 +6,8 @@
 
 namespace tubeplan::app {
 
-/// Adds to an entry about the effect or freed number of that name its `words`, and as `varies_with` the kinds of
-/// variables in its law.
+/// Adds to the JSON entry about an effect or freed parameter of this name: `words`, its description, and `varies_with`,
+/// the kinds of variables in its law.
 void addEffectWords(const std::string& effect, nlohmann::json& entry);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Errors of readings as documents and texts write them: in the unit of the measured quantity, with their budget.
+// Errors of readings as JSON and text: in the unit of the measured quantity, with their budget.
 #pragma once
 
 #include <cstddef>
@@ -12,40 +12,42 @@
 
 namespace tubeplan::app {
 
-/// Unit of errors: that of angles if the readings measure nothing else, otherwise that of lengths.
+/// Unit of errors: the angle unit if the readings measure only angles, otherwise the length unit.
 struct ErrorUnit {
   std::string name;
-  double factor = 1;  ///< size of one such unit in an ErrorSize [m]
+  double factor = 1;  ///< value of one unit in an ErrorSize [m]
 };
 
 [[nodiscard]] ErrorUnit errorUnitOf(bool are_angles, const Units& units);
 
-/// Returns an error in its unit; null if it is not finite.
+/// Returns an error in the given unit; null if it is not finite.
 [[nodiscard]] nlohmann::json errorJson(double error, const ErrorUnit& unit);
 
-/// Returns "0.0123 in" or "0.0123 deg", with this number of digits; "none" if it is not finite.
+/// Returns a text such as "0.0123 in" or "0.0123 deg" with this number of significant digits; "none" if the error is
+/// not finite.
 [[nodiscard]] std::string errorText(double error, const ErrorUnit& unit, int digits = 4);
 
-/// Returns the unit of one reading's error: that of angles if it measures nothing else.
+/// Returns the unit of a reading's error: the angle unit if the reading measures only angles, otherwise the length
+/// unit.
 [[nodiscard]] ErrorUnit errorUnitOf(const calibration::Measurement& reading, const Units& units);
 
-/// Returns the size of one reading's error, defined as in ErrorSize, in its unit. `turn` [rad] is the rotational part
-/// of the error, as in ComparedReading and ReadingView.
+/// Returns the magnitude of a reading's error, defined as in ErrorSize, in the unit of errorUnitOf(). `turn` [rad] is
+/// the rotational part of the error, as in ComparedReading and ReadingView.
 [[nodiscard]] nlohmann::json errorSizeJson(const calibration::Measurement& reading, const Eigen::Vector3d& error_W,
                                            double turn, const Units& units);
 
-/// Returns the share of the error that the causes of a diagnosis, or a refit, explain.
+/// Returns the error budget: total error, the parts that a diagnosis or refit explains and leaves, and the noise.
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Diagnosis& result);
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Comparison& result);
 [[nodiscard]] calibration::ErrorBudget budgetOf(const calibration::Identification& result);
 
-/// Returns {of: "held-out" | "fitted", unit, total, explained, remainder, noise, readings, set_aside: count, words};
+/// Returns {of: "held-out" or "fitted", unit, total, explained, remainder, noise, readings, set_aside: count, words};
 /// null if there is no error.
 [[nodiscard]] nlohmann::json errorBudgetJson(const calibration::ErrorBudget& budget, std::size_t set_aside,
                                              const Units& units);
 
-/// Returns "Held-out error 0.613 mm (root mean square over 436 readings; 32 set aside as outliers): ..."; empty if
-/// there is no error.
+/// Returns a text such as "Held-out error 0.613 mm (root mean square over 436 readings; 32 set aside as outliers):
+/// ..."; empty if there is no error.
 [[nodiscard]] std::string errorBudgetText(const calibration::ErrorBudget& budget, std::size_t set_aside,
                                           const Units& units);
 

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Full words for abbreviated keys.
+/// Full text for abbreviated JSON keys.
 constexpr std::pair<std::string_view, std::string_view> kShort[] = {
     {"chi2", "chi-square"}, {"dof", "degree of freedom"},      {"dx", "x error"},
     {"dy", "y error"},      {"heldout", "held-out"},           {"rms", "root mean square"},
@@ -46,7 +46,7 @@ bool hasReal(const json& value) {
   return value.is_array() ? std::any_of(value.begin(), value.end(), hasReal) : value.is_number_float();
 }
 
-/// Returns the name that distinguishes an entry of a list from the others.
+/// Returns the name that distinguishes a list's entry from the other entries; its number, from 1, if it has no name.
 std::string entryName(const json& entry, std::size_t place) {
   if (entry.contains("effect") && entry.contains("at"))
     return fmt::format("{} at {}", cellText(entry["effect"], 1), cellText(entry["at"], 1));
@@ -61,7 +61,7 @@ std::string between(const std::string& description) {
   return description.ends_with(':') ? " " : ", ";
 }
 
-/// Collects the figures below a value.
+/// Collects the values contained in a JSON document, with their descriptions and units.
 class FigureCollector {
  public:
   explicit FigureCollector(const json& document) {
@@ -71,7 +71,8 @@ class FigureCollector {
   std::vector<Figure> figures;
 
  private:
-  /// Adds the figures below `value`. `at`: the figure's attributes so far; `path`: its keys without indices of lists.
+  /// Adds the values contained in `value`. `at` has the attributes found so far; `path` has the keys without list
+  /// indices.
   void add(const json& value, const Figure& at, const std::string& path) {
     if (isPlain(value)) return addPlain(value, at, path);
     scopes_.push_back(&value);

@@ -1,4 +1,5 @@
-// Document as one list of figures, each with words and its unit, and that list as CSV and as Markdown.
+// JSON document as one list of values ("figures"), each with a description and unit, and this list as CSV and as
+// Markdown.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,28 +9,28 @@
 namespace tubeplan::app {
 
 struct Figure {
-  std::string list;         ///< path of the outermost list that holds the figure, "parameters"; empty for none
-  std::string row;          ///< index in that list
-  std::string column;       ///< path inside the list's entry, "prior/sigma"; the full path for a figure in no list
-  std::string description;  ///< "tool.tip.x: value"
+  std::string list;    ///< path of the outermost list that contains the value, such as "parameters"; empty: in no list
+  std::string row;     ///< index in `list`
+  std::string column;  ///< path within the list's entry, such as "prior/sigma"; full path if in no list
+  std::string description;  ///< such as "tool.tip.x: value"
   nlohmann::json value;     ///< plain value, or a list of plain values
-  std::string unit;         ///< empty for words, counts and pure numbers
+  std::string unit;         ///< empty for texts, counts and dimensionless numbers
   std::string note;
 
-  /// Returns "parameters/0/prior/sigma", the path in the notation of jq and JSON pointers.
+  /// Returns the path in the notation of jq and JSON pointers, such as "parameters/0/prior/sigma".
   [[nodiscard]] std::string key() const;
 };
 
-/// Returns the conclusions of a document first, then all other figures in its order.
+/// Returns the values of a document: first its conclusions, then all others in their order.
 [[nodiscard]] std::vector<Figure> figuresOf(const nlohmann::json& document);
 
-/// Returns a value for one cell, numbers with this number of digits; empty if it is unknown.
+/// Returns the text of a value for a table cell, with this number of significant digits; empty if the value is unknown.
 [[nodiscard]] std::string cellText(const nlohmann::json& value, int digits);
 
-/// Returns the columns key,description,value,unit,note with a row for each figure.
+/// Returns CSV with the columns key,description,value,unit,note and one row for each value.
 [[nodiscard]] std::string figuresCsv(const nlohmann::json& document);
 
-/// Returns a table of the figures outside lists, then one table for each list.
+/// Returns one Markdown table of the values outside lists, followed by a table for each list.
 [[nodiscard]] std::string figuresMarkdown(const nlohmann::json& document);
 
 }  // namespace tubeplan::app

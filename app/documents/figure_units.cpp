@@ -11,9 +11,9 @@ namespace {
 
 using nlohmann::json;
 
-/// Row of keys and units. A key matches the end of a figure's path, or any part of it if a stroke follows; the first
-/// row that matches counts. The unit's name is the first of `units` found from the figure outwards; after = it is
-/// literal.
+/// Row that assigns a unit to JSON keys. A key matches the end of a value's path; with a slash at its end it matches
+/// any part of the path. The first matching row applies. The name of the unit is the first of the paths `units` found,
+/// searching from the value outwards; a text after "=" is the name itself.
 struct UnitRow {
   std::string_view units, keys;
 };
@@ -71,7 +71,7 @@ std::string nameAt(std::string_view path, std::span<const json* const> scopes) {
   return "";
 }
 
-/// Returns the unit at the paths, or a product of several, "lbf*in".
+/// Returns the name of a unit, or of a product such as "lbf*in"; `paths` are separated by "*".
 std::string productAt(std::string_view paths, std::span<const json* const> scopes) {
   std::string product;
   (void)anyOf(paths, '*', [&](std::string_view path) {
@@ -81,7 +81,7 @@ std::string productAt(std::string_view paths, std::span<const json* const> scope
   return product;
 }
 
-/// Returns the unit of a condition, which the document states.
+/// Returns the unit of a condition, which the document states under `units`; empty if the path is no condition.
 std::string conditionUnit(std::string_view path, const json& document) {
   const json::json_pointer conditions("/units/conditions");
   if (!document.contains(conditions)) return "";

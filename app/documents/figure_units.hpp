@@ -1,4 +1,4 @@
-// Units of a document's figures, by their keys.
+// Units of the values in a JSON document, derived from their keys.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,8 +8,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the unit of the number at this path of keys, "rms/after"; empty for a pure number. `scopes` holds the
-/// document first, then the objects that lead to the figure.
+/// Returns the unit of the value at a path of keys such as "rms/after"; empty for a dimensionless number. `scopes` has
+/// the document first, then the nested objects down to the value.
 [[nodiscard]] std::string figureUnit(std::string_view path, std::span<const nlohmann::json* const> scopes);
 
 }  // namespace tubeplan::app

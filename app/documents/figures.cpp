@@ -37,7 +37,7 @@ std::string lengthText(double metres, const Units& units, int digits) {
 }
 
 int lengthDecimals(const Unit& length) {
-  constexpr double kSeen = 2.54e-6;  // smallest length to show [m]
+  constexpr double kSeen = 2.54e-6;  // smallest length that must remain visible [m]
   return std::max(4, static_cast<int>(std::ceil(std::log10(length.factor / kSeen) - 1e-9)));
 }
 

@@ -1,4 +1,4 @@
-// Single figures as documents and texts write them: in the file's units, never NaN.
+// Single values as JSON and text: in file units, never NaN.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,30 +11,31 @@
 
 namespace tubeplan::app {
 
-/// Returns the value rounded to 12 digits; null if it is not finite.
+/// Returns the value rounded to 12 significant digits; null if it is not finite.
 [[nodiscard]] nlohmann::json finiteJson(double value);
 
 [[nodiscard]] nlohmann::json lengthJson(double metres, const Units& units);
 
-/// Returns three lengths in the file's unit.
+/// Returns a position [m] as three lengths in the file's unit.
 [[nodiscard]] nlohmann::json placeJson(const Eigen::Vector3d& metres, const Units& units);
 
-/// Returns "0.0123 in", with this number of digits; "none" if it is not finite.
+/// Returns a text such as "0.0123 in" with this number of significant digits; "none" if the length is not finite.
 [[nodiscard]] std::string lengthText(double metres, const Units& units, int digits = 4);
 
-/// Returns a number with this number of digits; whole numbers without an exponent.
+/// Returns a number as text with this number of significant digits; integers have no exponent.
 [[nodiscard]] std::string significantText(double value, int digits);
 
-/// Returns "0.0123 in": a figure with its unit, with this number of digits.
+/// Returns a value with its unit, such as "0.0123 in", with this number of significant digits; "none" if it is not
+/// finite.
 [[nodiscard]] std::string figureText(double value, std::string_view unit, int digits);
 
-/// Returns "p = 0.012": the probability of the observation by chance alone.
+/// Returns a p-value as text, such as "p = 0.012": the probability of the observation by chance alone.
 [[nodiscard]] std::string chanceText(double p);
 
-/// Returns the number of decimals for columns of lengths in this unit, enough to show a ten-thousandth of an inch.
+/// Returns the number of decimals for table columns of lengths in this unit, sufficient to show 1e-4 in.
 [[nodiscard]] int lengthDecimals(const Unit& length);
 
-/// Returns the name of the outcome of a calibration, an identification or a comparison, whose statuses share one order.
+/// Returns the name of a status of a calibration, identification or comparison; their enumerations have the same order.
 template <class Status>
 [[nodiscard]] std::string_view statusName(Status status) {
   static constexpr std::array<std::string_view, 5> kNames{"not-run", "done", "refused", "not-converged", "stopped"};
@@ -42,7 +43,7 @@ template <class Status>
   return kNames.at(static_cast<std::size_t>(status));
 }
 
-/// Returns a vector in file units, each number rounded to 12 digits.
+/// Returns a vector in file units, each component rounded to 12 significant digits.
 [[nodiscard]] nlohmann::json vectorJson(const Eigen::VectorXd& values, const Units& units, Dimension dimension);
 
 }  // namespace tubeplan::app

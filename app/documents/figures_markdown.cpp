@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kDigits = 6;
 
-/// Returns the text of one cell, escaped so that nothing ends the cell or begins a tag.
+/// Returns the text of a Markdown table cell, with the characters escaped that would end the cell or start an HTML tag.
 std::string markdownCell(const std::string& text) {
   std::string cell;
   for (const char c : text)
@@ -30,7 +30,7 @@ std::string singleFigures(const std::vector<Figure>& figures) {
   return text;
 }
 
-/// Returns the entries of a list as a table; a unit is in the heading if the whole column shares it.
+/// Returns the entries of a list as a table. If all values of a column have the same unit, the column heading names it.
 std::string listTable(const std::vector<Figure>& figures, const std::string& list) {
   std::vector<std::string> columns, rows;
   std::map<std::string, std::set<std::string>> units;

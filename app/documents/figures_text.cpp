@@ -19,9 +19,10 @@ namespace tubeplan::app {
 namespace {
 
 using nlohmann::json;
-using Scopes = std::vector<const json*>;  // objects in which figures are looked up: the document first, the entry last
+// JSON objects in which paths are looked up: the document first, the current entry last.
+using Scopes = std::vector<const json*>;
 
-/// Removes and returns the part of `text` before `mark`, with the mark removed too; all of it if there is no mark.
+/// Removes and returns the part of `text` before `mark`; also removes the mark. Without a mark, takes the whole text.
 std::string_view takeUpTo(std::string_view& text, char mark) {
   const auto end = text.find(mark);
   const auto taken = text.substr(0, end);
@@ -29,7 +30,7 @@ std::string_view takeUpTo(std::string_view& text, char mark) {
   return taken;
 }
 
-/// Removes `mark` from the front of `text` and returns true if it is there.
+/// If `text` begins with `mark`, removes it and returns true.
 bool takeMark(std::string_view& text, char mark) {
   if (!text.starts_with(mark)) return false;
   text.remove_prefix(1);
@@ -81,7 +82,8 @@ std::string writtenNumber(double value, const FigureFormat& format, const json& 
   }
 }
 
-/// Returns the interval in words, half open if a bound is missing, as for a stiffness that may be rigid.
+/// Returns an interval as text. A missing bound gives "... or more" or "... or less", for example for a stiffness that
+/// may be infinite.
 std::string writtenInterval(const json& interval, const FigureFormat& format) {
   const auto end = [&](int k) {
     return significantText(interval[k].get<double>(), std::stoi(format.digits.substr(1)));
@@ -126,7 +128,7 @@ const json& figureAt(const Scopes& scopes, std::string_view path) {
   throw std::logic_error(fmt::format("no figure '{}' for the text of a document", path));
 }
 
-/// Returns the text for a placeholder between two braces.
+/// Returns the text that replaces a placeholder; `placeholder` is the part between the braces.
 std::string filled(std::string_view placeholder, const Scopes& scopes, const TextLine& line) {
   std::string_view rest = placeholder, path = takeUpTo(rest, ':');
   const FigureFormat format = parseFigureFormat(takeUpTo(rest, ' '));
@@ -142,7 +144,7 @@ std::string filled(std::string_view placeholder, const Scopes& scopes, const Tex
 
 std::string textOf(const Scopes& scopes, std::span<const TextLine> lines);
 
-/// Returns a line about the innermost scope, with its inner lines.
+/// Returns a line filled in with values of the innermost scope, followed by its inner lines.
 std::string filledIn(const Scopes& scopes, const TextLine& line) {
   std::string text;
   std::string_view rest = line.words;
@@ -159,12 +161,13 @@ bool isNothing(const json& value) {
          (value.is_number_integer() && value == 0) || (value.is_number() && !std::isfinite(value.get<double>()));
 }
 
-/// Returns the position of the innermost scope that is no plain figure.
+/// Returns the end of the scopes after the innermost object or list, so that a plain innermost value is left out.
 Scopes::const_iterator innermostObject(const Scopes& scopes) {
   return std::find_if(scopes.rbegin(), scopes.rend(), [](const json* scope) { return scope->is_structured(); }).base();
 }
 
-/// Adds the entries at `path` from the innermost scope, each with its enclosing objects.
+/// Adds the entries found at `path` from the innermost scope, each with its enclosing objects. Lists on the path
+/// contribute all their entries.
 void addEntries(std::string_view path, const Scopes& scopes, std::vector<Scopes>& entries) {
   const auto descend = [&](const json& entry, std::string_view rest) {
     Scopes inner = scopes;

@@ -1,4 +1,4 @@
-// Columns to fill in for a proposed reading, in the form for pages and reports.
+// Columns to be filled in for a proposed reading, for pages and reports.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,10 +9,10 @@
 
 namespace tubeplan::app {
 
-/// Returns {"columns", "least", "optional"}.
+/// Returns {columns, least, optional}.
 [[nodiscard]] nlohmann::json fillInJson(const FillIn& fill);
 
-/// Returns the instruction for a run sheet in words: "fill in x_in, y_in, z_in".
+/// Returns the instruction for a run sheet, such as "fill in x_in, y_in, z_in".
 [[nodiscard]] std::string fillInText(const std::vector<calibration::ProposedMeasurement>& sheet,
                                      const deflection::Arm& arm, const Units& units);
 

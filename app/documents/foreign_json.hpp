@@ -1,4 +1,4 @@
-// Foreign tables in the form that the page shows for choosing columns.
+// Tables of other programs as JSON, for the dialog in which the user chooses columns.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,10 +9,10 @@
 namespace tubeplan::app {
 
 /// Returns {tables: [{name, columns, rows: [[field]], count, names}], targets: [{quantity, units, is_required, found:
-/// {table, column, unit} or null}], options: [{name, label, values: [{value, words}]}]}: the first rows of each table,
-/// every quantity that readings of this arm may state, and its likely column. `unit` is empty if nothing states one;
-/// `names` is null if no column has the rows' names. Options are further statements of the user about the tables: kind,
-/// orientation, points, dates.
+/// {table, column, unit} or null}], options: [{name, label, values: [{value, words}]}]}. `rows` are the first rows of
+/// each table; `names` is null if no column has names of the rows. `targets` are all quantities that readings of this
+/// arm may state, each with its probable column; `unit` is empty if nothing states it. `options` are further statements
+/// of the user about the tables: kind, orientation, points, dates.
 [[nodiscard]] nlohmann::json foreignColumnsJson(const ForeignRequest& request, const Cell& cell);
 
 }  // namespace tubeplan::app

@@ -35,8 +35,8 @@ nlohmann::json sizeJson(const ErrorSize& size, const ErrorUnit& unit) {
           {"readings", size.readings}};
 }
 
-/// Returns a prior's sigma in the file's units; for a stiffness, whose prior is on the compliance, a share of the
-/// value.
+/// Returns the standard deviation of a prior in file units. For a stiffness, whose prior is on the compliance, it is
+/// relative to the initial value.
 nlohmann::json priorJson(const Unknown& unknown, const Units& units) {
   const bool is_compliance = unknown.scale == Unknown::Scale::kCompliance;
   return {{"sigma", is_compliance ? finiteJson(unknown.prior_sigma * unknown.start)
@@ -65,7 +65,7 @@ nlohmann::json numberJson(const IdentifiedNumber& number, const Units& units) {
   return json;
 }
 
-/// Returns the unit of a fit's errors.
+/// Returns the unit in which the errors of a fit are written.
 ErrorUnit errorUnitOf(const Identification& result, const Units& units) {
   return errorUnitOf(result.after.are_angles || result.before.are_angles, units);
 }
@@ -77,7 +77,7 @@ std::vector<calibration::Measurement> fittedReadings(const Identification& resul
   return used;
 }
 
-/// Returns a plane's normal and its distance from the world's origin along it, or a sphere's centre and radius.
+/// Returns a plane's normal and its distance from the world origin along this normal, or a sphere's centre and radius.
 nlohmann::json surfaceJson(const calibration::SettledSurface& settled, const Units& units) {
   const double length = units.factor(dimension::kLength);
   nlohmann::json json = {{"kind", settled.kind}, {"point", settled.point}, {"readings", settled.readings}};

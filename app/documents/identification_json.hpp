@@ -1,4 +1,4 @@
-// Identification as JSON and as a table for people.
+// Identification as JSON and as text.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace tubeplan::app {
 
-/// Returns the identification's document. `readings` are those given to the fit, for naming outliers; `set_aside`
-/// counts the others.
+/// Returns the JSON of an identification. `readings` are the fitted readings, from which outliers are named;
+/// `set_aside` is the number of excluded readings.
 [[nodiscard]] nlohmann::json identificationJson(const calibration::Identification& result,
                                                 const std::vector<calibration::Measurement>& readings,
                                                 std::size_t set_aside, const Units& units);
 
-/// Returns the identification in words, from its JSON.
+/// Returns an identification as text, from its JSON.
 [[nodiscard]] std::string identificationText(const nlohmann::json& figures);
 
 }  // namespace tubeplan::app

@@ -17,7 +17,7 @@ namespace tubeplan::app {
 
 namespace {
 
-/// Outcome of the loop: its name in documents, and the end of a sentence.
+/// Reason for the end of the loop: its name in JSON, and a clause that ends a sentence.
 struct EndRow {
   ImprovementEnd end;
   const char *name, *words;
@@ -38,18 +38,18 @@ constexpr EndRow kEnds[] = {
 
 const EndRow& rowOf(ImprovementEnd end) { return *std::ranges::find(kEnds, end, &EndRow::end); }
 
-/// Returns the sentence of a step's diagnosis.
+/// Returns a sentence on the diagnosis of a step.
 std::string sentenceOf(const ImprovementStep& step, const Units& units) {
   return step.reason == ImprovementReason::kMistakeExplains ? step.diagnosis.reason
                                                             : diagnosisSentence(step.diagnosis, units);
 }
 
-/// Returns the ids of the readings excluded from all fits as outliers of the last diagnosis.
+/// Returns the ids of the readings left out of all fits, as outliers of the last diagnosis.
 std::vector<std::string> idsSetAside(const Improvement& result, const std::vector<calibration::Measurement>& readings) {
   return result.models.empty() ? std::vector<std::string>() : idsOf(result.models.back().set_aside, readings);
 }
 
-/// Returns the added causes, the held-out errors and the remainder in one sentence.
+/// Returns one sentence on the added causes, the held-out errors and the reason for the end.
 std::string improvementSentence(const Improvement& result, const Units& units) {
   std::vector<std::string> added;
   for (const auto& step : result.steps) added.insert(added.end(), step.added.begin(), step.added.end());

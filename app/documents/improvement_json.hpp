@@ -1,4 +1,4 @@
-// Stepwise improvement of a model, as JSON and in words.
+// Stepwise improvement of a model, as JSON and as text.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,17 +10,17 @@
 
 namespace tubeplan::app {
 
-/// Returns "adequate", "nothing-sure", ...
+/// Returns the name used in documents: "adequate", "nothing-sure", ...
 [[nodiscard]] const char* nameOf(ImprovementEnd end);
 
-/// Returns the reason for adding a cause, or for ending the loop.
+/// Returns a sentence on why a step added a cause, or why the loop ended.
 [[nodiscard]] std::string reasonText(const ImprovementStep& step, const Units& units);
 
-/// Returns the document that `tubeplan improve --json` writes.
+/// Returns the JSON that `tubeplan improve --json` writes.
 [[nodiscard]] nlohmann::json improvementJson(const Improvement& result,
                                              const std::vector<calibration::Measurement>& readings, const Units& units);
 
-/// Returns the improvement in words, from its JSON.
+/// Returns an improvement as text, from its JSON.
 [[nodiscard]] std::string improvementText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

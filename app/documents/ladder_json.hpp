@@ -1,4 +1,4 @@
-// Ladder of models with its step table as JSON, in words and as a page.
+// Ladder of models with step tables, as JSON, as text and as a page.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace tubeplan::app {
 
-/// Returns the document that `tubeplan ladder --json` writes; for the steps {real_arm, unmodelled_sigma, holes,
-/// out_of_reach, seed}, or {reason}.
+/// Returns the JSON that `tubeplan ladder --json` writes. Its entry on the tool's steps has {real_arm,
+/// unmodelled_sigma, holes, out_of_reach, seed}, or {reason} if there are no step tables.
 [[nodiscard]] nlohmann::json ladderJson(const std::vector<ModelComparisonRow>& comparison, const LadderSteps& steps,
                                         const std::vector<std::string>& set_aside, std::uint64_t seed,
                                         const Units& units);
 
-/// Returns the ladder in words, from its JSON.
+/// Returns a ladder as text, from its JSON.
 [[nodiscard]] std::string ladderText(const nlohmann::json& figures);
 
-/// Returns the models of a ladder in the form that its page draws, from those of its figures.
+/// Returns the models of a ladder in the form that the page draws, from the models in the JSON of a comparison.
 [[nodiscard]] nlohmann::json ladderModels(const nlohmann::json& compared_models);
 
-/// Returns the page of --report.
+/// Returns the HTML page of `ladder --report`.
 [[nodiscard]] std::string ladderPage(const nlohmann::json& figures, const std::string& measurements,
                                      std::uint64_t seed);
 

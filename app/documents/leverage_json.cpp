@@ -16,10 +16,10 @@ namespace {
 using Eigen::Isometry3d, Eigen::Vector3d;
 using nlohmann::json;
 
-/// Axis about which the tip turns, or along which it moves.
+/// Axis about which the tip rotates, or along which it moves.
 struct Lever {
   int row = -1;
-  int axis = 2;  ///< of the row's frame
+  int axis = 2;  ///< index of an axis of the row's frame (0: x, 1: y, 2: z)
   bool slides = false;
 };
 
@@ -27,7 +27,7 @@ std::optional<Lever> findLever(const deflection::Arm& arm, const std::string& na
   for (std::size_t row = 0; row < arm.rows.size(); ++row) {
     const auto& own = arm.rows[row];
     const int index = static_cast<int>(row);
-    if (!own.joint.name.empty() && own.joint.name == name)  // about, or along, its row's z
+    if (!own.joint.name.empty() && own.joint.name == name)  // a joint acts about, or along, the z axis of its row
       return Lever{index, 2, own.joint.type == deflection::JointType::kPrismatic};
     for (int k = 0; k < 3; ++k)
       if (name == own.name + "." + "xyz"[k]) return Lever{index, k, false};
@@ -45,13 +45,13 @@ std::vector<Lever> leversOf(const deflection::Arm& arm, const std::vector<std::s
   return levers;
 }
 
-/// Returns the tip's motion in the world per m or rad.
+/// Returns the motion of the tip in the world frame, per rad of rotation [m/rad] or per m of sliding.
 Vector3d leverage(const Lever& lever, const Isometry3d& X_WL, const Vector3d& p_WT) {
   const Vector3d axis_W = X_WL.linear().col(lever.axis);
   return lever.slides ? axis_W : Vector3d(axis_W.cross(p_WT - X_WL.translation()));
 }
 
-/// Rounds to six decimals: enough for any picture, and thousands of readings stay small.
+/// Rounds to six decimals, which suffice for plots and keep the JSON of many readings small.
 double roundedTo6(double value) { return std::round(value * 1e6) / 1e6; }
 
 json vectorOf(const Vector3d& v) { return {roundedTo6(v.x()), roundedTo6(v.y()), roundedTo6(v.z())}; }

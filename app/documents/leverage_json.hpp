@@ -1,5 +1,5 @@
-// Leverage of each joint at each reading: the displacement of the tip by a small rotation of the joint, which converts
-// an error at the tip into an error of one joint.
+// Leverage of each joint at each reading: the displacement of the tip for a small motion of the joint. It converts a
+// tip error into an error of this joint.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,16 +11,17 @@
 
 namespace tubeplan::app {
 
-/// Returns {units, names, base, up, tool: {ID: [9 numbers]}, readings: {ID: [three numbers for each name]}}. A name is
-/// a joint ("theta3") or an axis of a row ("forearm.z"); its numbers are the tip's motion in the world per unit of the
-/// joint, or per unit of angle about the axis, in the cell's units; `units`: those of joint or axis. `tool`: the
-/// deflected tool's axes in the world, one after another; `base`: the base's place in the first set-up; `up`: direction
-/// against gravity. A base that the cell does not place is taken from the readings. Throws InputError for another name.
+/// Returns {units, names, base, up, tool: {ID: [9 numbers]}, readings: {ID: [three numbers for each name]}}. Each of
+/// `names` is a joint ("theta3") or an axis of a row ("forearm.z"). Its three numbers are the motion of the tip in the
+/// world frame per unit of the joint, or per unit of angle about the axis; `units` names these units. `tool` has the
+/// axes of the deflected tool in the world frame, one after another. `base` is the base position in the first set-up,
+/// and `up` the direction against gravity. Base poses that the cell does not state are fitted to the readings. Throws
+/// InputError for an unknown name.
 [[nodiscard]] nlohmann::json leverageJson(const Cell& cell, const std::vector<calibration::Measurement>& readings,
                                           const std::vector<std::string>& names);
 
-/// Returns true if a name at which a found effect may act is a rotation of a row about one of its axes, which
-/// leverageJson() accepts: "forearm.z", but not "theta3" or "theta3<-theta2".
+/// Returns true if `at`, the place of an effect, is an axis of a row that leverageJson() accepts, such as "forearm.z",
+/// but not "theta3" or "theta3<-theta2".
 [[nodiscard]] bool isAxisOfRow(const deflection::Arm& arm, const std::string& at);
 
 }  // namespace tubeplan::app

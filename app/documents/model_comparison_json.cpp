@@ -34,19 +34,19 @@ constexpr TextLine kModelWords[] = {
     {"models/steps", "{name:<34}{counts:*10}", kStepCountWords},
     {"models/no_steps", "{name:<34}  none: {}\n"}};
 
-/// Returns the unit of the models' errors, which are of the same readings.
+/// Returns the unit in which the models' errors are written; all models are compared on the same readings.
 ErrorUnit errorUnitOf(const std::vector<ModelComparisonRow>& comparison, const Units& units) {
   return errorUnitOf(!comparison.empty() && comparison.front().fitted.are_angles, units);
 }
 
-/// Returns the reduction of the first model's error by the last model.
+/// Returns the error budget in which the last model explains part of the first model's error.
 calibration::ErrorBudget budgetOf(const std::vector<ModelComparisonRow>& comparison) {
   if (comparison.empty()) return {};
   const auto &first = comparison.front(), &last = comparison.back();
   return calibration::errorBudget({first.heldout, last.heldout}, {first.fitted, last.fitted}, last.noise_floor);
 }
 
-/// Returns "1.6 times the noise floor of 0.0057 in".
+/// Returns a text such as "1.6 times the noise floor of 0.0057 in".
 std::string overFloorText(const ModelComparisonRow& model, const ErrorUnit& unit) {
   constexpr int kDigits = 3;
   if (!(model.noise_floor > 0)) return "no noise is stated";

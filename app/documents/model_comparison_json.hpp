@@ -1,4 +1,4 @@
-// Error of each of several models as JSON and as text.
+// Errors of several models, as JSON and as text.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace tubeplan::app {
 
-/// Returns the comparison of models on the same readings; `set_aside` counts the others.
+/// Returns the JSON of a comparison of models on the same readings; `set_aside` is the number of excluded readings.
 [[nodiscard]] nlohmann::json modelComparisonJson(const std::vector<ModelComparisonRow>& comparison,
                                                  std::size_t set_aside, const Units& units);
 
-/// Returns one sentence on the model that predicts held-out readings best, and its error compared with the noise.
+/// Returns one sentence on the model that predicts held-out readings best, with its error relative to the noise.
 [[nodiscard]] std::string modelComparisonSentence(const std::vector<ModelComparisonRow>& comparison,
                                                   const Units& units);
 
-/// Returns the comparison in words, from its JSON: errors with a bar each, then the steps of the tool, if present.
+/// Returns the comparison as text, from its JSON: each model's error with a bar, then the step tables if there are any.
 [[nodiscard]] std::string modelComparisonText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,5 @@
-// Moments about the arm's rows at each reading, as abscissae for plots of errors, with the names that formulas use.
+// Moments about the axes of the arm's rows at each reading, used as abscissae in plots of errors. The names are those
+// used in formulas.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,8 +9,8 @@
 
 namespace tubeplan::app {
 
-/// Returns {unit, names: ["moment_forearm_z", ...], readings: {ID: [one number for each name]}}: moments of the
-/// undeflected arm under its weights and the attached load, in the cell's units, named like the symbols of a formula.
+/// Returns {unit, names: ["moment_forearm_z", ...], readings: {ID: [one number for each name]}}: the moments that the
+/// weights and the attached load cause in the undeflected arm, in the cell's units.
 [[nodiscard]] nlohmann::json momentsJson(const Cell& cell, const std::vector<calibration::Measurement>& readings);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Share of a formula that the catalogue already explains, as JSON and in words.
+// Fraction of a user formula that effects of the catalogue already explain, as JSON and as text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,4 +1,4 @@
-// Pattern of the residual as JSON and as a plain sentence.
+// Pattern found in the residuals, as JSON and as a sentence.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,10 +9,10 @@
 
 namespace tubeplan::app {
 
-/// Returns a pattern in a plain sentence.
+/// Returns a sentence on a pattern.
 [[nodiscard]] std::string patternSentence(const calibration::PatternTest& test, const Units& units);
 
-/// Returns the figures of a test; for a finding also its course over the variable.
+/// Returns the results of a pattern test; for a pattern found, also its course over the variable.
 [[nodiscard]] nlohmann::json testJson(const calibration::PatternTest& test, const Units& units);
 [[nodiscard]] nlohmann::json findingJson(const calibration::PatternTest& test, const Units& units);
 

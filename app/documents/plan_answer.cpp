@@ -16,14 +16,15 @@ std::vector<int> roundedCounts(const std::vector<double>& counts) {
   return whole;
 }
 
-/// Returns the numbers of steps by the true arm, with the plan's compensation; empty if there is no true arm.
+/// Returns, for the true arm and the plan's compensation, the numbers of tubes in which 0, 1, ... steps enter; empty
+/// without a true arm.
 std::vector<int> trueCounts(const PlanOutcome& outcome) {
   if (outcome.scores.empty()) return {};
   const auto mode = std::ranges::find(kCompensations, outcome.compensation) - kCompensations.begin();
   return countByMode(outcome.scores, static_cast<int>(outcome.model.tool.steps.size()))[static_cast<std::size_t>(mode)];
 }
 
-/// Returns "2 steps in 41 tubes, 3 steps in 18 tubes".
+/// Returns a text such as "2 steps in 41 tubes, 3 steps in 18 tubes".
 std::string tubesByStepsText(const std::vector<int>& counts) {
   std::vector<std::string> parts;
   for (std::size_t k = 0; k < counts.size(); ++k)

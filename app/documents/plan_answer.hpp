@@ -1,4 +1,4 @@
-// Plan in one sentence: the numbers of tubes and of steps of the tool, the base, and the proof.
+// Plan in one sentence: numbers of tubes and of tool steps, the base, and the proof.
 #pragma once
 
 #include <string>
@@ -7,8 +7,9 @@
 
 namespace tubeplan::app {
 
-/// Returns "59 of 60 tubes are visited; expected of the tool: 2 steps in 41 tubes, 3 steps in 18 tubes; by the true
-/// arm: 2 steps in 36 tubes, 3 steps in 23 tubes; the path is proved free for the base calibrated from 3 touches."
+/// Returns a sentence such as "59 of 60 tubes are visited; expected of the tool: 2 steps in 41 tubes, 3 steps in 18
+/// tubes; by the true arm: 2 steps in 36 tubes, 3 steps in 23 tubes; the path is proved free for the base calibrated
+/// from 3 touches."
 [[nodiscard]] std::string planAnswer(const PlanOutcome& outcome);
 
 }  // namespace tubeplan::app

@@ -29,8 +29,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Returns values at full precision: a joint value rounded to 12 digits would move the tip by more than the plan
-/// promises.
+/// Returns values at full precision: joint values rounded to 12 digits would move the tip by more than the accuracy
+/// that the plan states.
 json exactVector(const Eigen::VectorXd& values, const Units& units, Dimension dimension) {
   json list = json::array();
   for (double value : values) list.push_back(value / units.factor(dimension));
@@ -53,7 +53,7 @@ json modesJson(const ModeScores& scores, const Units& units) {
   return modes;
 }
 
-/// Returns the scored modes, in the order of the thesis's comparison: [{name, words, brief}].
+/// Returns the scored compensation modes, in the order of the thesis's comparison: [{name, words, brief}, ...].
 json modeWordsJson() {
   json modes = json::array();
   for (std::size_t mode = 0; mode < kModeKeys.size(); ++mode) {
@@ -127,7 +127,8 @@ json sheetJson(const PlanOutcome& outcome) {
           {"fingerprint", sheet.fingerprint()}};
 }
 
-/// Returns the target of a segment, "hot,10,20", so that every row can be checked against the operator's list.
+/// Returns the tube of a path segment as "hot,10,20" (leg, row, column), so that every row can be checked against the
+/// operator's list.
 std::string goalOf(const PlanOutcome& outcome, int segment) {
   const int visit = outcome.plan.segments[static_cast<std::size_t>(segment)].visit;
   const auto& sheet = outcome.model.sheet;
@@ -135,7 +136,7 @@ std::string goalOf(const PlanOutcome& outcome, int segment) {
   return fmt::format("{},{},{}", tubesheets::legName(sheet.leg), tube.row, tube.column);
 }
 
-/// Returns the fingerprint of the path's rows as the file has them: time, segment and joints.
+/// Returns the fingerprint of the path rows as written to the file: time, segment and joint values.
 std::string pathFingerprintOf(const PlanOutcome& outcome) {
   const Eigen::VectorXd factors = jointFactors(outcome.cell.arm, outcome.cell.units);
   PathNumbers numbers;
@@ -144,7 +145,8 @@ std::string pathFingerprintOf(const PlanOutcome& outcome) {
   return numbers.fingerprint();
 }
 
-/// Returns the tool's motion between tubes: the number of lines, and the deflected tip's deviation from them.
+/// Returns how the tool travels between tubes. For straight lines, also the number of lines and the deviation of the
+/// deflected tip from them.
 json travelJson(const PlanRequest& request, const planner::VisitPlan& plan, const Units& units) {
   json travel = {{"kind", request.travel}};
   if (request.travel != planner::nameOf(planner::TravelKind::kLine)) return travel;
@@ -153,7 +155,7 @@ json travelJson(const PlanRequest& request, const planner::VisitPlan& plan, cons
   return travel;
 }
 
-/// Returns the text of the cell that the plan was made with.
+/// Returns the text of the cell with which the plan was made, including the calibrated base if there is one.
 std::string calibratedText(const PlanOutcome& outcome, const std::filesystem::path& out) {
   if (!outcome.calibration) return cellTextAt(outcome.cell, out);
   const auto& base = outcome.calibration->flexible;
@@ -245,7 +247,7 @@ void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFol
   if (!outcome.touches.empty())
     folder.write("touches.csv", touchesCsv(outcome.touches, outcome.cell));
   else if (std::filesystem::exists(folder.path() / "plan.json"))
-    folder.remove("touches.csv");  // from an earlier plan
+    folder.remove("touches.csv");  // left from an earlier plan
   folder.write(kWorkListFile, workListCsv(outcome));
   folder.write("report.html", renderPlanReport(reportJson(request, outcome)));
   folder.commit();

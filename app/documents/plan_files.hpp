@@ -10,29 +10,29 @@
 
 namespace tubeplan::app {
 
-/// Returns the content of plan.json, by the contract.
+/// Returns the content of plan.json, but without the fingerprint of the path.
 [[nodiscard]] nlohmann::json planJson(const PlanRequest& request, const PlanOutcome& outcome);
 
-/// Returns the number of steps expected to enter at visit `k`: the most probable one, or from the predicted error if no
-/// chances are known.
+/// Returns the number of steps expected to enter at visit `k`: the most probable number, or without probabilities the
+/// number for the predicted error.
 [[nodiscard]] int expectedSteps(const PlanOutcome& outcome, std::size_t k);
 
-/// Returns planJson() with the fingerprint of the path's numbers, by which `verify` recognizes them.
+/// Returns planJson() with the fingerprint of the path's numbers added, by which `verify` recognizes the path file.
 [[nodiscard]] nlohmann::json planFileJson(const PlanRequest& request, const PlanOutcome& outcome);
 [[nodiscard]] std::string planFileText(const PlanRequest& request, const PlanOutcome& outcome);
 
-/// Returns path.csv: `time_s,segment,kind,<joint>_<angle>...,leg,row,column`, with the tube that the row leads to or
-/// from.
+/// Returns the content of path.csv: `time_s,segment,kind,<joint>_<angle>...,leg,row,column`. Leg, row and column name
+/// the tube that the path row leads to or away from.
 [[nodiscard]] std::string pathCsv(const PlanOutcome& outcome);
 
-/// Returns the data of the report page.
+/// Returns the data for renderPlanReport().
 [[nodiscard]] nlohmann::json reportJson(const PlanRequest& request, const PlanOutcome& outcome);
 
-/// Names of all files that a plan may write into its folder.
+/// Names of all files that a plan may write to its folder.
 inline constexpr const char* kPlanFiles[] = {"plan.json",    "path.csv",    "cell.yaml",      "touches.csv",
                                              "worklist.csv", "report.html", "trajectory.yaml"};
 
-/// Writes all files of a plan into a folder that appears complete or not at all.
+/// Writes all files of a plan to a folder, whose files appear together at its commit.
 void writePlan(const PlanRequest& request, const PlanOutcome& outcome, OutputFolder& folder);
 
 }  // namespace tubeplan::app

@@ -1,4 +1,4 @@
-// Request for a plan and its outcome.
+// Request for a plan, and the results of planning.
 #pragma once
 
 #include <cstdint>
@@ -19,42 +19,43 @@
 namespace tubeplan::app {
 
 struct PlanRequest {
-  std::string cell;           ///< file
-  std::string tubes = "all";  ///< selection or CSV file
+  std::string cell;           ///< file name
+  std::string tubes = "all";  ///< selection, or name of a CSV file
   std::string
-      touches;  ///< file, `auto` (the truth touches holes chosen by the program), or empty: base as the cell has it
-  std::string truth;  ///< file; empty: no scores
+      touches;  ///< file name; `auto`: the true arm touches holes that the program chooses; empty: base as in the cell
+  std::string truth;  ///< file name of the true cell; empty: no scores
   std::string compensation = "via-point";
-  std::string travel = "joints";  ///< joints or line, see planner::TravelKind
-  double load = 0;                ///< in the cell's unit of force
+  std::string travel = "joints";  ///< `joints` or `line`, see planner::TravelKind
+  double load = 0;                ///< in the cell's force unit
   ConditionsRequest conditions;
-  std::map<int, double> stays = {};  ///< dwell time by tube index [s]; a work list in a file states its own
-  double padding = 0;                ///< added clearance, in standard deviations of the base
-  std::optional<double> standoff;    ///< start of approaches below a hole; in the cell's unit of length
-  double insertion = 0;              ///< end of approaches past a hole's face; in the cell's unit of length
+  /// Dwell time at each tube [s], keyed by tube index; a work list file states its own dwell times.
+  std::map<int, double> stays = {};
+  double padding = 0;              ///< additional clearance, in standard deviations of the base
+  std::optional<double> standoff;  ///< distance below a hole at which the approach starts, in the cell's length unit
+  double insertion = 0;  ///< distance past a hole's face at which the approach ends, in the cell's length unit
   std::uint64_t seed = 1;
 };
 
 struct PlanOutcome {
   Cell cell;
-  planner::Workcell nominal, model;  ///< cells before and after calibration
+  planner::Workcell nominal, model;  ///< workcells before and after calibration
   std::optional<planner::Workcell> truth;
   planner::Compensation compensation = planner::Compensation::kViaPoint;
   std::vector<calibration::Measurement> touches;
   std::optional<BothCalibrations> calibration;
   planner::VisitConditions conditions;
-  tubesheets::Selection selection;  ///< requested tubes
-  std::string left_out;             ///< "12 plugged, 1 inaccessible": tubes excluded from planning
-  double padding = 0;               ///< largest extra clearance of a tip at a visited hole [m]
-  std::vector<int> zones;           ///< per visit; empty if no tubes have priority
+  tubesheets::Selection selection;  ///< selection of the requested tubes
+  std::string left_out;             ///< tubes excluded from planning, such as "12 plugged, 1 inaccessible"
+  double padding = 0;               ///< largest additional clearance of the tip over the visited holes [m]
+  std::vector<int> zones;           ///< zone of each visit; empty if no tubes have priority
   planner::VisitPlan plan;
-  int tubes_added = 0, tubes_removed = 0;    ///< visited tubes compared with the earlier plan
-  std::vector<planner::Centring> predicted;  ///< by the model itself, per visit
-  std::vector<double> play;                  ///< play of the tool in the tube, per visit [m]; empty without insertion
-  StepChances chances;                       ///< probabilities of steps, per visit
-  std::vector<ModeScores> scores;            ///< per visit; empty without truth
+  int tubes_added = 0, tubes_removed = 0;    ///< numbers of visited tubes added to and removed from the earlier plan
+  std::vector<planner::Centring> predicted;  ///< centring at each visit as the model predicts it
+  std::vector<double> play;  ///< smallest clearance between tool and tube at each visit [m]; empty without insertion
+  StepChances chances;       ///< probabilities of 0, 1, ... steps at each visit
+  std::vector<ModeScores> scores;  ///< centring of the true arm at each visit; empty without a truth
 
-  /// Returns the calibration that placed the base in this plan; null if the base is the cell's.
+  /// Returns the calibration that determined the base of this plan; null if the base is that of the cell.
   [[nodiscard]] const calibration::BaseCalibration* placedBy() const {
     return calibration ? &calibration->flexible : nullptr;
   }

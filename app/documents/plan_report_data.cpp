@@ -1,4 +1,4 @@
-// Data of report.html, in the file's units.
+// Data for report.html, in file units.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -102,7 +102,7 @@ json touchesData(const PlanOutcome& outcome) {
   return list;
 }
 
-/// Vertical plane of a posture: through the first joint's axis, towards the tip.
+/// Vertical plane of a side view of a posture: contains the axis of the first joint and points towards the tip.
 struct SidePlane {
   Vector3d origin, outwards;
   json at(const Vector3d& p_W, const Units& units) const {
@@ -142,7 +142,7 @@ json sideView(const PlanOutcome& outcome, std::size_t k) {
                       {"to", plane.at(X_WL * capsule.to, outcome.cell.units)},
                       {"radius", lengthOf(capsule.radius, outcome.cell.units)}});
   }
-  // The bowl's sphere cuts each plane differently: the page draws it from its centre and radius there.
+  // Each plane cuts the sphere of the bowl differently, so the page draws the cut from the sphere's centre and radius.
   return {{"label", "R" + std::to_string(tube.row) + " C" + std::to_string(tube.column)},
           {"rigid", chainData(outcome, shape, true, plane)},
           {"flexible", chainData(outcome, shape, false, plane)},
@@ -152,7 +152,7 @@ json sideView(const PlanOutcome& outcome, std::size_t k) {
           {"centre_aside", lengthOf(std::abs(plane.origin.cross(plane.outwards).z()), outcome.cell.units)}};
 }
 
-/// Returns some visits spread over the tour, including those with the longest reach.
+/// Returns side views of some visits, spread evenly over the tour.
 json sideViews(const PlanOutcome& outcome) {
   json views = json::array();
   const std::size_t count = outcome.plan.visits.size();
@@ -172,7 +172,8 @@ json clearanceData(const PlanOutcome& outcome, const std::vector<planner::PathRo
   return curve;
 }
 
-/// Returns the radius of the first obstacle that is the inside of a sphere, drawn as the bound of the side view.
+/// Returns the radius of the first obstacle that is the inside of a sphere, to be drawn as the boundary of the side
+/// views; null if there is none.
 json bowlRadius(const PlanOutcome& outcome) {
   const YamlNode* scene = outcome.cell.source.root.find("scene");
   if (!scene) return nullptr;
@@ -190,7 +191,7 @@ json calibrationData(const PlanOutcome& outcome) {
   return data;
 }
 
-/// Returns the mean and worst centring error of a mode over the scored tubes.
+/// Returns a text with the mean and largest centring error of a compensation mode over the scored tubes.
 std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
   double sum = 0, worst = 0;
   int count = 0;
@@ -205,7 +206,7 @@ std::string errorText(const PlanOutcome& outcome, std::size_t mode) {
   return fmt::format("{} mean, {} worst", lengthText(sum / count, units, 3), lengthText(worst, units, 3));
 }
 
-/// Returns the expected numbers of tubes by their steps, and the source of the estimate.
+/// Returns a text with the expected number of tubes for each number of steps, and on the uncertainties considered.
 std::string chancesText(const PlanOutcome& outcome) {
   std::string text;
   const auto counts = expectedCounts(outcome.chances);

@@ -53,7 +53,7 @@ double largest(const nlohmann::json& tubes, const char* key) {
   return most;
 }
 
-/// Returns the plan's document with the keys that only its words use.
+/// Returns the JSON of the plan with additional entries that only the text uses.
 nlohmann::json shownPlan(const PlanRequest& request, const PlanOutcome& outcome) {
   nlohmann::json plan = planJson(request, outcome);
   plan["worst"] = largest(plan["tubes"], "centring_error");

@@ -1,4 +1,4 @@
-// Plan in words.
+// Plan as text.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace tubeplan::app {
 
-/// Returns the least distance along the whole path [m].
+/// Returns the smallest distance between arm and obstacles along the whole path [m].
 [[nodiscard]] double minClearance(const PlanOutcome& outcome);
 
-/// Returns the nearest pair at the least distance: "link4 to divider".
+/// Returns the pair of bodies with the smallest distance along the path, such as "link4 to divider".
 [[nodiscard]] std::string tightestText(const PlanOutcome& outcome);
 
-/// Returns the summary for one screen.
+/// Returns a summary of the plan that fits on one screen.
 [[nodiscard]] std::string planText(const PlanRequest& request, const PlanOutcome& outcome);
 
 }  // namespace tubeplan::app

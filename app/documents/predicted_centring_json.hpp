@@ -1,4 +1,4 @@
-// Predicted centring error as JSON and in words.
+// Predicted centring error, as JSON and as text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,10 +10,10 @@
 namespace tubeplan::app {
 
 /// Returns {median, p95, worst: {value, hole}, band: {median, p95, worst: [low, high]}, encoder_noise: {median, p95,
-/// worst}, unit, holes, ...}, or null with a reason.
+/// worst}, unit, holes, ...}, or only {reason} if there is no prediction.
 [[nodiscard]] nlohmann::json predictedCentringJson(const PredictedCentring& predicted, const Units& units);
 
-/// Returns the prediction in words, from its JSON.
+/// Returns the prediction as text, from its JSON.
 [[nodiscard]] std::string predictedCentringText(const nlohmann::json& predicted);
 
 }  // namespace tubeplan::app

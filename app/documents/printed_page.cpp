@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 constexpr const char* kBrowsers[] = {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable"};
 constexpr auto kPatience = std::chrono::seconds(60);
 
-/// Returns $TUBEPLAN_CHROMIUM, else the first of the names in $PATH; empty if there is none.
+/// Returns the path in the environment variable TUBEPLAN_CHROMIUM, or else the first browser of kBrowsers found in
+/// PATH; empty if there is none.
 fs::path findBrowser() {
   if (const char* own = std::getenv("TUBEPLAN_CHROMIUM")) return ::access(own, X_OK) == 0 ? own : "";
   const char* path = std::getenv("PATH");
@@ -48,7 +49,7 @@ fs::path requiredBrowser() {
   return browser;
 }
 
-/// Starts the process with its output discarded.
+/// Starts a process with its output discarded, and returns its process id.
 pid_t start(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
   for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -63,7 +64,7 @@ pid_t start(const std::vector<std::string>& words) {
   return failed ? -1 : process;
 }
 
-/// Returns true if the process ends well in time; kills it otherwise.
+/// Returns true if the process exits with code 0 within the time limit; otherwise kills it.
 bool finishes(pid_t process) {
   int status = 0;
   for (const auto end = std::chrono::steady_clock::now() + kPatience; std::chrono::steady_clock::now() < end;) {

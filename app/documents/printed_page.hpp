@@ -1,14 +1,15 @@
-// Printing of a page to PDF by headless Chromium, if installed.
+// Printing of HTML pages to PDF by headless Chromium, if it is installed.
 #pragma once
 
 #include <filesystem>
 
 namespace tubeplan::app {
 
-/// Prints a page. Throws InputError, naming --pdf, if there is no Chromium, or if it does not print within a minute.
+/// Prints the HTML file `page` to the file `pdf`. Throws InputError, naming --pdf, if there is no Chromium or printing
+/// takes more than a minute.
 void printPage(const std::filesystem::path& page, const std::filesystem::path& pdf);
 
-/// Checks before long work that a page can be printed. Throws InputError if there is no Chromium.
+/// Throws InputError if there is no Chromium to print with. Meant to be called before long work.
 void requirePrinter();
 
 }  // namespace tubeplan::app

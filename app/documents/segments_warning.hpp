@@ -1,4 +1,4 @@
-// Warning if the beams have too few segments at an arm's postures.
+// Warning if the beams of an arm have too few segments in given postures.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the warning of segmentsJson() at the worst of about sixteen postures spread over the given ones, with the
-/// load, arm and base of `placed`; empty if the stated segments suffice everywhere.
+/// Returns the warning of segmentsJson() for the worst of about sixteen of the given postures, with the arm, base and
+/// load of `placed`; empty if the number of segments suffices in all of them.
 [[nodiscard]] std::string segmentsWarning(const Cell& cell, const planner::Workcell& placed,
                                           const std::vector<Eigen::VectorXd>& postures);
 

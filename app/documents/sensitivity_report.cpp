@@ -18,7 +18,7 @@ using calibration::NumberKind, calibration::NumberSensitivity;
 
 struct KindWords {
   NumberKind kind;
-  const char *name, *more, *less;  ///< "1 % stiffer ..."
+  const char *name, *more, *less;  ///< `more` and `less` are adjectives, as in "1 % stiffer ..."
 };
 constexpr KindWords kKindWords[] = {{NumberKind::kStiffness, "stiffness", "stiffer", "softer"},
                                     {NumberKind::kWeight, "weight", "heavier", "lighter"},
@@ -30,7 +30,7 @@ const KindWords* wordsOf(NumberKind kind) {
   return nullptr;
 }
 
-/// Returns true if one per cent of the number means something to a designer.
+/// Returns true if a change of the parameter by one per cent is meaningful to a designer.
 bool isDesignable(const NumberSensitivity& number) {
   return wordsOf(number.kind) != nullptr && number.parameter.value != 0;
 }
@@ -41,11 +41,13 @@ double sigmaOf(const SensitivityReport& report, std::size_t index) {
   return report.sigmas.empty() ? std::numeric_limits<double>::quiet_NaN() : report.sigmas[index];
 }
 
-/// Returns "1 % stiffer latch-link.beam.Iz: 0.0123 in less sag in the mean", in the beneficial direction.
+/// Returns a sentence such as "1 % stiffer latch-link.beam.Iz: 0.0123 in less deflection on average", for the direction
+/// of change that reduces the deflection.
 std::string designSentence(const NumberSensitivity& number, const Units& units) {
   const double sag = perCent(number, number.deflection) / units.factor(dimension::kLength);
   const auto& words = *wordsOf(number.kind);
-  const bool is_more = (sag < 0) == (number.parameter.value > 0);  // a more negative coordinate is longer, too
+  // A larger magnitude also makes a negative coordinate longer.
+  const bool is_more = (sag < 0) == (number.parameter.value > 0);
   return fmt::format("1 % {} {}: {:.3g} {} less deflection on average", is_more ? words.more : words.less,
                      number.parameter.name, std::abs(sag), units.length().name);
 }
@@ -67,7 +69,8 @@ double designFigure(const SensitivityReport& report, std::size_t n) {
   return isDesignable(number) ? perCent(number, number.deflection) : kNotDesignable;
 }
 
-/// Returns the error at work for one sigma if readings determine the number, else for one per cent.
+/// Returns the tip error caused by one standard deviation of the parameter if readings determine it, otherwise by one
+/// per cent of its value [m].
 double estimateFigure(const SensitivityReport& report, std::size_t n) {
   const auto& number = report.figures.numbers[n];
   const double sigma = sigmaOf(report, n);
@@ -151,7 +154,7 @@ nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell
 }
 
 std::string sensitivityText(nlohmann::json figures) {
-  for (auto& number : figures["design"]) {  // in the direction in which the deflection falls
+  for (auto& number : figures["design"]) {  // for the direction of change that reduces the deflection
     const nlohmann::json &sag = number["deflection_per_percent"], &centring = number["uncompensated_per_percent"];
     number["helps_by"] = centring.is_null() || sag <= 0 ? centring : nlohmann::json(-centring.get<double>());
   }

@@ -1,4 +1,4 @@
-// Sensitivity analysis as JSON and as two rankings for people.
+// Sensitivity analysis, as JSON and as text with two rankings.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,19 +11,21 @@
 
 namespace tubeplan::app {
 
-/// Sensitivity analysis with its assumptions.
+/// Results of a sensitivity analysis, with its assumptions.
 struct SensitivityReport {
   calibration::Sensitivity figures;
-  int work = 0, work_lost = 0;       ///< number of postures; number of the list's tubes that are out of reach
-  bool has_sheet = false;            ///< if false, errors are total, not across the holes
-  std::vector<std::string> touches;  ///< holes that place the base, or names of postures; empty: the base is known
+  int work = 0, work_lost = 0;  ///< number of work postures; number of listed tubes out of reach
+  bool has_sheet = false;       ///< true: errors are across the holes; false: errors are total
+  /// Holes, or names of postures, whose touches determine the base; empty: the base is known.
+  std::vector<std::string> touches;
   std::vector<double>
-      sigmas;  ///< sigma of each number [its unit], NaN if no reading determines it; empty without readings
+      sigmas;  ///< standard deviation of each parameter [its unit]; NaN: no reading determines it; empty: no readings
 };
 
 [[nodiscard]] nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell);
 
-/// Returns in words, from its JSON, the numbers worth changing and those that must be known.
+/// Returns a text, from the JSON of the analysis, that ranks the parameters worth changing and the parameters that must
+/// be known.
 [[nodiscard]] std::string sensitivityText(nlohmann::json figures);
 
 }  // namespace tubeplan::app

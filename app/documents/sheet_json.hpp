@@ -1,4 +1,4 @@
-// Tube sheet in the form for documents and report pages.
+// Tube sheet as JSON, for documents and report pages.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,7 +7,7 @@
 
 namespace tubeplan::app {
 
-/// Returns {center, diameter}; null if the sheet states none.
+/// Returns {center, diameter} of the manway; null if the sheet states none.
 [[nodiscard]] nlohmann::json manwayJson(const tubesheets::Sheet& sheet, const Units& units);
 
 /// Returns {name, leg, viewed_from, hole_diameter, pitch, rows, columns, holes: [[row, column, x, y, state], ...],

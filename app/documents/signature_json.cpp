@@ -18,7 +18,7 @@ namespace {
 using deflection::EffectVariable, deflection::Quantity;
 using nlohmann::json;
 
-/// Abscissa of a signature: its name, and the unit of its values.
+/// Abscissa of a signature plot: name of the variable and unit of its values.
 struct Variable {
   std::string name;
   deflection::ValueUnit unit;

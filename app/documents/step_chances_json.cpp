@@ -33,7 +33,7 @@ std::vector<std::string> leftOutOf(const StepChances& chances) {
 
 bool isByTouches(const ModelError& error) { return error.from == kByTouches; }
 
-/// Returns the 95 % interval of a standard deviation estimated with these degrees of freedom [m].
+/// Returns the 95 % confidence interval of the model error's standard deviation [m].
 std::array<double, 2> rangeOf(const ModelError& error) {
   if (error.degrees_of_freedom == 0) return {error.sigma, error.sigma};
   const double freedom = error.degrees_of_freedom;

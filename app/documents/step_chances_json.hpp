@@ -1,4 +1,4 @@
-// Probabilities of steps as JSON and in words.
+// Probabilities that 0, 1, ... tool steps enter, as JSON and as text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,14 +9,15 @@
 
 namespace tubeplan::app {
 
-/// Returns {reason} or {counted: [...], left_out: [...], model_error: {source, value, range}, expected_counts}.
+/// Returns {counted: [...], left_out: [...], model_error: {source, value, range}, expected_counts}, or {reason} if
+/// there are no probabilities.
 [[nodiscard]] nlohmann::json stepChancesJson(const StepChances& chances, const Units& units);
 
-/// Returns "counting the joints' readings, the base's place and the model's own error, ...", or the reason for no
-/// chances.
+/// Returns a text such as "counting the joints' readings, the base's place and the model's own error, ...", or the
+/// reason if there are no probabilities.
 [[nodiscard]] std::string stepChancesText(const StepChances& chances, const Units& units);
 
-/// Returns {sigma, degrees_of_freedom, from}.
+/// Returns {sigma, degrees_of_freedom, from} in file units.
 [[nodiscard]] nlohmann::json modelErrorJson(const ModelError& error, const Units& units);
 
 }  // namespace tubeplan::app

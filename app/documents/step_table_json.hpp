@@ -1,4 +1,4 @@
-// Table of steps as JSON.
+// Step table as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,7 +8,8 @@
 
 namespace tubeplan::app {
 
-/// Returns {holes, zero, one, two, three, counts, no_posture, centring_error: {median, p95}}, or null if there is none.
+/// Returns {holes, zero, one, two, three, counts, no_posture, centring_error: {median, p95}}; null if there is no
+/// table.
 [[nodiscard]] nlohmann::json stepTableJson(const StepTable& table, const Units& units);
 
 }  // namespace tubeplan::app

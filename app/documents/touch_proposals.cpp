@@ -19,14 +19,14 @@ namespace {
 
 using calibration::NumberForecast, calibration::ProposedMeasurement, calibration::TipSigma;
 
-/// Proposed reading with its name, and the step of the design that chose it.
+/// Proposed reading with its name, and the index of the design step that chose it.
 struct NamedReading {
   ProposedMeasurement reading;
   std::size_t step;
 };
 
-/// Names the readings T1, T2, ... for the base, N1, N2, ... for the numbers; touches of one unknown point are N1a, N1b,
-/// ... of point N1.
+/// Names the readings T1, T2, ... for the base or N1, N2, ... for the parameters. Touches of one unknown point N1 are
+/// named N1a, N1b, ...
 std::vector<NamedReading> nameReadings(const TouchOutcome& outcome, const TouchProposal& proposal, char letter) {
   std::vector<NamedReading> named;
   for (std::size_t s = 0; s < proposal.next.design.steps.size(); ++s) {
@@ -106,7 +106,7 @@ nlohmann::json proposalJson(const TouchOutcome& outcome, const TouchProposal& pr
   return json;
 }
 
-/// Returns true if the readings so far place the base, or it is known.
+/// Returns true if the readings so far determine the base, or if the base is known.
 bool isPlaced(const calibration::NextReadings& next) {
   return std::all_of(next.numbers.begin(), next.numbers.end(), [](const NumberForecast& number) {
     return number.unknown.owner == calibration::Unknown::Owner::kArm || number.is_identifiable_now;

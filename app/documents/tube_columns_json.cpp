@@ -28,7 +28,7 @@ json listTableJson(const TextTable& table, const std::string& file) {
           {"names", nullptr}};
 }
 
-/// Returns the first column whose heading is that quantity.
+/// Returns the first column whose heading names the quantity, with its unit; null if there is none.
 json foundColumnJson(const TextTable& table, const TubeQuantity& quantity) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const auto heading = tubesheets::readTubeHeading(table.columns[c]);
@@ -53,7 +53,7 @@ bool statesJoints(const std::string& text, const std::string& file, const deflec
     for (std::size_t k = 0; k < targets.size(); ++k)
       if (targets[k].is_joint && guesses[k]) return true;
   } catch (const InputError&) {
-    return false;  // not a table of readings
+    return false;  // the text is no table of readings
   }
   return false;
 }

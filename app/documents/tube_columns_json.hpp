@@ -1,4 +1,4 @@
-// Likely meanings of a table's columns as a work list, for a dialog.
+// Probable meanings of a table's columns if it is a work list, for a dialog.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,10 +8,10 @@
 
 namespace tubeplan::app {
 
-/// Returns {tables, targets, options, needs, states, is_understood}: as foreignColumnsJson(), for one table. `needs`:
-/// alternative lists of required quantities. `states`: "tubes" if the headings name a tube, "joints" if they name
-/// joints of the arm, else "neither". `is_understood`: true if the headings need no choice. Throws InputError for a
-/// text that is no table.
+/// Returns {tables, targets, options, needs, states, is_understood}; the first three are as in foreignColumnsJson(),
+/// for one table. `needs` has alternative lists of required quantities. `states` is "tubes" if the headings name a
+/// tube, "joints" if they name joints of the arm, else "neither". `is_understood` is true if the user need not choose
+/// columns. Throws InputError for a text that is no table.
 [[nodiscard]] nlohmann::json tubeColumnsJson(const std::string& text, const std::string& file,
                                              const deflection::Arm& arm);
 

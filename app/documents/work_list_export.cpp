@@ -17,15 +17,15 @@ namespace {
 using tubesheets::ColumnText;
 using tubesheets::TubeColumn;
 
-/// Outcome of a requested tube.
+/// Outcome for a requested tube: position of its visit, or why there is no visit.
 struct TubeOutcome {
   int tube = 0;
-  std::string visit;    ///< place in the visiting order, from 1; empty if it is not visited
-  std::string outcome;  ///< reason if it is not visited
-  std::string dwell;    ///< [s]
+  std::string visit;    ///< position in the visiting order, from 1; empty if the tube is not visited
+  std::string outcome;  ///< why the tube is not visited; empty if it is visited
+  std::string dwell;    ///< dwell time [s]; empty for tubes left out
 };
 
-/// Returns the visited tubes in their order, then those out of reach, then those left out.
+/// Returns the visited tubes in visiting order, then the tubes out of reach, then the tubes left out by their state.
 std::vector<TubeOutcome> outcomesOf(const PlanOutcome& outcome) {
   std::vector<TubeOutcome> all;
   const auto stayAt = [&](int tube) {
@@ -54,7 +54,7 @@ std::string ownList(const PlanOutcome& outcome) {
   std::string text =
       fmt::format("leg,sheet,row,column,x_{0},y_{0},visit{1},outcome\n", unit.suffix, has_stays ? ",dwell_s" : "");
   for (const TubeOutcome& of_tube : outcomesOf(outcome)) {
-    if (of_tube.dwell.empty()) continue;  // tubes left out of a requested area
+    if (of_tube.dwell.empty()) continue;  // a tube left out of a selected area
     const auto& tube = sheet.tubes[static_cast<std::size_t>(of_tube.tube)];
     text += fmt::format("{},{},{},{},{},{},{}{},{}\n", tubesheets::legName(sheet.leg), fingerprint, tube.row,
                         tube.column, tubesheets::formatLength(tube.x, unit), tubesheets::formatLength(tube.y, unit),
@@ -64,7 +64,7 @@ std::string ownList(const PlanOutcome& outcome) {
   return text;
 }
 
-/// Given list with the outcomes of its tubes.
+/// The given work list, with columns added about the outcome for each tube.
 class GivenList {
  public:
   explicit GivenList(const PlanOutcome& outcome) : outcome_(outcome), list_(*outcome.selection.list) {
@@ -83,7 +83,7 @@ class GivenList {
   }
 
  private:
-  /// Adds the dwell times that the list does not state, in an own column or in its empty fields.
+  /// Adds the dwell times that the list does not state, in a new column or in the empty fields of its own column.
   void addStays() {
     add(TubeColumn::kDwell, "dwell_s", [](const TubeOutcome& of_tube) { return of_tube.dwell; });
     for (const auto& item : list_.items)
