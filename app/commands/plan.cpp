@@ -88,8 +88,8 @@ int run(const PlanOptions& options) {
   noteStopSignals();  // before the first folder is created, so that a stop removes it
   OutputFolder folder(options.out, "--out");
   std::vector<std::string> names(std::begin(kPlanFiles), std::end(kPlanFiles));
-  if (options.request.touches != "auto")
-    std::erase(names, "touches.csv");  // an existing touches.csv is then not replaced
+  // An existing touches.csv is then not replaced.
+  if (options.request.touches != "auto") std::erase(names, "touches.csv");
   folder.requireOwn({"plan.json", kProgressFile}, names);
   PlanCheckpoint checkpoint(folder.path(), options.resume, options.from);
   const PlanOutcome outcome = runPlanJob(options.request, terminalHooks(), checkpoint);

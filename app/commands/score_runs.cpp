@@ -48,8 +48,8 @@ ScoredRuns scoredBy(const CentringTrials& trials, int runs, const planner::PlanH
       scored.refused.emplace_back(nameOf(trial.failure));
       continue;
     }
-    auto& scores =
-        scored.scores.emplace_back();  // at the hole itself, goal-point and via-point compensation are the same
+    // At the hole itself, goal-point and via-point compensation are the same.
+    auto& scores = scored.scores.emplace_back();
     for (const auto& [hole, centring] : trial.visits) scores.push_back({centring[0], centring[1], centring[1]});
     scored.misfits += trial.is_misfit ? 1 : 0;
   }

@@ -13,8 +13,8 @@ namespace tubeplan::app {
 
 struct CalibrationOutcome {
   calibration::BaseCalibration calibration;
-  std::optional<ModelError> model_error;  ///< model error estimated together with the base; nothing if the cell states
-                                          ///< none and none was found
+  /// Model error estimated together with the base; nothing if the cell states none and none was found.
+  std::optional<ModelError> model_error;
   std::vector<calibration::Measurement> touches;
   nlohmann::json figures;  ///< output of `tubeplan calibrate --json`
 };

@@ -22,8 +22,8 @@ inline constexpr int kMostFolds = 100;
 
 struct IdentificationRequest {
   std::string method = "in-turn", robust = "none";
-  std::vector<std::string>
-      free;  ///< names of the parameters to free, instead of the cell's `identify`; empty: `identify`
+  /// Names of the parameters to free, instead of the cell's `identify`; empty: `identify`.
+  std::vector<std::string> free;
   std::vector<std::string> stages;  ///< stages of the fit, each "NAMES[:SETUP]"; empty: one fit of everything
   double drop = 0;
   int starts = 1, folds = 5;
@@ -34,8 +34,8 @@ struct IdentificationRequest {
 };
 
 struct IdentificationOutcome {
-  calibration::Identification
-      fit;  ///< the fit; if the readings contain a mistake, it is not run and its `reason` names the mistake
+  /// The fit; if the readings contain a mistake, it is not run and its `reason` names the mistake.
+  calibration::Identification fit;
   std::vector<calibration::Measurement> readings;  ///< readings fitted: all except the outliers in `set_aside`
   std::vector<std::string> set_aside;              ///< ids of outliers
   std::vector<std::string> warnings;               ///< warnings about the fit and the readings

@@ -39,8 +39,8 @@ class InputRecord {
 
  private:
   std::vector<std::string> paths_, replaceable_;
-  std::vector<std::pair<std::filesystem::path, std::string>>
-      outputs_;  ///< output paths, each with the option that claimed it
+  /// Output paths, each with the option that claimed it.
+  std::vector<std::pair<std::filesystem::path, std::string>> outputs_;
   nlohmann::json inputs_ = nlohmann::json::array();
 };
 

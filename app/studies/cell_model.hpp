@@ -46,11 +46,11 @@ struct PlacedByTouches {
 /// A cell in internal units (m, N, rad, s, K).
 struct CellModel {
   deflection::Arm arm;  ///< the arm; its tool axis is that of the cell if the arm file states none
-  Eigen::Isometry3d X_WB =
-      Eigen::Isometry3d::Identity();  ///< base pose in the world, which is the frame of the tube sheet
+  /// Base pose in the world, which is the frame of the tube sheet.
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
   bool base_known = false;
-  bool tool_axis_stated =
-      false;  ///< true: the arm file or the scene states the tool axis; false: the axis is the default
+  /// True: the arm file or the scene states the tool axis; false: the axis is the default.
+  bool tool_axis_stated = false;
   /// Covariance of the base's translation [m] along and small rotation [rad] about the world's x, y, z axes.
   std::optional<Matrix6d> base_covariance;
   BasePrior base_prior;

@@ -23,9 +23,9 @@ class MeasuredRoom {
 
  private:
   calibration::PlacedArm fitted_;
-  double lowest_ =
-      std::numeric_limits<double>::infinity();  ///< lowest height of the measured postures in the world [m]
-  std::vector<double> nearest_;                 ///< smallest measured distance for each pair of links [m]
+  /// Lowest height of the measured postures in the world [m].
+  double lowest_ = std::numeric_limits<double>::infinity();
+  std::vector<double> nearest_;  ///< smallest measured distance for each pair of links [m]
 };
 
 }  // namespace tubeplan::app

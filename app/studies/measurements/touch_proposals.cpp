@@ -17,8 +17,8 @@ using calibration::Estimate, calibration::ReadingCandidate;
 
 constexpr int kTouchHoles = 60, kReadingPostures = 600, kWorkPostures = 60;
 constexpr int kBaseTouches = 3, kReadings = 10;
-constexpr int kExhaustive =
-    150;  // largest number of holes for which all triples are compared; an exchange search is used for more
+// Largest number of holes for which all triples are compared; an exchange search is used for more.
+constexpr int kExhaustive = 150;
 constexpr int kNearestTried = 400;  // number of holes around the base that are tried to find the nearest three
 
 /// Returns the three holes nearest to the base that can be touched and do not lie on a line.

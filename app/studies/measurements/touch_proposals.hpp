@@ -41,11 +41,10 @@ struct TouchProposal {
 };
 
 struct TouchProposals {
-  int work = 0,
-      work_lost = 0;  ///< number of postures in which the tip must be known; number of listed tubes out of reach
-  int holes = 0,
-      holes_unsure =
-          0;  ///< number of candidates for the base; number left out because another likely base may not reach them
+  /// Number of postures in which the tip must be known; number of listed tubes out of reach.
+  int work = 0, work_lost = 0;
+  /// Number of candidates for the base; number left out because another likely base may not reach them.
+  int holes = 0, holes_unsure = 0;
   std::optional<TouchProposal> base, parameters;
   std::vector<std::string> nearest_holes;  ///< the three touchable holes nearest to the base, as a comparison
   calibration::TipSigma tip_nearest;

@@ -18,8 +18,8 @@ using calibration::Diagnosis, calibration::Explanation, calibration::Verdict;
 using calibration::IdentificationStatus, calibration::Measurement;
 
 constexpr double kWorthIt = 0.95;  // largest ratio of errors after and before adding an uncertain cause
-constexpr double kNoWorse =
-    1.05;  // largest ratio of errors of the farthest poses after and before adding a certain cause
+// Largest ratio of errors of the farthest poses after and before adding a certain cause.
+constexpr double kNoWorse = 1.05;
 
 /// Decision after a diagnosis: the cause to add, or the end of the loop (null cause).
 struct Decision {

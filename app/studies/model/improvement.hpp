@@ -64,13 +64,13 @@ enum class ImprovementReason {
 struct ImprovementStep {
   calibration::Diagnosis diagnosis;
   ImprovementReason reason = ImprovementReason::kNoVerdict;
-  double first = std::numeric_limits<double>::quiet_NaN(),
-         second = first;                ///< values that ImprovementReason explains [m]; NaN if it names none
+  /// Values that ImprovementReason explains [m]; NaN if it names none.
+  double first = std::numeric_limits<double>::quiet_NaN(), second = first;
   std::vector<std::string> added;       ///< names of the added causes; empty if none was added
   std::vector<std::string> also;        ///< causes that no reading distinguishes from the added causes
   std::vector<std::string> not_needed;  ///< added effects that the fit found to be zero and that were removed again
-  calibration::ErrorSize heldout_before,
-      heldout_after;  ///< errors of poses held out in folds, before and after the addition
+  /// Errors of poses held out in folds, before and after the addition.
+  calibration::ErrorSize heldout_before, heldout_after;
   /// Errors of the farthest-reaching quarter of the poses, held out of the fit, before and after the addition.
   calibration::ErrorSize farthest_before, farthest_after;
 };

@@ -13,8 +13,8 @@ namespace tubeplan::app {
 /// Results at one hole with one method of compensation.
 struct HoleTally {
   ErrorSketch errors;
-  std::vector<std::uint64_t>
-      at_least;  ///< number of visits in which at least k + 1 steps entered, at index k; empty without visits
+  /// Number of visits in which at least k + 1 steps entered, at index k; empty without visits.
+  std::vector<std::uint64_t> at_least;
   std::uint64_t missed = 0;  ///< number of visits without a posture
 };
 
@@ -23,8 +23,8 @@ struct WayTally {
   std::vector<HoleTally> holes;
   RunSums errors;                 ///< sums of centring errors, in units of ErrorSketch::kUnit
   std::vector<RunSums> at_least;  ///< visits in which at least k + 1 steps entered, at index k
-  std::vector<std::uint64_t>
-      all_holes;  ///< number of runs in which at least k + 1 steps entered every visited hole, at index k
+  /// Number of runs in which at least k + 1 steps entered every visited hole, at index k.
+  std::vector<std::uint64_t> all_holes;
 
   [[nodiscard]] ErrorSketch allErrors() const;
   [[nodiscard]] std::uint64_t missed() const;

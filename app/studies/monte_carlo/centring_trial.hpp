@@ -66,9 +66,9 @@ struct TrialVisit {
 /// Result of one run under one setting.
 struct Trial {
   TrialFailure failure = TrialFailure::kNone;
-  double touch_error =
-      std::numeric_limits<double>::quiet_NaN();  ///< mean residual of the touches [m]; NaN if the run failed
-  bool is_misfit = false;                        ///< true: chi-square rejects the touches for the flexible arm
+  /// Mean residual of the touches [m]; NaN if the run failed.
+  double touch_error = std::numeric_limits<double>::quiet_NaN();
+  bool is_misfit = false;  ///< true: chi-square rejects the touches for the flexible arm
   std::vector<TrialVisit> visits;
 };
 
@@ -116,8 +116,8 @@ class CentringTrials {
   tubesheets::Sheet sheet_;
   std::vector<Hole> holes_;
   std::string problem_;
-  std::vector<std::vector<Hole>>
-      fixed_;  ///< touched holes of each setting; empty for a setting that draws them in each run
+  /// Touched holes of each setting; empty for a setting that draws them in each run.
+  std::vector<std::vector<Hole>> fixed_;
 };
 
 }  // namespace tubeplan::app

@@ -7,8 +7,8 @@
 
 namespace tubeplan::app {
 
-inline constexpr double kTwoSided95 =
-    1.959963984540054;  ///< half-width of a two-sided 95 % interval, in standard deviations
+/// Half-width of a two-sided 95 % interval, in standard deviations.
+inline constexpr double kTwoSided95 = 1.959963984540054;
 
 /// A probability with its 95 % confidence interval.
 struct Probability {

@@ -12,8 +12,8 @@ namespace tubeplan::app {
 struct RepeatHooks {
   std::function<void(std::uint64_t done)> progress;
   std::function<bool()> stop;
-  std::function<void(bool must)>
-      keep;  ///< called when a checkpoint may be written; `must`: it must be written, because no further call follows
+  /// Called when a checkpoint may be written; `must`: it must be written, because no further call follows.
+  std::function<void(bool must)> keep;
 };
 
 enum class RepeatStatus { kNotRun, kDone, kStopped };

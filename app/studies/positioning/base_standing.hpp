@@ -11,13 +11,13 @@
 
 namespace tubeplan::app {
 
-/// How the base pose was determined. The order is that of the table in base_standing.cpp.
+/// Method by which the base pose was determined, in the order of the table in base_standing.cpp.
 enum class BasePlacing { kNominal, kStated, kIdentified, kCalibrated, kMisfit, kEachRun };
 
 struct BaseStanding {
   BasePlacing placing = BasePlacing::kNominal;
-  std::size_t touches =
-      0;  ///< number of touches that determined the base; 0: not by touches, or a different number in each run
+  /// Number of touches that determined the base; 0: not by touches, or a different number in each run.
+  std::size_t touches = 0;
 };
 
 /// Returns how the base was determined: by `placed_by` if a calibration has just been made, or else as the cell states.

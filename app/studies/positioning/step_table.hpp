@@ -16,8 +16,8 @@ namespace tubeplan::app {
 struct RealArm {
   planner::Workcell cell;
   std::string name;  ///< description for the reader
-  double unmodelled =
-      0;  ///< standard deviation of each coordinate of the unmodelled tip error [m], independent in each posture
+  /// Standard deviation of each coordinate of the unmodelled tip error [m], independent in each posture.
+  double unmodelled = 0;
 };
 
 /// A hole that the real arm reaches.
@@ -44,8 +44,8 @@ struct StepTable {
   int no_posture = 0;       ///< number of holes for which the model finds no posture; counted as 0 steps
   /// Median of the centring error over the holes for which the model finds a posture [m]; NaN: none.
   double median_error = std::numeric_limits<double>::quiet_NaN();
-  double p95_error =
-      std::numeric_limits<double>::quiet_NaN();  ///< 95th percentile of the centring error [m]; NaN: none
+  /// 95th percentile of the centring error [m]; NaN: none.
+  double p95_error = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Computes the step table of a model that steers the real arm with compensated deflection. The model takes over the
