@@ -10,7 +10,7 @@ class App;
 
 namespace tubeplan::app {
 
-/// Exit codes of the program; scripts rely on them, so they never change.
+/// Exit codes of the program; scripts rely on them, so the codes never change.
 enum ExitCode { kDone = 0, kNegativeAnswer = 1, kBadInput = 2, kInternalError = 3 };
 
 /// Description of all exit codes for the help text, including kStoppedExitCode.
