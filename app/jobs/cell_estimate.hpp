@@ -11,8 +11,8 @@
 namespace tubeplan::app {
 
 /// Returns the readings of a measurement file, each with a sigma; none if the file name is empty. `sigma` [m] applies
-/// if the file states none. If `sigma` is 0 as well, it is derived from the cell's tool, or else InputError is thrown.
-/// `assume` is as in MeasurementOptions.
+/// if the file states none. If `sigma` is 0 as well, the sigma is derived from the cell's tool, or else InputError is
+/// thrown. `assume` is as in MeasurementOptions.
 [[nodiscard]] ReadingsWithChecks readingsMade(const std::string& file, Cell& cell, double sigma,
                                               const std::vector<std::string>& assume = {});
 

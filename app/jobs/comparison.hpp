@@ -20,7 +20,7 @@ struct ComparisonRequest {
 struct ComparisonOutcome {
   calibration::Comparison comparison;
   std::vector<calibration::Measurement> readings;  ///< readings compared: all except the outliers in `set_aside`
-  std::vector<std::string> set_aside;              ///< ids of outliers
+  std::vector<std::string> set_aside;              ///< ids of the readings excluded as outliers
   std::vector<std::string> warnings;               ///< warnings of the fit
   nlohmann::json figures;                          ///< output of `tubeplan compare --json`
 };

@@ -20,7 +20,7 @@ struct AdditionRequest {
 };
 
 struct Addition : AddedCauses {
-  Cell cell;  ///< the cell with all additions, as it would be read back from its written file
+  Cell cell;  ///< the cell with all additions, as if read back from a written cell file
 };
 
 /// Adds the causes to the cell. Throws InputError for an empty request, for an effect that the cell already has, and

@@ -146,8 +146,9 @@ void fitReadings(const CellReadings& input, const IdentificationRequest& request
   outcome.set_aside = std::move(refit.set_aside);
 }
 
-/// Returns a clause that says why the readings reject the fit; empty if they do not. The scatter of repeated readings
-/// also counts: if it exceeds the stated noise enough to explain the misfit, the fit is not inadequate.
+/// Returns a clause that says why the readings reject the fit; empty if the readings do not reject the fit. The scatter
+/// of repeated readings also counts: if it exceeds the stated noise enough to explain the misfit, the fit is not
+/// inadequate.
 std::string refutation(const calibration::ModelLackOfFit& lack) {
   const bool is_off = lack.p_value < calibration::kPatternLevel;
   if (lack.adequacy == calibration::Adequacy::kInadequate)

@@ -37,7 +37,7 @@ struct IdentificationOutcome {
   /// The fit; if the readings contain a mistake, it is not run and its `reason` names the mistake.
   calibration::Identification fit;
   std::vector<calibration::Measurement> readings;  ///< readings fitted: all except the outliers in `set_aside`
-  std::vector<std::string> set_aside;              ///< ids of outliers
+  std::vector<std::string> set_aside;              ///< ids of the readings excluded as outliers
   std::vector<std::string> warnings;               ///< warnings about the fit and the readings
   /// Verdict on the residuals relative to the noise, by the criterion of `compare`; inconclusive if the readings
   /// contain a mistake.

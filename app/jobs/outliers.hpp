@@ -22,12 +22,12 @@ namespace tubeplan::app {
 /// A fit to the readings without their outliers.
 struct RefitOfReadings {
   std::vector<calibration::Measurement> readings;  ///< readings fitted: all except the outliers in `set_aside`
-  std::vector<std::string> set_aside;              ///< ids of outliers
+  std::vector<std::string> set_aside;              ///< ids of the readings excluded as outliers
   calibration::Identification fit;                 ///< fit of `readings`; has status "not run" if nothing is free
 };
 
 /// Fits all readings. If `outliers` then returns indices of readings, fits again without these readings. If the first
-/// fit is refused, returns it unchanged.
+/// fit is refused, returns this refused fit.
 [[nodiscard]] RefitOfReadings fitWithoutOutliers(
     const std::vector<calibration::Measurement>& readings,
     const std::function<calibration::Identification(const std::vector<calibration::Measurement>&)>& fitted,

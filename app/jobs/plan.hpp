@@ -7,7 +7,7 @@
 
 namespace tubeplan::app {
 
-/// Reads the input, calibrates the base, plans the visits and scores them. Throws InputError for bad input. If the
+/// Reads the input, calibrates the base, and plans and scores the visits. Throws InputError for bad input. If the
 /// calibration is refused, nothing is planned. `checkpoint` supplies results of an earlier run and stores new ones.
 [[nodiscard]] PlanOutcome runPlanJob(const PlanRequest& request, planner::PlanHooks hooks, PlanCheckpoint& checkpoint);
 
