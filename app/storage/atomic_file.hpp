@@ -38,7 +38,7 @@ void removeLeftovers(const std::filesystem::path& folder, const std::string& nam
 class OutputFolder {
  public:
   /// Throws InputError, naming the option, if the folder cannot be created or written, or if another program is writing
-  /// to it, because the files of two runs would be mixed.
+  /// to the folder, because the files of two runs would be mixed.
   OutputFolder(const std::filesystem::path& path, const std::string& option);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -53,11 +53,11 @@ class OutputFolder {
   /// Writes a file to be placed in the folder at commit(); `name` is a file name without folders.
   void write(const std::string& name, const std::string& content);
 
-  /// Marks a file of an earlier run for removal at commit(), because it does not belong to the new files.
+  /// Marks a file of an earlier run for removal at commit(), because the file does not belong to the new results.
   void remove(const std::string& name);
 
-  /// Renames all files to their final names, or none if this fails. Replaces older files of the same names; other files
-  /// of the folder are kept.
+  /// Renames all files to their final names, or none if a rename fails. Replaces older files of the same names; other
+  /// files of the folder are kept.
   void commit();
 
  private:

@@ -1,4 +1,4 @@
-// Values of a JSON document that know their position in it; reading checks type and range.
+// Values of a JSON document, each with its position in the document, read with checks of type and range.
 #pragma once
 
 #include <Eigen/Core>

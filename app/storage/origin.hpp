@@ -1,4 +1,4 @@
-// Origin of a result: the program's version, and each input file with its SHA-256. The record also prevents options
+// Origin of a result: the program's version, and each input file with its SHA-256. InputRecord also prevents options
 // from overwriting an input file or the output of another option.
 #pragma once
 

@@ -21,7 +21,7 @@ namespace tubeplan::app {
 [[nodiscard]] std::string readKeptFile(const std::string& path);
 
 /// Throws InputError unless the text meets the conditions of readTextFile(). For text that does not come from a file;
-/// messages call it `path`.
+/// `path` is the name of the text in messages.
 void checkText(const std::string& path, std::string_view text);
 
 /// Throws InputError for a problem in the text of the file `path`, with the problem's line.
