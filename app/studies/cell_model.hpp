@@ -25,8 +25,8 @@ struct BasePrior {
   double turn = 0.0087;   ///< per axis [rad] (0.5 deg)
 };
 
-/// Stated error of the arm that its model does not predict: standard deviation of each tip coordinate, independent in
-/// each posture.
+/// Stated tip error that the arm's model does not predict: standard deviation of each coordinate, independent in each
+/// posture.
 struct ModelError {
   double sigma = 0;            ///< per coordinate of the tip [m]
   int degrees_of_freedom = 0;  ///< degrees of freedom of the estimate of `sigma`; 0: sigma is taken as known

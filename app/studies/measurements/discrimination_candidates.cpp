@@ -60,8 +60,8 @@ std::vector<double> thinnedOut(const std::set<double>& all, int most) {
   return some;
 }
 
-/// Returns the median of each condition over the readings of kind `of`. Time is the exception: it is the latest time,
-/// because no new reading can be earlier.
+/// Returns the median of each condition over the readings of kind `of`. For the time, returns the latest value, because
+/// no new reading can be earlier.
 deflection::ConditionValues usualConditionsOf(const std::vector<Measurement>& readings, MeasurementKind of) {
   deflection::ConditionValues usual;
   for (const auto& kind : deflection::kConditionKinds) {

@@ -1,5 +1,5 @@
-// Candidates for the next readings that distinguish explanations of a model's error. They have the kind, loads and
-// conditions of the readings so far.
+// Candidates for the next readings that distinguish explanations of a model's error. The candidates have the kind,
+// loads and conditions of the readings so far.
 #pragma once
 
 #include <cstdint>

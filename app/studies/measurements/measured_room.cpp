@@ -59,7 +59,8 @@ double distance(const Link& a, const Link& b) {
 /// link is shorter than kShortLink.
 std::vector<double> distancesOf(const std::vector<Link>& links) {
   const auto isLink = [&](std::size_t k) { return (links[k].to - links[k].from).norm() > kShortLink; };
-  // Group number of each link; links separated only by short ones have adjacent groups and are neighbours.
+  // Group number of each link; links separated only by links shorter than kShortLink have adjacent groups and are
+  // neighbours.
   std::vector<int> group(links.size());
   for (std::size_t k = 1; k < links.size(); ++k) group[k] = group[k - 1] + isLink(k);
   std::vector<double> distances;

@@ -10,8 +10,9 @@
 namespace tubeplan::app {
 
 /// Free room of the measured postures. A posture is inside if the arm hangs no lower than in the measured postures (the
-/// floor), and if no two links that are not neighbours come closer than they did there. Links are lines between frames.
-/// Their thickness needs no allowance, because the same links were this close when measured.
+/// floor), and if no two links that are not neighbours come closer to each other than in the measured postures. Links
+/// are lines between frames. Their thickness needs no allowance, because the links were already this close in a
+/// measured posture.
 class MeasuredRoom {
  public:
   /// `fitted` must have a base pose for each set-up of the readings, of which there must be at least one.

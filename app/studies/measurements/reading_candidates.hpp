@@ -21,8 +21,8 @@ struct ReachedHole {
   Eigen::VectorXd q;
 };
 
-/// Returns postures that reach the given tubes under the cell's load, without collision during the whole approach. They
-/// are in the order of the tubes: all branches of each tube, or the first branch only.
+/// Returns postures that reach the given tubes under the cell's load, without collision during the whole approach. The
+/// postures are in the order of the tubes: all branches of each tube, or the first branch only.
 [[nodiscard]] std::vector<ReachedHole> reachHoles(const planner::Workcell& cell, const std::vector<int>& tubes,
                                                   bool all_branches);
 
@@ -33,9 +33,9 @@ using PostureQuestion = std::function<bool(const Eigen::VectorXd& q, double load
 /// anywhere or near one of its limits.
 enum class PostureChoice { kAnywhere, kNearLimits };
 
-/// Returns random postures within the joint limits (a full turn for joints without limits). They are clear of the scene
-/// under each of the loads [N] and allowed by `is_allowed`. There are fewer than `count` if the random search finds too
-/// few.
+/// Returns random postures within the joint limits (a full turn for joints without limits). The postures are clear of
+/// the scene under each of the loads [N] and allowed by `is_allowed`. There are fewer than `count` if the random search
+/// finds too few.
 [[nodiscard]] std::vector<Eigen::VectorXd> clearPostures(planner::Workcell cell, const std::vector<double>& loads,
                                                          int count, std::uint64_t seed,
                                                          const PostureQuestion& is_allowed = {},

@@ -23,7 +23,7 @@ struct TouchTask {
   bool is_first = true;              ///< true: there are no readings yet
   bool by_touch = true;              ///< true: readings for the parameters are touches; false: tip positions
   double base_sigma = 0, sigma = 0;  ///< noise of touches for the base, and of readings for the parameters [m]
-  std::vector<double> loads;         ///< [N]
+  std::vector<double> loads;         ///< loads under which readings may be proposed [N]
   int count = 0;  ///< number of touches for the base and of readings for the parameters; 0: 3 touches and 10 readings
   int candidates = 0;  ///< number of holes or postures to choose from; 0: 60 holes, 600 postures
   /// Design criterion for the readings of the parameters.

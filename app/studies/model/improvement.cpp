@@ -30,8 +30,8 @@ struct Decision {
 };
 
 /// Returns the best explanation at the farthest poses among those that were judged and accepted by `isWorthIt`; null if
-/// there is none. They are in order of probability: a less probable one replaces the best so far only if its error is
-/// at least 5 % lower.
+/// there is none. The explanations are in order of probability: a less probable explanation replaces the best so far
+/// only if its error is at least 5 % lower.
 template <class IsWorthIt>
 const Explanation* bestCarried(const std::vector<Explanation>& explanations, const IsWorthIt& isWorthIt) {
   const Explanation* best = nullptr;
@@ -42,7 +42,7 @@ const Explanation* bestCarried(const std::vector<Explanation>& explanations, con
   return best;
 }
 
-/// Decides between equally good explanations: adds the best one if they differ little, or else the causes common to all
+/// Decides between equally good explanations: adds the best one if all differ little, or else the causes common to all
 /// if they lower the errors.
 Decision amongEquals(const Diagnosis& diagnosis) {
   double widest = 0;

@@ -26,15 +26,15 @@ struct ImprovedModel {
 struct ImprovementRequest {
   int steps = 6;  ///< largest number of steps that add a cause
   std::uint64_t seed = 1;
-  /// Called with each model once it is fitted, and again when it is refitted to other readings.
+  /// Called with each fitted model, and again with the last model when it is refitted to other readings.
   std::function<void(const ImprovedModel&)> on_model;
 };
 
 enum class ImprovementEnd {
   kNotRun,
-  kAdequate,     ///< nothing is missing
-  kNothingSure,  ///< something is missing, but it is scatter alone, or no cause lowers the error of held-out readings
-  kAmbiguous,    ///< alternatives differ over the arm's range by more than the best of them would gain
+  kAdequate,          ///< the model lacks nothing
+  kNothingSure,       ///< an error remains, but only as scatter, or no cause lowers the error of held-out readings
+  kAmbiguous,         ///< alternatives differ over the arm's range by more than the best alternative gains
   kDoesNotCarryOver,  ///< the cause does not lower the error of held-out readings, or of the farthest poses
   kMistake,           ///< a mistake in the readings explains the error
   kInconclusive,      ///< the readings allow no verdict
@@ -48,14 +48,12 @@ enum class ImprovementReason {
   kScatter,            ///< the residual is no smooth function of the stated variables; `first`: size of the residual
   kSure,               ///< the cause is certain and predicts the farthest poses
   kSureInAll,          ///< the cause is certain in every alternative
-  kAlternativesClose,  ///< alternatives differ by `first` over the arm's range, less than the gain `second`
-  kAlternativesApart,  ///< alternatives differ by `first` over the arm's range, more than the gain `second`
+  kAlternativesClose,  ///< the alternatives differ by `first` over the arm's range, less than the gain `second`
+  kAlternativesApart,  ///< the alternatives differ by `first` over the arm's range, more than the gain `second`
   kUnsureButLower,     ///< the cause is uncertain, but lowers the error of held-out readings and of the farthest poses
   kNoneLower,         ///< no cause is certain, and none lowers the error of held-out readings and of the farthest poses
-  kFarthestWorse,     ///< the error of the farthest poses, predicted by a fit to the nearer poses, rose to `first` from
-                      ///< `second`
-  kNotLowerTogether,  ///< the cause, fitted together with the other parameters, does not lower the error of held-out
-                      ///< readings
+  kFarthestWorse,     ///< the error of the farthest poses with a fit to the nearer poses rose from `second` to `first`
+  kNotLowerTogether,  ///< fitted with all other parameters, the cause does not lower the error of held-out readings
   kMistakeExplains,
   kNoVerdict,
 };
@@ -64,7 +62,7 @@ enum class ImprovementReason {
 struct ImprovementStep {
   calibration::Diagnosis diagnosis;
   ImprovementReason reason = ImprovementReason::kNoVerdict;
-  /// Values that ImprovementReason explains [m]; NaN if it names none.
+  /// Values of the reason, as explained at ImprovementReason [m]; NaN if the reason has none.
   double first = std::numeric_limits<double>::quiet_NaN(), second = first;
   std::vector<std::string> added;       ///< names of the added causes; empty if none was added
   std::vector<std::string> also;        ///< causes that no reading distinguishes from the added causes
@@ -82,14 +80,15 @@ struct Improvement {
   /// readings.
   std::vector<ImprovedModel> models;
 
-  /// Returns true if there is a usable model.
+  /// Returns true if the result has a model that may be used.
   [[nodiscard]] bool isUsable() const {
     return !models.empty() && end != ImprovementEnd::kNotFitted &&
            !(end == ImprovementEnd::kInconclusive && models.size() == 1);
   }
 };
 
-/// Runs the loop. If the readings determine nothing, it ends with kNotFitted and a refused fit. Throws JobStopped.
+/// Runs the loop. If the readings determine nothing, the loop ends with kNotFitted and a refused fit. Throws
+/// JobStopped.
 [[nodiscard]] Improvement improveModel(const CellModel& cell, const std::vector<calibration::Measurement>& readings,
                                        const ImprovementRequest& request, const WorkHooks& hooks = {});
 

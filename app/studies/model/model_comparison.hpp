@@ -19,10 +19,10 @@ struct ModelComparisonRow {
   calibration::ErrorSize as_it_stands;  ///< error of the model as in its file, with the base of the file
   calibration::ErrorSize fitted;        ///< error with `identify` fitted, and with the base fitted if it is unknown
   calibration::ErrorSize heldout;
-  double noise_floor = 0;  ///< [m]
+  double noise_floor = 0;  ///< rms error from the stated noise alone [m]
   double chi2_per_dof = 0;
   double p_value = std::numeric_limits<double>::quiet_NaN();  ///< p-value of chi-square for the stated noise; NaN: none
-  calibration::PlacedArm model;    ///< the fitted model; its arm has no rows if it could not be fitted
+  calibration::PlacedArm model;    ///< the fitted model; its arm has no rows if the fit failed
   std::optional<StepTable> steps;  ///< step table; nothing: not requested
 };
 

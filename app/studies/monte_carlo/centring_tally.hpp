@@ -1,5 +1,5 @@
-// Results of many runs, for each hole and in total. They are sums of integers, so that tallies merged in any order are
-// identical.
+// Results of many runs, for each hole and in total. All results are sums of integers, so that tallies merged in any
+// order are identical.
 #pragma once
 
 #include <vector>
@@ -52,7 +52,7 @@ class CentringTally {
 
   void put(TallyWords& words) const;
 
-  /// Merges a tally written by put(). Returns false if its dimensions differ or it is incomplete; this tally is then
+  /// Merges a tally written by put(). Returns false if its dimensions differ or words are missing; this tally is then
   /// invalid.
   [[nodiscard]] bool merge(const TallyWords& words);
 

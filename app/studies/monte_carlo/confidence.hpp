@@ -20,8 +20,8 @@ struct Probability {
 /// cases.
 [[nodiscard]] Probability wilsonInterval(double count, double of);
 
-/// Sums, over independent runs, of a quantity with several dependent cases in each run. They give the mean over all
-/// cases and its standard error by the ratio estimator (Cochran, Sampling Techniques, 1977, section 6.4). The sums are
+/// Sums, over independent runs, of a quantity with several dependent cases in each run. The sums give the mean over all
+/// cases and its standard error by the ratio estimator (Cochran, Sampling Techniques, 1977, section 6.4). All sums are
 /// integers, so that sums merged in any order are identical.
 class RunSums {
  public:

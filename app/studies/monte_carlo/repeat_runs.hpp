@@ -12,7 +12,7 @@ namespace tubeplan::app {
 struct RepeatHooks {
   std::function<void(std::uint64_t done)> progress;
   std::function<bool()> stop;
-  /// Called when a checkpoint may be written; `must`: it must be written, because no further call follows.
+  /// Called when a checkpoint may be written; `must`: the checkpoint must be written, because no further call follows.
   std::function<void(bool must)> keep;
 };
 

@@ -13,7 +13,7 @@ int usualWorkers(int others) {
   return std::max(1, std::min(allowed, cores / std::max(1, others)));
 }
 
-// The distributing thread stays outside the arena, so that it is never occupied by a run.
+// The distributing thread stays outside the arena, and is therefore never occupied by a run.
 RunWorkers::RunWorkers(const Experiment& experiment, int workers)
     : experiment_(experiment),
       workers_(workers),
@@ -62,8 +62,8 @@ std::optional<RunWorkers::Result> RunWorkers::take(std::chrono::microseconds wai
   return result;
 }
 
-// Works on chunks and stores an exception for take(). The task group itself would report it only at its end, while the
-// caller would wait for results.
+// Works on chunks and stores an exception for take(). The task group would report the exception only at its end, while
+// the caller would wait for results.
 void RunWorkers::workOrFail() noexcept {
   try {
     work();

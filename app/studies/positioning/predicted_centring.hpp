@@ -20,8 +20,8 @@ struct PredictedCentring {
 };
 
 /// Predicts the centring error under holes spread over the sheet (all holes of a small sheet), each in the first
-/// posture that reaches it; links are not checked for collisions. `is_staged`: the fit is the last of several stages.
-/// The result is invalid if `stop` has returned true.
+/// posture that reaches the hole; links are not checked for collisions. `is_staged`: the fit is the last of several
+/// stages. The result is invalid if `stop` has returned true.
 [[nodiscard]] PredictedCentring predictCentring(const CellModel& cell, const calibration::Identification& fit,
                                                 bool is_staged, const calibration::StopQuestion& stop = {});
 

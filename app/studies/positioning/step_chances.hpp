@@ -25,7 +25,7 @@ struct StepChances {
 struct StepQuestion {
   const CellModel& cell;           ///< the cell as read, with its statements on base, parameters and model error
   const planner::Workcell& model;  ///< the workcell with the base in use
-  /// Calibration that determined this base; null: the base is that of the cell.
+  /// Calibration that determined the base of `model`; null: the cell states the base.
   const calibration::BaseCalibration* placed_by;
   const std::vector<Eigen::VectorXd>& postures;
   const std::vector<planner::Centring>& predicted;  ///< centring as the model predicts it, one for each posture

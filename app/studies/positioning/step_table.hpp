@@ -23,7 +23,7 @@ struct RealArm {
 /// A hole that the real arm reaches.
 struct StepHole {
   int tube = -1;
-  Eigen::VectorXd q;            ///< a posture; every model must use its branch
+  Eigen::VectorXd q;            ///< a posture in the branch that every model must use
   Eigen::Vector3d tip_error_W;  ///< unmodelled tip error of the real arm in this posture [m]
 };
 
