@@ -8,14 +8,14 @@
 
 namespace tubeplan::app {
 
-/// Kind of a page.
+/// Kind of report page, such as the page of a plan or of a diagnosis.
 struct PageKind {
   std::string_view name;     ///< `page` in the JSON document; selects the sections that the script shows
   std::string_view title;    ///< shown until the script sets the title of the document
   std::string_view figures;  ///< phrase naming where readers without scripts find the same results
 };
 
-/// Returns the page with the JSON document embedded so that no text in the document can end its script block. A
+/// Returns the page with the JSON document embedded so that no text in the document can end the page's script block. A
 /// document that is not an object is treated as an empty object. Bytes that are not UTF-8 become U+FFFD; numbers that
 /// are not finite become null. Equal documents give identical bytes. If the program was built without a script, the
 /// page says that it has no pictures.
