@@ -20,7 +20,7 @@ namespace tubeplan::app {
 namespace {
 
 /// Adds the readings in the form that the page draws: the tip position after the refit, and the errors before and after
-/// it.
+/// the refit.
 void addPictures(const Cell& cell, nlohmann::json& json) {
   json["joints"] = jointsJson(cell.arm, cell.units);
   for (auto& reading : json["readings"]) {

@@ -10,8 +10,8 @@
 
 namespace tubeplan::app {
 
-/// Adds two entries to the JSON of a diagnosis: `next_readings`, a list, and `discrimination`, their expected benefit
-/// and other remedies. Appends the advice to the `sentence` of the diagnosis.
+/// Adds two entries to the JSON of a diagnosis: `next_readings`, the proposed readings, and `discrimination`, the
+/// expected benefit of these readings and other remedies. Appends the advice to the `sentence` of the diagnosis.
 void addNextReadings(const calibration::DiscriminatingMeasurements& result,
                      const std::vector<calibration::ReadingCandidate>& candidates, const deflection::Arm& arm,
                      const Units& units, nlohmann::json& diagnosis);

@@ -6,8 +6,8 @@
 
 namespace tubeplan::app {
 
-/// Adds to the JSON entry about an effect or freed parameter of this name: `words`, its description, and `varies_with`,
-/// the kinds of variables in its law.
+/// Adds to the JSON entry about an effect or freed parameter of this name: `words`, a description, and `varies_with`,
+/// the kinds of variables in the effect's law.
 void addEffectWords(const std::string& effect, nlohmann::json& entry);
 
 }  // namespace tubeplan::app

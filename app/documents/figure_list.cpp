@@ -46,7 +46,8 @@ bool hasReal(const json& value) {
   return value.is_array() ? std::any_of(value.begin(), value.end(), hasReal) : value.is_number_float();
 }
 
-/// Returns the name that distinguishes a list's entry from the other entries; its number, from 1, if it has no name.
+/// Returns the name that distinguishes a list's entry from the other entries; the entry's number, from 1, if there is
+/// no name.
 std::string entryName(const json& entry, std::size_t place) {
   if (entry.contains("effect") && entry.contains("at"))
     return fmt::format("{} at {}", cellText(entry["effect"], 1), cellText(entry["at"], 1));

@@ -35,7 +35,8 @@ namespace tubeplan::app {
 /// Returns the number of decimals for table columns of lengths in this unit, sufficient to show 1e-4 in.
 [[nodiscard]] int lengthDecimals(const Unit& length);
 
-/// Returns the name of a status of a calibration, identification or comparison; their enumerations have the same order.
+/// Returns the name of a status of a calibration, identification or comparison; the three status enumerations have the
+/// same order.
 template <class Status>
 [[nodiscard]] std::string_view statusName(Status status) {
   static constexpr std::array<std::string_view, 5> kNames{"not-run", "done", "refused", "not-converged", "stopped"};

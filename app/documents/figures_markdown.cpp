@@ -30,7 +30,8 @@ std::string singleFigures(const std::vector<Figure>& figures) {
   return text;
 }
 
-/// Returns the entries of a list as a table. If all values of a column have the same unit, the column heading names it.
+/// Returns the entries of a list as a table. If all values of a column have the same unit, the column heading names
+/// this unit.
 std::string listTable(const std::vector<Figure>& figures, const std::string& list) {
   std::vector<std::string> columns, rows;
   std::map<std::string, std::set<std::string>> units;

@@ -35,8 +35,8 @@ nlohmann::json sizeJson(const ErrorSize& size, const ErrorUnit& unit) {
           {"readings", size.readings}};
 }
 
-/// Returns the standard deviation of a prior in file units. For a stiffness, whose prior is on the compliance, it is
-/// relative to the initial value.
+/// Returns the standard deviation of a prior in file units. For a stiffness, the prior is on the compliance, and its
+/// standard deviation is relative to the initial value.
 nlohmann::json priorJson(const Unknown& unknown, const Units& units) {
   const bool is_compliance = unknown.scale == Unknown::Scale::kCompliance;
   return {{"sigma", is_compliance ? finiteJson(unknown.prior_sigma * unknown.start)

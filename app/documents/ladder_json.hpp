@@ -11,8 +11,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the JSON that `tubeplan ladder --json` writes. Its entry on the tool's steps has {real_arm,
-/// unmodelled_sigma, holes, out_of_reach, seed}, or {reason} if there are no step tables.
+/// Returns the JSON that `tubeplan ladder --json` writes. The entry `step_table` has {real_arm, unmodelled_sigma,
+/// holes, out_of_reach, seed}, or {reason} if there are no step tables.
 [[nodiscard]] nlohmann::json ladderJson(const std::vector<ModelComparisonRow>& comparison, const LadderSteps& steps,
                                         const std::vector<std::string>& set_aside, std::uint64_t seed,
                                         const Units& units);

@@ -1,5 +1,5 @@
-// Moments about the axes of the arm's rows at each reading, used as abscissae in plots of errors. The names are those
-// used in formulas.
+// Moments about the axes of the arm's rows at each reading, used as abscissae in plots of errors. The moments have the
+// names used in formulas.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -146,7 +146,7 @@ std::string pathFingerprintOf(const PlanOutcome& outcome) {
 }
 
 /// Returns how the tool travels between tubes. For straight lines, also the number of lines and the deviation of the
-/// deflected tip from them.
+/// deflected tip from the lines.
 json travelJson(const PlanRequest& request, const planner::VisitPlan& plan, const Units& units) {
   json travel = {{"kind", request.travel}};
   if (request.travel != planner::nameOf(planner::TravelKind::kLine)) return travel;

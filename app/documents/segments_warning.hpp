@@ -11,7 +11,7 @@
 namespace tubeplan::app {
 
 /// Returns the warning of segmentsJson() for the worst of about sixteen of the given postures, with the arm, base and
-/// load of `placed`; empty if the number of segments suffices in all of them.
+/// load of `placed`; empty if the number of segments suffices in all these postures.
 [[nodiscard]] std::string segmentsWarning(const Cell& cell, const planner::Workcell& placed,
                                           const std::vector<Eigen::VectorXd>& postures);
 

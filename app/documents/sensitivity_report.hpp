@@ -18,8 +18,8 @@ struct SensitivityReport {
   bool has_sheet = false;       ///< true: errors are across the holes; false: errors are total
   /// Holes, or names of postures, whose touches determine the base; empty: the base is known.
   std::vector<std::string> touches;
-  std::vector<double>
-      sigmas;  ///< standard deviation of each parameter [its unit]; NaN: no reading determines it; empty: no readings
+  /// Standard deviation of each parameter, in the parameter's unit; NaN: no reading determines it; empty: no readings.
+  std::vector<double> sigmas;
 };
 
 [[nodiscard]] nlohmann::json sensitivityJson(const SensitivityReport& report, const Cell& cell);

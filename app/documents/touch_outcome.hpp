@@ -40,7 +40,7 @@ struct ReadingNoise {
 struct TouchOutcome : TouchProposals {
   Cell cell;                       ///< cell with the arm and base estimated from the readings
   ReadingNoise noise, base_noise;  ///< noise of readings for the parameters, and of touches for the base
-  std::vector<double> loads;       ///< loads [N]
+  std::vector<double> loads;       ///< loads of the proposed readings [N]
   std::string setup;               ///< set-up of the proposed readings; empty if there is only one set-up
   std::vector<std::string> notes;
   calibration::MeasurementChecks checks = {};  ///< checks of the existing readings

@@ -19,7 +19,7 @@ namespace {
 
 using calibration::NumberForecast, calibration::ProposedMeasurement, calibration::TipSigma;
 
-/// Proposed reading with its name, and the index of the design step that chose it.
+/// Proposed reading with its name, and the index of the design step that chose the reading.
 struct NamedReading {
   ProposedMeasurement reading;
   std::size_t step;

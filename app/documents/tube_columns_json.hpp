@@ -1,4 +1,4 @@
-// Probable meanings of a table's columns if it is a work list, for a dialog.
+// Probable meanings of the columns of a table that may be a work list, for a dialog.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
