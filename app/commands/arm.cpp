@@ -159,7 +159,8 @@ int exportRows(const ArmOptions& options) {
   return kDone;
 }
 
-/// Exports an arm into the URDF file from which it was imported, and lists what changed and what URDF cannot express.
+/// Exports an arm to a copy of the URDF file from which the arm was imported. Prints the changes, and what URDF cannot
+/// express.
 int exportIntoUrdf(const ArmOptions& options) {
   const deflection::Arm arm = readAnyArm(options.file, options.tip).arm;
   const UrdfEdit edit = withArmInUrdf(readTextBytes(options.into), options.into, options.tip, arm);
@@ -205,7 +206,7 @@ int exportArm(const ArmOptions& options) {
   return options.convention.empty() ? exportUrdf(options) : exportRows(options);
 }
 
-/// Throws InputError for an option of another action, because it would have no effect.
+/// Throws InputError for an option of another action, because the option would have no effect.
 void requireOptionsOf(const ArmOptions& options) {
   const std::string kinematics = options.is_kinematics ? "on" : "";
   const std::string format = printsText({"", options.figures.format}) ? "" : options.figures.format;

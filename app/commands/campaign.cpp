@@ -174,7 +174,7 @@ int run(const CampaignOptions& options) {
 
 std::string groupOf(std::string_view kind) { return fmt::format("Of kind {}, in the cell's units", kind); }
 
-/// Throws InputError for an option of another kind of campaign, because it would have no effect.
+/// Throws InputError for an option of another kind of campaign, because the option would have no effect.
 void requireOptionsOf(const CLI::App& cli, const std::string& chosen) {
   for (const auto& kind : campaignKinds()) {
     if (kind.name == chosen) continue;

@@ -16,7 +16,8 @@ namespace {
 
 struct OutputFormat {
   std::string_view name;
-  std::string (*write)(const nlohmann::json& figures);  ///< converts the results; null: the command prints its own text
+  std::string (*write)(
+      const nlohmann::json& figures);  ///< function that formats the results; null: the command prints its own text
 };
 
 std::string jsonText(const nlohmann::json& figures) { return figures.dump(2) + "\n"; }

@@ -19,7 +19,7 @@ void addFigures(CLI::App& cli, FiguresTarget& target);  ///< --json and --format
 void addSeed(CLI::App& cli, std::uint64_t& seed, const std::string& of);
 
 /// Adds --sigma (above zero): the standard deviation of a coordinate in the cell's length unit. `when` states, for
-/// --help, when it is used.
+/// --help, when the option is used.
 void addSigma(CLI::App& cli, double& sigma, const std::string& when);
 
 /// Adds --sigma, --prior and --assume, for commands that fit a model to readings.

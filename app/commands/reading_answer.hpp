@@ -1,4 +1,4 @@
-// Exit codes of commands that take readings.
+// Exit codes of commands that evaluate readings.
 #pragma once
 
 #include "app/cli/command.hpp"
@@ -6,8 +6,8 @@
 
 namespace tubeplan::app {
 
-/// Returns the exit code of a command for a positive or negative result. A mistake in the readings makes it negative.
-/// Used by all commands that evaluate readings.
+/// Returns the exit code of a command for a positive or negative result. A mistake in the readings makes the result
+/// negative. Used by all commands that evaluate readings.
 [[nodiscard]] inline ExitCode answerOver(const calibration::MeasurementChecks& checks, bool is_positive) {
   return is_positive && !calibration::grossMistake(checks) ? kDone : kNegativeAnswer;
 }

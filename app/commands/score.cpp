@@ -43,7 +43,7 @@ constexpr std::size_t kTubes = 60, kTubesOfRuns = 80;
 
 struct ScoredTube {
   int tube;
-  std::string reason;  ///< why the tube was not scored; empty if it was scored
+  std::string reason;  ///< why the tube was not scored; empty for a scored tube
   ModeScores scores;
   Eigen::VectorXd q = {};  ///< joint values of the model on its calibrated base; empty on failure
 };

@@ -53,7 +53,7 @@ BestTouches touchedPostures(const Cell& cell, const std::vector<Eigen::VectorXd>
   return bestTouches(cell.arm, cell.X_WB, marks, work_postures, {kChosenTouches, usual.touch_sigma, doubtBeside(cell)});
 }
 
-/// Chooses the three touches that determine the base best. Returns why there are none; empty if they were found.
+/// Chooses the three touches that determine the base best. Returns why no such touches exist; empty if they exist.
 std::string chooseBaseTouches(const Cell& cell, std::uint64_t seed, SensitivityReport& report,
                               calibration::SensitivityTask& task) {
   const BestTouches best = cell.sheet ? touchedHoles(cell, task.work) : touchedPostures(cell, task.work, seed);
@@ -78,7 +78,7 @@ void findSheetWork(const Cell& cell, const SensitivityOptions& options, Sensitiv
   task.hole_axis_W = planner::kHoleAxis_W;
 }
 
-/// Returns the posterior standard deviation of each arm parameter [its internal unit]; NaN for parameters that are not
+/// Returns the posterior standard deviation of each arm parameter, in internal units; NaN for parameters that are not
 /// among the unknowns.
 std::vector<double> posteriorSigmas(const calibration::Estimate& estimate, const deflection::Arm& arm) {
   const auto n = estimate.information.rows();

@@ -102,7 +102,7 @@ constexpr TextLine kPlanCheckWords[] = {
 /// Returns a sentence on the difference between the plan's base and the cell's base, which may have been calibrated
 /// since; empty if both agree.
 std::string baseDifference(const Cell& cell, const Cell& planned) {
-  constexpr double kSamePlace = 1e-6, kSameTurn = 1e-6;  // [m], [rad]
+  constexpr double kSamePlace = 1e-6, kSameTurn = 1e-6;  // tolerances [m], [rad]
   if (!cell.base_known) return "";
   const double place = (cell.X_WB.translation() - planned.X_WB.translation()).norm();
   const double turn =

@@ -62,7 +62,7 @@ struct CampaignKind {
 };
 [[nodiscard]] std::span<const CampaignKind> campaignKinds();
 
-// Defined in the source files of the same names.
+// Defined in centring_campaign.cpp and diagnosis_campaign.cpp.
 Campaign makeCentringCampaign(const CampaignRequest& request);
 Campaign makeDiagnosisCampaign(const CampaignRequest& request);
 

@@ -1,5 +1,5 @@
-// One run of a diagnosis campaign: simulates readings of an arm with a random hidden effect or none, and diagnoses
-// them.
+// One run of a diagnosis campaign: simulates readings of an arm with a random hidden effect or none, and diagnoses the
+// readings.
 #pragma once
 
 #include <array>
