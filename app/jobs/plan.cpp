@@ -64,7 +64,7 @@ void countChanges(const std::vector<int>& before, PlanOutcome& outcome) {
   outcome.tubes_removed = static_cast<int>(old.size()) - kept;
 }
 
-constexpr double kMostStandoff = 1;  // [m]; also the largest insertion
+constexpr double kMostStandoff = 1;  // largest standoff and largest insertion [m]
 
 double standoffOf(const PlanRequest& request, const PlanOutcome& outcome) {
   if (!request.standoff) return planner::CompensationOptions{}.standoff;
