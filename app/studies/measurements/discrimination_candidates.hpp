@@ -17,11 +17,11 @@ struct DiscriminationCandidateOptions {
   std::uint64_t seed = 1;
 };
 
-/// Returns candidates that the fitted model reaches from the base of its last set-up. They are postures within the
-/// limits and clear of the scene, or points of the readings and holes of the sheet. Without a scene, postures must be
-/// within the measured room (measured_room.hpp). Conditions are the medians over the readings; the time is the latest
-/// time read. Approach directions are drawn at random if the readings state them. Angles are proposed for the tool or
-/// for the rows at which angles were measured.
+/// Returns candidates that the fitted model reaches from the base of its last set-up. The candidates are postures
+/// within the limits and clear of the scene, or points of the readings and holes of the sheet. Without a scene,
+/// postures must be within the measured room (measured_room.hpp). Conditions are the medians over the readings; the
+/// time is the latest time read. Approach directions are drawn at random if the readings state them. Angles are
+/// proposed for the tool or for the rows at which angles were measured.
 [[nodiscard]] std::vector<calibration::ReadingCandidate> discriminationCandidates(
     const CellModel& cell, const calibration::PlacedArm& fitted, const std::vector<calibration::Measurement>& readings,
     const DiscriminationCandidateOptions& options = {});

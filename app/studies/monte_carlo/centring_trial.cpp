@@ -12,7 +12,8 @@ namespace {
 using calibration::CalibrationStatus, calibration::TouchPlan;
 using Draw = calibration::RandomStreamFrom<SplitMix>;
 
-constexpr double kLeastWeighingSigma = 1e-6;  // [m]; weights would be infinite for touches without noise
+// Smallest sigma used for weights [m]; without noise the weights would be infinite.
+constexpr double kLeastWeighingSigma = 1e-6;
 
 /// Purpose of random numbers, as a part of their key. Separate keys keep one quantity's numbers the same when more of
 /// another are drawn.

@@ -24,7 +24,7 @@ struct StepChances {
 /// Input of stepChances(): the placed model, its postures at the holes, and the predicted centring in each posture.
 struct StepQuestion {
   const CellModel& cell;           ///< the cell as read, with its statements on base, parameters and model error
-  const planner::Workcell& model;  ///< the workcell with the base in use
+  const planner::Workcell& model;  ///< the workcell, with the base used for planning
   /// Calibration that determined the base of `model`; null: the cell states the base.
   const calibration::BaseCalibration* placed_by;
   const std::vector<Eigen::VectorXd>& postures;
