@@ -21,8 +21,9 @@ using calibration::BaseCalibration;
 // Largest plausible deviation of the base from nominal, in standard deviations of its prior.
 constexpr double kMostSigmas = 3;
 constexpr double kMostPitches = 10;  // largest plausible miscount of rows or columns, in pitches
-constexpr double kOnLattice = 0.75;  // in pitches; a shift beyond the sheet leaves more than this at every hole
-constexpr double kTooGood = 1e-6;    // probability of so good a fit by chance, below which a warning is given
+// Largest shift left after a miscount, in pitches; a shift beyond the sheet leaves more at every hole.
+constexpr double kOnLattice = 0.75;
+constexpr double kTooGood = 1e-6;  // probability of so good a fit by chance, below which a warning is given
 // Prior probability that all holes of a session are counted from a wrong row or column.
 constexpr double kMiscounted = 0.01;
 // Smallest number of touches with which a wrong touch can be distinguished from a wrong model.

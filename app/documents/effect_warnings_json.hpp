@@ -13,8 +13,8 @@ namespace tubeplan::app {
 /// Returns a warning as a sentence such as "backlash@tool.z: the readings do not need it (...): take it out".
 [[nodiscard]] std::string warningText(const calibration::EffectWarning& warning, const Units& units);
 
-/// Returns the warnings as sentences; similar warnings share a sentence that names all effects concerned. The order is
-/// that of the first warnings.
+/// Returns the warnings as sentences; similar warnings share a sentence that names all effects concerned. The sentences
+/// are in the order of their first warnings.
 [[nodiscard]] std::vector<std::string> warningTexts(const std::vector<calibration::EffectWarning>& warnings,
                                                     const Units& units);
 

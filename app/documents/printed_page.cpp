@@ -88,7 +88,7 @@ void printPage(const fs::path& page, const fs::path& pdf) {
                                     "--no-pdf-header-footer",
                                     "--virtual-time-budget=4000",
                                     "--print-to-pdf=" + fs::absolute(pdf).string()};
-  if (::geteuid() == 0) words.emplace_back("--no-sandbox");  // Chromium refuses to run as root without it
+  if (::geteuid() == 0) words.emplace_back("--no-sandbox");  // Chromium refuses to run as root without --no-sandbox
   words.push_back("file://" + fs::absolute(page).string());
   const pid_t process = start(words);
   if (process <= 0 || !finishes(process) || !fs::exists(pdf))

@@ -20,8 +20,8 @@ using tubesheets::TubeColumn;
 /// Outcome for a requested tube: position of its visit, or why there is no visit.
 struct TubeOutcome {
   int tube = 0;
-  std::string visit;    ///< position in the visiting order, from 1; empty if the tube is not visited
-  std::string outcome;  ///< why the tube is not visited; empty if it is visited
+  std::string visit;    ///< position in the visiting order, from 1; empty for a tube without a visit
+  std::string outcome;  ///< why the tube is not visited; empty for a visited tube
   std::string dwell;    ///< dwell time [s]; empty for tubes left out
 };
 
