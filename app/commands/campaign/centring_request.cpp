@@ -18,11 +18,11 @@ namespace tubeplan::app {
 
 namespace {
 
-constexpr int kTouchableHoles = 24;  // as in `plan --touches auto`
+constexpr int kTouchableHoles = 24;  // number of candidates, as in `plan --touches auto`
 constexpr std::size_t kMostSettings = 100;
 constexpr int kMostTouchedHoles = 50;
-constexpr double kMostLength = 0.254;  // [m] (10 in); an arm with a larger error finds no hole
-constexpr double kMostAngle = 0.5;     // [rad]
+constexpr double kMostLength = 0.254;  // largest value accepted [m] (10 in); an arm with a larger error finds no hole
+constexpr double kMostAngle = 0.5;     // largest value accepted [rad]
 
 void requireWithin(const std::string& option, double value, double most, const std::string& what) {
   if (!(value >= 0 && value <= most))

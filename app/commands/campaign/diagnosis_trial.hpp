@@ -16,7 +16,7 @@ namespace tubeplan::app {
 enum class DiagnosisOutcomeKind {
   kNotMade,       ///< the readings could not be simulated or could not be fitted
   kAdequate,      ///< verdict that nothing is missing
-  kInconclusive,  ///< verdict undecided
+  kInconclusive,  ///< verdict that the readings leave the cause undecided
   kNamed,         ///< the true effect alone was named
   kAmong,         ///< several effects were named, among them the true effect
   kOther,         ///< one or several effects were named, but not the true effect
