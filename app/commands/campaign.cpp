@@ -51,7 +51,7 @@ class CampaignDesk {
       throw InputError::saying("--resume", "the folder to continue in is missing",
                                "add --out with the folder of the stopped campaign");
     RunSet done;
-    noteStopSignals();  // before the first folder is created, so that a stop removes it
+    noteStopSignals();  // before the first folder is created, so that a stop removes the folder
     if (!options.out.empty()) {
       folder_.emplace(options.out, "--out");
       folder_->requireOwn({kTallyFile, "campaign.json"}, {"holes.csv", "outcomes.csv", "report.html"});

@@ -16,7 +16,7 @@ struct OptionWords {
 
 struct CommandWords {
   std::string name, summary, example;
-  std::vector<OptionWords> options;  ///< in the order of the help
+  std::vector<OptionWords> options;  ///< options in the order of the help
 };
 
 /// Returns the names and descriptions of all commands in the table.

@@ -16,8 +16,8 @@ namespace {
 
 struct OutputFormat {
   std::string_view name;
-  std::string (*write)(
-      const nlohmann::json& figures);  ///< function that formats the results; null: the command prints its own text
+  /// Function that formats the results; null: the command prints its own text.
+  std::string (*write)(const nlohmann::json& figures);
 };
 
 std::string jsonText(const nlohmann::json& figures) { return figures.dump(2) + "\n"; }

@@ -1,4 +1,4 @@
-// Destination of a command's results: --json writes a file or to standard output, and --format selects the format of
+// Destination of a command's results: --json writes to a file or to standard output, and --format selects the format of
 // standard output.
 #pragma once
 

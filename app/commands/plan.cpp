@@ -85,7 +85,7 @@ int run(const PlanOptions& options) {
   requireOtherNames(options);
   if (options.trajectory) requireAccelerations(readCell(options.request.cell).arm);
   checkFigures(options.figures);
-  noteStopSignals();  // before the first folder is created, so that a stop removes it
+  noteStopSignals();  // before the first folder is created, so that a stop removes the folder
   OutputFolder folder(options.out, "--out");
   std::vector<std::string> names(std::begin(kPlanFiles), std::end(kPlanFiles));
   // An existing touches.csv is then not replaced.

@@ -53,7 +53,7 @@ BestTouches touchedPostures(const Cell& cell, const std::vector<Eigen::VectorXd>
   return bestTouches(cell.arm, cell.X_WB, marks, work_postures, {kChosenTouches, usual.touch_sigma, doubtBeside(cell)});
 }
 
-/// Chooses the three touches that determine the base best. Returns why no such touches exist; empty if they exist.
+/// Chooses the three touches that determine the base best. Returns why no such touches exist; otherwise empty.
 std::string chooseBaseTouches(const Cell& cell, std::uint64_t seed, SensitivityReport& report,
                               calibration::SensitivityTask& task) {
   const BestTouches best = cell.sheet ? touchedHoles(cell, task.work) : touchedPostures(cell, task.work, seed);
