@@ -1,17 +1,17 @@
 // A uniform cantilever under end force, end moment and distributed weight, with torsion.
 //
-// Law: curvature kappa(s) = C M(s), M(s) the moment at s in [0, 1] of the member,
+// Law: curvature kappa(s) = C M(s), with M(s) the moment at the fraction s in [0, 1] of the member's length,
 //        M(s) = M + (1-s) r x F + (1-s)^2/2 r x W,      C = sum_k n_k n_k^T (1/(E I_k) + b_k) + e e^T (1/(G J) + t),
 //      rotation     phi   = L C (M + r x F / 2 + r x W / 6),
 //      displacement delta = L C (M/2 + r x F / 3 + r x W / 8) x v  +  foreshortening,
-//      which are equations 2.9 to 2.16 of Calkins 1994 with 3 for 2 in equation 2.8.
-// Symbols: F, M force [N] and moment [N m] on the far end, W weight along the member [N], v the member [m], L its
-//      length, e = v/L, r the deflected chord (so that moments are taken on the bent shape), n_k the component of the
-//      row's axis k perpendicular to e, of unit length, b_k, t compliances that an effect adds to a member or axis
-//      taken as rigid [1/(N m^2)].
-// Foreshortening: the end of a bent member comes nearer, by half the mean square of its slope,
-//      1/2 mean(theta(s) x (theta(s) x v)); 0.003 in on the Cobra arm, which is more than the tolerance against exact
-//      rods.
+//      equal to equations 2.9 to 2.16 of Calkins 1994, with 3 instead of 2 in equation 2.8.
+// Symbols: F force [N] and M moment [N m] on the far end, W weight along the member [N], v member [m],
+//      L length of v, e = v/L, r deflected chord (so that moments are taken on the bent shape), n_k component of the
+//      row's axis k perpendicular to e, scaled to unit length, b_k, t compliances that an effect adds to a member or
+//      axis taken as rigid [1/(N m^2)].
+// Foreshortening: the far end of a bent member comes nearer by half the mean square of the slope,
+//      1/2 mean(theta(s) x (theta(s) x v)). On the Cobra arm this is 0.003 in, more than the tolerance of the
+//      comparison with exact rods.
 // Validity: slender, linear elastic, rotation along one element below about 0.1 rad (split it with `segments` beyond).
 //      No shear.
 #pragma once
@@ -33,7 +33,7 @@ inline bool isFlexible(const Row<double>& row) {
 
 inline int segments(const Row<double>& row) { return row.beam ? row.beam->segments : 1; }
 
-/// Returns the component of the row's axis perpendicular to the member, as a unit vector.
+/// Returns the component of the row's axis perpendicular to the member's direction e, scaled to unit length.
 template <class S>
 Vector3<S> squareTo(const Vector3<S>& e, int axis) {
   Vector3<S> n = Vector3<S>::Unit(axis) - e * e[axis];
@@ -54,7 +54,7 @@ Matrix3<S> curvatureCompliance(const Beam<S>& b, const Vector3<S>& e) {
   return C;
 }
 
-/// Returns the curvature per moment [1/(N m^2)] that effects add. There is no bending about an axis along the member.
+/// Returns the curvature per moment [1/(N m^2)] added by effects. A member does not bend about an axis along itself.
 template <class S>
 Matrix3<S> addedCompliance(const EffectTerms<S>& effect_terms, const Vector3<S>& e) {
   Matrix3<S> C = e * e.transpose() * effect_terms.torsion_compliance;
@@ -81,29 +81,29 @@ Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>& member) {
   return result;
 }
 
-/// Slope along the member, theta(s) = m s + f (s - s^2/2) + w (1 - (1-s)^3)/6, with the parts due to moment, force and
-/// distributed weight [rad].
+/// Slope along the member [rad], theta(s) = m s + f (s - s^2/2) + w (1 - (1-s)^3)/6, with terms due to moment (m),
+/// force (f) and distributed weight (w).
 template <class S>
 struct Slope {
   Vector3<S> m, f, w;
 };
 
-/// `L` is the loading's scalar: plain numbers if only the flexibility changes.
+/// `L` is the scalar type of the loading: double if only the flexibility has derivatives.
 template <class S, class L>
 Slope<S> slopeOf(const Flexibility<S>& flexibility, const Loading<L>& loading) {
   return {flexibility.compliance * loading.moment, flexibility.compliance * loading.chord.cross(loading.force),
           flexibility.compliance * loading.chord.cross(loading.weight)};
 }
 
-/// Returns half the means of theta(s)'s products: with the returned M, F, W, the mean of theta . theta is 2 (m . M + f
-/// . F + w . W).
+/// Returns half the means of the products of theta(s): with the returned M, F, W, the mean of theta . theta is 2 (m . M
+/// + f . F + w . W).
 template <class S>
 Slope<S> meansOf(const Slope<S>& t) {
   return {t.m * (1. / 6) + t.f * (5. / 48) + t.w * (3. / 80), t.m * (5. / 48) + t.f * (1. / 15) + t.w * (7. / 288),
           t.m * (3. / 80) + t.f * (7. / 288) + t.w * (1. / 112)};
 }
 
-/// Returns 1/2 of the mean of theta(s) x (theta(s) x v).
+/// Returns half the mean of theta(s) x (theta(s) x v).
 template <class S>
 Vector3<S> foreshortening(const Slope<S>& t, const Vector3<S>& v) {
   const Slope<S> mean = meansOf<S>(t);
@@ -121,7 +121,8 @@ Deflection<S> deflect(const Flexibility<S>& flexibility, const Loading<L>& loadi
   return result;
 }
 
-/// Returns the slope of the displacement by one part of theta(s), whose lever on the member is `share`.
+/// Returns the derivative of the displacement with respect to one term of theta(s), whose lever on the member is
+/// `share`.
 inline Eigen::Matrix3d displacementBy(double share, const Eigen::Vector3d& mean, const Eigen::Vector3d& v) {
   return -share * crossMatrix(v) + mean.dot(v) * Eigen::Matrix3d::Identity() + mean * v.transpose() -
          2 * v * mean.transpose();

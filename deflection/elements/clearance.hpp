@@ -1,13 +1,13 @@
-// Clearance in a joint axis: a gap that the load crosses freely before the joint carries it.
+// Clearance about a joint axis: a gap that the joint crosses freely before it carries load.
 //
-// Law: complementarity. |theta| <= g/2; theta = +g/2 where the moment is positive there, -g/2 where it is negative, and
-//      in between only where the moment is zero, the joint hanging freely in its gap.
+// Law: complementarity. |theta| <= g/2; theta = +g/2 where the moment there is positive, -g/2 where it is negative, and
+//      in between only where the moment is zero and the joint hangs freely in its gap.
 // Symbols: g gap [rad], theta rotation within it [rad], M moment about the axis [N m].
-// Method: theta <- clamp(theta + M/kappa, -g/2, g/2) once in each pass of the shape, kappa at least the restoring
-//      moment per angle, |dM/dtheta|: the load on the joint is a pendulum, and with several clearances a chain of
-//      them, whose iteration is a contraction when each kappa counts them all.
-// Validity: at rest, without friction. Where the moment neither presses nor restores (an axis along gravity)
-//      theta and its derivative stay as they are.
+// Method: theta <- clamp(theta + M/kappa, -g/2, g/2) once in each pass of the shape. kappa is at least the restoring
+//      moment per angle |dM/dtheta|, times the number of clearances: the load on a joint is a pendulum, and several
+//      clearances are a chain of pendulums, for which the iteration is then a contraction.
+// Validity: at rest, without friction. Where the moment neither presses nor restores (an axis along gravity), theta and
+//      its derivative keep their values.
 #pragma once
 
 #include <algorithm>
@@ -16,24 +16,24 @@
 
 namespace tubeplan::deflection::clearance {
 
-/// Numbers that limit the motion of a joint within its gap in one pass.
+/// Parameters that limit the motion of a joint within its gap in one pass.
 struct Restoring {
-  double moment_per_angle;  ///< dM/dtheta of the joint turned alone [N m/rad]; negative: the load hangs
-  double scale;             ///< sum of the forces beyond times the arm's reach [N m]
+  double moment_per_angle;  ///< dM/dtheta if only this joint moves [N m/rad]; negative: the load hangs
+  double scale;             ///< sum of the forces beyond the joint, times the arm's reach [N m]
   int clearances;           ///< number of clearances in the arm
 };
 
-/// Position of a joint in its gap after a pass, and its slopes.
+/// Position of a joint in its gap after a pass, and the derivatives of that position.
 struct Rest {
-  double angle;          ///< [rad]
-  double by_gap = 0;     ///< slope by the gap [rad/rad]
-  double by_angle = 0;   ///< slope by the angle before the pass; 1 while the joint hangs freely
-  double by_moment = 0;  ///< slope by the moment [rad/(N m)]
+  double angle;          ///< position in the gap [rad]
+  double by_gap = 0;     ///< derivative with respect to the gap [rad/rad]
+  double by_angle = 0;   ///< derivative with respect to the angle before the pass; 1 while the joint hangs freely
+  double by_moment = 0;  ///< derivative with respect to the moment [rad/(N m)]
 };
 
 inline Rest converge(double gap, double before, double moment, const Restoring& restoring) {
   const double half = gap / 2, side = (moment > 0) - (moment < 0), floor = 1e-6 * restoring.scale;
-  // A closed gap still has its derivative: half of any opening, in the direction of the moment.
+  // A closed gap still has a derivative: half of any opening, in the direction of the moment.
   if (half <= 0) return {side * half, side / 2};
   const bool hangs = restoring.moment_per_angle < -floor;
   if (!hangs && std::abs(moment) <= 1e-9 * restoring.scale) return {before};

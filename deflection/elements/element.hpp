@@ -1,4 +1,4 @@
-// The flexible elements of a row: each turns the loading of a component into its deflection, by one law in one file.
+// Flexible elements of a row: each turns the load on a component into a deflection, by one law in one file.
 #pragma once
 
 #include <span>
@@ -7,11 +7,11 @@
 
 namespace tubeplan::deflection {
 
-/// Flexibility of an element of a row, computed once for all loads.
+/// Flexibility of a row's element, computed once for all loads.
 template <class S>
 struct Flexibility {
   Vector3<S> member = Vector3<S>::Zero();  ///< vector from near to far end, undeflected [m]
-  /// Rotation of the far end per moment along the whole element [rad/(N m)].
+  /// Rotation of the far end per moment that is constant along the element [rad/(N m)].
   Matrix3<S> compliance = Matrix3<S>::Zero();
   bool has_soft_zone = false;                ///< see joint_stiffness.hpp
   Vector3<S> softness = Vector3<S>::Zero();  ///< additional compliance about each axis below the knee [rad/(N m)]
@@ -22,20 +22,20 @@ struct Flexibility {
 template <class S>
 struct Loading {
   Vector3<S> force;   ///< force on the far end, from everything beyond
-  Vector3<S> moment;  ///< about the far end, from everything beyond
+  Vector3<S> moment;  ///< moment about the far end, from everything beyond
   Vector3<S> weight;  ///< total weight distributed along the element
-  Vector3<S> chord;   ///< vector from near to far end, as deflected in the last pass: the true moment arm
+  Vector3<S> chord;   ///< vector from near to far end in the last pass's deflected shape: the true moment arm
 };
 
-/// Motion of the far end relative to the near end: displacement of its origin [m], then rotation about that origin
-/// [rad].
+/// Motion of the far end relative to the near end: displacement of the far end's origin [m], then rotation about that
+/// origin [rad].
 template <class S>
 struct Deflection {
   Vector3<S> displacement = Vector3<S>::Zero();
   Vector3<S> rotation = Vector3<S>::Zero();
 };
 
-/// Slopes of a deflection's displacement and rotation by force, moment, weight and chord.
+/// Derivatives of a deflection's displacement and rotation with respect to force, moment, weight and chord.
 struct DeflectionSlopes {
   using Block = Eigen::Matrix3d;
   Block displacement_by_force = Block::Zero(), displacement_by_moment = Block::Zero(),
@@ -44,13 +44,13 @@ struct DeflectionSlopes {
         rotation_by_chord = Block::Zero();
 };
 
-/// Place of an element in its row: at the origin, or along the member (split into the beam's segments).
+/// Place of an element in its row: at the origin, or along the member, which is split into the beam's segments.
 enum class ElementPlace { kOrigin, kMember };
 
-/// One row of the element table. A new law is a new file with the templates `flexibilityOf` and `deflect` and the
-/// slopes of the latter, and a row in elements.cpp.
+/// One row of the element table. A new law needs a new file with the templates `flexibilityOf` and `deflect` and the
+/// function `slopesOf`, and a row in elements.cpp.
 struct ElementKind {
-  const char* key;  ///< the row's key in the arm file
+  const char* key;  ///< key of the element's parameters in the arm file
   const char* law;
   ElementPlace place;
   bool (*isFlexible)(const Row<double>&);

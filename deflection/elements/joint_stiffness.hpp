@@ -1,11 +1,11 @@
 // Torsional stiffness at a joint or bearing.
 //
 // Law: theta_k = M_k / K_k about each axis k = x, y, z of the row's frame (Calkins 1994, eq. 2.17, section 2.3.3).
-//      With an addition: theta_k = (M_k + s_k clamp(M_k, -M1_k, M1_k)) / K_k + c_k M_k, the soft zone of a harmonic
+//      Effects extend it to theta_k = (M_k + s_k clamp(M_k, -M1_k, M1_k)) / K_k + c_k M_k: the soft zone of a harmonic
 //      drive below the knee M1 (Harmonic Drive, torsional stiffness K1, K2), and a compliance c of a rigid axis.
 // Symbols: M moment about the row's origin [N m], K stiffness [N m/rad], theta rotation [rad], s softness of the zone
-//      (its stiffness is K/(1+s)), M1 its knee [N m], c compliance [rad/(N m)].
-// Validity: elastic, no friction; clearance is clearance.hpp. An infinite K is a rigid axis.
+//      (stiffness K/(1+s) there), M1 knee moment [N m], c compliance [rad/(N m)].
+// Validity: elastic, no friction; see clearance.hpp for clearance. An infinite K is a rigid axis.
 #pragma once
 
 #include <cmath>
@@ -42,7 +42,7 @@ Flexibility<S> flexibilityOf(const Row<S>& row, const Vector3<S>&) {
   return result;
 }
 
-/// `L` is the loading's scalar: plain numbers if only the flexibility changes.
+/// `L` is the scalar type of the loading: double if only the flexibility has derivatives.
 template <class S, class L>
 Deflection<S> deflect(const Flexibility<S>& flexibility, const Loading<L>& loading) {
   Deflection<S> result;
