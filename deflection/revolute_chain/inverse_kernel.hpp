@@ -1,12 +1,13 @@
-// Newton's method on position and pitch of the deflected tip, with goals side by side. inverse_kinematics.cpp states
-// the goals, and has the same steps with damping for goals that these do not meet at once.
+// Newton's method on position and pitch of the deflected tip, for several goals side by side. inverse_kinematics.cpp
+// states the goals; it repeats the same steps with damping for goals that this kernel does not meet at once.
 #pragma once
 
 #include "deflection/revolute_chain/jacobian_kernel.hpp"
 
 namespace {
 
-/// Position [m] and pitch, times the reach, with their slopes by the joints as a share of the reach.
+/// Position error [m] and pitch error times the reach, with their derivatives with respect to the joints, divided by
+/// the reach.
 struct GoalResidual {
   Real value[4], slope[4][4];
   Real position_error, pitch, tilt_sine, tilt_cosine;
@@ -19,14 +20,14 @@ inline Vec turned(const Frame& X, const double* v) {
   return constant(v[0]) * X.x + constant(v[1]) * X.y + constant(v[2]) * X.z;
 }
 
-/// The shapes at the readings tried last, and the directions of their tools.
+/// Shapes at the readings tried last, and the directions of the tools in them.
 struct Tried {
   TurnState t[kMaxTurns];
   Frame frames[kMaxTurns], tip;
   Vec axis, hand, tilt;
 };
 
-/// Computes the residual at the readings in `in`, without slopes. Returns the lanes whose shape converges.
+/// Computes the residual at the readings in `in`, without derivatives. Returns the lanes whose shape converges.
 inline Bits tryReadings(const RevoluteArm& arm, const Tool& tool, const Goals& goals, const Postures& in, Tried& tried,
                         GoalResidual& out) {
   const Vec n = loadVec(goals.axis_B);
@@ -49,7 +50,7 @@ inline Bits tryReadings(const RevoluteArm& arm, const Tool& tool, const Goals& g
   return isAtMost(constant(0), sweeps);
 }
 
-/// Adds the slopes of the residual by the readings, as a share of the reach.
+/// Adds the derivatives of the residual with respect to the readings, divided by the reach.
 inline void addSlopes(const RevoluteArm& arm, const Goals& goals, const Tried& tried, GoalResidual& out) {
   Motion columns[kMaxJoints];
   deriveByJoints(arm, tried.t, tried.frames, tried.tip, loadVec(goals.gravity_B), load(goals.load), columns);
@@ -73,7 +74,7 @@ inline Real adjugateOf(const Real (*a)[4], Real (*adj)[4]) {
              c3 = a[2][1] * a[3][2] - a[3][1] * a[2][2], c2 = a[2][0] * a[3][3] - a[3][0] * a[2][3],
              c1 = a[2][0] * a[3][2] - a[3][0] * a[2][2], c0 = a[2][0] * a[3][1] - a[3][0] * a[2][1];
   for (int k = 0; k < 2; ++k) {
-    // Cofactors combine the other row of the upper half with the lower half's minors; the sign depends on the place.
+    // Each cofactor combines the other row of the upper half with minors of the lower half; its sign alternates.
     const Real* u = a[1 - k];
     const Real* l = a[3 - k];
     const double sign = k == 0 ? 1 : -1;
@@ -89,8 +90,8 @@ inline Real adjugateOf(const Real (*a)[4], Real (*adj)[4]) {
   return ((s0 * c5 - s1 * c4) + (s2 * c3 + s3 * c2)) + (s5 * c0 - s4 * c1);
 }
 
-/// Returns the least singular value, from the least root of the characteristic polynomial of J^T J, which Newton's
-/// method finds from zero without passing it.
+/// Returns the smallest singular value, from the least root of the characteristic polynomial of J^T J. Newton's method
+/// finds that root, starting from zero, without passing it.
 inline Real smallestSingularValue(const Real (*slope)[4], const Real (*adjugate)[4], Real determinant) {
   Real gram[4][4], trace = constant(0), squares = constant(0), c1 = constant(0);
   for (int i = 0; i < 4; ++i)
@@ -128,7 +129,7 @@ inline void record(Bits lanes, double verdict, const GoalResidual& r, Real singu
   put(out.smallest_singular_value, singular);
 }
 
-/// Computes Newton's step of each lane, with no joint moving more than half a radian; slopes and adjugate are scaled by
+/// Computes Newton's step of each lane, limited to half a radian for every joint; slopes and adjugate are scaled by
 /// `share`.
 inline void stepOf(const GoalResidual& r, const Real (*adjugate)[4], Real determinant, double share, Bits lanes,
                    Real* step) {
@@ -142,8 +143,8 @@ inline void stepOf(const GoalResidual& r, const Real (*adjugate)[4], Real determ
   for (int i = 0; i < 4; ++i) step[i] = select(lanes, shorter * next[i], step[i]);
 }
 
-/// Iterates each lane until its goal is met. A step that does not reduce the residual is halved; without damping, the
-/// lane is abandoned at once.
+/// Iterates each lane until its goal is met. With damping, a step that does not reduce the residual is halved; without
+/// damping, the lane is abandoned at once.
 inline void meetGoals(const RevoluteArm& arm, const Tool& tool, const Goals& goals, Reached& out) {
   Real at[4], step[4];
   for (int j = 0; j < 4; ++j) {
@@ -182,7 +183,8 @@ inline void meetGoals(const RevoluteArm& arm, const Tool& tool, const Goals& goa
     for (int j = 0; j < 4; ++j) at[j] = select(nearer, load(out.q[j]), at[j]);
     damping = select(nearer, constant(1), 0.5 * damping);
     active = active & ~ends;
-    // Abandoned: at the first posture, without damping, after too many steps or if no step is short enough.
+    // A lane is abandoned if its first posture fails. Without damping it is also abandoned if a step fails or is too
+    // short, or after too many steps.
     const Bits lost = isLess(steps, constant(0)) | (goals.damped ? all ^ all : ~nearer);
     active = active & ~lost;
     closing = active & (isLess(constant(goals.max_steps), steps + 1.) | isLess(damping, constant(1e-4)) |

@@ -1,11 +1,12 @@
-// Exact derivatives of the deflected tip by the joints, by gravity's direction and by compliances, of shapes side by
-// side.
+// Exact derivatives of the deflected tip with respect to joints, gravity's direction and compliances, for several
+// shapes side by side.
 //
-// In the base, with axis z_i, place p_i and first moment S_i (of the loads beyond, about p_i) of each turn: a turn of j
-// changes the moment about any axis i nearer to the base, or its own, by z_i . a_j, a_j = (z_j x S_j) x g, and about
-// any farther one by z_j . a_i: dead loads have a potential. With a beam's lambda and kappa as its other unknowns that
-// makes a small linear system for the deflections when a joint turns; its diagonal is one and the rest a deflection's
-// share, so that it is eliminated without pivoting. Gravity and compliances are further columns of the same system.
+// In the base, each turn has an axis z_i, a position p_i and a first moment S_i (of the loads beyond, about p_i). A
+// rotation of turn j changes the moment about its own axis, or about an axis i nearer to the base, by z_i . a_j with
+// a_j = (z_j x S_j) x g. It changes the moment about an axis i farther out by z_j . a_i, because dead loads have a
+// potential. With lambda and kappa of beams as further unknowns, this gives a small linear system for the deflections
+// when a joint turns. The diagonal is one and the other entries are of the order of a deflection, so the system is
+// eliminated without pivoting. Gravity and compliances are further columns of the system.
 #pragma once
 
 #include "deflection/revolute_chain/shape_kernel.hpp"
@@ -14,37 +15,37 @@ namespace {
 
 struct Unknown {
   int turn;
-  bool is_rho;  ///< true: a beam's rho; false: the deflection of the turn
-  Vec shifts;   ///< displacement of everything beyond, per unit (beams)
-  Vec a;        ///< change of the moments nearer to the base by the shift and the rotation
-  Vec turns;    ///< change of a beam's rho by turns nearer to the base
+  bool is_rho;  ///< true: rho of a beam; false: the deflection of the turn
+  Vec shifts;   ///< displacement of everything beyond, per unit of the unknown (beams)
+  Vec a;        ///< change of the moments nearer to the base due to the shift and the rotation
+  Vec turns;    ///< change of a beam's rho due to turns nearer to the base
 };
 
-/// Changes by a compliance of a turn, of its springs or its beam, under the same moment.
+/// Changes with a compliance of a turn, of its springs or its beam, under constant moment.
 struct Softening {
   Real given;  ///< change of the turn's deflection
-  Vec shift;   ///< displacement of everything beyond, without that by `given` (beams)
-  Vec a;       ///< change of the moments nearer to the base by the shift
+  Vec shift;   ///< displacement of everything beyond, without that due to `given` (beams)
+  Vec a;       ///< change of the moments nearer to the base due to the shift
 };
 
 inline constexpr int kMaxColumns = kMaxJoints + kGravityTurns + kMaxUnknowns;
 
 struct Linearization {
   Unknown unknown[kMaxUnknowns];
-  Softening softening[kMaxUnknowns];  ///< softening of the springs for a deflection, of the beam for its rho
+  Softening softening[kMaxUnknowns];  ///< softening of the springs for a deflection, of the beam for a rho
   int count;
   Vec S[kMaxTurns], a[kMaxTurns];
-  int width;  ///< length of a row: the unknowns, then the variables of derivatives
+  int width;  ///< length of an equation: the unknowns, then the variables of derivatives
   Real equations[kMaxUnknowns * (kMaxUnknowns + kMaxColumns)];
   Real* row(int r) { return equations + r * width; }
 };
 
-/// Derivatives wanted besides those by joints.
+/// Derivatives requested in addition to those with respect to joints.
 struct Asked {
   bool gravity, compliances;
 };
 
-/// Computes the first moment beyond each turn about its place, into `S`.
+/// Computes the first moment of the loads beyond each turn about the turn's position, into `S`.
 inline void outboardMoments(const RevoluteArm& arm, const TurnState* t, const Frame* frames, const Frame& tip,
                             Real at_tip, Vec* S) {
   Vec moment = at_tip * (tip.p - frames[arm.count - 1].p);
@@ -62,20 +63,20 @@ inline void outboardMoments(const RevoluteArm& arm, const TurnState* t, const Fr
 /// Returns (z x S) x g.
 inline Vec momentByTurn(Vec z, Vec S, Vec g) { return dot(z, g) * S - dot(S, g) * z; }
 
-/// Slopes of a beam's lambda and kappa by its turn's deflection and by rho.
+/// Derivatives of a beam's lambda and kappa with respect to the deflection of its turn and to rho.
 struct BeamSlopes {
   Real lambda_by_given, kappa_by_given, lambda_by_rho, kappa_by_rho;
 };
 
 inline BeamSlopes slopesOf(const Turn& turn, const TurnState& t) {
   const Real m = turn.beam_compliance * t.moment;
-  const double share = turn.beam_compliance / turn.compliance;  // share of m in the turn's deflection
+  const double share = turn.beam_compliance / turn.compliance;  // fraction of the turn's deflection that is m
   const Real by_m = m * (1. / 3) + t.rho * t.kappa_by_m, by_rho = m * t.kappa_by_m + 2. * (t.rho * t.kappa_by_rho);
   const Real m_by_rho = -share * t.by_rho;
   return {constant(0.5 * share), share * by_m, t.lambda_by_rho + 0.5 * m_by_rho, by_rho + m_by_rho * by_m};
 }
 
-/// Return the vectors along a beam and across it, in the base.
+/// Return the vectors along a beam and perpendicular to it, in the base.
 inline Vec alongBeam(const Turn& turn, const Frame& near) {
   return constant(turn.p[0]) * near.x + constant(turn.p[1]) * near.y;
 }
@@ -104,12 +105,12 @@ inline void addUnknowns(const RevoluteArm& arm, const TurnState* t, const Frame*
   }
 }
 
-/// Returns the change of the moment about turn i's axis by a rotation of turn j.
+/// Returns the change of the moment about the axis of turn i per rotation of turn j.
 inline Real momentBy(const Frame* frames, const Vec* a, int i, int j) {
   return i <= j ? dot(frames[i].z, a[j]) : dot(frames[j].z, a[i]);
 }
 
-/// Returns the change of the moment on a turn per unit of unknown `u`.
+/// Returns the change of the moment on turn i per unit of unknown `u`.
 inline Real momentBy(const Frame* frames, const Linearization& lin, int i, const Unknown& u) {
   if (i < u.turn) return dot(frames[i].z, u.a);
   return u.is_rho ? constant(0) : momentBy(frames, lin.a, i, u.turn);
@@ -136,7 +137,7 @@ inline void addEquations(const RevoluteArm& arm, const TurnState* t, const Frame
     }
     row[r] = row[r] + 1.;
     if (own.is_rho) {
-      // rho = n . (chord x g): the chord's own change.
+      // rho = n . (chord x g) also changes with the chord.
       const Vec n = frames[own.turn - 1].z;
       row[r - 1] = row[r - 1] - dot(n, cross(lin.unknown[r - 1].shifts, g));
       row[r] = row[r] - dot(n, cross(own.shifts, g));
@@ -168,7 +169,7 @@ inline void eliminate(Linearization& lin) {
   }
 }
 
-/// Adds columns for gravity rotated about each axis of the base, from column `first`.
+/// Adds columns for rotations of gravity about each axis of the base, starting at column `first`.
 inline void addGravity(const RevoluteArm& arm, const Frame* frames, Vec g, int first, Linearization& lin) {
   const Real zero = constant(0);
   const Vec turned[kGravityTurns] = {{zero, -g.z, g.y}, {g.z, zero, -g.x}, {-g.y, g.x, zero}};
@@ -191,19 +192,19 @@ inline void findSoftenings(const RevoluteArm& arm, const TurnState* t, const Fra
     by = {state.moment, none(), none()};
     if (!turn.is_beam) continue;
     if (own.is_rho) {
-      // The response of a beam is proportional to its compliance, except for kappa, which depends on the square.
+      // The response of a beam is proportional to its compliance, except kappa, which is proportional to the square.
       const double inverse = 1 / turn.beam_compliance;
       by.given = state.moment + inverse * (state.rho * state.by_rho);
       by.shift = inverse * state.lambda * acrossBeam(turn, frames[own.turn - 1]) -
                  2 * inverse * state.kappa * alongBeam(turn, frames[own.turn - 1]);
     }
-    // The displacement by the angle alone is counted with the angle.
+    // The displacement due to the angle is already included in the column of the angle.
     by.shift = by.shift - by.given * lin.unknown[own.is_rho ? k - 1 : k].shifts;
     by.a = (state.size + 0.5 * turn.beam_weight) * cross(by.shift, g);
   }
 }
 
-/// Adds columns for the compliances, from column `first`.
+/// Adds columns for the compliances, starting at column `first`.
 inline void addSoftenings(const RevoluteArm& arm, const Frame* frames, Vec g, int first, Linearization& lin) {
   for (int k = 0; k < lin.count; ++k) {
     const int i = lin.unknown[k].turn;
@@ -227,8 +228,8 @@ struct Motion {
   Vec p, w;
 };
 
-/// Computes the motion of the tip by each joint, then by the other variables asked for: gravity's rotations, then the
-/// compliance of each unknown (a turn's springs, a beam for its rho).
+/// Computes the motion of the tip with each joint, then with the other requested variables: rotations of gravity, then
+/// the compliance of each unknown (the springs of a turn, or a beam for its rho).
 inline void derive(const RevoluteArm& arm, const TurnState* t, const Frame* frames, const Frame& tip, Vec gravity,
                    Real at_tip, Asked asked, Linearization& lin, Motion* columns) {
   outboardMoments(arm, t, frames, tip, at_tip, lin.S);
@@ -261,7 +262,7 @@ inline void derive(const RevoluteArm& arm, const TurnState* t, const Frame* fram
   }
 }
 
-/// Computes the motion of the tip by each joint.
+/// Computes the motion of the tip with each joint.
 inline void deriveByJoints(const RevoluteArm& arm, const TurnState* t, const Frame* frames, const Frame& tip,
                            Vec gravity, Real at_tip, Motion* columns) {
   Linearization lin;

@@ -1,4 +1,4 @@
-// The kernels for this processor: the same shapes, bit for bit, for several postures at a time.
+// The kernels for this processor: bit-identical shapes, for different numbers of postures at a time.
 #pragma once
 
 #include <span>
@@ -15,10 +15,10 @@ struct Kernel {
   MeetGoals meet;
 };
 
-/// Returns the kernels that this processor can run, narrow ones first; the first has one lane, the last is the fastest.
+/// Returns the kernels that this processor can run, narrowest first; the first has one lane, the last is the fastest.
 std::span<const Kernel> kernels();
 
-/// Returns the narrowest kernel that takes `count` at once, or the widest.
+/// Returns the narrowest kernel with at least `count` lanes, or the widest kernel if none has.
 const Kernel& kernelFor(int count);
 
 }  // namespace tubeplan::deflection::simd

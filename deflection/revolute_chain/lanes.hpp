@@ -1,9 +1,9 @@
-// Numbers side by side, TUBEPLAN_LANES of them: one double, or a vector of the processor.
+// SIMD numbers with TUBEPLAN_LANES lanes: one double, or a vector register of the processor.
 //
-// For sources that are compiled for one processor each. All is in an unnamed namespace, and nothing of the standard
-// library is used, so that no code for one processor is ever taken for another's. Every operation is that of IEEE
-// doubles, lane by lane (the sources are compiled without contraction): a posture's shape has the same bits whatever
-// the number of lanes and whatever its neighbours.
+// For source files that are each compiled for one processor. All is in an unnamed namespace and nothing of the standard
+// library is used, so that the linker never takes code compiled for another processor. Every operation is an IEEE
+// operation on doubles, lane by lane (the source files are compiled without contraction). The shape of a posture is
+// therefore bit-identical whatever the number of lanes and whatever postures fill the other lanes.
 #pragma once
 
 #if TUBEPLAN_LANES >= 4
@@ -21,7 +21,7 @@ inline double lane(Real x, int) { return x; }
 inline Real withLane(Real, int, double value) { return value; }
 inline bool any(Bits mask) { return mask != 0; }
 inline Real select(Bits mask, Real yes, Real no) { return mask ? yes : no; }
-/// Returns `yes`: the only lane is active, or the caller would not ask.
+/// Returns `yes`: the caller asks only while the single lane is active.
 inline Real where(Bits, Real yes, Real) { return yes; }
 inline Bits bitsOf(Real x) { return __builtin_bit_cast(Bits, x); }
 inline Real realOf(Bits x) { return __builtin_bit_cast(Real, x); }
@@ -69,7 +69,7 @@ inline Real constant(double x) { return Real{} + x; }
 inline Real least(Real a, Real b) { return select(isLess(b, a), b, a); }
 inline Real greatest(Real a, Real b) { return select(isLess(a, b), b, a); }
 
-/// Returns the square root, correctly rounded, as IEEE requires of every processor.
+/// Returns the square root, correctly rounded, as IEEE 754 requires of every processor.
 inline Real squareRoot(Real x) {
 #if TUBEPLAN_LANES == 8
   return (Real)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);  // _mm512_sqrt_pd causes a compiler warning
@@ -81,7 +81,7 @@ inline Real squareRoot(Real x) {
 #endif
 }
 
-/// Returns the size of one number with the sign of another.
+/// Returns the magnitude of `size` with the sign of `sign`.
 inline Real withSign(Real size, Real sign) {
   constexpr long long kSign = static_cast<long long>(1ULL << 63);
   return realOf((bitsOf(size) & ~kSign) | (bitsOf(sign) & kSign));
@@ -100,16 +100,16 @@ inline SineCosine smallSineCosine(Real x) {
   return {sine * x, cosine};
 }
 
-/// Returns sine and cosine of any angle up to 1e5 rad within 1.5 units in the last place. The angle is reduced by
-/// multiples of a quarter turn in three parts (Cody and Waite), then the minimax polynomials of fdlibm's kernels apply.
-/// Beyond, the reduction loses digits, and the C library is called.
+/// Returns sine and cosine of any angle up to 1e5 rad, within 1.5 units in the last place. The angle is reduced by
+/// multiples of a quarter turn in three parts (Cody and Waite), then fdlibm's minimax polynomials apply. For larger
+/// angles the reduction loses digits, and the C library is called.
 inline SineCosine sineCosine(Real x) {
   constexpr double kShift = 0x1.8p52;
   const Real shifted = x * 6.36619772367581382433e-01 + kShift, k = shifted - kShift;
   const Bits quadrant = bitsOf(shifted);
   const Real a = x - k * 1.57079632673412561417e+00, b = k * 6.07710050630396597660e-11;
   const Real r = a - b;
-  const Real rest = ((a - r) - b) - k * 2.02226624879595063154e-21;  // r + rest is the reduced angle
+  const Real rest = ((a - r) - b) - k * 2.02226624879595063154e-21;  // r + rest: reduced angle
   const Real y = r, z = y * y;
   const Real ps =
       8.33333333332248946124e-03 +

@@ -1,4 +1,4 @@
-// The kernels, one posture at a time. See CMakeLists.txt for the processor that this is compiled for.
+// The kernels for one posture at a time. CMakeLists.txt states the processor for which this file is compiled.
 #define TUBEPLAN_LANES 1
 #include "deflection/revolute_chain/inverse_kernel.hpp"
 #include "deflection/revolute_chain/row_kernel.hpp"

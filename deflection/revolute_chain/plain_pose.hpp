@@ -1,4 +1,4 @@
-// Poses and places as the plain numbers that the kernels take.
+// Conversion of poses and positions to the plain numbers that kernels read.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -9,9 +9,9 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kSameFrame = 1e-15;  ///< rounding of composed frames, for unit vectors and as a share of the reach
+constexpr double kSameFrame = 1e-15;  ///< rounding of composed frames: of unit vectors, and as a fraction of the reach
 
-/// A compliance about one axis only.
+/// A compliance about a single axis.
 struct OneAxis {
   Vector3d axis;
   double compliance;
@@ -27,13 +27,13 @@ std::optional<OneAxis> oneAxisOf(const Matrix3d& compliance) {
   return OneAxis{axis, size};
 }
 
-/// Returns axes with the given z.
+/// Returns axes whose z axis is the given unit vector.
 Matrix3d axesAbout(const Vector3d& z) {
   Vector3d::Index largest = 0;
   z.cwiseAbs().maxCoeff(&largest);
   Matrix3d R;
   if (z.cwiseAbs().sum() == 1) {
-    // One of the given axes: nothing to round.
+    // z is a coordinate axis: nothing is rounded.
     R.col(2) = z;
     R.col(0) = Vector3d::Unit((largest + 1) % 3);
   } else {
@@ -44,12 +44,12 @@ Matrix3d axesAbout(const Vector3d& z) {
   return R;
 }
 
-/// A rotation as Rz(before) Rx(twist) Rz(after), with before = 0 without a twist.
+/// A rotation as Rz(before) Rx(twist) Rz(after); `before` is 0 if there is no twist.
 struct Twist {
   double before = 0, cosine = 1, sine = 0, after = 0;
 };
 
-/// Returns the sine of the angle between the z axes before and after.
+/// Returns the sine of the angle between the z axes before and after the rotation R.
 double sineOf(const Matrix3d& R) { return std::sqrt(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2)); }
 
 Twist twistOf(const Matrix3d& R) {
@@ -64,8 +64,8 @@ Twist twistOf(const Matrix3d& R) {
   const bool square = std::abs(R(2, 2)) < kSameFrame;
   out.cosine = square ? 0 : R(2, 2);
   out.sine = square ? 1 : sine;
-  // The remainder after those two: for nearly parallel axes either angle alone is lost in rounding, but not both
-  // together.
+  // The rotation that remains after the first two. For nearly parallel axes, `before` and `after` alone are lost in
+  // rounding, but their combination is not.
   const double c = std::cos(out.before), s = std::sin(out.before);
   const Vector3d x(c * R(0, 0) + s * R(1, 0), c * R(1, 0) - s * R(0, 0), R(2, 0));
   out.after = std::atan2(out.cosine * x.y() + out.sine * x.z(), x.x());
@@ -74,7 +74,8 @@ Twist twistOf(const Matrix3d& R) {
 
 }  // namespace
 
-/// Builder that walks the chain outwards, with the last turn open and the pose from its frame to the present link.
+/// Builder that walks the chain outwards. It keeps the last turn open, and the pose of the present link in that turn's
+/// frame.
 class RevoluteChain::Builder {
  public:
   Builder(double reach, std::size_t elements) : reach_(reach) {
@@ -83,7 +84,7 @@ class RevoluteChain::Builder {
   }
 
   bool addElement(const ChainLink<double>& link, const FlexibleElement& element) {
-    // Gaps, zones and compliances of size zero count as none.
+    // Gaps, soft zones and compliances of zero count as absent.
     if ((element.hasGap() && !element.gap_width.isZero(0)) || !element.flexibility.softness.isZero(0)) return false;
     if (element.flexibility.compliance.isZero(0)) {
       addWeight(element.weight, here_.p + here_.R * (link.p / 2));
@@ -161,13 +162,13 @@ class RevoluteChain::Builder {
   }
 
   void addWeight(double weight, const Vector3d& place) {
-    if (last() < 0) return;  // it rests on the base
+    if (last() < 0) return;  // the weight rests on the base
     Turn& turn = out_.turns_.back();
     turn.weight += weight;
     for (int k = 0; k < 3; ++k) turn.moment[k] += weight * place[k];
   }
 
-  /// Turns the last turn further by an angle, and its frame with it.
+  /// Rotates the last turn and its frame by a further angle.
   void turnFrame(double angle) {
     if (angle == 0) return;
     const Matrix3d back = rotationZ<double>(-angle);
@@ -181,7 +182,7 @@ class RevoluteChain::Builder {
       if (row.turn == last()) row.X_TL = PoseOf<double>{back, Vector3d::Zero()} * row.X_TL;
   }
 
-  /// Returns true if a turn about the z axis of `axes` here can be merged with the last turn.
+  /// Returns true if a turn about the z axis of R at the present pose can be merged with the last turn.
   [[nodiscard]] bool isOneWithLast(const Matrix3d& R, bool with_joint) const {
     if (!startsAtLast(R)) return false;
     const Turn& turn = out_.turns_.back();
@@ -191,12 +192,12 @@ class RevoluteChain::Builder {
            !(with_joint && turn.joint >= 0);
   }
 
-  /// Returns the turn about the z axis of `axes` (in the present axes), at this place; the following links start from
-  /// there.
+  /// Returns the turn about the z axis of `axes` (in the present axes) at the present position; the following links
+  /// start from that turn.
   Turn& turnTo(const Matrix3d& axes, bool with_joint = false) {
     const Matrix3d R = here_.R * axes;
     if (isOneWithLast(R, with_joint)) {
-      // Additions to the last turn do not move rows that were fixed to it before.
+      // Additions to the last turn do not move rows that are already fixed to it.
       for (const RowOnTurn& row : out_.rows_) rows_are_fixed_ = rows_are_fixed_ && row.turn != last();
       here_.R = R;
       turnFrame(twistOf(R).after);
@@ -228,7 +229,7 @@ class RevoluteChain::Builder {
   }
 
   void addBeam(const ChainLink<double>& link, const Matrix3d& axes, double compliance, double weight) {
-    // The beam starts from a frame of its own axis at its near end.
+    // The beam starts at its near end, from a frame whose z axis is the bending axis.
     const Vector3d v = axes.transpose() * link.p;
     const Matrix3d R = here_.R * axes;
     if (startsAtLast(R)) {
@@ -248,14 +249,14 @@ class RevoluteChain::Builder {
     here_ = {};
   }
 
-  /// A beam may start at the last turn's frame with any weights on it.
+  /// Returns true if a beam can start at the last turn's frame, whatever weights the turn carries.
   [[nodiscard]] bool startsAtLast(const Matrix3d& R) const {
     return last() >= 0 && R(2, 2) > 0 && sineOf(R) < kSameFrame && here_.p.cwiseAbs().maxCoeff() <= kSameFrame * reach_;
   }
 
   double reach_;
   RevoluteChain out_;
-  PoseOf<double> here_;  ///< in the last turn's frame, or the base's
+  PoseOf<double> here_;  ///< pose of the present link in the last turn's frame, or in the base's
   bool rows_are_fixed_ = true;
 };
 
@@ -300,7 +301,7 @@ void RevoluteChain::copyDeflections(const double* element_states, long stride,
     double angle = hinge.compliance * moment;
     Vector3d displacement = Vector3d::Zero();
     if (hinge.is_beam) {
-      // The part that the other springs of the same axis leave.
+      // Part of the angle that the other springs of the axis do not contribute.
       angle = angle_of_all - (turns_[static_cast<std::size_t>(hinge.turn)].compliance - hinge.compliance) * moment;
       displacement = lambda * hinge.axis.cross(hinge.member) - kappa * hinge.member;
     }

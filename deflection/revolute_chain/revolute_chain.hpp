@@ -1,4 +1,4 @@
-// An arm's chain as rotations about one axis each, for arms that are such: the form that the kernels solve fast.
+// An arm's chain as rotations about one axis each, for arms that allow it: the form that the kernels solve fast.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace tubeplan::deflection::simd {
 
-/// Role of an element in the chain.
+/// An element of the chain: its turn, its axis and its compliance.
 struct RevoluteElement {
-  int turn;              ///< turn of the arm that it is, or is part of; -1 if it is rigid
+  int turn;              ///< index of the turn to which the element belongs; -1 if it is rigid
   Eigen::Vector3d axis;  ///< unit length, in the element's near axes
-  double compliance;     ///< about the axis [rad/(N m)]
+  double compliance;     ///< compliance about the axis [rad/(N m)]
   bool is_beam;
-  Eigen::Vector3d member;  ///< vector of a beam, in its near axes [m]
+  Eigen::Vector3d member;  ///< member of a beam, in its near axes [m]
 };
 
 /// A direction fixed to a turn.
@@ -25,7 +25,7 @@ struct TurnDirection {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 };
 
-/// A row's frame, fixed to a turn (-1: to the base).
+/// A row's frame, fixed to a turn (`turn` -1: to the base).
 struct RowOnTurn {
   int row = -1, turn = -1;
   PoseOf<double> X_TL;
@@ -33,22 +33,22 @@ struct RowOnTurn {
 
 class RevoluteChain {
  public:
-  /// Builds the chain. `joint_of` holds the reading that turns each link of the chain, -1 for none; `elements` are the
-  /// chain's, in order. Nothing if an element is compliant about more than one axis, has a clearance or a soft zone, or
-  /// if the arm is too long.
+  /// Builds the chain. `joint_of` holds the index of the reading that rotates each link of the chain, -1 for none;
+  /// `elements` are the elements of the chain, in order. Returns nothing if an element is compliant about more than one
+  /// axis or has a clearance or a soft zone, or if the arm is too long.
   static std::optional<RevoluteChain> of(const Chain<double>& chain, const Arm& arm, const std::vector<int>& joint_of,
                                          const std::vector<FlexibleElement>& elements, double reach);
 
   [[nodiscard]] RevoluteArm numbers() const;
   [[nodiscard]] const std::vector<RevoluteElement>& elements() const { return elements_; }
   [[nodiscard]] bool hasJacobian() const { return has_jacobian_; }
-  /// Returns the z axis of the last jointed row's frame.
+  /// Returns the z axis of the last row that has a joint.
   [[nodiscard]] const TurnDirection& lastAxis() const { return last_axis_; }
-  /// Returns every row's frame, in order; empty if one of them lies between two parts of the same turn.
+  /// Returns every row's frame, in order; empty if a row lies between two components that were merged into one turn.
   [[nodiscard]] const std::vector<RowOnTurn>& rows() const { return rows_; }
 
-  /// Sets the deflections of the elements from a kernel's output for each turn (Shapes::element_states, `stride`
-  /// apart).
+  /// Sets the deflections of the elements from a kernel's output for each turn (Shapes::element_states, with values
+  /// `stride` apart).
   void copyDeflections(const double* element_states, long stride, std::vector<FlexibleElement>& elements) const;
 
  private:

@@ -11,8 +11,8 @@ bool isStiffnessAt(const ParameterPath& path) {
          deflection::isStiffness(parameterFields()[static_cast<std::size_t>(path.field)].quantity);
 }
 
-/// Returns the slope of a compliance by a stiffness. Every stiffness is the only denominator of its terms, so that the
-/// compliance without them shows the slope.
+/// Returns the derivative of a compliance with respect to a stiffness. A stiffness is the only denominator of its
+/// terms, so that the compliance computed without these terms gives the derivative.
 std::optional<double> slopeOf(const FlexibleElement& element, const RevoluteElement& hinge, const Row<double>& without,
                               double value) {
   const Eigen::Matrix3d of_number =
@@ -79,7 +79,7 @@ std::optional<RevoluteVariables> RevoluteVariables::of(const std::vector<Variabl
     }
     out.ends_.push_back(out.terms_.size());
   }
-  // Each kind has its place, whether asked for or not, up to the last one that is.
+  // Each kind of derivative has a fixed position, up to the last kind that is requested.
   out.columns_ = out.has_compliances_ ? first_compliance + 2 * revolute_chain.numbers().count
                  : out.has_gravity_   ? first_compliance
                                       : out.joints_;

@@ -1,8 +1,8 @@
-// The rows' frames of bent arms side by side. See plain_rows.hpp for the input, lanes.hpp for the numbers.
+// Frames of the rows of bent arms side by side. See plain_rows.hpp for the input, lanes.hpp for the SIMD numbers.
 //
-// Bodies of a bent member lie along its chord: the row's axes are turned by the smallest rotation that takes the member
-// to the chord. The bow of the member from it is found at five places of the cubic that the displacement d and the
-// rotation w of its end define: (3 s^2 - 2 s^3 - s) d + (s^3 - s^2) w x member.
+// Bodies of a bent member lie along its chord: the row's axes are rotated by the smallest rotation that takes the
+// member to the chord. The bow of the member from the chord is found at five points of a cubic. The cubic is defined by
+// the displacement d and the rotation w of the member's end: (3 s^2 - 2 s^3 - s) d + (s^3 - s^2) w x member.
 #pragma once
 
 #include "deflection/revolute_chain/lanes.hpp"
@@ -42,7 +42,7 @@ inline void storeFrameOf(const RowFrame& X, double* to, long stride) {
 
 inline Vec same(const double* v) { return {constant(v[0]), constant(v[1]), constant(v[2])}; }
 
-/// Returns a direction of frame X in the axes in which X is given.
+/// Returns the direction v of frame X in the axes to which X refers.
 inline Vec turned(const RowFrame& X, const double* v) {
   return (constant(v[0]) * X.x + constant(v[1]) * X.y) + constant(v[2]) * X.z;
 }
@@ -54,7 +54,7 @@ inline RowFrame frameIn(const RowFrame& X, const PlainPose& Y) {
   return {turned(X, Y.R), turned(X, Y.R + 3), turned(X, Y.R + 6), placed(X, Y.p)};
 }
 
-/// Apply a constant pose to a vector or a frame of each lane.
+/// Apply a constant pose to a vector or a frame in each lane.
 inline Vec turnedBy(const PlainPose& X, Vec v) { return (v.x * same(X.R) + v.y * same(X.R + 3)) + v.z * same(X.R + 6); }
 
 inline RowFrame movedBy(const PlainPose& X, const RowFrame& Y) {
@@ -63,7 +63,7 @@ inline RowFrame movedBy(const PlainPose& X, const RowFrame& Y) {
 
 inline Vec unit(Vec v) { return (constant(1) / squareRoot(dot(v, v))) * v; }
 
-/// Turns the axes of X by the smallest rotation that takes the direction `member` to `chord`.
+/// Rotates the axes of X by the smallest rotation that takes the direction `member` to the direction `chord`.
 inline void turnAlong(Vec member, Vec chord, RowFrame& X) {
   const Vec from = unit(member), to = unit(chord), axis = cross(from, to);
   const Real factor = 1. / (1. + dot(from, to));

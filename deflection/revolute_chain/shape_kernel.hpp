@@ -1,16 +1,17 @@
-// The deflected shapes of postures side by side. See revolute_arm.hpp for the arm and lanes.hpp for the numbers.
+// Deflected shapes of postures side by side. See revolute_arm.hpp for the arm and lanes.hpp for the SIMD numbers.
 //
-// Every load is gravity's, so the load of each turn follows from gravity's direction, as a sweep outwards turns it
-// into its frame, and from the size and first moment S of the loads beyond, which a sweep inwards gathers. The moment
-// about its axis is S_x g_y - S_y g_x. Both sweeps bend each turn by its present moment (Gauss and
-// Seidel's method, symmetric: each sweep leaves about a deflection's share of the error). A turn's change within a
-// sweep is passed on by its tangent, so that no step waits for a sine; the next sweep starts from exact ones.
+// Every load is due to gravity. The load on a turn therefore follows from the direction g of gravity in the turn's
+// frame, which a sweep outwards computes, and from the magnitude and first moment S of the loads beyond, which a sweep
+// inwards gathers. The moment about the turn's axis is S_x g_y - S_y g_x. Both sweeps bend each turn by its present
+// moment (symmetric Gauss-Seidel method: each sweep multiplies the error by about the size of a deflection). The change
+// of a turn within a sweep is passed on by its tangent, so that no step waits for a sine; the next sweep starts from
+// exact sines.
 //
-// A beam in the plane of its turn, along v with u = z x v, under force F (all of size `size` and along g), moment M
-// about its far end and weight W: with rho = chord x g, f = cL size, w = cL W,
+// A beam in the plane of its turn, along v with u = z x v, carries a force F (magnitude `size`, along g), a moment M
+// about its far end and a weight W. With rho = chord x g, f = cL size, w = cL W,
 //      turn = m + rho (f/2 + w/6),  m = cL M;   chord = (1 - kappa) v + lambda u,
 //      lambda = m/2 + rho (f/3 + w/8),  kappa = m^2/6 + rho m (5/24 f + 3/40 w) + rho^2 (f^2/15 + 7/144 f w + w^2/112),
-// which is beam.hpp for one axis of bending, square to the member.
+// which is the law of beam.hpp for bending about one axis perpendicular to the member.
 #pragma once
 
 #include "deflection/revolute_chain/lanes.hpp"
@@ -21,19 +22,19 @@ namespace {
 using namespace tubeplan::deflection::simd;
 
 struct TurnState {
-  Real rest_c, rest_s, c, s;  ///< cosine and sine of joint and constant angle; with the deflection added
-  Vec g;                      ///< gravity's direction, in the turn's frame
-  Real sx, sy;                ///< first moment beyond, x and y before the turn
+  Real rest_c, rest_s, c, s;  ///< cosine and sine of the angle without and with deflection
+  Vec g;                      ///< direction of gravity, in the turn's frame
+  Real sx, sy;                ///< first moment of the loads beyond, x and y before the turn
   Real size;                  ///< sum of the loads beyond [N]
-  Real given, moment;         ///< deflection [rad], moment [N m]
-  Real lambda, kappa, rho;    ///< numbers of a beam, as defined above
+  Real given, moment;         ///< deflection of the turn [rad], moment about its axis [N m]
+  Real lambda, kappa, rho;    ///< dimensionless parameters of a beam, as defined above
   Real by_rho, lambda_by_rho, kappa_by_m, kappa_by_rho;
 };
 
-/// Active lanes, and the motion of their tips in a sweep.
+/// Active lanes, and the motion of the tip in each lane during a sweep.
 struct Progress {
   Bits active;
-  Real turned, change;  ///< rotation [rad]; change of beams' displacements [m]
+  Real turned, change;  ///< rotation [rad]; change of displacements of beams [m]
 };
 
 inline Vec directionBefore(const TurnState* t, int i, Vec gravity) { return i == 0 ? gravity : t[i - 1].g; }
@@ -76,8 +77,8 @@ inline void begin(const RevoluteArm& arm, const Postures& in, Real load_at_tip, 
   }
 }
 
-/// Bends the turn under a moment, `before` being gravity's direction before it; returns the change of its deflection
-/// [rad].
+/// Bends a turn under a moment; returns the change of its deflection [rad]. `before` is the direction of gravity in the
+/// frame before the turn.
 inline Real bend(const Turn& turn, Real moment, Vec before, TurnState& t, Progress& progress) {
   Real given = turn.compliance * moment;
   if (turn.is_beam) {
@@ -111,7 +112,7 @@ inline Real bend(const Turn& turn, Real moment, Vec before, TurnState& t, Progre
   return more;
 }
 
-/// Return x and y of the vector from the frame before to the turn's, as deflected; z does not change.
+/// Return x and y of the deflected vector from the frame before a turn to the turn's frame; z does not change.
 inline Real chordX(const Turn& turn, const TurnState& t) {
   return turn.p[0] - t.kappa * turn.p[0] - t.lambda * turn.p[1];
 }
@@ -167,10 +168,11 @@ inline void gatherInwards(const RevoluteArm& arm, Vec gravity, Real load_at_tip,
   }
 }
 
-/// Sweeps until each lane is at rest. Returns the number of sweeps of each, negative if it does not converge.
+/// Sweeps until each lane is at rest. Returns the number of sweeps in each lane, negative if the lane does not
+/// converge.
 ///
-/// A lane is at rest if the next sweep would move its tip by less than the tolerance: either this one did not, or the
-/// changes have shrunk so fast (by the same share at least, four times over) that the next one cannot.
+/// A lane is at rest if the next sweep would move its tip by less than the tolerance. Either the present sweep moved it
+/// by less, or the changes shrink so fast that four times the extrapolated next change is below the tolerance.
 inline Real converge(const RevoluteArm& arm, const Postures& in, Vec gravity, Real load_at_tip, TurnState* t) {
   if (!arm.is_compliant) return constant(1);
   Progress progress{isAtMost(constant(0), constant(0)), constant(0), constant(0)};
@@ -187,11 +189,11 @@ inline Real converge(const RevoluteArm& arm, const Postures& in, Vec gravity, Re
     sweeps = where(progress.active, constant(sweep), sweeps);
     const Bits lost = progress.active & ~isLess(change, constant(1e300));
     failed = failed | lost;
-    // Bound from this sweep's ratio to the one before and from the last one's, because sweeps in and out differ.
+    // The bound uses the ratios of the present and of the last sweep, because sweeps inwards and outwards differ.
     const Real next = 4. * change;
     const Bits fast = isLess(change * 10., last) & isLess(last * 10., before) &
                       isAtMost(next * change, in.tolerance * last) & isAtMost(next * last, in.tolerance * before);
-    // Error of this sweep's moments by the tangents of the sweep before.
+    // Bound on the error in this sweep's moments from the tangents used in the sweep before.
     const Bits exact = isAtMost(arm.reach * (turned * turned), constant(in.tolerance));
     progress.active = progress.active & ~(lost | (exact & (isAtMost(change, constant(in.tolerance)) | fast)));
     if (!any(progress.active)) break;
@@ -225,7 +227,7 @@ inline void twistAbout(const Turn& turn, Frame& X) {
   X.z = c * X.z - s * y;
 }
 
-/// Computes the frame of every turn in the base; returns the tip's.
+/// Computes the frame of every turn in the base; returns the tip's frame.
 inline Frame placeFrames(const RevoluteArm& arm, const TurnState* t, Frame* frames) {
   const Real one = constant(1), zero = constant(0);
   Frame X{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}, none()};
