@@ -23,7 +23,8 @@ std::string degrees(double angle) {
   return text.str();
 }
 
-/// Returns the rank of a branch, with usable ones first, then those that reach the place within the joints' limits.
+/// Returns the rank of a branch: usable branches come first, then branches that reach the goal position within the
+/// joint limits.
 int severity(const Branch& branch) {
   if (branch.status == BranchStatus::kSingular && branch.reason == kNextToSingular) return 1;
   switch (branch.status) {

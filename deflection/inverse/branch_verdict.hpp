@@ -1,4 +1,5 @@
-// Status and reason of a branch found from a start, and of all branches together. Internal to the inverse.
+// Status and reason of a branch found from a start posture, and of all branches together. Internal to the inverse
+// kinematics.
 #pragma once
 
 #include <cmath>
@@ -8,23 +9,23 @@
 
 namespace tubeplan::deflection {
 
-/// Returns the difference between two readings of a revolute joint [rad], less whole turns.
+/// Returns the absolute difference between two readings of a revolute joint [rad], modulo whole turns.
 inline double angleApart(double a, double b) {
   const double off = std::abs(a - b);
   return off <= kFullTurn / 2 ? off : std::abs(std::remainder(off, kFullTurn));
 }
 
-/// Brings each revolute reading into its limits by whole turns where possible. Returns the name of the joint that
-/// cannot be.
+/// Shifts each revolute reading into the joint's limits by whole turns where possible. Returns the name of a joint that
+/// remains outside its limits; empty if there is none.
 std::string wrapIntoLimits(const Arm& arm, Eigen::VectorXd& q);
 
-/// Sets status and reason of a branch from its residuals.
+/// Sets the status and reason of a branch from its residuals.
 void judge(const Arm& arm, const InverseKinematicsOptions& options, Branch& branch);
 
-/// Returns true if two postures are equal but for whole turns.
+/// Returns true if two postures are equal modulo whole turns.
 [[nodiscard]] bool isSameBranch(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
-/// Puts usable branches first and sets the overall status and reason to those of the best.
+/// Sorts usable branches first, and copies the status and reason of the best branch to the result.
 void summarise(InverseKinematics& result);
 
 }  // namespace tubeplan::deflection

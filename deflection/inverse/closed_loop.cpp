@@ -12,14 +12,14 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Dynamic, Eigen::Index, Eigen::Matrix, Eigen::Vector3d, Eigen::VectorXd;
-constexpr double kMoved = 1e-4;  ///< perturbation of the axes, as a share of the reach and in rad
+constexpr double kMoved = 1e-4;  ///< perturbation of the axes, as a fraction of the reach and in rad
 
-/// Returns the n-th number of a low-discrepancy sequence in (-1, 1), which is even in any number of dimensions.
+/// Returns the n-th number of a low-discrepancy sequence in (-1, 1).
 double drawn(int n) { return 2 * std::fmod(0.5 + n * 0.6180339887498949, 1.) - 1; }
 
 Vector3d drawnVector(int n) { return {drawn(3 * n + 1), drawn(3 * n + 2), drawn(3 * n + 3)}; }
 
-/// Returns the chain in units of the reach, with slightly perturbed axes.
+/// Returns the chain with lengths in units of the reach and slightly perturbed axes.
 AxesAtZero movedALittle(AxesAtZero axes, double reach) {
   for (std::size_t k = 0; k < axes.point.size(); ++k) {
     const int n = static_cast<int>(k);
@@ -30,13 +30,13 @@ AxesAtZero movedALittle(AxesAtZero axes, double reach) {
   return axes;
 }
 
-/// Matrices of both sizes of loop, without allocation. The solvers are compiled for this one type, because instances of
-/// fixed sizes take the compiler ten times as long.
+/// Matrices for both sizes of loop, without allocation. The solvers are compiled for this single type, because
+/// instances for fixed sizes take ten times as long to compile.
 using Matrices = Matrix<double, Dynamic, Dynamic, 0, 14, 12>;
 using Companion = Matrix<double, Dynamic, Dynamic, 0, 24, 24>;
 
-/// Returns the roots at which the matrix polynomial a + b x + c x^2 is singular. With x = (1 + y) / (1 - y), it only
-/// has to be regular at one point.
+/// Returns the roots x at which the matrix polynomial a + b x + c x^2 is singular. The polynomial only has to be
+/// regular at x = -1, because of the substitution x = (1 + y) / (1 - y).
 std::vector<std::complex<double>> rootsOf(const std::array<Matrices, 3>& polynomial) {
   const auto& [a, b, c] = polynomial;
   const Index n = a.rows();
@@ -53,7 +53,7 @@ std::vector<std::complex<double>> rootsOf(const std::array<Matrices, 3>& polynom
   return roots;
 }
 
-/// Returns the null direction of a nearly singular matrix.
+/// Returns the null vector of a nearly singular matrix.
 Matrix<double, Dynamic, 1, 0, 12, 1> nullVector(Matrices m) {
   const Index n = m.rows();
   m.rowwise().normalize();
@@ -77,7 +77,7 @@ Closure<Size> closureOf(const Vector3d& p, const Vector3d& l) {
 template <int Size>
 struct ClosedLoop<Size>::Sides {
   Outer outer;
-  /// of all equations but that of 1, without the term of 1
+  /// Decomposition of the outer joints' terms, without the equation of the quantity 1 and without the constant term.
   Eigen::ColPivHouseholderQR<Matrices> outer_solver;
   std::array<Matrices, 3> polynomial;
 };
@@ -113,7 +113,7 @@ ClosedLoop<Size>::ClosedLoop(const ClosureChain<Size>& chain) : reach_(chain.rea
   std::array<JointTerms<Size>, kJoints> terms;
   for (std::size_t k = 0; k < kJoints; ++k) {
     slides_[k] = chain.joints[k].slides;
-    // A root at half a turn from it is then unlikely.
+    // A root half a turn away from `zero_` is then unlikely.
     zero_[k] = slides_[k] ? 0.1 : 1 + 2 * drawn(static_cast<int>(k) + 40);
     if (k < kOuter)
       outer_[k] = chain.joints[k];
@@ -135,7 +135,7 @@ ClosedLoop<Size>::ClosedLoop(const ClosureChain<Size>& chain) : reach_(chain.rea
     }
 }
 
-/// Returns the goal after the outer joints, by their terms: index 0 is that of 1.
+/// Returns the goal moved back by the outer joints, one column for each product of their terms; column 0 is constant.
 template <int Size>
 auto ClosedLoop<Size>::outerSide(const Vector3d& p_B, const Vector3d& axis_B) const -> Outer {
   const Closure<Size> goal = closureOf<Size>(p_B / reach_, axis_B);
@@ -150,15 +150,15 @@ auto ClosedLoop<Size>::outerSide(const Vector3d& p_B, const Vector3d& axis_B) co
   return side;
 }
 
-/// Sets the readings of the joints beside the tool at a root, from the null vector there. It holds powers of the
-/// eliminated joints, with those of the last one next to each other.
+/// Sets the readings of the joints next to the tool at a root x, from the null vector v there. The entries of v are
+/// products of powers of the eliminated joints' unknowns; powers of the last joint's unknown are adjacent.
 template <int Size>
 void ClosedLoop<Size>::setInner(const Unknowns& v, double x, VectorXd& q) const {
   const auto set = [&](std::size_t joint, double numerator, double denominator) {
     q[static_cast<Eigen::Index>(joint)] =
         zero_[joint] + (slides_[joint] ? numerator / denominator : 2 * std::atan2(numerator, denominator));
   };
-  // Sets a joint from the ratio of successive powers, `step` apart, where both are largest.
+  // Sets a joint from the ratio of successive powers, `step` entries apart, at the pair with the largest powers.
   const auto setRatio = [&](std::size_t joint, int step, int powers) {
     int best = 0;
     for (int i = 0; i + step < kUnknowns; ++i)
@@ -171,7 +171,7 @@ void ClosedLoop<Size>::setInner(const Unknowns& v, double x, VectorXd& q) const 
   if constexpr (kEliminated == 2) setRatio(kOuter + 1, 3, 4);
 }
 
-/// Returns the tool's side at the readings.
+/// Returns the tool's side of the loop at readings q.
 template <int Size>
 Closure<Size> ClosedLoop<Size>::innerSide(const VectorXd& q) const {
   const auto termsOf = [&](std::size_t joint) -> Vector3d {
@@ -192,13 +192,13 @@ template <int Size>
 VectorXd ClosedLoop<Size>::readingsAt(const Sides& sides, double x) const {
   VectorXd q(kJoints);
   setInner(nullVector(sides.polynomial[0] + x * (sides.polynomial[1] + x * sides.polynomial[2])), x, q);
-  // The outer joints' terms, without that of 1, follow from the goal.
+  // The terms of the outer joints, without the constant term, follow from the goal.
   const Matrix<double, kOuterTerms - 1, 1> outer =
       sides.outer_solver.solve((innerSide(q) - sides.outer.col(0)).template head<Size - 1>());
   const auto set = [&](std::size_t joint, int first, int second) {
     q[static_cast<Eigen::Index>(joint)] = slides_[joint] ? outer[first] : std::atan2(outer[second], outer[first]);
   };
-  constexpr int kStep = kOuter == 2 ? 3 : 1;  // distance between terms of the first joint
+  constexpr int kStep = kOuter == 2 ? 3 : 1;  // index distance between terms of the first joint
   set(0, kStep - 1, 2 * kStep - 1);
   if constexpr (kOuter == 2) set(1, 0, 1);
   for (std::size_t joint = 0; joint < kJoints; ++joint)
@@ -220,7 +220,8 @@ void ClosedLoop<Size>::addRoots(const Vector3d& p_B, const Vector3d& axis_B, dou
   for (int a = 0; a < 3; ++a) {
     auto& m = sides.polynomial[static_cast<std::size_t>(a)];
     m.setZero(kUnknowns, kUnknowns);
-    constexpr int kNext = kUnknowns - kInnerTerms;  // columns by which one more power of the eliminated joint shifts
+    // Number of columns by which one more power of the eliminated joint's unknown shifts the terms.
+    constexpr int kNext = kUnknowns - kInnerTerms;
     const auto terms = left.template middleCols<kInnerTerms>(a * kInnerTerms);
     m.template topLeftCorner<kEquations, kInnerTerms>() = terms;
     m.template block<kEquations, kInnerTerms>(kEquations, kNext) = terms;
@@ -229,7 +230,7 @@ void ClosedLoop<Size>::addRoots(const Vector3d& p_B, const Vector3d& axis_B, dou
     if (x.imag() < 0) continue;
     const double imaginary = slides_[kOuter] ? x.imag() : 2 * x.imag() / (1 + x.real() * x.real());
     if (!(imaginary <= most_imaginary)) continue;
-    // If the perturbed axes have made two roots complex, either may lie to either side.
+    // If the perturbed axes have made two roots complex, the real roots may lie on either side.
     for (const double aside : {-1., 1.}) {
       VectorXd q = readingsAt(sides, x.real() + aside * x.imag());
       if (q.allFinite()) roots.push_back(std::move(q));

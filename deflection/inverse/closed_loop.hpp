@@ -1,11 +1,12 @@
-// All readings of a rigid chain that meet a goal, found together: the roots of its closure by the eigenvalues of a
-// matrix polynomial (Manocha and Canny 1994, "Efficient inverse kinematics for general 6R manipulators", IEEE Trans.
-// Robot. Automat. 10). Three joints hold a place: at most four postures. Five hold a place and an axis, with the roll
-// about it free: at most sixteen. Slides are joints as others are.
+// All readings of a rigid chain that meet a goal, found together: the roots of the chain's closure equations, from the
+// eigenvalues of a matrix polynomial (Manocha and Canny 1994, "Efficient inverse kinematics for general 6R
+// manipulators", IEEE Trans. Robot. Automat. 10). Three joints control a position, with at most four postures. Five
+// joints control a position and an axis with free roll about the axis, with at most sixteen postures. Slides are
+// treated as other joints are.
 //
-// The roots are those of a chain whose axes are moved by a ten-thousandth. So no design is a special case of the
-// equations: parallel or intersecting axes, which would make matrices singular, only make them nearly singular.
-// Iterations lead from the roots to the postures of the chain itself. Internal to the inverse.
+// The roots are those of a chain whose axes are perturbed by a ten-thousandth, so that no design is a special case of
+// the equations. Parallel or intersecting axes, which would make matrices singular, then only make them nearly
+// singular. Iterations lead from these roots to postures of the unperturbed chain. Internal to the inverse kinematics.
 #pragma once
 
 #include <vector>
@@ -14,24 +15,24 @@
 
 namespace tubeplan::deflection {
 
-/// The closure of a chain in units of its reach, with its axes perturbed slightly.
+/// The closure of a chain with lengths in units of the chain's reach and slightly perturbed axes.
 template <int Size>
 struct ClosureChain {
   std::vector<JointClosure<Size>> joints;
   Closure<Size> tool;  ///< tool at zero readings
-  double reach;        ///< [m]
+  double reach;        ///< reach of the chain [m]
 };
 
 /// Returns the closure of a chain; `reach` is the unit of length of the equations [m].
 template <int Size>
 ClosureChain<Size> closureChain(const AxesAtZero& axes, double reach);
 
-/// Returns the chain without its k-th joint, which is held at a reading.
+/// Returns the closure of the chain with its k-th joint held at `reading` [rad, m].
 template <int Size>
 ClosureChain<Size> withJointHeld(ClosureChain<Size> chain, std::size_t k, double reading);
 
-/// Solver of a closed chain: one or two joints beside the goal and one or two beside the tool are eliminated, one
-/// between is solved for.
+/// Solver of a closed chain: eliminates one or two joints next to the goal and one or two joints next to the tool, and
+/// solves for the joint between them.
 template <int Size>
 class ClosedLoop {
  public:
@@ -40,16 +41,16 @@ class ClosedLoop {
   /// `chain` must have kJoints joints.
   explicit ClosedLoop(const ClosureChain<Size>& chain);
 
-  /// Adds readings near those that meet the goal. Complex roots with an imaginary part up to `most_imaginary` [rad]
-  /// count too, because two postures are about to coincide there, or would on a flexible arm.
+  /// Adds readings near the readings that meet the goal. Complex roots with an imaginary part up to `most_imaginary`
+  /// [rad] are included: two postures nearly coincide there, or would on a flexible arm.
   void addRoots(const Eigen::Vector3d& p_B, const Eigen::Vector3d& axis_B, double most_imaginary,
                 std::vector<Eigen::VectorXd>& roots) const;
 
  private:
-  static constexpr int kOuter = Size == kLineSize ? 2 : 1;       ///< joints beside the goal
-  static constexpr int kEliminated = Size == kLineSize ? 2 : 1;  ///< joints beside the tool
+  static constexpr int kOuter = Size == kLineSize ? 2 : 1;       ///< joints next to the goal
+  static constexpr int kEliminated = Size == kLineSize ? 2 : 1;  ///< joints next to the tool
   static constexpr int kOuterTerms = Size == kLineSize ? 9 : 3, kInnerTerms = kOuterTerms;
-  /// Equations left after elimination of the outer joints.
+  /// Equations that remain after elimination of the outer joints.
   static constexpr int kEquations = Size == kLineSize ? 6 : 2;
   static constexpr int kUnknowns = 2 * kEquations;  ///< unknowns of the matrix polynomial
   static_assert(kUnknowns == (Size == kLineSize ? 12 : 4));
@@ -68,7 +69,7 @@ class ClosedLoop {
   std::array<double, kJoints> zero_;
   std::array<bool, kJoints> slides_;
   std::array<JointClosure<Size>, kOuter> outer_;
-  Inner inner_;  ///< terms of the tool's side, those of x^2 first
+  Inner inner_;  ///< terms of the tool's side, grouped by powers of x: 1, x, x^2
   Eigen::Matrix<double, 1, 3 * kInnerTerms> inner_weight_;
 };
 

@@ -13,17 +13,18 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Dynamic, Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-constexpr double kPlaceFloor = 1e-4;  ///< slopes of the place per reach below which there is no motion
-/// Weight of the place, in reaches, relative to the tilt in rad, for judging a step.
+constexpr double kPlaceFloor = 1e-4;  ///< least derivative of the position per reach that counts as motion
+/// Weight of the position residual, in reaches, relative to the tilt in rad, in the merit of a step.
 constexpr double kPlaceWeight = 10;
-constexpr double kLimitWeight = 2;          ///< weight of the excess over limits, scaled
-constexpr double kIntoLimits = 1e-3;        ///< scaled; a shorter step into the limits ends the iteration
-constexpr double kLongestScaledStep = 0.5;  ///< scaled
-constexpr double kLeastShare = 0.1;         ///< shortest share of a step that is tried
-constexpr int kMostStrikes = 4;             ///< steps without improvement at any length, before the start is abandoned
+constexpr double kLimitWeight = 2;          ///< weight of the scaled excess over joint limits
+constexpr double kIntoLimits = 1e-3;        ///< shortest scaled step into the limits that continues the iteration
+constexpr double kLongestScaledStep = 0.5;  ///< longest step of any joint, scaled
+constexpr double kLeastShare = 0.1;         ///< least fraction of a step that is tried
+constexpr int kMostStrikes = 4;             ///< steps without improvement at any length before the start is abandoned
 constexpr std::size_t kSideBySide = 32;
 
-/// Returns the least singular value of the place's slopes, for a turret arm together with the pitch's.
+/// Returns the smallest singular value of the derivatives of the position, for a turret arm together with those of the
+/// pitch.
 double smallestSingularValue(const GoalResidual& r, bool with_lean) {
   const Index rows = r.by_off.rows() + (with_lean ? r.by_lean.rows() : 0);
   Eigen::Matrix<double, Dynamic, Dynamic, 0, 6, Dynamic> held(rows, r.by_off.cols());
@@ -36,12 +37,12 @@ double smallestSingularValue(const GoalResidual& r, bool with_lean) {
 }
 
 struct GoalStep {
-  VectorXd joints;         ///< scaled
+  VectorXd joints;         ///< step of the joints, scaled
   double lean = 0;         ///< reduction of the tilt [rad]
-  double into_limits = 0;  ///< scaled part that serves the limits
+  double into_limits = 0;  ///< length of the part that moves joints into their limits, scaled
 };
 
-/// Adds to the step a motion of joints back into their limits, as far as the others leave it free.
+/// Adds to the step a motion of joints back into their limits, as far as goals of higher rank leave it free.
 void addWayIntoLimits(const GoalProblem& problem, const VectorXd& q, FreeMotion& free, GoalStep& step) {
   std::vector<Index> past;
   for (Index k = 0; k < q.size(); ++k)
@@ -80,14 +81,14 @@ bool isMet(const GoalProblem& problem, const GoalResidual& r, const GoalStep& st
          step.into_limits < kIntoLimits && (!problem.isTurret() || r.tilt < std::numbers::pi / 2);
 }
 
-/// Returns the merit of a posture during the iteration.
+/// Returns the merit of a posture, which the iteration reduces.
 double meritOf(const GoalProblem& problem, const GoalResidual& r, const VectorXd& q) {
   double past = 0;
   for (Index k = 0; k < q.size(); ++k) past += std::pow(problem.pastLimit(k, q[k]), 2);
   return kPlaceWeight * r.off.norm() + r.lean.norm() + kLimitWeight * std::sqrt(past);
 }
 
-/// The iteration from one start to its goal: it asks for the tip at one posture after the other.
+/// The iteration from one start to its goal, which requests the tip at one posture after another.
 class Lead {
  public:
   void begin(std::size_t which, const VectorXd& start) {
@@ -101,7 +102,7 @@ class Lead {
   [[nodiscard]] std::size_t which() const { return which_; }
   [[nodiscard]] const VectorXd& asked() const { return there_; }  ///< readings at which the tip is needed next
 
-  /// Takes the tip at the readings; returns false at the end of the iteration.
+  /// Takes the tip at the requested readings; returns false at the end of the iteration.
   bool arrive(const GoalProblem& problem, const ToolGoal& goal, TipMotion& tip) {
     problem.evaluate(goal, tip, next_);
     if (is_first_) {
@@ -119,7 +120,7 @@ class Lead {
       there_ = q_ + share_ * whole_;
       return true;
     }
-    // If even the shortest step does not improve, it is taken all the same, a few times.
+    // If even the shortest step does not improve the merit, it is taken nevertheless, a few times.
     if (next_.isFinite()) take();
     if (++strikes_ == kMostStrikes) return false;
     ++iterations_;
@@ -161,7 +162,7 @@ class Lead {
 
   std::size_t which_ = 0;
   GoalResidual here_, next_;
-  VectorXd q_, there_, whole_;  ///< whole_: the step of which shares are tried
+  VectorXd q_, there_, whole_;  ///< whole_: the full step, of which fractions are tried
   double merit_ = 0, share_ = 1;
   int strikes_ = 0, iterations_ = 0;
   bool is_first_ = true;

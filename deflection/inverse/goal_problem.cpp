@@ -12,9 +12,9 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
-constexpr double kWithin = 0.02;  ///< scaled distance within its limits to which a joint beyond them is led
+constexpr double kWithin = 0.02;  ///< scaled distance inside the limits to which a joint outside its limits is led
 
-/// Adds the pitch of a turret arm: the tilt about the axis h of its last joint, which moves with the tool.
+/// Adds the pitch residual of a turret arm: the tilt about the axis h of the last joint, which moves with the tool.
 void addPitch(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {
   const Vector3d &t = tip.axis, &h = tip.last_axis;
   out.lean.resize(1);
@@ -26,11 +26,11 @@ void addPitch(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {
   }
 }
 
-/// Adds the rotation from the tool's axis to the goal's, about two directions across the tool.
+/// Adds the rotation from the tool axis to the goal axis, about two directions perpendicular to the tool.
 void addLean(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {
   const Vector3d t = tip.axis, across = t.cross(n);
   const double sine = across.norm();
-  // For a tool that points the opposite way any rotation across it is right.
+  // For a tool that points the opposite way, a rotation about any perpendicular direction is right.
   const Vector3d u = sine > 1e-12 ? Vector3d(across / sine) : Vector3d(t.unitOrthogonal()), v = t.cross(u);
   out.lean.resize(2);
   out.lean << out.tilt, 0;
@@ -39,7 +39,8 @@ void addLean(const Vector3d& n, const TipMotion& tip, GoalResidual& out) {
   out.by_lean.row(1).noalias() = -v.transpose().lazyProduct(tip.columns.bottomRows<3>());
 }
 
-/// Returns the function for the tips of a turret arm with the axis of its last joint, which batches do not have.
+/// Returns the function that computes tips of a turret arm together with their `last_axis`, which TipBatch does not
+/// contain.
 PlaceTips turretTips(const Arm& arm, double load, const Vector3d& gravity_B, const FlexibleKinematicsOptions& options) {
   auto tip = std::make_shared<TipDifferentiation>(arm);
   const int last = activeRows(arm).back();

@@ -1,5 +1,5 @@
-// The equations that an arm's joints must solve at a goal: residual of a posture and its slopes by the joints. Internal
-// to the inverse.
+// The equations that an arm's joints must solve at a goal: the residual of a posture and its derivatives with respect
+// to the joints. Internal to the inverse kinematics.
 #pragma once
 
 #include <functional>
@@ -10,43 +10,44 @@
 
 namespace tubeplan::deflection {
 
-/// Computes the tip and its motion at each column of q [rad, m], for the true or the rigid arm.
+/// Computes the tip and its motion at each column of q [rad, m], for the flexible or the rigid arm.
 using PlaceTips = std::function<void(const Eigen::Ref<const Eigen::MatrixXd>& q, std::span<TipMotion> tips)>;
 
-/// Returns the function for the deflected tip under a load. `arm` must outlive it.
+/// Returns the function that computes the deflected tip under a load [N]. `arm` must outlive the function.
 [[nodiscard]] PlaceTips deflectedTips(const Arm& arm, bool turret, double load, const Eigen::Vector3d& gravity_B,
                                       const FlexibleKinematicsOptions& options);
-/// Returns the function for the tip of the rigid arm. `axes` must outlive it.
+/// Returns the function that computes the tip of the rigid arm. `axes` must outlive the function.
 [[nodiscard]] PlaceTips rigidTips(const AxesAtZero& axes);
 
-/// Slopes of up to three equations by scaled joints.
+/// Derivatives of up to three equations with respect to scaled joints.
 using GoalSlopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, Eigen::Dynamic>;
 using GoalSides = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
 
-/// Residual of a posture at its goal, and the slopes by scaled joints (rad; slides as shares of the reach).
+/// Residual of a posture at its goal, and its derivatives with respect to scaled joints (rad; slides as fractions of
+/// the reach).
 struct GoalResidual {
-  GoalSides off;  ///< residual of the place as a share of the reach, 3 rows
-  /// Residual of the tool's direction [rad]: for a turret arm the pitch about its last joint, 1 row; for others the
-  /// rotation between the axes, 2 rows.
+  GoalSides off;  ///< residual of the position as a fraction of the reach, 3 rows
+  /// Residual of the tool's direction [rad]: for a turret arm the pitch about its last joint, 1 row; for other arms the
+  /// rotation between tool axis and goal axis, 2 rows.
   GoalSides lean;
   GoalSlopes by_off, by_lean;
-  double position_error = 0, tilt = 0;  ///< [m], [rad]
+  double position_error = 0, tilt = 0;  ///< distance from the goal [m], angle to its axis [rad]
 
   [[nodiscard]] bool isFinite() const { return off.allFinite() && lean.allFinite() && by_off.allFinite(); }
 };
 
-/// Numbers of the arm that do not depend on the goal.
+/// Goal equations of one arm; values that do not depend on the goal are computed once.
 class GoalProblem {
  public:
   /// `options` must outlive this object.
   GoalProblem(const Arm& arm, bool turret, PlaceTips place, const InverseKinematicsOptions& options);
 
   void place(const Eigen::Ref<const Eigen::MatrixXd>& q, std::span<TipMotion> tips) { place_(q, tips); }
-  /// Computes the residual of a tip; scales its columns in place.
+  /// Computes the residual of a tip; scales `tip.columns` in place.
   void evaluate(const ToolGoal& goal, TipMotion& tip, GoalResidual& residual) const;
 
-  /// Returns the scaled distance of the k-th reading beyond a value just within its limits, less whole turns; zero if
-  /// it is within.
+  /// Returns the scaled distance of the k-th reading, modulo whole turns, from a value just inside the joint's limits;
+  /// zero if the reading is within them.
   [[nodiscard]] double pastLimit(Eigen::Index k, double reading) const;
   [[nodiscard]] double mostPastLimits(const Eigen::Ref<const Eigen::VectorXd>& q) const;
 

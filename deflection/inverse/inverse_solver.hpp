@@ -1,4 +1,4 @@
-// Flexible inverse kinematics for many goals of one arm: prepared once, goals and branches solved side by side.
+// Flexible inverse kinematics for many goals of one arm: prepared once, with goals and branches solved side by side.
 #pragma once
 
 #include <memory>
@@ -9,11 +9,11 @@
 
 namespace tubeplan::deflection {
 
-/// Returns an upper bound of the number of branches of a goal.
+/// Returns an upper bound on the number of branches of a goal.
 [[nodiscard]] int mostBranches(const Arm& arm, const InverseKinematicsOptions& options);
 
-/// Solver for goals of one arm under one load; each thread needs its own. A goal's solution has the same bits whatever
-/// is solved with it.
+/// Solver for goals of one arm under one load; each thread needs its own object. The solution of a goal is
+/// bit-identical whatever goals are solved with it.
 class InverseSolver {
  public:
   /// `arm` must outlive this object, and must not change.
@@ -23,11 +23,11 @@ class InverseSolver {
   InverseSolver& operator=(const InverseSolver&) = delete;
   ~InverseSolver();
 
-  /// Returns all branches of each goal, equal to those of solveInverseKinematics().
+  /// Returns all branches of each goal, equal to the results of solveInverseKinematics().
   [[nodiscard]] std::vector<InverseKinematics> solve(std::span<const ToolGoal> goals);
   [[nodiscard]] InverseKinematics solve(const ToolGoal& goal);
 
-  /// Returns one branch for each goal, from a start near it, equal to that of refineBranch().
+  /// Returns one branch for each goal, from a start near it, equal to the result of refineBranch().
   [[nodiscard]] std::vector<Branch> refine(std::span<const ToolGoal> goals, std::span<const Eigen::VectorXd> starts);
 
  private:

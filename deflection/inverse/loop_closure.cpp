@@ -17,7 +17,7 @@ Matrix3d crossOf(const Vector3d& t) {
   return m;
 }
 
-/// Returns a matrix that turns the four vectors, and multiplies the others by `rest`.
+/// Returns a matrix that rotates the four vector quantities and multiplies the three scalar quantities by `rest`.
 Line turning(const Matrix3d& R, double rest) {
   Line m = Line::Zero();
   for (const int at : {kAxis, kPlace, kMoment, kInverse}) m.block<3, 3>(at, at) = R;
@@ -25,7 +25,7 @@ Line turning(const Matrix3d& R, double rest) {
   return m;
 }
 
-/// Return the linear and the quadratic part of a translation by t.
+/// Return the linear and the quadratic part of the matrix of a translation by t.
 Line linearInShift(const Vector3d& t) {
   Line m = Line::Zero();
   m.block<3, 1>(kPlace, kOne) = t;

@@ -61,7 +61,8 @@ std::vector<VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal) {
 
 std::vector<VectorXd> latticeStarts(const Arm& arm, int count) {
   std::vector<VectorXd> starts;
-  // Kronecker lattice of the generalised golden ratio: even in any number of dimensions, and the same on every machine.
+  // Kronecker lattice of the generalised golden ratio: evenly distributed in any number of dimensions, equal on every
+  // machine.
   const int n = static_cast<int>(arm.jointCount());
   double ratio = 2;
   for (int k = 0; k < 60; ++k) ratio = std::pow(1 + ratio, 1. / (n + 1));

@@ -1,4 +1,4 @@
-// All rigid postures with the tip at a place and the tool along an axis: the starts of the flexible solution.
+// All rigid postures with the tip at a position and the tool along an axis: the starts of the flexible solution.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace tubeplan::deflection {
 
-/// Goal of the tool in the base frame: tip place [m] and unit direction of the tool's axis.
+/// Goal of the tool in the base frame: position of the tip [m] and unit direction of the tool axis.
 struct ToolGoal {
   Eigen::Vector3d p_BT = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis_B = Eigen::Vector3d::UnitZ();
@@ -17,12 +17,14 @@ struct ToolGoal {
 /// 3R arm.
 bool isTurretArm(const Arm& arm);
 
-/// Returns the closed form for a turret arm, such as Calkins' Cobra: at most four joint vectors (front and back of the
-/// turret, elbow either way), with angles in (-pi, pi]. They are exact if the three axes are parallel, otherwise
-/// approximate. A goal just beyond the rigid reach gets starts near it. Empty: out of reach.
+/// Returns the closed-form solutions for a turret arm, such as Calkins' Cobra: at most four joint vectors (front and
+/// back of the turret, elbow either way), with angles in (-pi, pi]. The solutions are exact if the last three axes are
+/// parallel, otherwise approximate. For a goal just beyond the rigid reach, postures near the goal are returned. Empty:
+/// out of reach.
 std::vector<Eigen::VectorXd> turretBranches(const Arm& arm, const ToolGoal& goal);
 
-/// Returns a deterministic low-discrepancy lattice over the joint limits (one turn for joints without limits).
+/// Returns `count` postures of a deterministic low-discrepancy lattice over the joint limits (one turn for joints
+/// without limits).
 std::vector<Eigen::VectorXd> latticeStarts(const Arm& arm, int count);
 
 }  // namespace tubeplan::deflection

@@ -15,12 +15,12 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 constexpr int kProbes = 8;              ///< number of postures at which an arm's freedom is examined
-constexpr double kTurnsTheTool = 1e-3;  ///< least freedom to turn the tool at the best of the probes [rad per rad]
-constexpr double kNearlyReal = 0.2;     ///< largest imaginary part of a complex root [rad]
+constexpr double kTurnsTheTool = 1e-3;  ///< least usable freedom to turn the tool, at the best probe [rad per rad]
+constexpr double kNearlyReal = 0.2;     ///< largest imaginary part of complex roots that are used [rad]
 /// Number of slices, each with readings of the held joints or a rotation of the tool about its axis: for turret arms,
-/// which have a closed form; for one redundant joint; for more.
+/// which have a closed form; for one redundant joint; for several redundant joints.
 constexpr int kTurretSlices = 96, kSlicesOfOne = 24, kSlicesOfMore = 48;
-constexpr std::size_t kStride = 31;  ///< step between the tool rotations of successive slices; prime to their number
+constexpr std::size_t kStride = 31;  ///< index step between tool rotations of successive slices; coprime to their count
 
 AxesAtZero withJointHeld(AxesAtZero axes, std::size_t held, double q) {
   const Vector3d direction = axes.direction[held], point = axes.point[held];
@@ -41,7 +41,8 @@ AxesAtZero withJointHeld(AxesAtZero axes, std::size_t held, double q) {
   return axes;
 }
 
-/// Returns the slopes by the joints: of the tip per reach and, in the last two rows, of the tool's axis across itself.
+/// Returns derivatives with respect to the joints: of the tip divided by the reach and, in the last two rows, of the
+/// tool axis in two perpendicular directions.
 MatrixXd slopesAt(const AxesAtZero& axes, const VectorXd& q, double reach) {
   TipMotion tip;
   placeRigidTip(axes, q, tip);
@@ -70,7 +71,8 @@ std::vector<double> turnsRound(int count) {
   return turns;
 }
 
-/// Returns the joints to hold, so that the first `rows` of the others' slopes are as regular as possible on average.
+/// Returns the joints to hold so that the first `rows` rows of the other joints' derivatives are as regular as possible
+/// on average.
 std::vector<int> heldJoints(const std::vector<MatrixXd>& slopes, Index rows) {
   const Index n = slopes.front().cols();
   double best = -1;
@@ -96,7 +98,7 @@ RigidSearch::RigidSearch(const Arm& arm, const AxesAtZero& axes, Hold hold) : ax
   addSlices(arm);
 }
 
-/// Adds slices at the readings of an even lattice within the limits; only those of the held joints matter.
+/// Adds slices at the readings of an even lattice within the limits; only the readings of held joints matter.
 void RigidSearch::addSlices(const Arm& arm) {
   const bool has_wrist = form_ == Form::kWrist;
   if (held_.empty()) {
@@ -107,7 +109,7 @@ void RigidSearch::addSlices(const Arm& arm) {
                     : held_.size() == 1 && !has_wrist ? kSlicesOfOne
                                                       : kSlicesOfMore;
   const std::vector<double> rolls = turnsRound(count);
-  // Each reading has its own rotation of the tool, in an order unrelated to the readings.
+  // Each lattice point has its own rotation of the tool, in an order unrelated to the readings.
   std::size_t next = 0;
   for (const VectorXd& q : latticeStarts(arm, count)) {
     slices_.push_back(sliceAt(q(held_), has_wrist ? std::vector{rolls[next % rolls.size()]} : std::vector<double>()));
@@ -185,7 +187,7 @@ void RigidSearch::addFrom(const Slice& slice, const ToolGoal& goal, double most_
 }
 
 void RigidSearch::addPostures(const ToolGoal& goal, std::vector<VectorXd>& postures) const {
-  // If two postures are about to coincide in one slice, they are separate in the next.
+  // Two postures that nearly coincide in one slice are separate in the next slice.
   const double most_imaginary = isContinuum() ? 0 : kNearlyReal;
   for (const Slice& slice : slices_) addFrom(slice, goal, most_imaginary, postures);
 }

@@ -1,6 +1,6 @@
-// Search for every posture of the rigid arm that meets a goal, for arms of three joints and more. If there are more
-// joints than the goal requires, redundant joints are held at some readings, and every posture is found at each.
-// Internal to the inverse.
+// Search for every posture of the rigid arm that meets a goal, for arms of three joints or more. If there are more
+// joints than the goal requires, redundant joints are held at sampled readings, and every posture is found for each
+// sample. Internal to the inverse kinematics.
 #pragma once
 
 #include <optional>
@@ -17,23 +17,23 @@ namespace tubeplan::deflection {
 class RigidSearch {
  public:
   enum class Hold { kPlaceAndAxis, kPlace };
-  /// Prepares an arm of three joints or more, of which `arm` gives the limits. If the arm cannot turn its tool both
-  /// ways with its tip held, or if only the place is to be held, the remaining joints do not control the tool's
-  /// direction.
+  /// Prepares the search for an arm of three joints or more; `arm` provides the joint limits. If the arm cannot turn
+  /// its tool both ways with the tip held, or if only the position is to be held, the remaining joints do not control
+  /// the tool's direction.
   RigidSearch(const Arm& arm, const AxesAtZero& axes, Hold hold = Hold::kPlaceAndAxis);
 
-  /// Adds readings near all postures with the tip at its place and, if that is to be held, the tool along its axis, in
-  /// the same order for every goal. None: there is no such posture.
+  /// Adds readings near all postures with the tip at the goal position and, if the axis is to be held, the tool along
+  /// the goal axis. The order is the same for every goal. Adds nothing if there is no such posture.
   void addPostures(const ToolGoal& goal, std::vector<Eigen::VectorXd>& postures) const;
 
   /// Returns the joints that are held at sampled readings.
   [[nodiscard]] std::span<const int> sampled() const { return held_; }
-  /// Returns true if the postures of a goal form a continuum, of which some are sampled.
+  /// Returns true if the postures of a goal form a continuum, which is sampled.
   [[nodiscard]] bool isContinuum() const { return !held_.empty() || form_ == Form::kWrist; }
-  /// Returns true if the postures already have the tool along its axis.
+  /// Returns true if the postures found already have the tool along the goal axis.
   [[nodiscard]] bool areUpright() const { return form_ != Form::kPlace; }
 
-  /// Adds the posture of the continuum that is most like `q`, if it meets the goal.
+  /// Adds the posture of the continuum that is most similar to `q`, if that posture meets the goal.
   void addPosturesLike(const ToolGoal& goal, const Eigen::VectorXd& q, std::vector<Eigen::VectorXd>& postures) const;
 
  private:
@@ -41,14 +41,14 @@ class RigidSearch {
   /// The arm with its redundant joints held.
   struct Slice {
     Eigen::VectorXd readings;
-    std::variant<AxesAtZero, WristBranches, PlaceLoop, LineLoop> chain;  ///< the first alternative for turret arms
+    std::variant<AxesAtZero, WristBranches, PlaceLoop, LineLoop> chain;  ///< first alternative for turret arms
     std::vector<double> rolls;  ///< rotations of the tool about its axis, for arms with a wrist [rad]
   };
   void chooseForm(const Arm& arm, Hold hold);
   [[nodiscard]] Slice sliceAt(const Eigen::VectorXd& readings, std::vector<double> rolls = {}) const;
   [[nodiscard]] Eigen::VectorXd withoutHeld(const Eigen::VectorXd& q) const;
   void addSlices(const Arm& arm);
-  /// Adds the postures found, completed with the slice's readings.
+  /// Adds the postures found in a slice, completed with the slice's held readings.
   void addAt(const Slice& slice, std::span<const Eigen::VectorXd> found, std::vector<Eigen::VectorXd>& postures) const;
   void addFrom(const Slice& slice, const ToolGoal& goal, double most_imaginary,
                std::vector<Eigen::VectorXd>& postures) const;

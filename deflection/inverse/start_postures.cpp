@@ -13,13 +13,13 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::VectorXd;
-constexpr double kBends = 0.03;        ///< error of the tip, as a share of the reach, that the flexible arm may correct
-constexpr double kBendsBy = 0.1;       ///< excess of a limit or tilt, scaled and rad, that the flexible arm may correct
-constexpr double kUnlike = 0.3;        ///< scaled distance between postures of a continuum that are taken first
+constexpr double kBends = 0.03;        ///< tip error that deflection may correct, as a fraction of the reach
+constexpr double kBendsBy = 0.1;       ///< excess of a limit [scaled] or of the tilt [rad] that deflection may correct
+constexpr double kUnlike = 0.3;        ///< scaled distance between those postures of a continuum that are taken first
 constexpr double kSamePosture = 1e-3;  ///< scaled distance between postures that count as the same
-constexpr double kNearGoal = 0.01;     ///< error of a root of the search, as a share of the reach
-constexpr std::size_t kEnough = 8;     ///< postures of a continuum within limits; further ones are not followed
-/// Postures beyond limits or too tilted that are followed, to explain why a goal is not met.
+constexpr double kNearGoal = 0.01;     ///< tip error of a root of the search, as a fraction of the reach
+constexpr std::size_t kEnough = 8;     ///< postures of a continuum within limits; further postures are not followed
+/// Number of postures outside limits or tilted too far that are followed to explain why a goal is not met.
 constexpr int kMostSpoilt = 4;
 
 InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
@@ -27,8 +27,8 @@ InverseKinematicsOptions roughly(InverseKinematicsOptions options) {
   return options;
 }
 
-/// Returns the number of slides. The closure of three slides is singular even with perturbed axes, and that of two may
-/// be.
+/// Returns the number of slides. The closure of three slides is singular even with perturbed axes, and the closure of
+/// two slides may be.
 std::ptrdiff_t countSlides(const AxesAtZero& axes) { return std::count(axes.slides.begin(), axes.slides.end(), true); }
 
 }  // namespace
@@ -54,7 +54,7 @@ bool StartPostures::leadAll(const ToolGoal& goal, std::span<const VectorXd> star
   return is_any_met;
 }
 
-/// Returns the starts that are nearly at the goal and within limits already, so that a continuum needs no others.
+/// Returns the starts that are already nearly at the goal and within limits, so that a continuum needs no other starts.
 std::vector<StartPostures::Candidate> StartPostures::within(const ToolGoal& goal, std::span<const VectorXd> starts) {
   std::vector<Candidate> good;
   TipMotion tip;
@@ -82,7 +82,8 @@ std::vector<StartPostures::Candidate> StartPostures::search(const ToolGoal& goal
     if (found.size() >= kEnough) return found;
   }
   if (leadAll(goal, starts, found)) return found;
-  // If nothing has the tool along its axis, postures with the tip at its place may still have an allowed tilt.
+  // If no posture has the tool along the goal axis, postures that only reach the goal position may still have an
+  // allowed tilt.
   starts.clear();
   if (!places_) places_.emplace(arm_, axes_, RigidSearch::Hold::kPlace);
   places_->addPostures(goal, starts);
@@ -98,7 +99,8 @@ std::vector<VectorXd> StartPostures::unlike(std::span<const Candidate> candidate
     return false;
   };
   std::vector<VectorXd> chosen;
-  // In the lattice's order, which is the same for every goal, so that neighbouring goals have corresponding branches.
+  // In the order of the lattice, which is the same for every goal, so that neighbouring goals get corresponding
+  // branches.
   for (const double least : {kUnlike, kSamePosture})
     for (const Candidate& candidate : candidates) {
       if (static_cast<int>(chosen.size()) >= most) return chosen;

@@ -1,5 +1,5 @@
-// Rigid postures for the goals of one arm, which start the flexible solution; numbers that do not depend on the goal
-// are computed once. Internal to the inverse.
+// Rigid postures for the goals of one arm, which start the flexible solution. Values that do not depend on the goal are
+// computed once. Internal to the inverse kinematics.
 #pragma once
 
 #include <optional>
@@ -19,17 +19,17 @@ class StartPostures {
   StartPostures& operator=(const StartPostures&) = delete;
 
   [[nodiscard]] bool isTurret() const { return is_turret_; }
-  /// Adds the postures of turretBranches(), or those that RigidSearch finds: none if the place is out of reach.
+  /// Adds the postures of turretBranches() or RigidSearch; adds nothing if the goal position is out of reach.
   void addStarts(const ToolGoal& goal, std::vector<Eigen::VectorXd>& starts);
 
  private:
   struct Candidate {
     Eigen::VectorXd q;
-    double spoilt;  ///< excess over the limits and over the largest tilt [scaled, rad]
+    double spoilt;  ///< excess over the joint limits [scaled] and over the largest tilt [rad]
   };
   [[nodiscard]] std::vector<Candidate> search(const ToolGoal& goal);
   [[nodiscard]] std::vector<Candidate> within(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts);
-  /// Leads each start to its goal. Returns false if none meets it, and all are only near.
+  /// Leads each start to the goal. Returns false if no start meets the goal, but all end only near it.
   bool leadAll(const ToolGoal& goal, std::span<const Eigen::VectorXd> starts, std::vector<Candidate>& candidates);
   [[nodiscard]] std::vector<Eigen::VectorXd> unlike(std::span<const Candidate> candidates, int most) const;
 

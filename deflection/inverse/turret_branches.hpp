@@ -1,4 +1,4 @@
-// The closed form of turret arms. Internal to the inverse.
+// The closed form of turret arms. Internal to the inverse kinematics.
 #pragma once
 
 #include "deflection/inverse/rigid_branches.hpp"
@@ -6,12 +6,12 @@
 
 namespace tubeplan::deflection {
 
-inline constexpr int kTurretBranches = 4;  ///< front and back of the turret, elbow either way
+inline constexpr int kTurretBranches = 4;  ///< front or back of the turret, elbow either way
 
-/// Returns true if an arm of these axes is a turret arm.
+/// Returns true if an arm with these axes is a turret arm.
 [[nodiscard]] bool carriesPlane(const AxesAtZero& axes);
 
-/// Adds the branches of turretBranches().
+/// Adds the postures that turretBranches() returns.
 void addTurretBranches(const AxesAtZero& axes, const ToolGoal& goal, std::vector<Eigen::VectorXd>& branches);
 
 }  // namespace tubeplan::deflection

@@ -14,21 +14,21 @@ namespace tubeplan::deflection {
 namespace {
 
 using Eigen::Index, Eigen::Matrix3d, Eigen::Vector3d, Eigen::VectorXd;
-/// Largest distance between axes that count as intersecting, as a share of the reach, and in rad.
+/// Tolerance for axes that count as intersecting or parallel: distance as a fraction of the reach, angle in rad.
 constexpr double kMeet = 1e-3;
-constexpr double kParallel = 0.02;     ///< angle between axes that iterations can correct [rad]
-constexpr double kLeastSine = 0.2;     ///< between an axis of the wrist and the next
-constexpr double kStretched = 1e-6;    ///< excess of a wrist's cosine over one
+constexpr double kParallel = 0.02;     ///< largest angle between axes that iterations can correct [rad]
+constexpr double kLeastSine = 0.2;     ///< least sine of the angle between successive axes of the wrist
+constexpr double kStretched = 1e-6;    ///< allowed excess of a wrist's cosine over one
 constexpr double kInLine = 1e-6;       ///< angle between two axes at which their readings cannot be distinguished [rad]
 constexpr double kNearlyInLine = 0.1;  ///< angle below which axes may be in line on a flexible arm [rad]
-constexpr double kSameRoot = 0.5;      ///< between readings at one roll and at the next [rad, m]
-constexpr int kTurnsInLine = 6;        ///< sampled readings of two joints that turn against each other
-constexpr double kNear = 0.01;         ///< distance of a usable wrist from its place, as a share of the reach
-constexpr double kAtItsPlace = 1e-7;   ///< distance of a converged wrist, as a share of the reach
-constexpr double kLongestStep = 0.5;   ///< [rad, reaches]
+constexpr double kSameRoot = 0.5;      ///< largest difference between readings of one root at successive rolls [rad, m]
+constexpr int kTurnsInLine = 6;        ///< sampled readings of two joints that can turn against each other
+constexpr double kNear = 0.01;         ///< largest position error of a usable wrist, as a fraction of the reach
+constexpr double kAtItsPlace = 1e-7;   ///< largest position error of a converged wrist, as a fraction of the reach
+constexpr double kLongestStep = 0.5;   ///< longest step of a joint [rad, reaches]
 constexpr int kMostSteps = 6;
 
-/// Returns the point nearest to the last three axes.
+/// Returns the point with the smallest squared distances from the last three axes.
 Vector3d wristCentre(const AxesAtZero& axes) {
   Matrix3d sum = Matrix3d::Zero();
   Vector3d side = Vector3d::Zero();
@@ -44,7 +44,7 @@ double distanceFromAxis(const AxesAtZero& axes, std::size_t k, const Vector3d& p
   return axes.direction[k].cross(p - axes.point[k]).norm();
 }
 
-/// Returns a right-handed frame whose third direction is the axis, turned about it.
+/// Returns a right-handed frame whose third direction is the axis, rotated about the axis by `roll` [rad].
 Matrix3d frameAbout(const Vector3d& axis, double roll) {
   const Vector3d u = axis.unitOrthogonal(), v = axis.cross(u);
   Matrix3d R;
@@ -52,7 +52,7 @@ Matrix3d frameAbout(const Vector3d& axis, double roll) {
   return R;
 }
 
-/// Returns true for a turret that carries two links in a plane.
+/// Returns true if the first of three joints is a turret that carries two links in a plane.
 bool carriesTwoLinks(const AxesAtZero& three) {
   return std::ranges::count(three.slides, true) == 0 &&
          three.direction[1].cross(three.direction[2]).norm() < kParallel &&
@@ -111,7 +111,7 @@ bool WristBranches::lead(const Vector3d& p_BW, VectorXd& arm) const {
     for (Index k = 0; k < 3; ++k)
       if (arm_.slides[static_cast<std::size_t>(k)]) slopes.col(k) *= reach_;
     Vector3d by = slopes.partialPivLu().solve(off);
-    // At the edge of the reach the wrist may only come near its place: the reading then stays at the root.
+    // At the edge of the reach, the wrist may only come near its position: the readings then stay at the root.
     if (!(by.cwiseAbs().maxCoeff() < kLongestStep)) break;
     for (Index k = 0; k < 3; ++k) arm[k] += arm_.slides[static_cast<std::size_t>(k)] ? by[k] * reach_ : by[k];
   }
@@ -128,7 +128,7 @@ WristBranches::Root WristBranches::rootAt(VectorXd arm, const Matrix3d& R) const
   return {std::move(arm), turn, {u.dot(to), axes_.direction[3].cross(u).dot(to)}};
 }
 
-/// Returns readings of the first three joints with the wrist near its place.
+/// Returns readings of the first three joints that bring the wrist near its position.
 std::vector<VectorXd> WristBranches::armsAt(const Vector3d& p_BW, double most_imaginary) const {
   std::vector<VectorXd> arms;
   if (!carries_two_links_) {

@@ -1,6 +1,6 @@
-// The closed form for six joints with the last three axes through one point: the first three bring the point where they
-// meet to its place, the last three turn the tool (Pieper 1968, "The kinematics of manipulators under computer
-// control"). Internal to the inverse.
+// Closed form for six joints whose last three axes meet in one point: the first three joints bring that point to its
+// position, the last three turn the tool (Pieper 1968, "The kinematics of manipulators under computer control").
+// Internal to the inverse kinematics.
 #pragma once
 
 #include <span>
@@ -11,11 +11,11 @@
 
 namespace tubeplan::deflection {
 
-/// Returns true if the last three axes of an arm of six joints or more nearly intersect in one point, and turn a tool
-/// any way.
+/// Returns true if an arm has six joints or more, and its last three axes nearly meet in one point and can turn a tool
+/// in any direction.
 [[nodiscard]] bool carriesWrist(const AxesAtZero& axes, double reach);
 
-/// Returns the axes before the last three, with the point where those meet as tip.
+/// Returns the axes before the last three, with the point where the last three meet as tip.
 [[nodiscard]] AxesAtZero axesBeforeWrist(const AxesAtZero& axes);
 
 class WristBranches {
@@ -23,31 +23,33 @@ class WristBranches {
   /// `axes` has six joints and fulfils carriesWrist(). `reach` [m].
   WristBranches(const AxesAtZero& axes, double reach);
 
-  /// Adds postures with the tip at its place and the tool along its axis, turned about it by each of `rolls` [rad]; at
-  /// most eight for each. They are exact if the axes meet in one point, otherwise approximate. If rolls go round the
-  /// axis in order, postures between them with the last axis in line with the third last are added too. There those two
-  /// joints can turn against each other freely; some of their readings are taken. If the last joint only turns the tool
-  /// about its own axis through the tip, rolls are its readings.
+  /// Adds postures with the tip at the goal position and the tool along the goal axis, rotated about it by each of
+  /// `rolls` [rad]; at most eight postures for each roll. They are exact if the last three axes meet in one point,
+  /// otherwise approximate. If `rolls` goes round the axis in order, postures between successive rolls with the last
+  /// axis in line with the third last axis are also added. In such a posture, these two joints can turn against each
+  /// other freely; some of their readings are sampled. If the last joint only turns the tool about its own axis through
+  /// the tip, `rolls` are readings of that joint.
   void addPostures(const ToolGoal& goal, std::span<const double> rolls, double most_imaginary,
                    std::vector<Eigen::VectorXd>& postures) const;
 
-  /// Adds the postures most like `q` that meet the goal, if there are any.
+  /// Adds the postures most similar to `q` that meet the goal, if there are any.
   void addPosturesLike(const ToolGoal& goal, const Eigen::VectorXd& q, double most_imaginary,
                        std::vector<Eigen::VectorXd>& postures) const;
 
  private:
-  /// Readings of the first three joints with the wrist at its place, and the rotation that is left for the wrist.
+  /// Readings of the first three joints with the wrist at its position, and the rotation that the wrist must then make.
   struct Root {
     Eigen::VectorXd arm;
     Eigen::Matrix3d turn;  ///< rotation that the wrist must make
-    /// Wanted direction of the last axis perpendicular to the third last: zero if in line with it.
+    /// Required direction of the last axis, in components perpendicular to the third last axis: zero if both are in
+    /// line.
     Eigen::Vector2d out_of_line;
   };
   [[nodiscard]] std::vector<Eigen::VectorXd> armsAt(const Eigen::Vector3d& p_BW, double most_imaginary) const;
   [[nodiscard]] std::vector<Root> rootsAt(const ToolGoal& goal, double roll, double most_imaginary) const;
   [[nodiscard]] Eigen::Matrix3d turnAt(const ToolGoal& goal, double roll) const;
   [[nodiscard]] Root rootAt(Eigen::VectorXd arm, const Eigen::Matrix3d& R) const;
-  /// Iterates from a root to the readings with the wrist at its place. Returns false if it does not get near.
+  /// Iterates from a root to readings with the wrist at its position. Returns false if the wrist does not come near.
   [[nodiscard]] bool lead(const Eigen::Vector3d& p_BW, Eigen::VectorXd& arm) const;
   void addWrists(const Root& root, double q4_in_line, std::vector<Eigen::VectorXd>& postures) const;
   [[nodiscard]] Eigen::VectorXd withWrist(const Root& root, double q4, double q5) const;
