@@ -1,9 +1,9 @@
-// Clearance of a joint, crossed in the sense of the moment.
+// Clearance of a joint, taken up in the direction of the moment.
 //
 // Law: rotation +g/2 where the moment is positive, -g/2 where it is negative, free in between (elements/clearance.hpp).
 // Symbols: g gap [rad].
-// Validity: at rest, without friction; about compliant axes, about any axis of a turning row (its bearings have play
-// across as well) and about both axes across a slide (it tips in its guide).
+// Validity: at rest, without friction; about compliant axes, about any axis of a rotating row (its bearings also have
+//      transverse play) and about both axes perpendicular to a slide (the slide tilts in its guide).
 // Source: Signorini's complementarity; coupling backlash in Harmonic Drive's catalogues.
 #pragma once
 

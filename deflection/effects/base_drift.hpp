@@ -1,8 +1,8 @@
 // A base that drifts with time.
 //
-// Law: the base stands shifted by rate * time.
-// Symbols: rate [m/s] in base axes, time [s] counted from the measurements' zero.
-// Validity: creep in proportion to time. A reading without a time counts as undrifted.
+// Law: the base is shifted by rate * time.
+// Symbols: rate [m/s] in base axes, time [s] counted from the zero of the measurements' times.
+// Validity: creep proportional to time. A reading without a time counts as undrifted.
 // Source: rigid body.
 #pragma once
 

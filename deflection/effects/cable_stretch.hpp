@@ -1,11 +1,11 @@
-// A joint driven by cables: they stretch under the moment, and friction retains a share of it by the direction of the
-// last motion.
+// A joint driven by cables: the cables stretch under the moment, and friction retains a fraction of the moment that
+// depends on the direction of the last motion.
 //
-// Law: rotation = c M + k |M| s, M the moment about the joint's axis.
-// Symbols: c [rad/(N m)] stretch; k [rad/(N m)] the part by friction; s sense of the joint's last motion, -1, 0 or +1;
-//      M [N m] of the shape without deflection.
+// Law: rotation = c M + k |M| s, with M the moment about the joint's axis.
+// Symbols: c stretch [rad/(N m)]; k contribution of friction [rad/(N m)]; s direction of the joint's last motion, -1, 0
+//      or +1; M moment in the undeflected shape [N m].
 // Validity: linear stretch; the last motion was longer than the lost motion.
-// Source: capstan friction: a cable over a sheave loses a share of its tension (Townsend and Salisbury 1987).
+// Source: capstan friction: a cable over a sheave loses a fraction of its tension (Townsend and Salisbury 1987).
 #pragma once
 
 #include "deflection/effects/places.hpp"

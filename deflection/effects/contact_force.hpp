@@ -2,7 +2,7 @@
 //
 // Law: a constant force at the tip, against gravity.
 // Symbols: f [N], positive upwards.
-// Validity: a probe or rest of constant force; the same in every reading.
+// Validity: a probe or a support of constant force, equal in every reading.
 // Source: statics.
 #pragma once
 

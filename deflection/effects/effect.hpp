@@ -1,5 +1,5 @@
-// The catalogue of physical effects: deviations of an arm from its file. Each is a law in one file and a row of the
-// table in effects.cpp; nothing else names it.
+// The catalogue of physical effects: deviations of an arm from its file. Each effect is a law in one file and a row of
+// the table in effects.cpp; nothing else names the effect.
 #pragma once
 
 #include <optional>
@@ -14,18 +14,19 @@ namespace tubeplan::deflection {
 
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// One number of an effect, in internal units. On a prismatic joint the angles of reading effects are lengths.
+/// One parameter of an effect, in internal units. On a prismatic joint, angles of effects on readings are lengths.
 struct EffectParameter {
   const char* name;
   Quantity quantity;
-  double neutral;         ///< value without effect, all other numbers being neutral
-  double lower, upper;    ///< hard physical bounds
-  double plausible;       ///< largest size on a real machine; anything beyond is no explanation
-  bool is_shape = false;  ///< true: has a meaning only while the effect is not neutral, and must be scanned
-  double (*least)(const Arm&, const Place&) = nullptr;  ///< replaces `lower` if the arm decides it
+  double neutral;       ///< value without effect, if all other parameters are neutral
+  double lower, upper;  ///< hard physical bounds
+  double plausible;     ///< largest magnitude on a real machine; a larger value is no explanation
+  /// True: the parameter has a meaning only while the effect is not neutral, and must be scanned.
+  bool is_shape = false;
+  double (*least)(const Arm&, const Place&) = nullptr;  ///< replaces `lower` if the bound depends on the arm
 };
 
-/// A variable on which a law depends: one of these, or a condition.
+/// A variable on which a law depends: one of the enumerators of Of, or a condition.
 class EffectVariable {
  public:
   enum Of { kJoint, kDirection, kLoad, kMoment, kPosition, kSetup };
@@ -44,7 +45,7 @@ class EffectVariable {
   std::optional<Condition> condition_;
 };
 
-/// Returns joint, sense, load, moment, position, set-up, or a condition's name.
+/// Returns "joint", "sense" (for kDirection), "load", "moment", "position", "set-up" or the name of a condition.
 [[nodiscard]] const char* nameOf(EffectVariable variable);
 
 /// Part of the model that an effect acts on.
@@ -54,7 +55,7 @@ enum class EffectStage { kReading, kGeometry, kLoad, kFlexibility, kBase, kMeasu
 /// kind's fixed word.
 enum class PlaceRule { kJoint, kJointPair, kLink, kRowAxis, kSetup, kWord };
 
-/// Requirements for an effect to be observable, besides the conditions that it varies with: columns of the
+/// Requirements for an effect to be observable, in addition to the conditions with which it varies: columns of the
 /// measurements, a hung load, any moments (weights of the arm, or a load), an arm without stated weights, or readings
 /// that depend on the tool's rotation.
 struct EffectNeeds {
@@ -64,18 +65,19 @@ struct EffectNeeds {
 /// One row of the effect table.
 struct EffectKind {
   const char* name;
-  const char* words;  ///< description for a reader who does not know its name
+  const char* words;  ///< description for a reader who does not know the effect's name
   const char* law;    ///< the law in one line
   const char* validity;
   const char* source;
   EffectStage stage;
   PlaceRule at;
-  const char* word = "";              ///< name of the only place, for PlaceRule::kWord
-  const char* place_needs = "";       ///< feature of an arm that a place requires, if its file may lack it: "a slide"
-  const char* places_elsewhere = "";  ///< place of its action, if it has none in the arm
-  double odds = 1;  ///< prior odds of the kind against others, shared by its places; 0: tried only on request
+  const char* word = "";  ///< name of the only place, for PlaceRule::kWord
+  /// Feature that a place requires and that an arm may lack, such as "a slide".
+  const char* place_needs = "";
+  const char* places_elsewhere = "";  ///< location of the effect, if it is outside the arm
+  double odds = 1;  ///< prior odds of the kind relative to others, split among its places; 0: tried only on request
   const char* odds_reason = "";             ///< reason for the odds
-  std::vector<EffectVariable> varies_with;  ///< plainest first; empty: may vary with anything
+  std::vector<EffectVariable> varies_with;  ///< simplest variable first; empty: may vary with anything
   EffectNeeds needs;
   std::vector<EffectParameter> parameters;
   std::vector<Place> (*places)(const Arm&);  ///< returns every place of an arm where the effect can be
@@ -85,56 +87,56 @@ struct EffectKind {
 
 const std::vector<EffectKind>& effectKinds();
 
-/// Returns the conditions that the effect varies with, which readings must state for it to be seen.
+/// Returns the conditions with which an effect varies, which readings must state for the effect to be observable.
 [[nodiscard]] std::vector<Condition> conditionsOf(const EffectKind& kind);
 
 /// Returns the kind of an effect.
 [[nodiscard]] const EffectKind& kindOf(const Effect& effect);
 
-/// Returns the index of the kind of that name, or nothing.
+/// Returns the index of the kind with a name, or nothing if there is none.
 [[nodiscard]] std::optional<int> findEffectKind(std::string_view name);
 
-/// Returns a place as it is written in files and reports.
+/// Returns a place as written in files and reports.
 [[nodiscard]] std::string textOf(const Arm& arm, const EffectKind& kind, const Place& place);
 
 /// Returns every place of an arm where the effect can be, as text.
 [[nodiscard]] std::vector<std::string> placeTexts(const Arm& arm, const EffectKind& kind);
 
-/// Returns "this arm has no place for it, which needs a slide", for a kind without places.
+/// Returns a clause such as "this arm has no place for it, which needs a slide", for a kind without places in an arm.
 [[nodiscard]] std::string lackOfPlace(const EffectKind& kind);
 
 [[nodiscard]] std::optional<Place> findPlace(const Arm& arm, const EffectKind& kind, std::string_view text);
 
-/// Returns the place of an effect as written, `tool.z`; for a formula its target.
+/// Returns the place of an effect as written, such as `tool.z`; for a formula, the target.
 [[nodiscard]] std::string placeText(const Arm& arm, const Effect& effect);
 
-/// Returns the full name of an effect, `backlash@tool.z`.
+/// Returns the full name of an effect, such as `backlash@tool.z`.
 [[nodiscard]] std::string textOf(const Arm& arm, const Effect& effect);
 
 enum class EffectStatus { kNotRun, kMade, kUnknownEffect, kUnknownPlace };
 
 struct MadeEffect {
   EffectStatus status = EffectStatus::kNotRun;
-  std::string reason;              ///< reason if not made
-  std::vector<std::string> known;  ///< valid names, if the name was unknown
+  std::string reason;              ///< reason why no effect was made
+  std::vector<std::string> known;  ///< valid names, if a name is unknown
   Effect effect;                   ///< the effect at neutral values
 };
 
-/// Makes an effect at its neutral values from its name and place: ("backlash", "tool.z").
+/// Makes an effect at neutral values from its name and its place, such as "backlash" and "tool.z".
 [[nodiscard]] MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at);
 
-/// Returns the numbers of an effect, in the order of its values: those of its kind, or of its formula.
+/// Returns the parameters of an effect, in the order of its values: those of its kind or of its formula.
 [[nodiscard]] const std::vector<EffectParameter>& numbersOf(const Effect& effect);
 
-/// An effect's number at its place: its quantity there and the bounds that the arm gives it.
+/// Quantity and bounds of an effect's parameter, for the effect's place in an arm.
 struct EffectNumber {
   Quantity quantity;
   double lower, upper;
 };
 [[nodiscard]] EffectNumber numberOf(const Arm& arm, const Effect& effect, int value);
 
-/// Returns the problems of the arm's effects: unknown kinds, places that the arm does not have, one effect twice at a
-/// place, numbers missing or out of their bounds.
+/// Returns the problems of the arm's effects: unknown kinds, places that the arm does not have, the same effect twice
+/// at a place, and values that are missing or out of bounds.
 [[nodiscard]] std::vector<ArmProblem> findEffectProblems(const Arm& arm);
 
 }  // namespace tubeplan::deflection

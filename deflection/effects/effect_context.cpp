@@ -15,7 +15,7 @@ void applyOne(const EffectKind& kind, const EffectOf<S>& effect, EffectContext<S
     kind.applyDual(effect, context);
 }
 
-/// Copies all of the arm but its effects.
+/// Copies an arm without its effects.
 template <class S>
 void copyWithoutEffects(const ArmOf<S>& from, ArmOf<S>& to) {
   to.gravity_W = from.gravity_W;
@@ -28,7 +28,7 @@ void copyWithoutEffects(const ArmOf<S>& from, ArmOf<S>& to) {
   to.tip_load = from.tip_load;
 }
 
-/// Makes the rows of a mounting rigid in its set-up, such as an arm bolted to a bench.
+/// Makes the rows of a mounting rigid in the mounting's set-up, such as for an arm bolted to a bench.
 template <class S>
 void makeMountingRigid(EffectContext<S>& context) {
   for (const RigidMounting& mounting : context.given.mountings) {
@@ -42,7 +42,7 @@ void makeMountingRigid(EffectContext<S>& context) {
   }
 }
 
-/// Applies the wrench on the tip, in the frame of the moved base.
+/// Adds the posture's wrench to the loads on the tip, in the axes of the moved base.
 template <class S>
 void applyWrench(EffectContext<S>& context) {
   if (!context.posture.wrench) return;

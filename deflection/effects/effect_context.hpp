@@ -1,7 +1,6 @@
-// One posture of an arm with all its effects applied: the solver's input instead of the bare arm.
+// An arm at one posture with all its effects applied: the solver's input instead of the bare arm.
 //
-// Every effect reads the arm and the posture as given and adds to the copies, so effects compose in any number and in
-// any order.
+// Every effect reads the given arm and posture and adds to the copies, so that effects combine in any number and order.
 #pragma once
 
 #include <optional>
@@ -17,46 +16,47 @@ struct EffectContext {
   EffectContext(const ArmOf<S>& given_arm, const PostureOf<S>& asked_posture)
       : given(given_arm), asked(asked_posture) {}
 
-  const ArmOf<S>& given;                         ///< arm of the file, read by effects
-  const PostureOf<S>& asked;                     ///< readings as the encoders show them, gravity in the nominal base
-  ArmOf<S> arm;                                  ///< copy that effects modify; carries no effects itself
-  PostureOf<S> posture;                          ///< true joint values, gravity as the moved base sees it
+  const ArmOf<S>& given;                         ///< arm of the file, which effects read
+  const PostureOf<S>& asked;                     ///< encoder readings, and gravity in the nominal base
+  ArmOf<S> arm;                                  ///< copy that effects modify; it carries no effects
+  PostureOf<S> posture;                          ///< true joint values, and gravity in the moved base
   Vector3<S> gravity_turn = Vector3<S>::Zero();  ///< rotation vector of gravity in base axes [rad]
   PoseOf<S> X_BM;                                ///< pose of the moved base M in the nominal base
-  S measurement_scale{1};                        ///< measured coordinates per true coordinate
-  std::optional<RigidFrames<S>> rigid_frames;    ///< frames of `given` at `asked`, once an effect has asked for them
-  /// Moments of `given` at `asked`, once an effect has asked for them.
+  S measurement_scale{1};                        ///< ratio of measured to true coordinates
+  std::optional<RigidFrames<S>> rigid_frames;    ///< frames of `given` at `asked`, once an effect needs them
+  /// Moments of `given` at `asked`, once an effect needs them.
   std::optional<std::vector<Vector3<S>>> rigid_moments;
-  std::string undefined = {};  ///< reason why an effect has no finite value here; empty if all have
+  std::string undefined = {};  ///< reason why an effect has no finite value here; empty if every effect has one
 };
 
 /// Resets the copies and applies the arm's effects. Earlier content is overwritten in place.
 template <class S>
 void applyEffects(EffectContext<S>& context);
 
-/// Returns the arm's effects applied at a posture. `arm` and `posture` must outlive the result.
+/// Returns the context of an arm at a posture, with the arm's effects applied. `arm` and `posture` must outlive the
+/// result.
 template <class S>
 [[nodiscard]] EffectContext<S> contextOf(const ArmOf<S>& arm, const PostureOf<S>& posture);
 
-/// Returns measured per true coordinate: 1 without a scale error.
+/// Returns the ratio of measured to true coordinates: 1 without a scale error.
 [[nodiscard]] double measurementScale(const Arm& arm);
 [[nodiscard]] Dual measurementScale(const ArmOf<Dual>& arm);
 
-/// Returns the row frames of the given arm without deflection; effects share them.
+/// Returns the undeflected row frames of the given arm, computed once for all effects.
 template <class S>
 const RigidFrames<S>& rigidFramesOf(EffectContext<S>& context) {
   if (!context.rigid_frames) context.rigid_frames = rigidFramesOf<S>(context.given, context.asked.q);
   return *context.rigid_frames;
 }
 
-/// Returns the moment on a row without deflection [N m].
+/// Returns the moment on a row of the undeflected arm, about the row's origin and in its axes [N m].
 template <class S>
 const Vector3<S>& rigidMomentOf(EffectContext<S>& context, int row) {
   if (!context.rigid_moments) context.rigid_moments = rigidMoments<S>(context.given, context.asked);
   return (*context.rigid_moments)[static_cast<std::size_t>(row)];
 }
 
-/// Returns the effect terms of a row, created if there are none.
+/// Returns the effect terms of a row; adds them if there are none.
 template <class S>
 EffectTerms<S>& effectTermsOf(EffectContext<S>& context, int row) {
   auto& effect_terms = context.arm.rows[row].effect_terms;

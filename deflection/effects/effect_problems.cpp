@@ -1,4 +1,4 @@
-// Problems of the effects of an arm.
+// Checks of the effects of an arm.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -9,7 +9,7 @@ namespace tubeplan::deflection {
 
 namespace {
 
-/// Returns true if this arm has the rows to which a formula refers.
+/// Returns true if an arm has the rows to which a formula refers.
 bool fits(const Arm& arm, const Formula& formula) {
   const auto active = activeRows(arm);
   const auto isJoint = [&](int row) { return std::find(active.begin(), active.end(), row) != active.end(); };

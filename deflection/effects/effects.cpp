@@ -1,4 +1,4 @@
-// The effect table. A new effect is a file that states its law, and one row here.
+// The effect table. A new effect is a file that states its law, and one row of this table.
 #include <algorithm>
 
 #include "deflection/effects/backlash.hpp"

@@ -1,8 +1,8 @@
-// An encoder disc off its axis: an error once per turn.
+// An encoder disc off its axis: an error with a period of one turn.
 //
 // Law: true joint angle = reading + A sin(q) + B cos(q).
-// Symbols: q reading [rad], A, B amplitudes [rad], about eccentricity over disc radius.
-// Validity: amplitudes far below one radian; turning joints only.
+// Symbols: q reading [rad], A, B amplitudes [rad], approximately eccentricity divided by disc radius.
+// Validity: amplitudes far below one radian; revolute joints only.
 // Source: the centring errors of telescope pointing (Wallace, TPOINT: HCES, HCEC, DCES, DCEC).
 #pragma once
 

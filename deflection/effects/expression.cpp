@@ -14,8 +14,9 @@ namespace tubeplan::deflection {
 
 namespace {
 
-constexpr double kNarrower = 64;  // ratio of a second, narrower step of a difference, if the first may cross a kink
-constexpr double kSmoothEnough = 1e-10;  // share by which the results of both steps may differ
+// Ratio of the first to the second, narrower step of a difference, made if the first step may cross a kink.
+constexpr double kNarrower = 64;
+constexpr double kSmoothEnough = 1e-10;  // largest relative difference between the results of both steps
 constexpr const char* kConstants[] = {"pi", "_pi", "_e"};
 
 bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -24,7 +25,7 @@ bool isOfName(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 
 struct Word {
   std::string text;
   std::size_t position;
-  bool is_called;  // true: a bracket follows
+  bool is_called;  // true: an opening bracket follows the name
 };
 
 std::size_t endOfNumber(const std::string& text, std::size_t at) {
@@ -57,7 +58,7 @@ std::vector<Word> wordsOf(const std::string& text) {
   return words;
 }
 
-/// Finds what muParser would accept but a formula must not have: assignments, texts, invisible bytes.
+/// Finds content that muParser would accept but a formula must not have: assignments, texts, invisible bytes.
 std::optional<ExpressionProblem> findForeign(const std::string& text) {
   for (std::size_t k = 0; k < text.size(); ++k) {
     const char c = text[k];
@@ -102,7 +103,7 @@ ExpressionProblem problemOf(const mu::ParserError& error, const std::string& tex
 
 }  // namespace
 
-/// A parser bound to its own numbers. It is not safe to build in several threads, because muParser shares a locale.
+/// A parser bound to its own argument values. Several threads must not build parsers at once: muParser shares a locale.
 struct Expression::Evaluator {
   std::vector<double> at;
   mu::Parser parser;
@@ -144,7 +145,7 @@ std::mutex& buildMutex() {
 
 }  // namespace
 
-/// An evaluator borrowed for one evaluation; all of them are equal.
+/// An evaluator borrowed from the pool for one evaluation; all evaluators of a pool are equal.
 class Expression::Borrowed {
  public:
   explicit Borrowed(Pool& pool) : pool_(pool) {
@@ -178,7 +179,7 @@ Expression::~Expression() = default;
 
 namespace {
 
-/// Returns the names that a text may call as functions.
+/// Returns the names of the functions that an expression may call.
 const std::vector<std::string>& expressionFunctions() {
   static const std::vector<std::string> kFunctions = [] {
     const std::lock_guard lock(buildMutex());

@@ -1,5 +1,6 @@
-// An expression such as `c*sin(3*theta1)`, as a function of the names in it. This is the only user of muParser, whose
-// functions and operators apply: sin, cos, exp, sqrt, abs, ^, ? : and the rest of its manual; pi is defined too.
+// An expression such as `c*sin(3*theta1)`, as a function of the variables that it names. Only this file uses muParser,
+// whose functions and operators apply: sin, cos, exp, sqrt, abs, ^, ? : and the others in its manual; pi is also
+// defined.
 #pragma once
 
 #include <memory>
@@ -11,37 +12,37 @@
 
 namespace tubeplan::deflection {
 
-/// Reason why a text is no expression: the sentence is `what`, " at character N", `rest`.
+/// Reason why a text is no expression. The message is `what`, " at character N", `rest`.
 struct ExpressionProblem {
-  std::string what;                ///< begin of the sentence: "the formula ends"
-  std::string rest;                ///< end of the sentence: " where an expression should follow"; may be empty
+  std::string what;                ///< beginning of the message, such as "the formula ends"
+  std::string rest;                ///< end of the message, such as " where an expression should follow"; may be empty
   std::size_t position = 0;        ///< index in the text, from 0
-  std::string word;                ///< the unknown name, if that is the reason
-  std::vector<std::string> known;  ///< the known names, if one is unknown
+  std::string word;                ///< the unknown name, if a name is unknown; else empty
+  std::vector<std::string> known;  ///< the known names, if a name is unknown
 };
 
-/// A parsed expression. Many threads may evaluate it at once. Where it has no value (0/0, log(-1)) it is NaN or
-/// infinite.
+/// A parsed expression, which several threads may evaluate at once. Where the expression has no value (0/0, log(-1)),
+/// the result is NaN or infinite.
 class Expression {
  public:
-  /// Parses a text. Returns null if it is no expression, with the reason in `problem`.
+  /// Parses a text. If the text is no expression, returns null and sets `problem` to the reason.
   static std::shared_ptr<const Expression> parse(const std::string& text, ExpressionProblem& problem);
 
   ~Expression();
   Expression(const Expression&) = delete;
   Expression& operator=(const Expression&) = delete;
 
-  /// Returns the variables, in the order in which the text first names them.
+  /// Returns the names of the variables, in the order in which the text first names them.
   [[nodiscard]] const std::vector<std::string>& names() const;
 
-  /// Returns the value; `at` has one number for each name.
+  /// Returns the value of the expression; `at` has one argument for each name.
   [[nodiscard]] double value(const std::vector<double>& at) const;
 
-  /// Returns the derivative by one name, from central differences of sixth order; accurate to 1e-11 for smooth
-  /// functions.
+  /// Returns the derivative with respect to the variable with index `name`, from central differences of sixth order;
+  /// accurate to 1e-11 for smooth functions.
   [[nodiscard]] double slope(const std::vector<double>& at, std::size_t name) const;
 
-  /// Returns the value in dual numbers; only names that vary need a slope.
+  /// Returns the value in dual numbers; slopes are computed only for arguments that vary.
   [[nodiscard]] Dual value(const std::vector<Dual>& at) const;
 
  private:

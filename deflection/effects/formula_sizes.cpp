@@ -9,7 +9,7 @@ namespace tubeplan::deflection {
 
 namespace {
 
-constexpr int kSamples = 24;      // number of points at which a formula is tried
+constexpr int kSamples = 24;      // number of points at which a formula is evaluated
 constexpr double kLinear = 1e-9;  // relative error allowed for a linear formula
 
 /// A fixed series of irregular numbers from -2 to 2, which no formula is likely to match.
@@ -24,12 +24,12 @@ class Spread {
   int count_ = 0;
 };
 
-/// Returns true if the expression is linear in the parameters of a mask, and vanishes where they are zero.
+/// Returns true if the expression is linear in the parameters of a bit mask, and vanishes where they are zero.
 bool isLinear(const Formula& formula, unsigned mask) {
   Spread spread;
   int tried = 0;
   for (int n = 0; n < kSamples; ++n) {
-    // At 0, u, v, u + v and -2 u of the mask's parameters; all else is the same.
+    // The parameters of the mask are 0, u, v, u + v and -2 u; all other arguments are unchanged.
     std::array<std::vector<double>, 5> at;
     const double scale = std::pow(10., n % 4);  // temperatures and moments are larger than angles
     for (const Formula::Input& input : formula.inputs) {

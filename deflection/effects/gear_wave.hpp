@@ -1,8 +1,8 @@
-// A gear with an error once per turn of its input: a fast wave of the joint's reading.
+// A gear with an error once per turn of its input: a wave of short period in the joint's reading.
 //
 // Law: true joint value = reading + A sin(N q) + B cos(N q).
-// Symbols: A, B [rad]; N the gear's ratio, as the arm's file states it (joint.gear_ratio); q the reading.
-// Validity: readings known to a small part of a wave, 2 pi / N.
+// Symbols: A, B amplitudes [rad]; N gear ratio stated in the arm file (joint.gear_ratio); q reading [rad].
+// Validity: readings known to a small fraction of the wave's period 2 pi / N.
 // Source: kinematic error of strain wave gears: Ghorbel et al. 2001, J. Mech. Design 123:90.
 #pragma once
 

@@ -1,8 +1,8 @@
 // Gravity tilted relative to the nominal pose of the base.
 //
-// Law: gravity's direction is turned by the rotation vector (wx, wy, 0) in base axes; the geometry stays.
+// Law: the direction of gravity is rotated by the rotation vector (wx, wy, 0) in base axes; the geometry is unchanged.
 // Symbols: wx, wy [rad].
-// Validity: angles far below one radian, where their order does not matter; the turn about gravity itself does nothing.
+// Validity: angles far below one radian, where their order does not matter; a rotation about gravity has no effect.
 // Source: statics; the tilt of an instrument's vertical axis in levelling.
 #pragma once
 

@@ -1,8 +1,8 @@
-// Lost motion: the joint rests on one side or the other of its reading, depending on the direction of its last motion.
+// Lost motion: the joint stops on one or the other side of its reading, depending on the direction of its last motion.
 //
 // Law: true joint value = reading + h s.
-// Symbols: h half width [rad; m on a slide], s sense of the joint's last motion, -1, 0 or +1.
-// Validity: the joint has moved further than its lost motion before it stopped. A sense that is not known counts as 0.
+// Symbols: h half width [rad; m on a slide], s direction of the joint's last motion, -1, 0 or +1.
+// Validity: the joint moved further than its lost motion before it stopped. An unknown direction counts as 0.
 // Source: Coulomb friction before a spring; lost motion in Harmonic Drive's catalogues.
 #pragma once
 

@@ -1,8 +1,8 @@
-// A joint that another one moves as well, through a belt or a differential.
+// A joint that is also moved by another joint, through a belt or a differential.
 //
 // Law: true joint value = reading + share * reading of the other joint.
-// Symbols: share [1].
-// Validity: two joints of one type; readings counted from the encoders' zeros.
+// Symbols: share, fraction of the other joint's reading [1].
+// Validity: two joints of the same type; readings counted from the encoders' zeros.
 // Source: coupled joints in Craig, Introduction to Robotics (actuator space and joint space).
 #pragma once
 

@@ -1,8 +1,8 @@
-// A gear ratio that is not the nominal one.
+// A gear ratio that differs from the nominal ratio.
 //
 // Law: true joint value = reading (1 + e).
 // Symbols: e relative error of the ratio [1].
-// Validity: readings counted from the encoder's zero; a joint that also has another zero is joint-offset as well.
+// Validity: readings counted from the encoder's zero; if the zero differs too, joint-offset is needed as well.
 // Source: Mooring, Roth and Driels, Fundamentals of Manipulator Calibration (1991), joint transducer gains.
 #pragma once
 

@@ -1,8 +1,8 @@
 // Bending of a member about an axis that was taken as rigid.
 //
-// Law: curvature = b M about the row's axis made square to the member (elements/beam.hpp); b = 1/(E I).
+// Law: curvature = b M about the row's axis projected perpendicular to the member (elements/beam.hpp); b = 1/(E I).
 // Symbols: b [1/(N m^2)], M moment about that axis [N m].
-// Validity: that of the beam. A member bends about two axes: the one nearest to it has no place.
+// Validity: as for the beam. A member bends about two axes: the row's axis nearest to the member is no place.
 // Source: Calkins 1994, eq. 2.8 to 2.16.
 #pragma once
 

@@ -1,9 +1,9 @@
-// A link whose far joint axis is not parallel to its near one.
+// A link whose far joint axis is not parallel to its near joint axis.
 //
-// Law: the next row's frame is turned by dbeta about its own y, before its joint turns it.
+// Law: the next row's frame is rotated by dbeta about its own y axis, before its joint rotates it.
 // Symbols: dbeta [rad].
-// Validity: geometry only; links whose far axis is parallel to their near one within 30 degrees. Elsewhere link-twist,
-//           link-length and joint-offset together place the axis.
+// Validity: geometry only; links whose far axis is parallel to their near axis within 30 degrees. For other links,
+//      link-twist, link-length and joint-offset together place the axis.
 // Source: Hayati and Mirmirani 1985 (the parameter beta of nearly parallel axes).
 #pragma once
 
@@ -19,7 +19,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   beta += effect.values[0];
 }
 
-/// Returns true if the next row turns about an axis that is nearly parallel to this row's.
+/// Returns true if the next row rotates about an axis that is nearly parallel to this row's axis.
 inline bool hasPlace(const Arm& arm, int row) {
   return row + 1 < static_cast<int>(arm.rows.size()) && turns(arm.rows[row + 1].joint) &&
          isNearlyParallel(arm.rows[row + 1]);

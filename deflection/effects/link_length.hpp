@@ -1,8 +1,8 @@
 // A link longer or shorter than drawn.
 //
-// Law: a to the next frame = a drawn + dL; a row placed as URDF does is moved along its own position vector.
+// Law: a to the next frame = a drawn + dL; a row placed as in URDF is moved along its own position vector.
 // Symbols: dL [m].
-// Validity: geometry only; a distributed weight goes with the length. The last row has none: its end is tool-offset.
+// Validity: geometry only; a distributed weight grows with the length. The last row is no place: see tool-offset.
 // Source: Denavit and Hartenberg 1955, as modified by Craig; Klimchik et al. (arXiv 1211.5739).
 #pragma once
 
@@ -25,7 +25,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   std::get<Origin<S>>(next.placement).position += drawn * S(effect.values[0] / sqrt(drawn.squaredNorm()));
 }
 
-/// Returns true if the link has a direction to grow along: its next frame is not in the same place.
+/// Returns true if the link has a direction to grow along: its next frame is at another position.
 inline bool hasPlace(const Arm& arm, int row) {
   if (row + 1 == static_cast<int>(arm.rows.size())) return false;
   const auto* origin = std::get_if<Origin<double>>(&arm.rows[row + 1].placement);

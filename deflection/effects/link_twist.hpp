@@ -1,6 +1,6 @@
 // A link whose far joint axis is twisted.
 //
-// Law: alpha to the next frame = alpha drawn + dalpha; of a row placed as URDF does, its roll.
+// Law: alpha to the next frame = alpha drawn + dalpha; for a row placed as in URDF, dalpha is added to the roll.
 // Symbols: dalpha [rad].
 // Validity: geometry only; every link but the last.
 // Source: Denavit and Hartenberg 1955, as modified by Craig; Klimchik et al. (arXiv 1211.5739).

@@ -1,7 +1,7 @@
 // A link heavier or lighter than stated, at its end.
 //
 // Law: weight at the link's end = as stated + w.
-// Symbols: w [N]; not below minus the link's whole weight.
+// Symbols: w [N], at least minus the link's whole weight.
 // Validity: at rest.
 // Source: Calkins 1994, section 2.3 (end weights).
 #pragma once
@@ -16,7 +16,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   context.arm.rows[effect.place.row].weight.end += effect.values[0];
 }
 
-/// Returns the lower bound: a link cannot lose more than its end weight, lumps and distributed weight.
+/// Returns the lower bound [N]: a link cannot lose more than its end weight, lumps and distributed weight.
 inline double least(const Arm& arm, const Place& place) {
   return -rowWeightOf(arm, static_cast<std::size_t>(place.row)).weight;
 }

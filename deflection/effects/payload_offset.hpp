@@ -1,8 +1,9 @@
 // A hung load whose centre is not at the tip.
 //
-// Law: the load acts at tip + v, which turns with the deflected tool: a couple (R v) x F beside the force.
-// Symbols: v [m] in the last row's axes as carried to the tip, R the tool frame as deflected, F the hung load [N].
-// Validity: the load is rigidly held; the tool's own weight stays where it is.
+// Law: the load acts at tip + v, a point that rotates with the deflected tool: a couple (R v) x F in addition to the
+//      force.
+// Symbols: v [m] in the last row's axes at the tip, R rotation of the deflected tool frame, F hung load [N].
+// Validity: the load is held rigidly; the tool's own weight does not move.
 // Source: statics.
 #pragma once
 

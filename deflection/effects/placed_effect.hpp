@@ -1,4 +1,4 @@
-// An effect of an arm: its law, place and numbers. The laws are in effects/effect.hpp.
+// An effect of an arm: its law, place and values. See effects/effect.hpp for the laws.
 #pragma once
 
 #include <memory>
@@ -9,23 +9,23 @@ namespace tubeplan::deflection {
 
 struct Formula;
 
-/// Place of an effect; numbers that its rule does not use are -1. Indices are those of the arm's rows.
+/// Place of an effect. Members that the place rule does not use are -1; indices are row indices of the arm.
 struct Place {
   int row = -1;
-  int axis = -1;           ///< 0, 1, 2: x, y, z of the row
+  int axis = -1;           ///< 0, 1, 2: x, y, z axis of the row
   int other = -1;          ///< row of the second joint, if the place is a pair
-  std::string setup = {};  ///< set-up of the base, if the place is a set-up
+  std::string setup = {};  ///< name of the set-up of the base, if the place is a set-up
   bool operator==(const Place&) const = default;
 };
 
-/// An effect in internal units. `kind` indexes effectKinds(); `values` are the kind's parameters, or those of its
-/// formula, in order.
+/// An effect in internal units. `kind` is an index into effectKinds(); `values` are the values of the kind's
+/// parameters, or of the formula's parameters, in order.
 template <class S>
 struct EffectOf {
   int kind = -1;
   Place place;
   std::vector<S> values;
-  std::shared_ptr<const Formula> formula = nullptr;  ///< formula of a user's effect; see effects/formula.hpp
+  std::shared_ptr<const Formula> formula = nullptr;  ///< formula of a user-defined effect; see effects/formula.hpp
 };
 using Effect = EffectOf<double>;
 

@@ -1,4 +1,4 @@
-// The places of an arm, by the rules that effects have for them.
+// The places of an arm at which effects can act, for each rule of places.
 #pragma once
 
 #include "deflection/effects/effect.hpp"
@@ -8,19 +8,19 @@ namespace tubeplan::deflection::places {
 std::vector<Place> ofJoints(const Arm& arm);
 std::vector<Place> ofRevoluteJoints(const Arm& arm);
 
-/// Returns every ordered pair of two joints of the same type: `row` is driven by `other`.
+/// Returns every ordered pair of two joints of the same type: joint `row` is driven by joint `other`.
 std::vector<Place> ofJointPairs(const Arm& arm);
 
-/// Returns every pair of a slide and a revolute joint: `row` is driven by `other`.
+/// Returns every pair of a slide and a revolute joint: the slide `row` is driven by the joint `other`.
 std::vector<Place> ofSlidesTurned(const Arm& arm);
 
 std::vector<Place> ofRows(const Arm& arm);
 
-/// Return the rows, or rows and axes, that a rule accepts.
+/// Return the rows, or rows and axes, for which `accepts` returns true.
 std::vector<Place> ofRows(const Arm& arm, bool (*accepts)(const Arm&, int row));
 std::vector<Place> ofAxes(const Arm& arm, bool (*accepts)(const Arm&, int row, int axis));
 
-/// Returns the one place of a fixed word.
+/// Returns the single place of a kind with a fixed word.
 std::vector<Place> theOnly(const Arm& arm);
 
 }  // namespace tubeplan::deflection::places

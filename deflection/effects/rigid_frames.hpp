@@ -1,11 +1,11 @@
-// Frames of an arm's rows without deflection, for laws that depend on the place of a part.
+// Undeflected frames of an arm's rows, for laws that depend on positions in the arm.
 #pragma once
 
 #include "deflection/chain.hpp"
 
 namespace tubeplan::deflection {
 
-/// Frames of all rows, and the tip, in base axes [m].
+/// Frames of all rows and position of the tip, in base axes [m].
 template <class S>
 struct RigidFrames {
   std::vector<PoseOf<S>> rows;

@@ -1,5 +1,5 @@
-// Moments on the rows of an arm by its weights and the loads on its tip, without deflection: an explicit function of
-// posture and numbers, for laws that depend on them.
+// Moments on the rows of the undeflected arm due to its weights and the loads on its tip: an explicit function of
+// posture and parameters, for laws that depend on moments.
 #pragma once
 
 #include "deflection/parameters.hpp"
@@ -7,7 +7,7 @@
 
 namespace tubeplan::deflection {
 
-/// Adds a wrench, turned from the base's axes to those of the tip.
+/// Adds a wrench, rotated from base axes to the axes of the tip, to a force and a moment.
 template <class S>
 void addWrench(const Chain<S>& chain, const WrenchOf<S>& wrench, Vector3<S>& force, Vector3<S>& moment) {
   Matrix3<S> R = Matrix3<S>::Identity();
@@ -17,7 +17,7 @@ void addWrench(const Chain<S>& chain, const WrenchOf<S>& wrench, Vector3<S>& for
   moment += R.transpose() * wrench.moment_B;
 }
 
-/// Returns for each row the moment of everything from its frame outwards, about its origin, in its axes [N m].
+/// Returns for each row the moment of all loads from its frame outwards, about its origin and in its axes [N m].
 template <class S>
 std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& posture) {
   ArmOf<S> hung;
@@ -32,14 +32,14 @@ std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& po
   else
     chain = assembleChain<S>(whole, castArm<double>(whole), posture.q);
   const std::size_t count = chain.links.size();
-  std::vector<Vector3<S>> gravity(count);  // gravity's direction in the near axes of each link
+  std::vector<Vector3<S>> gravity(count);  // direction of gravity in the near axes of each link
   Vector3<S> along = posture.gravity_B;
   for (std::size_t k = 0; k < count; ++k) {
     gravity[k] = along;
     if (chain.links[k].type == ChainLinkType::kTurn) along = (chain.links[k].R.transpose() * along).eval();
   }
   std::vector<Vector3<S>> moments(arm.rows.size(), Vector3<S>::Zero());
-  // Load on the end of link k, in its axes and about it.
+  // Loads beyond link k, in the axes of the link's far end and about that end.
   Vector3<S> force = along * posture.load, moment = Vector3<S>::Zero();
   if (posture.wrench) addWrench(chain, *posture.wrench, force, moment);
   for (std::size_t k = count; k-- > 0;) {
@@ -51,7 +51,7 @@ std::vector<Vector3<S>> rigidMoments(const ArmOf<S>& arm, const PostureOf<S>& po
     }
     const Vector3<S> weight = gravity[k] * link.weight;
     if (link.type == ChainLinkType::kLump) moment += link.lever.cross(weight);
-    // Weight acts at the middle.
+    // A distributed weight acts at the middle of the link.
     else
       moment += link.p.cross(force + weight * S(0.5));
     force += weight;

@@ -3,7 +3,7 @@
 // Law: measured coordinate = (1 + e) * true world coordinate.
 // Symbols: e [1].
 // Validity: one instrument in the world frame; the arm itself does not change.
-// Source: the calibration of length measuring instruments.
+// Source: calibration of length-measuring instruments.
 #pragma once
 
 #include "deflection/effects/places.hpp"

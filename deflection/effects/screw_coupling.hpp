@@ -1,7 +1,8 @@
-// A slide that a turning joint moves along its screw, as on the ball screw spline of a SCARA's last axes.
+// A slide that a rotating joint also moves along its screw, as on the ball screw spline of a SCARA's last axes.
 //
-// Law: true position of the slide = its reading + travel * reading of the turning joint, as in joint_coupling.hpp.
-// Symbols: travel [m per rad]: the screw's lead over a turn, where the controller does not compensate for it.
+// Law: true position of the slide = reading of the slide + travel * reading of the rotating joint, as in
+//      joint_coupling.hpp.
+// Symbols: travel [m/rad]: lead of the screw per rotation angle, if the controller does not compensate for it.
 // Validity: readings counted from the encoders' zeros.
 // Source: coupled joints in Craig, Introduction to Robotics (actuator space and joint space).
 #pragma once

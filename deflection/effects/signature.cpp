@@ -14,13 +14,13 @@ namespace {
 using Eigen::Index, Eigen::Matrix3Xd, Eigen::Vector3d;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-// Weight of a change by a condition against one by a joint, because few laws have one.
+// Weight of a change with a condition relative to a change with a joint, because few laws depend on a condition.
 constexpr double kOfCondition = 5;
-constexpr double kOfOwnJoint = 3;  // weight of a change by the joint of the effect
-constexpr double kOfReach = 1e-9;  // shift that may be rounding alone, as a share of the reach
-constexpr double kOfRange = 0.05;  // distance from a joint's limits, as a share of its range
+constexpr double kOfOwnJoint = 3;  // weight of a change with the effect's own joint
+constexpr double kOfReach = 1e-9;  // shift that may be rounding alone, as a fraction of the reach
+constexpr double kOfRange = 0.05;  // distance from a joint's limits, as a fraction of its range
 
-/// Returns the effect at half of its plausible size; an event is half way through the sweep of time.
+/// Returns the effect at half of its plausible magnitude; an event occurs halfway through the sweep of time.
 Effect ofUsualSize(const Arm& arm, Effect effect) {
   const auto& numbers = numbersOf(effect);
   for (std::size_t v = 0; v < numbers.size(); ++v) {
@@ -55,7 +55,7 @@ class Sweeper {
     middle_.q.resize(joints);
     for (Index j = 0; j < joints; ++j) {
       const Range range = rangeOf(arm.joint(j));
-      constexpr double kGolden = 0.6180339887498949;  // irregular shares of the ranges, to avoid symmetries of the arm
+      constexpr double kGolden = 0.6180339887498949;  // irregular fractions of ranges, to avoid the arm's symmetries
       const double share = 0.3 + 0.4 * std::fmod(0.5 + kGolden * static_cast<double>(j), 1);
       middle_.q[j] = range.lower + share * (range.upper - range.lower);
     }
@@ -88,7 +88,7 @@ class Sweeper {
           [&](Posture& posture, double at) { posture.conditions[kind.condition] = at; });
   }
 
-  /// Returns the shift in the tool frame, so that a base that turns with the first joint does not turn it.
+  /// Returns the shift of the tip in tool axes [m], so that a rotation of the first joint does not rotate the shift.
   [[nodiscard]] Vector3d shiftAt(const Posture& posture) const {
     const auto without = solveFlexibleKinematics(without_, posture), with = solveFlexibleKinematics(with_, posture);
     if (without.status != KinematicsStatus::kConverged || with.status != KinematicsStatus::kConverged)
@@ -118,7 +118,7 @@ class Sweeper {
     return row == place.row || row == place.other ? kOfOwnJoint : 1;
   }
 
-  /// Takes a sweep's signature; the axis along which the shifts change most becomes that of the picture.
+  /// Adopts the signature of a sweep; the axis along which the shifts change most becomes the plotted axis.
   void take(Signature found, const Matrix3Xd& shifts) {
     Matrix3Xd changes(3, 0);
     for (Index k = 0; k < shifts.cols(); ++k) {

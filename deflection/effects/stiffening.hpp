@@ -1,10 +1,10 @@
-// A joint soft under small moments and stiff beyond: the torsional stiffness of a harmonic drive.
+// A joint that is soft under small moments and stiff beyond a knee: the torsional stiffness of a harmonic drive.
 //
-// Law: rotation = (M + s clamp(M, -M1, M1)) / K, K the axis's own stiffness, which is that of the stiff branch
-//      (elements/joint_stiffness.hpp). The soft branch has K1 = K / (1 + s).
-// Symbols: s softness [1], M1 knee [N m], M moment about the axis [N m].
-// Validity: two branches; elastic, the same both ways. Where the moment is always beyond the knee, only a constant turn
-//      is left of it.
+// Law: rotation = (M + s clamp(M, -M1, M1)) / K, with K the axis's own stiffness, which applies on the stiff branch
+//      (elements/joint_stiffness.hpp). The soft branch has the stiffness K1 = K / (1 + s).
+// Symbols: s softness [1], M1 knee moment [N m], M moment about the axis [N m].
+// Validity: two branches; elastic, the same in both directions. Where the moment always exceeds the knee, the effect is
+//      only a constant rotation.
 // Source: Harmonic Drive catalogues, torsional stiffness K1, K2 and T1.
 #pragma once
 

@@ -1,8 +1,8 @@
-// A tool or target that was remounted: in one set-up the tip has another place than in the others.
+// A tool or target that was remounted: in one set-up, the tip is at another position than in the other set-ups.
 //
-// Law: tip in the last row's frame = as in the other set-ups + (x, y, z), in the set-up of that name.
+// Law: in the named set-up, tip in the last row's frame = tip in the other set-ups + (x, y, z).
 // Symbols: x, y, z [m].
-// Validity: rigid; the same all through the set-up.
+// Validity: rigid; constant throughout the set-up.
 // Source: geometry; a known error of measuring campaigns with several mountings.
 #pragma once
 

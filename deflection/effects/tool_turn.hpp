@@ -1,9 +1,10 @@
-// A tool frame that is turned in the last row's frame: a probe or a tracker's target, mounted on the tool by hand.
+// A tool frame that is rotated in the last row's frame: a probe or a tracker target mounted on the tool by hand.
 //
-// Law: axes of the tool frame = exp(turn drawn + v) times those drawn, in the last row's frame. The tip stays.
+// Law: axes of the tool frame = exp(turn drawn + v) times the axes drawn, in the last row's frame. The tip does not
+//      move.
 // Symbols: v [rad], a rotation vector.
-// Validity: geometry only; seen in readings of the tool's rotation and of points of the tool beside its tip. The axis
-//           along which the tool enters a hole is the tool's own and does not follow.
+// Validity: geometry only; observable in measured rotations of the tool and in points of the tool away from its tip.
+//      The axis along which the tool enters a hole is the tool's own and does not rotate.
 // Source: Everett 1987 (six parameters of a mechanism's tool, three of them for the tip).
 #pragma once
 

@@ -1,8 +1,8 @@
 // A tool heavier or lighter than stated, in the same proportion everywhere.
 //
-// Law: every weight of the last row = as stated (1 + e).
-// Symbols: e [1], not below -1.
-// Validity: at rest; without the hung load.
+// Law: every weight of the last row = weight as stated * (1 + e).
+// Symbols: e [1], at least -1.
+// Validity: at rest; the hung load is not included.
 // Source: Calkins 1994, section 2.3 (weight per length, end weights).
 #pragma once
 

@@ -1,8 +1,8 @@
-// A gear with an error twice per turn, as of an oval ring or an elliptic bearing of the joint.
+// A gear with an error of two periods per turn, such as from an oval ring or an elliptic bearing of the joint.
 //
 // Law: true joint angle = reading + A sin(2 q) + B cos(2 q).
 // Symbols: q reading [rad], A, B amplitudes [rad].
-// Validity: amplitudes far below one radian; turning joints only; the purely kinematic part.
+// Validity: amplitudes far below one radian; revolute joints only; the purely kinematic error.
 // Source: Ghorbel, Gandhi and Alpeter, On the kinematic error in harmonic drive gears (J. Mech. Des. 123, 2001).
 #pragma once
 

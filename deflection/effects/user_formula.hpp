@@ -1,8 +1,8 @@
-// A law that a user writes: TARGET += EXPRESSION.
+// A law written by a user: TARGET += EXPRESSION.
 //
 // Law: as written (effects/formula.hpp).
-// Symbols: those of the formula, and its own parameters.
-// Validity: where the expression has a finite value; a posture at which it has none is not solved.
+// Symbols: the symbols and the parameters of the formula.
+// Validity: where the expression has a finite value; postures without a finite value are not solved.
 // Source: the user.
 #pragma once
 
@@ -75,7 +75,7 @@ void apply(const EffectOf<S>& effect, EffectContext<S>& context) {
   }
 }
 
-/// Returns the kind. It has no places of its own: its formula names them.
+/// Returns the kind. It lists no places in an arm, because a formula names its own target.
 inline EffectKind kind() {
   return {.name = kName,
           .words = "a user-defined formula",
