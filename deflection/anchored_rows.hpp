@@ -1,8 +1,8 @@
-// An arm with row origins near each other, however its rows are written.
+// An arm with row origins close to each other, however its rows are written.
 //
-// A row's origin may stand anywhere on its axis. Denavit-Hartenberg numbers put it where the common normal of two axes
-// is; of axes that are nearly parallel, as those of a calibrated arm, that is hundreds of metres away, and the d of one
-// row undoes that of another. Lengths of members must not be computed from such rows.
+// A row's origin may lie anywhere on the row's axis. Denavit-Hartenberg parameters put it on the common normal of two
+// axes. For the nearly parallel axes of a calibrated arm, that normal can be hundreds of metres away, and the d of one
+// row cancels the d of another. Lengths of members must not be computed from such rows.
 #pragma once
 
 #include <string>
@@ -13,17 +13,19 @@
 namespace tubeplan::deflection {
 
 struct AnchoredRows {
-  /// Arm with some rows' frames moved along their z axes: tip, joint axes and loads are unchanged. If any row is moved,
-  /// it has no effects, because these refer to the rows as they were written.
+  /// Arm with the frames of some rows moved along their z axes: tip, joint axes and loads are unchanged. If any row is
+  /// moved, the arm has no effects, because effects refer to the rows as they were written.
   Arm arm;
-  std::vector<double> slid;  ///< shift of each row's frame along z [m]; the z of a point in it is less by this
+  std::vector<double> slid;  ///< shift of each row's frame along z [m], subtracted from z coordinates in the frame
 };
 
-/// Returns the arm with its rows' origins moved together. Rows with a reason in heldAgainstSlide() keep theirs. An arm
-/// whose path from origin to origin is no more than twice the shortest is returned unchanged.
+/// Returns the arm with its row origins moved together. Rows for which heldAgainstSlide() states a reason keep their
+/// origin. An arm whose path from origin to origin is no more than twice as long as the shortest path is returned
+/// unchanged.
 [[nodiscard]] AnchoredRows anchoredRows(const Arm& arm);
 
-/// Returns why a row's origin must not be moved along its z, in words that follow its name; empty if it may be moved.
+/// Returns why a row's origin must not be moved along its z axis, worded to follow the row's name; empty if it may be
+/// moved.
 [[nodiscard]] std::string heldAgainstSlide(const Arm& arm, std::size_t row);
 
 }  // namespace tubeplan::deflection

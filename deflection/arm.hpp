@@ -3,9 +3,9 @@
 // Internal units of the whole program, stated here once: metre, newton, radian, second, kelvin. Files carry their own
 // units; the readers convert. Weights are forces (N), not masses. A stiffness of infinity is a rigid axis.
 //
-// Frames: B is the arm's base, L1..Ln the rows' frames (L0 = B), T the tool frame at the tip, D the same frame
-// deflected. Row i takes frame L(i-1) to Li. Its member (the link's body) runs from Li to L(i+1), the last one to
-// the tip; the member of a prismatic row is its sliding bar, from the bearing (Li at zero slide) to Li, with
+// Frames: B is the arm's base, L1..Ln are the rows' frames (L0 = B), T is the tool frame at the tip, D the deflected
+// tool frame. Row i leads from frame L(i-1) to Li. Its member (the link's body) runs from Li to L(i+1), or to the tip
+// in the last row. The member of a prismatic row is its sliding bar, from the bearing (Li at zero slide) to Li, with
 // the joint's value as its length.
 #pragma once
 
@@ -27,17 +27,17 @@ namespace tubeplan::deflection {
 
 inline constexpr double kRigid = std::numeric_limits<double>::infinity();
 
-/// Modified (Craig) Denavit-Hartenberg numbers [rad, m] with Hayati's beta and a shift b: RotX(alpha) TransX(a)
-/// TransY(b) RotY(beta) RotZ(theta) TransZ(d). For an axis nearly parallel to the one before it, beta is determined and
-/// d is not. The first row needs b to place its axis anywhere beside a known base; in other rows the joint before and d
-/// do the same.
+/// Modified (Craig) Denavit-Hartenberg parameters [rad, m] with Hayati's beta and a shift b: RotX(alpha) TransX(a)
+/// TransY(b) RotY(beta) RotZ(theta) TransZ(d). For an axis nearly parallel to the axis of the row before, beta is
+/// determined and d is not. Only the first row needs b, to place its axis relative to a known base. In other rows, the
+/// joint offset and d of the row before have the same effect.
 template <class S>
 struct DenavitHartenberg {
   S alpha{0}, a{0}, d{0}, theta{0}, beta{0}, b{0};
 };
 
-/// Placement of a row as in URDF: translation [m], then fixed-axis roll, pitch, yaw [rad], then the rotation beta [rad]
-/// about the row's own y. At a pitch of a right angle, roll and yaw alone cannot express it.
+/// Placement of a row as in URDF: translation [m], then fixed-axis roll, pitch and yaw [rad], then a rotation beta
+/// [rad] about the row's own y axis. At a pitch of 90 degrees, roll and yaw alone cannot express that rotation.
 template <class S>
 struct Origin {
   Vector3<S> position = Vector3<S>::Zero();
@@ -47,13 +47,15 @@ struct Origin {
 
 enum class JointType { kPassive, kRevolute, kPrismatic };
 
-/// A joint that drives another one, with the ratio of the driven angle to its own angle, offset included.
+/// A joint that drives another joint, with the ratio of the driven joint's angle to the driving joint's, offset
+/// included.
 struct FollowedJoint {
   int row = -1;
   double ratio = 0;
 };
 
-/// Angles in rad (lengths in m for a prismatic joint). Limits, speed and acceleration are infinite where not stated.
+/// Joint of a row. Angles in rad (lengths in m if prismatic). Limits, speed and acceleration are infinite if not
+/// stated.
 template <class S>
 struct Joint {
   std::string name;
@@ -63,27 +65,28 @@ struct Joint {
   double upper = std::numeric_limits<double>::infinity();
   double max_speed = std::numeric_limits<double>::infinity();
   double max_acceleration = std::numeric_limits<double>::infinity();
-  double encoder_sigma = 0;  ///< standard deviation of a reading
-  double gear_ratio = 0;     ///< input turns of the drive per turn of the joint; 0: not stated
-  /// Joints that drive this one, which has no reading of its own (a parallel linkage, a belt). A passive row turns
-  /// about its z by their sum and its offset. The drivers are revolute and active.
+  double encoder_sigma = 0;  ///< standard deviation of an encoder reading
+  double gear_ratio = 0;     ///< gear ratio: input turns of the drive per turn of the joint; 0: not stated
+  /// Joints that drive this joint, for example through a parallel linkage or a belt. A driven joint has no reading of
+  /// its own: its passive row rotates about z by the sum of the driven angles and its offset. The drivers are revolute
+  /// and active.
   std::vector<FollowedJoint> follows = {};
 };
 
-/// Returns true if a row turns about its z, by a reading of its own or driven by others.
+/// Returns true if a row rotates about its z axis, driven by its own reading or by other joints.
 template <class S>
 bool turns(const Joint<S>& joint) {
   return joint.type == JointType::kRevolute || !joint.follows.empty();
 }
 
-/// Returns true if a row moves, by a reading of its own or driven by others.
+/// Returns true if a row moves, driven by its own reading or by other joints.
 template <class S>
 bool moves(const Joint<S>& joint) {
   return joint.type != JointType::kPassive || !joint.follows.empty();
 }
 
-/// A uniform straight member. E, G [Pa]; I (about the row's x, y, z axis), J [m^4]. It does not bend about an axis with
-/// infinite I, nor twist if G J is infinite. `segments` is the number of equal elements.
+/// A uniform straight member. E, G [Pa]; I (about the row's x, y, z axes), J [m^4]. The member is rigid in bending
+/// about an axis with infinite I, and in torsion if G J is infinite. `segments` is the number of equal elements.
 template <class S>
 struct Beam {
   S E{kRigid};
@@ -99,7 +102,7 @@ struct Lump {
   Vector3<S> at = Vector3<S>::Zero();  ///< position in the row's frame [m]
 };
 
-/// Weight distributed along the member [N/m], at its end [N], or lumped anywhere in the row's frame.
+/// Weight distributed along the member [N/m], concentrated at its end [N], or lumped anywhere in the row's frame.
 template <class S>
 struct Weight {
   S distributed{0};
@@ -107,8 +110,9 @@ struct Weight {
   std::vector<Lump<S>> lumps;
 };
 
-/// Terms that effects add to a row while a shape is solved; files have none of them. The flags (`joint_is_compliant`,
-/// `member_is_compliant`, `bends`, `has_gap`) are structure: they do not depend on the values, zero included.
+/// Terms that effects add to a row while a shape is solved; arm files contain none of them. The flags
+/// (`joint_is_compliant`, `member_is_compliant`, `bends`, `has_gap`) are structure: they are the same for all values of
+/// the terms, zero included.
 template <class S>
 struct EffectTerms {
   bool joint_is_compliant = false, member_is_compliant = false;
@@ -121,7 +125,7 @@ struct EffectTerms {
   Vector3<S> bending_compliance = Vector3<S>::Zero();
   S torsion_compliance{0};               ///< torsion compliance of the member [1/(N m^2)]
   Vector3<S> pull = Vector3<S>::Zero();  ///< force at the member's end, in base axes [N]
-  std::vector<Lump<S>> hung;             ///< weights at the row's origin, on flexible members too
+  std::vector<Lump<S>> hung;             ///< weights hung from the row's origin, also on flexible members
 };
 
 template <class S>
@@ -129,31 +133,31 @@ struct Row {
   std::string name;
   std::variant<DenavitHartenberg<S>, Origin<S>> placement;
   Joint<S> joint;
-  /// Torsional stiffness about the row's axes, at its origin [N m/rad].
+  /// Torsional stiffness about the row's axes, at the row's origin [N m/rad].
   Vector3<S> joint_stiffness = Vector3<S>::Constant(S(kRigid));
   std::optional<Beam<S>> beam;
   Weight<S> weight;
   std::optional<EffectTerms<S>> effect_terms;
-  /// The map that has this one's alpha, a, beta and b in its file and in fits, where that is not its own `dh`: by the
-  /// standard convention "NAME.dh" of the row before, and "NAME.axis" of a first row. Empty: none has, and they are no
-  /// parameters.
+  /// Name of the map that holds alpha, a, beta and b of this row in the arm file and in fits, if not the row's own
+  /// `dh`. In the standard convention the map is "NAME.dh" of the row before, or "NAME.axis" of a first row. Empty
+  /// text: no map holds them, and they are not parameters.
   std::optional<std::string> placed_by;
-  /// False for the added end of a last link in the standard convention, which the file does not have.
+  /// False for the end row added after the last link in the standard convention, which the arm file does not contain.
   bool is_written = true;
 };
 
-/// Rigid rows attached to a row without leading to the tip: see side_chains.hpp. The first is placed in that row's
-/// axes.
+/// Rigid rows attached to a row without leading to the tip: see side_chains.hpp. The first of them is placed in the
+/// axes of the row that carries the chain.
 template <class S>
 struct SideChain {
   int row = -1;
   std::vector<Row<S>> rows;
 };
 
-/// Loads that effects add at the tip while a shape is solved; files have none of them.
+/// Loads that effects add at the tip while a shape is solved; arm files contain none of them.
 template <class S>
 struct TipLoad {
-  Vector3<S> payload_offset = Vector3<S>::Zero();  ///< point where the hung load acts, in the deflected tool frame [m]
+  Vector3<S> payload_offset = Vector3<S>::Zero();  ///< point of action of the hung load in the deflected tool frame [m]
   S contact_force{0};                              ///< force at the tip against gravity [N]
   Vector3<S> force = Vector3<S>::Zero();           ///< force at the tip in base axes [N]
   Vector3<S> moment = Vector3<S>::Zero();          ///< moment of constant direction in base axes [N m]
@@ -173,13 +177,13 @@ struct ArmOf {
   std::vector<Row<S>> rows;
   Vector3<S> p_LT = Vector3<S>::Zero();          ///< tip in the last row's frame [m]
   Vector3<S> tool_axis_L = Vector3<S>::UnitZ();  ///< direction in which the tool enters a hole, in the last row's frame
-  /// Nominal axes of the tool frame in the last row's: see toolFrame().
+  /// Nominal axes of the tool frame, in the last row's frame: see toolFrame().
   Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();
-  /// Rotation vector from the nominal to the true axes, in the last row's frame [rad].
+  /// Rotation vector from the nominal to the true axes of the tool frame, in the last row's frame [rad].
   Vector3<S> tool_turn_L = Vector3<S>::Zero();
-  /// Conditions at which the nominal numbers hold, and defaults for conditions not stated.
+  /// Conditions for which the nominal parameters hold, and defaults for conditions not stated.
   ConditionValues reference = usualConditions();
-  std::vector<EffectOf<S>> effects;       ///< effects beyond the model above
+  std::vector<EffectOf<S>> effects;       ///< effects in addition to the model above
   std::vector<SideChain<S>> side_chains;  ///< rows that only add weight
   std::vector<RigidMounting> mountings;   ///< one entry for each set-up with rigid rows
   std::optional<TipLoad<S>> tip_load;
@@ -201,57 +205,57 @@ struct ArmOf {
 
 using Arm = ArmOf<double>;
 
-/// Returns the tool frame's axes in the last row's, in which readings state rotations: the nominal axes with
-/// `tool_turn_L` applied. The tool's own axis is not affected.
+/// Returns the axes of the tool frame in the last row's frame, in which measured rotations are stated: the nominal
+/// axes, rotated by `tool_turn_L`. The direction `tool_axis_L` is not affected.
 Eigen::Matrix3d toolFrame(const Arm& arm);
 
-/// Returns the indices of the rows of joints().
+/// Returns the row index of each joint of joints().
 std::vector<int> activeRows(const Arm& arm);
 
-/// Returns the rows that turn with an active row's joint, with their ratios: the row itself and those that follow it.
+/// Returns the rows that an active row's joint rotates, with their ratios: the row itself and the rows that follow it.
 std::vector<FollowedJoint> turnedWith(const Arm& arm, int active_row);
 
-/// Returns true if a row's axis is parallel or antiparallel to that of the row before within 30 degrees.
+/// Returns true if a row's axis is parallel or antiparallel to the axis of the row before, within 30 degrees.
 bool isNearlyParallel(const Row<double>& row);
 
-/// Return the names of joints and rows in order, and the index of a named row.
+/// Return the names of joints and rows in order, and the index of a named row (nothing if there is no such row).
 std::vector<std::string> jointNames(const Arm& arm);
 std::vector<std::string> rowNames(const Arm& arm);
 std::optional<int> findRow(const Arm& arm, std::string_view name);
 
-/// Returns true if any row's joint follows others.
+/// Returns true if any joint of the arm follows other joints.
 bool hasFollowers(const Arm& arm);
 
-/// Returns true if the solver's numbers depend on the posture: by effects, by the weights of side chains, or by rows
-/// that are rigid in a set-up.
+/// Returns true if the parameters that the solver uses depend on the posture: through effects, weights of side chains,
+/// or rows that are rigid in a set-up.
 template <class S>
 bool dependsOnPosture(const ArmOf<S>& arm) {
   return !arm.effects.empty() || !arm.mountings.empty() || !arm.side_chains.empty();
 }
 
-/// Returns the arm without any flexibility, that of its effects included.
+/// Returns a rigid copy of the arm, without the effects that add flexibility.
 Arm rigidCopy(const Arm& arm);
 
-/// Returns the vector from a row's origin, or the end of its slide, to the next row's origin or the tip: in the row's
-/// axes [m], undeflected.
+/// Returns the undeflected vector from a row's origin, or the end of its slide, to the next row's origin or the tip, in
+/// the row's axes [m].
 Eigen::Vector3d memberOf(const Arm& arm, int row);
 
-/// Returns the part of a row that bends, undeflected: its member [m], or for a prismatic row the unit vector along its
-/// bar.
+/// Returns the undeflected part of a row that bends: its member [m], or the unit vector along the bar of a prismatic
+/// row.
 Eigen::Vector3d undeflectedMember(const Arm& arm, int row);
 
-/// Returns the greatest length of a slide [m], infinite without limits; 0 for any other joint.
+/// Returns the greatest length of a joint's slide [m]: infinite without limits, 0 if the joint is not prismatic.
 double slideLength(const Joint<double>& joint);
 
-/// Returns an upper bound of the distance of the tip from the base [m]: the shortest path along the joints' axes, with
-/// slides at their longest, independent of how the rows are written. It scales tolerances, so that slides without
-/// limits count as zero.
+/// Returns an upper bound on the distance of the tip from the base [m]: the shortest path along the joint axes, with
+/// slides at their longest. The bound does not depend on how the rows are written. It scales tolerances; slides without
+/// limits therefore count as zero.
 double reachOf(const Arm& arm);
 
-/// A fault of an arm. `path` is the dotted name in the arm file (`tool.joint_stiffness.z`).
+/// A fault of an arm. `path` is the dotted name of the faulty entry in the arm file (`tool.joint_stiffness.z`).
 struct ArmProblem {
   std::string path;
-  std::string found;          ///< value found; without an expected one, a sentence of what is wrong
+  std::string found;          ///< value found; if no value is expected, a sentence that states the problem
   std::string expected = {};  ///< value expected; empty unless a value is wrong
 };
 

@@ -1,4 +1,4 @@
-// Checks that make an arm unusable, made before anything is computed with it.
+// Checks for faults that make an arm unusable, run before anything is computed with the arm.
 #include <cmath>
 #include <set>
 #include <string>
@@ -87,7 +87,7 @@ void checkBeam(const Arm& arm, int index, std::vector<ArmProblem>& out) {
                                                    kAxis[k] + ": give G and J for the twist about it"});
 }
 
-/// Checks a row of a side chain: it has no stiffness, and its joints follow none.
+/// Checks a row of a side chain: it must be rigid, and its joint must not follow others.
 void checkSideRow(const Row<double>& row, std::vector<ArmProblem>& out) {
   if (row.beam || row.joint_stiffness.array().isFinite().any())
     out.push_back({row.name, "a row of a side chain must be rigid, without beam and joint_stiffness"});

@@ -15,10 +15,10 @@ namespace tubeplan::deflection {
 enum class ChainLinkType {
   kOffset,     ///< weightless rigid translation
   kTurn,       ///< rigid rotation into the row's axes
-  kFlexJoint,  ///< an element at the row's origin
-  kMember,     ///< a piece of the member, rigid or an element, with its distributed weight
-  kFrame,      ///< the row's frame, which carries its lumps
-  kLump,       ///< a lump along the member
+  kFlexJoint,  ///< flexible element at the row's origin
+  kMember,     ///< piece of the member, rigid or flexible, with its distributed weight
+  kFrame,      ///< the row's frame, with the lumps that it carries
+  kLump,       ///< weight lumped along the member
   kEndWeight,  ///< the weight at the member's end
 };
 
@@ -27,10 +27,10 @@ template <class S>
 struct ChainLink {
   ChainLinkType type;
   int row;
-  int component = -1;                     ///< index of its deflection, -1 if rigid
-  Vector3<S> p = Vector3<S>::Zero();      ///< translation, in near axes
-  Matrix3<S> R = Matrix3<S>::Identity();  ///< rotation, for kTurn
-  S weight{0};                            ///< total weight of this piece, or of the lump
+  int component = -1;                     ///< index of the link's deflection; -1 if the link is rigid
+  Vector3<S> p = Vector3<S>::Zero();      ///< translation to the far end, in near axes
+  Matrix3<S> R = Matrix3<S>::Identity();  ///< rotation of a kTurn link
+  S weight{0};                            ///< total weight of the piece, or of the lump
   Vector3<S> lever = Vector3<S>::Zero();  ///< vector from the link's near frame to the lump, in near axes
 };
 
@@ -38,16 +38,17 @@ template <class S>
 struct Chain {
   std::vector<ChainLink<S>> links;
   std::vector<ComponentState> components;
-  int clearances = 0;  ///< axes with an open gap
+  int clearances = 0;  ///< number of axes with an open gap
 };
 
-/// Returns R followed by the rotation `beta` [rad] about its y, which is zero in most rows.
+/// Returns R followed by a rotation `beta` [rad], zero in most rows, about the resulting y axis.
 template <class S>
 Matrix3<S> leaned(const Matrix3<S>& R, const S& beta) {
   return isConstantZero(beta) ? R : Matrix3<S>(R * rotationY<S>(beta));
 }
 
-/// Returns the translation from a row's origin to the next row's (its bearing, if that one slides), in the row's axes.
+/// Returns the translation from the previous row's origin to a row's origin (its bearing, if the row slides), in the
+/// previous row's axes.
 template <class S>
 Vector3<S> offsetInPreviousAxes(const Row<S>& row) {
   const auto* dh = std::get_if<DenavitHartenberg<S>>(&row.placement);
@@ -58,7 +59,7 @@ Vector3<S> offsetInPreviousAxes(const Row<S>& row) {
   return isConstantZero(dh->b) ? offset : Vector3<S>(offset + turn * Vector3<S>(Vector3<S>::UnitY() * dh->b));
 }
 
-/// Returns the rotation of a row relative to the one before, with its joint at zero; the joint turns about the
+/// Returns the rotation of a row relative to the previous row, with its joint at zero; the joint rotates about the
 /// resulting z axis.
 template <class S>
 Matrix3<S> rotationFromPrevious(const Row<S>& row) {
@@ -68,7 +69,7 @@ Matrix3<S> rotationFromPrevious(const Row<S>& row) {
   return leaned<S>(rotationFromFixedAngles<S>(origin.rpy), origin.beta);
 }
 
-/// Returns the index in the joint vector of a row with a joint.
+/// Returns the index in joint vectors of an active row's joint.
 template <class S>
 int jointIndexOf(const ArmOf<S>& arm, int row) {
   int index = 0;
@@ -76,7 +77,7 @@ int jointIndexOf(const ArmOf<S>& arm, int row) {
   return index;
 }
 
-/// Returns the angle by which the driving joints turn a row, without its own offset.
+/// Returns the angle by which the driving joints rotate a row, without the row's own offset.
 template <class S>
 S followedAngle(const ArmOf<S>& arm, const Joint<S>& joint, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q) {
   S angle(0);
@@ -87,7 +88,8 @@ S followedAngle(const ArmOf<S>& arm, const Joint<S>& joint, const Eigen::Matrix<
 
 namespace chain_assembly {
 
-/// Adds the components of a row at a place, `pieces` of them, or none if it is rigid there. Each place has one law.
+/// Adds `pieces` elements of a row at its origin or along its member; adds none if the row is rigid there. One law
+/// applies at each of the two places.
 template <class S>
 void addElements(Chain<S>& chain, const Row<double>& values, int row, ElementPlace place, int pieces) {
   const auto kinds = elementKinds();
@@ -115,21 +117,22 @@ void addJoint(Chain<S>& chain, const Row<double>& values, int row) {
   chain.links.push_back(link);
 }
 
-/// Returns the position of a lump along a flexible member, as a share of it; 0 at the row's origin and on a rigid
-/// member.
+/// Returns the position of a lump along a flexible member, as a fraction of the member's length; 0 for a lump at the
+/// row's origin and on a rigid member.
 inline double shareOf(const Row<double>& values, int lump, const Vector3<double>& member) {
   if (segmentsOf(values) == 0 || member.squaredNorm() == 0) return 0;
   return std::clamp(values.weight.lumps[static_cast<std::size_t>(lump)].at.dot(member) / member.squaredNorm(), 0., 1.);
 }
 
-/// End of a piece of the member, as a share of it: `value` decides the structure, `share` has the derivatives too.
+/// End of a piece of the member, as a fraction of its length: `value` decides the structure, `share` also has
+/// derivatives.
 template <class S>
 struct Cut {
   double value;
   S share;
 };
 
-/// Adds the lumps at a share of the member; `here` is that point in the row's axes.
+/// Adds the lumps at the fraction `share` of the member; `here` is that point in the row's axes.
 template <class S>
 void addLumps(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<double>& member,
               double share, const Vector3<S>& here) {
@@ -142,7 +145,7 @@ void addLumps(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
   }
 }
 
-/// Returns the ends of the member's pieces: its segments, cut again at each lump.
+/// Returns the ends of the member's pieces: the ends of its segments and the positions of its lumps.
 template <class S>
 std::vector<Cut<S>> cutsOf(const Row<S>& row, const Row<double>& values, const Vector3<S>& v) {
   const Vector3<double> member = valuesOf(v);
@@ -199,7 +202,7 @@ void addHung(Chain<S>& chain, const Row<S>& row, int index) {
   }
 }
 
-/// Adds a prismatic row: its bar, then its frame at the bar's end, with its lumps.
+/// Adds a prismatic row: its bar, then its frame at the bar's end, with the lumps in that frame.
 template <class S>
 void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const Vector3<S>& bar) {
   Row<S> bar_row = row;
@@ -214,9 +217,10 @@ void addSlide(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int
 
 }  // namespace chain_assembly
 
-/// Adds the links of one row. `values` is the row in plain numbers: its flexible axes decide the structure, which is
-/// the same for every scalar. `reading` is the joint's value with its offset (zero for a row that neither moves nor
-/// follows). `to_next` leads from the row's origin, or the end of its slide, to the next row's bearing or the tip.
+/// Adds the links of one row. `values` is the row as plain numbers: its flexible axes decide the structure, which is
+/// the same for every scalar type. `reading` is the joint's value, offset included (zero for a row that neither moves
+/// nor follows other joints). `to_next` leads from the row's origin, or the end of its slide, to the next row's bearing
+/// or the tip.
 template <class S>
 void assembleRow(Chain<S>& chain, const Row<S>& row, const Row<double>& values, int index, const S& reading,
                  const Vector3<S>& to_next) {
@@ -237,13 +241,13 @@ void assembleRow(Chain<S>& chain, const Row<S>& row, const Row<double>& values, 
   }
 }
 
-/// Returns `to_next` of assembleRow() for a row of an arm.
+/// Returns the argument `to_next` of assembleRow() for a row of an arm.
 template <class S>
 Vector3<S> offsetToNext(const ArmOf<S>& arm, std::size_t row) {
   return row + 1 == arm.rows.size() ? arm.p_LT : offsetInPreviousAxes<S>(arm.rows[row + 1]);
 }
 
-/// Returns all links of an arm at a posture; `values` is the arm in plain numbers.
+/// Returns all links of an arm at a posture; `values` is the arm as plain numbers.
 template <class S>
 Chain<S> assembleChain(const ArmOf<S>& arm, const Arm& values, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q) {
   Chain<S> chain;

@@ -1,6 +1,6 @@
-// The open table of conditions under which a reading may be taken, besides joints and loads. A condition is one row
-// here. Files, JSON, run sheets, simulation, formulas, patterns, the unknown discrepancy and the pages loop over the
-// rows; only the laws of effects name one.
+// The open table of conditions under which a reading may be taken, in addition to joint readings and loads. A condition
+// is one row of this table. Files, JSON, run sheets, simulation, formulas, patterns, the unknown discrepancy and the
+// pages loop over the rows; only the laws of effects name a condition.
 #pragma once
 
 #include <array>
@@ -12,44 +12,44 @@
 
 namespace tubeplan::deflection {
 
-/// Rows of the table below, in its order.
+/// Conditions, in the order of the table below.
 enum class Condition { kTemperature, kTime };
 
 /// Dependence of an unknown error on a condition.
 enum class Course {
-  kProportional,  ///< proportional to its values
-  kSlow,          ///< any slow change over their range: a drift, a step, a swing
+  kProportional,  ///< proportional to the condition's value
+  kSlow,          ///< any slow change over the condition's range: a drift, a step, a swing
 };
 
-/// Range of values about the usual one, for the picture of an effect. There is none if both ends are equal.
+/// Range of values about the usual value, over which an effect is plotted. Equal ends: the effect is not plotted.
 struct ConditionSweep {
   double low = 0, high = 0;
-  double otherwise = 0;  ///< value while another variable is swept
+  double otherwise = 0;  ///< value of the condition while another variable is swept
 };
 
-/// Slow swing of a simulated condition about its usual value. A condition without one is not simulated.
+/// Slow variation of a simulated condition about its usual value. Zeros: the condition is not simulated.
 struct ConditionSwing {
   double amplitude = 0;
-  double flutter = 0;  ///< standard deviation of the part that is drawn anew at each reading
+  double flutter = 0;  ///< standard deviation of the random part, drawn anew for each reading
 };
 
-/// One row of the table; values in its internal unit.
+/// One row of the table, with values in the row's internal unit.
 struct ConditionKind {
   Condition condition;
-  const char* name;   ///< its key in JSON, its symbol in formulas, and its column before the unit
-  const char* words;  ///< noun for sentences on what an error follows
+  const char* name;   ///< key in JSON, symbol in formulas, and name of the column before its unit
+  const char* words;  ///< noun for sentences that say what an error depends on
   ValueUnit unit = {};
-  std::array<const char*, 2> aliases{};  ///< other column names, in tables of other programs, in plain letters
+  std::array<const char*, 2> aliases{};  ///< other column names, used in tables of other programs, in lower case
   double least = -std::numeric_limits<double>::infinity();
-  const char* least_words = "";  ///< words for the least value
-  double usual = 0;              ///< value if none is stated
-  bool is_of_drawing = false;    ///< true: an arm's file may state its nominal value as reference_NAME
+  const char* least_words = "";  ///< description of the least value
+  double usual = 0;              ///< value assumed if none is stated
+  bool is_of_drawing = false;    ///< true: an arm file may state the nominal value as reference_NAME
   Course course = Course::kProportional;
-  bool moves_tool = true;  ///< true: an unknown error that follows it may be the tool's, besides joints and base
+  bool moves_tool = true;  ///< true: an unknown error that depends on the condition may also be in the tool
   ConditionSweep sweep = {};
   ConditionSwing swing = {};
-  double change = 0;              ///< change that a user could make to learn more; 0: none
-  const char* change_words = "";  ///< instruction for that change
+  double change = 0;              ///< change that a user could make to gain information; 0: none
+  const char* change_words = "";  ///< instruction to make that change
 };
 
 inline constexpr std::array kConditionKinds{
@@ -97,7 +97,7 @@ struct OfEachCondition {
   }
 };
 
-/// One number of each condition, in internal units; NaN = not stated.
+/// One value of each condition, in internal units; NaN if not stated.
 struct ConditionValues : OfEachCondition<double> {
   constexpr ConditionValues() { all.fill(std::numeric_limits<double>::quiet_NaN()); }
 

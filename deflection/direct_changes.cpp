@@ -17,7 +17,7 @@ VectorChanges changesOf(const Vector3<Dual>& v) {
   return out;
 }
 
-/// Returns the rotation vector of the changes of R, in the axes that R leads to: the vee of dR R^T.
+/// Returns the rotation vector of the change of R, in the axes into which R transforms: the vee of dR R^T.
 VectorChanges spinOf(const Matrix3<Dual>& R) {
   VectorChanges out = VectorChanges::Zero();
   for (int i = 0; i < 3; ++i)
@@ -31,7 +31,7 @@ bool changes(const Matrix3<Dual>& R) {
   return false;
 }
 
-/// Adds rows * columns to `tip`, with all zeros: both are small.
+/// Adds rows * columns to `tip`. Zeros are not skipped, because both matrices are small.
 template <class Rows, class Columns>
 void addProduct(const Rows& rows, const Columns& columns, TipColumns& tip) {
   for (int k = 0; k < rows.cols(); ++k)

@@ -1,6 +1,6 @@
-// Direct changes of an arm by a few variables, converted into motion of its tip by the sensitivities of the shape.
+// Direct changes of an arm with a few variables, converted into motion of the tip by the sensitivities of the shape.
 //
-// The change comes from dual numbers through the very templates that build the chain and its elements, row by row; only
+// The changes are computed with dual numbers in the templates that build the chain and its elements, row by row. Only
 // rows that change are built.
 #pragma once
 
@@ -10,35 +10,35 @@
 
 namespace tubeplan::deflection {
 
-/// Motion of the tip, one column for each slot of a dual number.
+/// Motion of the tip (position [m], then rotation vector [rad]), one column for each derivative of a dual number.
 using TipColumns = Eigen::Matrix<double, 6, kDualSize>;
 
 bool changes(const Dual& x);
 bool changes(const Vector3<Dual>& v);
 
-/// Adds the motion of a tip at p in a moving frame, in the axes in which the frame is given.
+/// Adds the motion of a tip at p in a moving frame, in the axes to which the frame's pose refers.
 void addMotion(const PoseOf<Dual>& frame, const Eigen::Vector3d& p, TipColumns& tip);
 
-/// Adds the rotation of the tool frame on the last row, whose axes at the tip are R_BL.
+/// Adds the rotation of the tool frame relative to the last row, whose axes at the tip are R_BL.
 void addToolTurn(const Vector3<Dual>& turn_L, const Eigen::Matrix3d& R_BL, TipColumns& tip);
 
 class DirectChanges {
  public:
-  /// Refers to the shape solved last by `arm`, at which `sensitivity` was found. Both must outlive this object; begin()
-  /// adopts their next shape.
+  /// Refers to the shape last solved by `arm`, about which `sensitivity` was linearised. Both must outlive this object;
+  /// begin() adopts their next shape.
   DirectChanges(const PreparedArm& arm, const TipSensitivity& sensitivity) : arm_(arm), sensitivity_(sensitivity) {}
 
   void begin();
 
-  /// Adds the motion of the tip caused by changes of a row, its reading (with the joint's offset) and the vector to the
-  /// next row.
+  /// Adds the motion of the tip caused by changes of a row, of the row's reading (joint offset included) and of the
+  /// vector to the next row.
   void addRow(std::size_t index, const Row<Dual>& row, const Dual& reading, const Vector3<Dual>& to_next,
               TipColumns& tip);
 
-  /// Adds the motion caused by changes of a row's flexible elements alone.
+  /// Adds the motion of the tip caused by changes of a row's flexible elements alone.
   void addElements(std::size_t index, const Row<Dual>& row, TipColumns& tip);
 
-  /// Adds the motion caused by a change of the reading alone.
+  /// Adds the motion of the tip caused by a change of a row's reading alone.
   void addTurn(std::size_t index, const Dual& reading, TipColumns& tip) const;
 
   void addGravity(const Vector3<Dual>& gravity_B, TipColumns& tip) const;

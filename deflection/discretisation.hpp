@@ -1,5 +1,6 @@
-// Check of the number of segments of beams. Each segment's law assumes small rotations, so that its error grows with
-// the square of its length if it bends far. At P L^2 / (E I) = 1 a cantilever of one segment deflects 4 % too far.
+// Check of the number of segments of beams. The law of a segment assumes small rotations, so for large bending its
+// error grows with the square of the segment's length. At P L^2 / (E I) = 1, the computed deflection of a cantilever of
+// one segment is 4 % too large.
 #pragma once
 
 #include "deflection/flexible_kinematics.hpp"
@@ -8,14 +9,17 @@ namespace tubeplan::deflection {
 
 struct Discretisation {
   double tip_error = 0;  ///< estimated error of the deflected tip [m]; NaN if the arm has no equilibrium
-  int factor = 1;  ///< factor on the segments of each beam that keeps the error below the allowed; 0: none tried does
+  /// Factor on each beam's number of segments that keeps the error below the allowed error; 0: no factor that was tried
+  /// does.
+  int factor = 1;
 };
 
-/// Compares the tip with as many segments as the arm states and with twice as many (Richardson's extrapolation, order
-/// two), and finds how many more would leave less than `allowed` [m]. The error is zero if no beam bends.
+/// Compares the tip for the stated number of segments with the tip for twice as many (Richardson extrapolation of order
+/// two). Also finds the number of segments that leaves an error below `allowed` [m]. The error is zero if no beam
+/// bends.
 [[nodiscard]] Discretisation discretisationOf(const Arm& arm, const Posture& posture, double allowed);
 
-/// Returns the largest number of segments of a beam of the arm; 0 if none bends.
+/// Returns the largest number of segments of any beam of the arm; 0 if the arm has no beam.
 [[nodiscard]] int mostSegments(const Arm& arm);
 
 }  // namespace tubeplan::deflection

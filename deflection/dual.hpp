@@ -1,7 +1,7 @@
-// Dual numbers: a value with its derivatives by N variables, carried through ordinary arithmetic (forward
-// differentiation).
+// Dual numbers: a value with its derivatives with respect to N variables, carried through ordinary arithmetic
+// (forward-mode automatic differentiation).
 //
-// Eigen's AutoDiffScalar does the same several times slower: its small loops are not unrolled into the kinematics.
+// Eigen's AutoDiffScalar is several times slower, because its small loops are not unrolled into the kinematics.
 #pragma once
 
 #include <Eigen/Core>
@@ -39,7 +39,7 @@ class DualNumber {
   friend DualNumber operator*(double a, const DualNumber& b) { return b.scaled(a * b.value_, a); }
   friend DualNumber operator/(const DualNumber& a, double b) { return a.scaled(a.value_ / b, 1 / b); }
 
-  // Comparisons use values alone: they steer branches, which have no derivative.
+  // Comparisons use values alone: they select branches, which have no derivative.
   friend bool operator<(const DualNumber& a, const DualNumber& b) { return a.value_ < b.value_; }
   friend bool operator>(const DualNumber& a, const DualNumber& b) { return a.value_ > b.value_; }
   friend bool operator<=(const DualNumber& a, const DualNumber& b) { return a.value_ <= b.value_; }
@@ -56,14 +56,14 @@ class DualNumber {
   friend DualNumber abs(const DualNumber& a) { return a.value_ < 0 ? -a : a; }
 
  private:
-  /// Returns a dual number of that value with the derivatives times `slope`: the chain rule of one argument.
+  /// Returns a dual number with the given value and derivatives multiplied by `slope`: the chain rule for one argument.
   [[nodiscard]] DualNumber scaled(double value, double slope) const {
     DualNumber result(value);
     for (int k = 0; k < N; ++k) result.derivatives_[k] = slope * derivatives_[k];
     return result;
   }
 
-  /// Sets the value, with derivatives by the chain rule of two arguments.
+  /// Sets the value, and the derivatives by the chain rule for two arguments.
   DualNumber& combine(double value, double slope, const DualNumber& b, double slope_b) {
     value_ = value;
     for (int k = 0; k < N; ++k) derivatives_[k] = slope * derivatives_[k] + slope_b * b.derivatives_[k];

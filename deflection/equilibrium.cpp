@@ -13,7 +13,7 @@ struct SineAndCosine {
   double sine, cosine;
 };
 
-/// Returns sine and cosine; the series is exact to rounding below 0.1 rad, as in rotationFromVector().
+/// Returns sine and cosine of an angle; below 0.1 rad the series is exact to rounding, as in rotationFromVector().
 SineAndCosine sineAndCosine(double angle) {
   const double t2 = angle * angle;
   if (t2 >= 0.01) return {std::sin(angle), std::cos(angle)};
@@ -58,7 +58,7 @@ clearance::Rest Equilibrium::restOf(std::size_t e, int axis, double moment) cons
     if (loads[d].is_couple) continue;
     const OutboardLoad& load = outboard(e, d);
     const Vector3d lever = elements[e].turn * load.moment;
-    // The moment about n of the loads beyond changes with a rotation about n by n . (n x r) x F.
+    // The moment about n of a force F at r beyond changes by n . ((n x r) x F) per angle of rotation about n.
     moment_per_angle += load.direction[axis] * lever[axis] - load.direction.dot(lever);
     forces += std::abs(load.size) * load.direction.norm();
   }
@@ -66,8 +66,8 @@ clearance::Rest Equilibrium::restOf(std::size_t e, int axis, double moment) cons
                              {moment_per_angle, forces * reach, clearances});
 }
 
-/// Bends an element that turns about one axis, like bend(): a rotation about the axis does not change the moment about
-/// it.
+/// Bends an element that rotates about one axis only, as bend() does for others. A rotation about the axis does not
+/// change the moment about it.
 double Equilibrium::turnHinge(std::size_t e) {
   FlexibleElement& element = elements[e];
   const int k = element.hinge, i = (k + 1) % 3, j = (k + 2) % 3;
@@ -92,7 +92,7 @@ double Equilibrium::turnHinge(std::size_t e) {
   return 2 * reach * std::abs(angle - before);
 }
 
-/// Bends an element; returns an upper bound of the tip's motion by the change [m].
+/// Bends an element; returns an upper bound on the resulting motion of the tip [m].
 double Equilibrium::bend(std::size_t e, bool with_gaps) {
   FlexibleElement& element = elements[e];
   if (element.hinge >= 0) return turnHinge(e);

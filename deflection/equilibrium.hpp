@@ -1,11 +1,11 @@
-// The shape in which an arm's elements carry its loads: rigid bodies between elements, and the sweeps that bring both
+// Equilibrium shape of an arm under its loads: rigid bodies between flexible elements, and the sweeps that bring both
 // to equilibrium.
 //
-// Every load is dead: a force whose size and direction never change. So the load of an element is known from three
-// things for each direction of loads: the direction as seen from the element, which a sweep outwards turns from body to
-// body, and the size and the first moment of the loads beyond, which a sweep inwards gathers. Their product is the
-// moment, M = S x g (step 3 of the thesis's table 2.1), and both sweeps bend the elements that they pass (step 4).
-// Nothing here allocates once the arm's elements are known.
+// Every load is dead: a force of constant magnitude and direction. For each direction of loads, the moment on an
+// element follows from three quantities: the direction g in the element's axes, and the magnitude and first moment S of
+// the loads beyond the element. A sweep outwards rotates g from body to body; a sweep inwards accumulates magnitude and
+// S. The moment is M = S x g (step 3 of table 2.1 of Calkins 1994), and both sweeps bend the elements that they pass
+// (step 4). Nothing here allocates once the arm's elements are known.
 #pragma once
 
 #include <vector>
@@ -17,24 +17,24 @@
 
 namespace tubeplan::deflection {
 
-/// The rigid part between two elements: the pose of its far end relative to its near end, and its own weight.
+/// The rigid part between two elements: the pose of its far end relative to its near end, and its weight.
 struct RigidBody {
   PoseOf<double> far;
   double weight = 0;                                 ///< [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< first moment of the weight about the near end [N m]
 };
 
-/// An element and its deflection.
+/// A flexible element and its deflection.
 struct FlexibleElement {
   const ElementKind* kind = nullptr;
   Flexibility<double> flexibility;
   double weight = 0;  ///< weight along the element [N]
-  int hinge = -1;     ///< axis of a joint that turns about one axis only, by a linear law; else -1
+  int hinge = -1;     ///< axis of a joint that rotates about one axis only, by a linear law; else -1
   std::array<bool, 3> has_gap{};
   Eigen::Vector3d gap_width = Eigen::Vector3d::Zero();  ///< [rad]
 
-  Deflection<double> deflection;                  ///< rotation includes the gap's
-  Eigen::Vector3d gap = Eigen::Vector3d::Zero();  ///< part of the rotation that is clearance [rad]
+  Deflection<double> deflection;                  ///< deflection; its rotation includes the motion in the gap
+  Eigen::Vector3d gap = Eigen::Vector3d::Zero();  ///< part of the rotation within the clearance [rad]
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
 
   [[nodiscard]] Eigen::Vector3d chord() const { return flexibility.member + deflection.displacement; }
@@ -45,10 +45,10 @@ struct FlexibleElement {
 struct DeadLoad {
   bool is_couple = false;
   Eigen::Vector3d direction_B = Eigen::Vector3d::Zero();
-  double at_tip = 0;                                     ///< size of the load at the tip
-  Eigen::Vector3d tip_moment = Eigen::Vector3d::Zero();  ///< first moment of the load at the tip, in the tip's axes
-  int body = -1;                                         ///< body that carries a load of size one; -1: none
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< place of that load, in the body's near axes
+  double at_tip = 0;                                     ///< load at the tip, as a multiple of direction_B
+  Eigen::Vector3d tip_moment = Eigen::Vector3d::Zero();  ///< first moment of that load, in the tip's axes
+  int body = -1;                                         ///< body that carries a load of magnitude one; -1: none
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< point of action on the body, in near axes
 };
 
 class Equilibrium {
@@ -58,13 +58,13 @@ class Equilibrium {
   std::vector<RigidBody> bodies;
   std::vector<FlexibleElement> elements;
   std::vector<DeadLoad> loads;
-  double reach = 0;    ///< scale of rotations [m]
-  int clearances = 0;  ///< axes with an open gap
+  double reach = 0;    ///< length that converts rotations to tip motions [m]
+  int clearances = 0;  ///< number of axes with an open gap
 
   /// Iterates from the undeflected shape until no sweep moves the tip by more than `tolerance` [m].
   KinematicsStatus converge(double tolerance, int max_iterations);
 
-  /// Computes the loads on the elements at their present deflections.
+  /// Computes the loads on the elements for their present deflections.
   void carryLoads();
 
   /// Returns the number of pairs of sweeps in the last solution.
@@ -73,15 +73,15 @@ class Equilibrium {
   /// Returns the pose of the deflected tip in the base.
   [[nodiscard]] PoseOf<double> tip() const;
 
-  /// Returns the loading of an element by the loads beyond it, as last computed.
+  /// Returns the loads on an element from everything beyond it, as last computed.
   [[nodiscard]] Loading<double> loadingOf(std::size_t element) const;
 
-  /// Returns the position of an element's axis in its gap under its loading.
+  /// Returns the position of an element within its gap about an axis, under a moment about that axis.
   [[nodiscard]] clearance::Rest restOf(std::size_t element, int axis, double moment) const;
 
  private:
-  /// Loads of one direction beyond an element: size and first moment about its far end in far axes, and the direction
-  /// in near axes.
+  /// Loads of one direction beyond an element: their magnitude, their first moment about the element's far end in far
+  /// axes, and their direction in near axes.
   struct OutboardLoad {
     double size = 0;
     Eigen::Vector3d moment = Eigen::Vector3d::Zero(), direction = Eigen::Vector3d::Zero();

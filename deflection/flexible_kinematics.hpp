@@ -25,35 +25,35 @@
 
 namespace tubeplan::deflection {
 
-/// Dead loads on the tip, in base axes: neither size nor direction follows the arm.
+/// Dead loads at the tip, in base axes: magnitude and direction do not change as the arm moves.
 template <class S>
 struct WrenchOf {
   Vector3<S> force_B = Vector3<S>::Zero();   ///< force at the tip [N]
-  Vector3<S> moment_B = Vector3<S>::Zero();  ///< [N m]
+  Vector3<S> moment_B = Vector3<S>::Zero();  ///< moment at the tip [N m]
 };
 using Wrench = WrenchOf<double>;
 
 /// Posture of an arm: joint readings [rad, m], one per active row, load hung on the tip [N], and the direction of
-/// gravity in the base frame (unit length). The mounting of the base matters through gravity_B alone. The other members
-/// matter to some effects only.
+/// gravity in the base frame (unit length). The orientation of the base matters only through gravity_B. The members
+/// below gravity_B are optional.
 template <class S>
 struct PostureOf {
   Eigen::Matrix<S, Eigen::Dynamic, 1> q;
   S load{0};
   Vector3<S> gravity_B = -Vector3<S>::UnitZ();
   std::optional<WrenchOf<S>> wrench = {};  ///< loads in addition to the hung load
-  /// Readings of the side chains' joints (side_chains.hpp); empty if unknown: see restOfSideChains().
+  /// Readings of the joints of side chains (side_chains.hpp); empty if unknown: see restOfSideChains().
   Eigen::Matrix<S, Eigen::Dynamic, 1> side_q = {};
-  /// Direction of each joint's last motion, -1, 0 or +1; empty if unknown, as if all were 0.
+  /// Direction of each joint's last motion: -1, 0 or +1. Empty if unknown, which counts as 0 for all joints.
   std::vector<int> approach_directions = {};
-  /// Conditions of the posture. Those not stated are the arm's reference; without a time there is no drift, and any
-  /// slip has happened.
+  /// Conditions of the posture. A condition that is not stated takes the arm's reference value. Without a time there is
+  /// no drift, and any slip has happened.
   ConditionValues conditions = {};
-  std::string_view setup = {};  ///< set-up of the base; the viewed text must outlive the posture
+  std::string_view setup = {};  ///< name of the base's set-up; the viewed text must outlive the posture
 };
 using Posture = PostureOf<double>;
 
-/// Returns true if the solver's numbers at that posture differ from the arm's own.
+/// Returns true if the parameters that the solver uses at the posture differ from the arm's own.
 template <class S>
 bool dependsOnPosture(const ArmOf<S>& arm, const PostureOf<S>& posture) {
   return dependsOnPosture(arm) || posture.wrench;
@@ -65,7 +65,7 @@ inline Eigen::Vector3d gravityInBase(const Arm& arm, const Eigen::Isometry3d& X_
 }
 
 struct FlexibleKinematicsOptions {
-  /// Tip motion between two passes that still requires another pass, as a share of the arm's reach.
+  /// Tip motion between two passes above which another pass is made, as a fraction of the arm's reach.
   double tolerance = 1e-10;
   int max_iterations = 100;
 };
@@ -77,21 +77,22 @@ enum class KinematicsStatus {
   kUndefined,  ///< an effect has no finite value at the posture
 };
 
-/// State of a row's frame. Forces and moments are those of everything from its origin outwards, about its origin.
+/// State of a row's frame. Forces and moments are resultants of all loads from the row's origin outwards; moments are
+/// about that origin.
 struct RowState {
   PoseOf<double> X_BL_rigid, X_BL;    ///< frame without and with deflection
   Eigen::Vector3d force_B, moment_B;  ///< force and moment in base axes [N, N m]
   Eigen::Vector3d force_L, moment_L;  ///< force and moment in the row's deflected axes [N, N m]
 };
 
-/// Deflection of one element: its row, its law (index into elementKinds()) and its segment of the member.
+/// Deflection of one element: its row, its law (index into elementKinds()) and its segment index along the member.
 struct ComponentState {
   int row = -1;
   int kind = -1;
   int segment = 0;
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< displacement in the element's near-end axes [m]
-  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();      ///< [rad]
-  Eigen::Vector3d gap = Eigen::Vector3d::Zero();           ///< part of the rotation that is clearance [rad]
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();      ///< rotation of the far end relative to the near end [rad]
+  Eigen::Vector3d gap = Eigen::Vector3d::Zero();           ///< part of the rotation within the clearance [rad]
 };
 
 struct FlexibleKinematics {
@@ -100,14 +101,14 @@ struct FlexibleKinematics {
   int iterations = 0;
   std::vector<RowState> rows;
   std::vector<ComponentState> components;
-  PoseOf<double> X_BT;                                 ///< last row's axes at the tip, rigid
-  PoseOf<double> X_BD;                                 ///< last row's axes at the tip, deflected
-  Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();  ///< axes of the tool frame in the last row's, effects included
+  PoseOf<double> X_BT;                                 ///< pose of the undeflected tip, with the last row's axes
+  PoseOf<double> X_BD;                                 ///< pose of the deflected tip, with the last row's axes
+  Eigen::Matrix3d R_LT = Eigen::Matrix3d::Identity();  ///< tool frame's axes in the last row's frame, effects included
 };
 
-/// Solves the deflected shape: resolves loads down the chain on the deflected shape, deflects the components and
+/// Solves the deflected shape: resolves loads along the chain on the deflected shape, deflects the elements and
 /// reassembles the chain, until the tip is at rest. `posture.q` must have one entry per active row. Effects of the arm
-/// are included: the result is that of the true arm, in the axes of the nominal base.
+/// are included: the result is the shape of the true arm, in the axes of the nominal base.
 [[nodiscard]] FlexibleKinematics solveFlexibleKinematics(const Arm& arm, const Posture& posture,
                                                          const FlexibleKinematicsOptions& options = {});
 

@@ -1,4 +1,4 @@
-// Frames of bodies on bent members: along their chords, with the bow subtracted from the clearance.
+// Frames of bodies on bent members, aligned with the members' chords; the bow is subtracted from clearances.
 #pragma once
 
 #include <vector>

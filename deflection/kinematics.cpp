@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Copies columns of a row-major matrix: `count` of them from `first`, as `width` lanes; missing ones repeat the last.
+/// Copies `count` columns of a row-major matrix, starting at `first`, to `width` lanes; surplus lanes repeat the last
+/// column.
 void copyIn(const Side& from, Index first, Index count, Index width, double* to) {
   for (Index row = 0; row < from.rows(); ++row)
     for (Index l = 0; l < width; ++l) to[row * width + l] = from(row, first + std::min(l, count - 1));
@@ -27,7 +28,7 @@ void copyOut(const double* from, Index first, Index count, Index width, Side& to
     for (Index l = 0; l < count; ++l) to(row, first + l) = from[row * width + l];
 }
 
-/// Solves the last postures of a batch, fewer than lanes. Derivatives stay lane by lane, in `out`.
+/// Solves the last postures of a batch, which are fewer than the lanes. Derivatives stay in lane layout in `out`.
 void solveRest(const simd::Kernel& kernel, const simd::RevoluteArm& arm, const PostureBatch& postures, Index first,
                const FlexibleKinematicsOptions& options, TipBatch& tips, double* sweeps, simd::Shapes out) {
   double q[simd::kMaxJoints * kMostLanes], load[kMostLanes], gravity[3 * kMostLanes], pose[12 * kMostLanes],

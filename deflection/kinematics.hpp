@@ -1,8 +1,8 @@
-// Flexible kinematics of one arm for any number of postures: deflected tips and their exact derivatives, as many side
-// by side as the processor has lanes. See row_placing.hpp for the places of its rows, and inverse/inverse_solver.hpp
-// for postures at goals.
+// Flexible kinematics of one arm for any number of postures: deflected tips and their exact derivatives, for as many
+// postures at once as the processor has SIMD lanes. See row_placing.hpp for the frames of the arm's rows, and
+// inverse/inverse_solver.hpp for postures that reach goals.
 //
-// Each posture's shape has the same bits as PreparedArm gives it, whatever its neighbours and whatever the processor.
+// The shape of a posture is bit-identical to PreparedArm's, whatever postures fill the other lanes, on every processor.
 #pragma once
 
 #include <optional>
@@ -13,20 +13,20 @@
 
 namespace tubeplan::deflection {
 
-/// Forward kinematics of many postures; each thread needs its own. Arms without a kernel (effects, slides, clearances,
-/// elements that are compliant about several axes) are solved posture by posture, with the same results. The caller
-/// need not know which way an arm is solved.
+/// Forward kinematics of many postures; each thread needs its own object. Arms without a kernel (effects, slides,
+/// clearances, elements that are compliant about several axes) are solved posture by posture, with the same results.
+/// The caller need not know which method is used.
 class Kinematics {
  public:
   /// `arm` must outlive this object, and must not change.
   explicit Kinematics(const Arm& arm);
 
-  /// Solves every posture independently: one that fails does not affect the others. Nothing is allocated if `tips` has
-  /// held as many before and a kernel does the work.
+  /// Solves every posture independently: a posture that fails does not affect the others. Nothing is allocated if a
+  /// kernel does the work and `tips` has held as many postures before.
   void solve(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options = {});
   void solveWithJacobian(const PostureBatch& postures, TipBatch& tips, const FlexibleKinematicsOptions& options = {});
 
-  /// Solves with derivatives by other variables than the joints.
+  /// Solves with derivatives with respect to variables other than the joints.
   void solveWithDerivatives(const PostureBatch& postures, const std::vector<Variable>& variables, TipBatch& tips,
                             const FlexibleKinematicsOptions& options = {});
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Returns a row with every kind of number that a row with this placement can have.
+/// Returns a row with every kind of value that a row with this placement and joint type can have.
 Row<double> fullRow(const std::variant<DenavitHartenberg<double>, Origin<double>>& placement, JointType type) {
   Row<double> row;
   row.placement = placement;
@@ -22,14 +22,14 @@ Row<double> fullRow(const std::variant<DenavitHartenberg<double>, Origin<double>
   return row;
 }
 
-/// Returns the kinds of numbers of rows, in the order of files.
+/// Returns the kinds of parameters of rows, in the order of arm files.
 std::vector<ParameterField> rowFields() {
   std::vector<ParameterField> fields;
   const auto add = [&](const RowNumber& about, double&) {
     if (!about.name || !about.is_parameter) return;
     fields.push_back({about.name, about.quantity, about.lower, about.upper, false, about.lump >= 0});
   };
-  // A joint's offset replaces its row's theta: only a row that does not move has one of its own.
+  // A joint's offset replaces its row's theta: only a row that does not move has a theta of its own.
   Row<double> by_dh = fullRow(DenavitHartenberg<double>{}, JointType::kPassive),
               by_origin = fullRow(Origin<double>{}, JointType::kRevolute);
   visitPlacements(add, by_dh);
@@ -37,7 +37,7 @@ std::vector<ParameterField> rowFields() {
   return fields;
 }
 
-/// Returns a row's number of a kind, null if the row has none, and its quantity there.
+/// Returns a row's value of the kind `field` (null if the row has none), and its quantity in that row.
 template <class S>
 std::pair<S*, Quantity> findIn(Row<S>& row, const ParameterField& field, int lump) {
   std::pair<S*, Quantity> found{nullptr, field.quantity};
@@ -69,13 +69,13 @@ Dual* findNumber(Row<Dual>& row, const ParameterField& field, int lump) { return
 
 namespace {
 
-/// Returns a number of the tip or of the tool's rotation.
+/// Returns a coordinate of the tip or of the tool's rotation vector.
 template <class S>
 S& locateInTool(ArmOf<S>& arm, const ParameterField& f) {
   return (f.quantity == Quantity::kLength ? arm.p_LT : arm.tool_turn_L)[f.name.back() - 'x'];
 }
 
-/// Returns the rows of the arm, or of a side chain.
+/// Returns the rows of the arm (`side_chain` -1) or of a side chain.
 template <class S>
 std::vector<Row<S>>& rowsOf(ArmOf<S>& arm, int side_chain) {
   return side_chain < 0 ? arm.rows : arm.side_chains.at(side_chain).rows;
@@ -107,7 +107,7 @@ TipLoad<To> castTipLoad(const TipLoad<From>& a) {
           castVector<To>(a.moment)};
 }
 
-/// Returns a row of the same structure without its numbers.
+/// Returns a row of the same structure, without copying the numeric values.
 template <class To, class From>
 Row<To> shapeOf(const Row<From>& row) {
   Row<To> out;

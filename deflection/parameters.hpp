@@ -1,5 +1,5 @@
-// Every number of an arm under its dotted name, for any scalar: the parameters of identification and the variables of
-// derivatives.
+// Every numeric value of an arm under its dotted name, for any scalar type: the parameters for identification and the
+// variables of derivatives.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,22 @@
 
 namespace tubeplan::deflection {
 
-/// Location of a parameter: `row` -1 is the tool; `field` indexes parameterFields(); `lump` counts the row's lumps. A
-/// number of an effect has only the effect's index in the arm and the value's index in the effect.
+/// Location of a parameter. `row` is -1 for the tool, `field` an index into parameterFields(), `lump` an index among
+/// the row's lumps. A parameter of an effect has only `effect`, the index in the arm, and `value`, the index in the
+/// effect.
 struct ParameterPath {
   int row = -1;
   int field = -1;
   int lump = -1;
   int effect = -1;
   int value = -1;
-  int side_chain = -1;  ///< side chain of the row; -1 for the arm's own rows
+  int side_chain = -1;  ///< index of the side chain that `row` belongs to; -1: the arm's own rows
   bool operator==(const ParameterPath&) const = default;
 };
 
-/// A kind of number that rows (or the tool) can have and that can be identified: those of row_numbers.hpp.
+/// A kind of parameter of rows or of the tool that can be identified, from the list in row_numbers.hpp.
 struct ParameterField {
-  std::string_view name;  ///< name within the row: "joint_stiffness.z"
+  std::string_view name;  ///< name within the row, such as "joint_stiffness.z"
   Quantity quantity;
   double lower, upper;  ///< physical bounds in internal units
   bool of_tool, of_lump;
@@ -34,29 +35,30 @@ struct ParameterField {
 
 const std::vector<ParameterField>& parameterFields();
 
-/// Returns a row's number of that kind, or null if the row has none.
+/// Returns a row's value of the kind `field`, or null if the row has none.
 double* findNumber(Row<double>& row, const ParameterField& field, int lump);
 Dual* findNumber(Row<Dual>& row, const ParameterField& field, int lump);
 
 struct Parameter {
-  std::string name;  ///< dotted path in the arm file: "tool.joint_stiffness.z", "tool.tip.x", "backlash@tool.z.gap"
+  std::string name;  ///< dotted path in the arm file, such as "tool.joint_stiffness.z" or "backlash@tool.z.gap"
   Quantity quantity = Quantity::kNone;
   ParameterPath path;
   double value = 0;
   double lower = 0, upper = 0;
 };
 
-/// Returns all finite numbers of the arm, in file order, then those of its effects; rigid axes are left out.
+/// Returns all finite values of the arm, in file order, then those of its effects. Rigid axes have no parameter.
 std::vector<Parameter> parametersOf(const Arm& arm);
 
-/// Returns the parameter of that dotted name, or nothing.
+/// Returns the parameter with a dotted name; nothing if there is none.
 std::optional<Parameter> findParameter(const Arm& arm, std::string_view name);
 
-/// Returns the number itself; the path must be one of parametersOf() for an arm of the same structure.
+/// Returns the value of a parameter, by reference. `path` must come from parametersOf() for an arm of the same
+/// structure.
 double& locate(Arm& arm, const ParameterPath& path);
 Dual& locate(ArmOf<Dual>& arm, const ParameterPath& path);
 
-/// Returns the arm in another scalar (derivatives zero, or dropped).
+/// Converts an arm to another scalar type; derivatives become zero, or are dropped.
 template <class To, class From>
 ArmOf<To> castArm(const ArmOf<From>& arm);
 

@@ -1,6 +1,6 @@
 // Many postures of one arm and their tips, as plain tables.
 //
-// Numbers are laid out kind by kind: all readings of the first joint, then all of the second, and so on.
+// Values are laid out variable by variable: all readings of the first joint, then all of the second, and so on.
 #pragma once
 
 #include <vector>
@@ -11,23 +11,23 @@ namespace tubeplan::deflection {
 
 using Side = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Postures, one column for each.
+/// Postures, one per column.
 struct PostureBatch {
   Side q;                ///< readings [rad, m], one row for each joint
   Eigen::VectorXd load;  ///< [N]
-  Side gravity_B;        ///< 3 rows, unit length
+  Side gravity_B;        ///< direction of gravity in the base: 3 rows, unit length
 
-  /// Resizes to `count` postures under one load and gravity; readings remain to be filled in.
+  /// Resizes to `count` postures with the same load [N] and gravity; readings remain to be filled in.
   void resize(Eigen::Index joints, Eigen::Index count, double load_of_all = 0,
               const Eigen::Vector3d& gravity_of_all = -Eigen::Vector3d::UnitZ());
   [[nodiscard]] Eigen::Index size() const { return q.cols(); }
 };
 
-/// Tips, one column for each posture; NaN if it does not converge.
+/// Tips, one column for each posture; NaN if the posture does not converge.
 struct TipBatch {
   std::vector<KinematicsStatus> status;
   Side poses;  ///< 12 rows: p_BD, then the columns of R_BD, in the nominal base
-  /// 6 rows for each joint or variable: d p_BD [m per unit], then the rotation vector [rad per unit], base axes.
+  /// 6 rows for each joint or variable: d p_BD [m per unit], then the rotation vector [rad per unit], in base axes.
   Side jacobian;
 
   [[nodiscard]] PoseOf<double> X_BD(Eigen::Index k) const;

@@ -16,7 +16,7 @@ bool hasSlide(const Arm& arm) {
   return false;
 }
 
-/// Returns readings at which every revolute joint is at zero.
+/// Returns readings that put every revolute joint at angle zero.
 VectorXd turnsUndone(const Arm& arm, VectorXd q) {
   Eigen::Index joint = 0;
   for (const auto& row : arm.rows) {
@@ -34,7 +34,7 @@ void turnAboutZ(double angle, Eigen::Matrix3d& R) {
   R.col(1) = c * R.col(1) - s * x;
 }
 
-/// Returns the only axis about which a joint turns, if its law is linear; else -1.
+/// Returns the only axis about which an element rotates, if its law is linear; else -1.
 int hingeOf(const FlexibleElement& element) {
   if (element.kind->place != ElementPlace::kOrigin || element.flexibility.has_soft_zone || element.hasGap()) return -1;
   const Vector3d compliance = element.flexibility.compliance.diagonal();
@@ -74,7 +74,7 @@ void PreparedArm::addElement(const Arm& arm, const ChainLink<double>& link) {
   parts_.emplace_back();
 }
 
-/// Adds a link to the last part, or ends it.
+/// Adds a link to the last rigid part, or starts a new part after it.
 void PreparedArm::addLink(const Arm& arm, const std::vector<int>& joints, std::size_t k) {
   const ChainLink<double>& link = chain_.links[k];
   const Row<double>& row = arm.rows[static_cast<std::size_t>(link.row)];
@@ -137,7 +137,7 @@ void PreparedArm::prepare(const Arm& arm, const VectorXd& q) {
   equilibrium_.bodies.assign(part_ends_.size(), {});
 }
 
-/// Returns the angle from the assembled chain: a joint that follows others has its offset there already.
+/// Returns a joint's angle. The assembled chain already includes the offset of a joint that follows others.
 double PreparedArm::angleOf(const JointTurn& turn, const VectorXd& q) const {
   if (turn.joint >= 0) return q[turn.joint] + turn.offset;
   const Arm& arm = effective();
@@ -222,7 +222,7 @@ std::string PreparedArm::reason() const {
   return "";
 }
 
-/// Calls `visit(k, X)` with the near frame of every link and with the tip's, without deflection if `rigid`.
+/// Calls `visit(k, X)` with the near frame X of every link k, and then with the tip's frame; undeflected if `rigid`.
 template <class Visit>
 void PreparedArm::walkLinks(bool rigid, Visit&& visit) const {
   copyOutElements();
@@ -263,7 +263,7 @@ PoseOf<double> PreparedArm::X_BL(int row) const {
   return context_ ? context_->X_BM * found : found;
 }
 
-/// Records the loads at each row's origin of everything outwards, on the deflected shape.
+/// Records the resultant of all loads outwards of each row's origin, on the deflected shape.
 void PreparedArm::recordLoads(const std::vector<PoseOf<double>>& frames, std::vector<RowState>& rows) const {
   const Arm& arm = effective();
   const Vector3d& g = effectivePosture().gravity_B;

@@ -1,4 +1,4 @@
-// An arm prepared for many postures: numbers that do not depend on the posture are computed once, and solving a shape
+// An arm prepared for many postures: values that do not depend on the posture are computed once, and solving a shape
 // allocates nothing.
 #pragma once
 
@@ -20,7 +20,7 @@ struct Shapes;
 }  // namespace simd
 struct Variable;
 
-/// Solver of one posture after the other; each thread needs its own.
+/// Solver of one posture after another; each thread needs its own object.
 class PreparedArm {
  public:
   /// `arm` must outlive this object, and must not change.
@@ -29,39 +29,42 @@ class PreparedArm {
   PreparedArm& operator=(const PreparedArm&) = delete;
   ~PreparedArm();
 
-  /// Solves the deflected shape at a posture. The other functions refer to the last one solved.
+  /// Solves the deflected shape at a posture. The other functions refer to the posture solved last.
   KinematicsStatus solve(const Posture& posture, const FlexibleKinematicsOptions& options = {});
 
-  /// Returns true if a kernel solves the shape at every posture, and gives derivatives by joints with it.
+  /// Returns true if a kernel solves the shape at every posture, with derivatives with respect to the joints.
   [[nodiscard]] bool hasJacobian() const;
 
-  /// Returns the rule that combines a kernel's derivatives into those by `variables`, or null if there is none. It is
-  /// computed once for variables that are asked for repeatedly, and valid until others are.
+  /// Returns the rule that combines a kernel's derivatives into derivatives with respect to `variables`, or null if
+  /// there is none. The rule is computed once for repeated calls with the same variables; it is valid until a call with
+  /// other variables.
   [[nodiscard]] const simd::RevoluteVariables* kernelFor(const std::vector<Variable>& variables);
 
-  /// Solves a posture with the derivatives that `variables` of kernelFor() combines, in the layout of one kernel lane.
+  /// Solves a posture with the derivatives that `variables`, a rule from kernelFor(), combines, in the layout of one
+  /// kernel lane.
   KinematicsStatus solveWithDerivatives(const Posture& posture, const FlexibleKinematicsOptions& options,
                                         const simd::RevoluteVariables& variables, double* derivatives);
 
-  /// Returns the arm in the form for kernels, valid for every posture, or null if no kernel takes it
+  /// Returns the arm in the form for kernels, valid for every posture, or null if no kernel can solve the arm
   /// (revolute_chain/revolute_chain.hpp).
   [[nodiscard]] const simd::RevoluteChain* revoluteChain() const;
 
   [[nodiscard]] KinematicsStatus status() const { return status_; }
   [[nodiscard]] std::string reason() const;
 
-  /// Returns the last row's axes at the deflected tip, in the nominal base; NaN if an effect is undefined.
+  /// Returns the deflected pose of the tip, with the last row's axes, in the nominal base; NaN if an effect is
+  /// undefined.
   [[nodiscard]] const PoseOf<double>& X_BD() const { return X_BD_; }
 
   /// Returns a row's deflected frame in the nominal base.
   [[nodiscard]] PoseOf<double> X_BL(int row) const;
 
-  /// Returns everything known of the shape.
+  /// Returns the complete shape: frames, loads and deflections.
   [[nodiscard]] FlexibleKinematics shape() const;
 
-  /// Inputs of derivatives of the shape: the arm and the posture with its effects, the chain assembled from them, its
-  /// elements and loads at rest, the near frame of every link and the tip's, and the base as moved by effects (null if
-  /// there are none).
+  /// Inputs for derivatives of the shape: arm and posture with effects applied, the chain assembled from them, its
+  /// elements and loads at equilibrium, the near frames of all links and the tip's frame, and the base as moved by
+  /// effects (null if the arm has no effects).
   [[nodiscard]] const Arm& effective() const { return context_ ? context_->arm : arm_; }
   [[nodiscard]] const Posture& effectivePosture() const { return context_ ? context_->posture : asked_; }
   [[nodiscard]] const Chain<double>& chain() const { return chain_; }
@@ -73,20 +76,21 @@ class PreparedArm {
   void linkFrames(bool rigid, std::vector<PoseOf<double>>& frames) const;
 
  private:
-  /// The rotation of a joint, by a link of the chain.
+  /// Rotation of a joint at a link of the chain.
   struct JointTurn {
     std::size_t link;
-    int joint;      ///< -1 if it follows others
+    int joint;      ///< joint index; -1 if the joint follows others
     double offset;  ///< offset of the joint's reading [rad]
     int row;
   };
-  /// A rigid part of a body, then the rotation of a joint (-1: none).
+  /// A rigid part of a body, followed by the rotation of a joint (`turn` -1: none).
   struct RigidPart {
     RigidBody rigid;
     bool has_rotation = false;
     int turn = -1;
   };
-  /// Attachment of a load other than gravity: the load, its body and the part that follows it.
+  /// Attachment of a load other than gravity: the load, the rigid part that carries it, and its position in the part's
+  /// near axes.
   struct Hanging {
     std::size_t load;
     int part;
@@ -111,20 +115,20 @@ class PreparedArm {
 
   const Arm& arm_;
   Posture asked_;
-  std::optional<EffectContext<double>> context_;  ///< effects at the present posture; nothing if the arm has none
-  bool is_fixed_;  ///< true: no slides and nothing else that depends on the posture, so that the links are constant
+  std::optional<EffectContext<double>> context_;  ///< effects at the present posture; empty if there are none
+  bool is_fixed_;  ///< true: no slides and no other dependence on the posture, so that the links are constant
   bool is_prepared_ = false;  ///< true: the members below hold the fixed arm
   Chain<double> chain_;       ///< chain with the revolute joints at zero
   std::vector<JointTurn> turns_;
   std::vector<RigidPart> parts_;
-  std::vector<std::size_t> part_ends_;  ///< end of each body's parts
+  std::vector<std::size_t> part_ends_;  ///< index after the last part of each body
   std::vector<Hanging> hanging_;
-  /// Elements and loads at rest, filled by copyOutElements() on demand if a kernel has solved the shape.
+  /// Elements and loads at equilibrium, filled by copyOutElements() on demand if a kernel has solved the shape.
   mutable Equilibrium equilibrium_;
-  std::unique_ptr<const simd::RevoluteChain> revolute_chain_;  ///< the arm for the kernels, if they take it
-  std::vector<double> element_states_;                         ///< result of a kernel for each turn
-  std::vector<Variable> kernel_asked_;                         ///< last variables of kernelFor()
-  std::unique_ptr<const simd::RevoluteVariables> kernel_;      ///< result for those; null if there is none
+  std::unique_ptr<const simd::RevoluteChain> revolute_chain_;  ///< the arm in kernel form; null if there is none
+  std::vector<double> element_states_;                         ///< results of a kernel for each turn
+  std::vector<Variable> kernel_asked_;                         ///< variables of the last call of kernelFor()
+  std::unique_ptr<const simd::RevoluteVariables> kernel_;      ///< rule for kernel_asked_; null if there is none
   mutable bool is_copied_out_ = true;
   int iterations_ = 0;
   KinematicsStatus status_ = KinematicsStatus::kNotRun;

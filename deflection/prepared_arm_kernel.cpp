@@ -1,4 +1,4 @@
-// The part of PreparedArm that passes an arm of hinges to a kernel, and takes the results.
+// The part of PreparedArm that passes an arm of revolute joints to a kernel, and reads the kernel's results.
 #include <cassert>
 
 #include "deflection/prepared_arm.hpp"
@@ -37,7 +37,7 @@ const simd::RevoluteVariables* PreparedArm::kernelFor(const std::vector<Variable
   return kernel_.get();
 }
 
-/// `out` holds pointers for derivatives, if any.
+/// Solves with a kernel. `out` holds the pointers for derivatives; null if none are wanted.
 KinematicsStatus PreparedArm::solveRevoluteChain(const FlexibleKinematicsOptions& options, simd::Shapes out) {
   const simd::RevoluteArm arm = revolute_chain_->numbers();
   const Posture& posture = effectivePosture();
@@ -69,7 +69,7 @@ KinematicsStatus PreparedArm::solveWithDerivatives(const Posture& posture, const
   return solveRevoluteChain(options, out);
 }
 
-/// Copies the elements from the kernel's results, and the loads on them.
+/// Copies the deflections of the elements from the kernel's results, and computes the loads on the elements.
 void PreparedArm::copyOutElements() const {
   if (is_copied_out_) return;
   is_copied_out_ = true;

@@ -1,4 +1,4 @@
-// The quantity of a number, from which readers and printers find its unit.
+// The physical quantity of a number, which determines its unit in readers and printers.
 #pragma once
 
 namespace tubeplan::deflection {
@@ -21,13 +21,13 @@ enum class Quantity {
   kTemperature,  ///< absolute
 };
 
-/// Unit of a value: a quantity, for which every file chooses a unit, or a fixed unit of its own.
+/// Unit of a value: that of a quantity, which every file chooses, or a fixed unit of the value's own.
 struct ValueUnit {
   Quantity quantity = Quantity::kNone;
-  const char* own = "";  ///< unit of plain numbers: "percent"
+  const char* own = "";  ///< fixed unit of a plain number, such as "percent"; empty if none
 };
 
-/// Returns true for E, G, I, J and joint stiffnesses, of which a part's compliance is the inverse.
+/// Returns true for E, G, I, J and joint stiffnesses: a component's compliance is inversely proportional to them.
 [[nodiscard]] constexpr bool isStiffness(Quantity quantity) {
   return quantity == Quantity::kTorquePerAngle || quantity == Quantity::kPressure ||
          quantity == Quantity::kLengthToTheFourth;

@@ -1,5 +1,5 @@
-// The tip of the arm without deflection, from the axes of its joints at zero readings (a product of exponentials).
-// Starts of the flexible solution are searched on it. Internal to the inverse.
+// Tip of the arm without deflection, computed from the joint axes at zero readings (product of exponentials). The start
+// postures of the flexible solution are searched on this rigid arm. Internal to the inverse kinematics.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace tubeplan::deflection {
 
-/// A tip at some readings and its motion with them, base axes.
+/// A tip at given readings and its derivatives with respect to the readings, in base axes.
 struct TipMotion {
   bool is_converged = true;                                                      ///< false: the other members are NaN
-  Eigen::Vector3d p = Eigen::Vector3d::Zero(), axis = Eigen::Vector3d::UnitZ();  ///< place [m]; direction of the tool
+  Eigen::Vector3d p = Eigen::Vector3d::Zero(), axis = Eigen::Vector3d::UnitZ();  ///< position [m]; tool direction
   Eigen::Vector3d last_axis = Eigen::Vector3d::UnitZ();                          ///< axis of the last joint
   Eigen::Matrix<double, 6, Eigen::Dynamic> columns;  ///< d p [m], then the rotation vector [rad], per unit of a reading
 };
@@ -24,7 +24,7 @@ struct AxesAtZero {
 };
 [[nodiscard]] AxesAtZero axesAtZero(const Arm& arm);
 
-/// Computes the rigid tip at readings q [rad, m].
+/// Computes the undeflected tip at readings q [rad, m].
 void placeRigidTip(const AxesAtZero& axes, const Eigen::Ref<const Eigen::VectorXd>& q, TipMotion& tip);
 
 }  // namespace tubeplan::deflection

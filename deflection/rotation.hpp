@@ -1,4 +1,4 @@
-// Rotations and poses for any scalar of the physics.
+// Rotations and poses for any scalar type of the physics.
 #pragma once
 
 #include <cmath>
@@ -72,16 +72,16 @@ Matrix3<S> rotationFromFixedAngles(const Vector3<S>& rpy) {
   return rotationZ<S>(rpy.z()) * rotationY<S>(rpy.y()) * rotationX<S>(rpy.x());
 }
 
-/// Returns the fixed angles (gamma, beta, alpha) [rad] of a rotation; beta in [-pi/2, pi/2]. Near its ends alpha is
-/// arbitrary, and gamma is computed for that alpha, so that the three always give the rotation again.
+/// Returns the fixed angles (gamma, beta, alpha) [rad] of a rotation, with beta in [-pi/2, pi/2]. Near either limit of
+/// beta, alpha is arbitrary; gamma is computed for that alpha, so that the three angles always reproduce the rotation.
 inline Eigen::Vector3d fixedAnglesOf(const Eigen::Matrix3d& R) {
   const double beta = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0))), alpha = std::atan2(R(1, 0), R(0, 0));
   const double sine = std::sin(alpha), cosine = std::cos(alpha);
   return {std::atan2(sine * R(0, 2) - cosine * R(1, 2), cosine * R(1, 1) - sine * R(0, 1)), beta, alpha};
 }
 
-/// Returns the exponential of a rotation vector [rad]. The series below 0.1 rad keeps derivatives finite at zero (error
-/// under 1e-15).
+/// Returns the exponential of a rotation vector [rad]. Below 0.1 rad, a series with an error under 1e-15 keeps the
+/// derivatives finite at zero.
 template <class S>
 Matrix3<S> rotationFromVector(const Vector3<S>& v) {
   using std::cos, std::sin, std::sqrt;
@@ -105,7 +105,7 @@ Matrix3<S> rotationFromVector(const Vector3<S>& v) {
   return R;
 }
 
-/// Returns J with exp(v + dv) = exp(J dv) exp(v), to first order.
+/// Returns the left Jacobian J of the exponential map: exp(v + dv) = exp(J dv) exp(v), to first order.
 inline Eigen::Matrix3d leftJacobian(const Eigen::Vector3d& v) {
   const double t2 = v.squaredNorm(), t = std::sqrt(t2);
   const bool small = t2 < 0.01;

@@ -15,17 +15,17 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kNothing = 1e-12;  ///< rounding [rad or m]
+constexpr double kNothing = 1e-12;  ///< values below this are rounding errors [rad or m]
 using CraigNumbers = DenavitHartenberg<double>;
 
-/// A frame moved along and about its z.
+/// Motion of a frame along and about its z axis.
 struct OnAxis {
   double turn = 0, slide = 0;  ///< [rad], [m]
   [[nodiscard]] bool isNothing() const { return turn == 0 && slide == 0; }
 };
 
-/// A step from a row to the next: the motion of the row's frame along its axis, the numbers that then lead to the next
-/// axis, and the remainder to the next frame, as theta and d.
+/// Step from a row to the next: the motion of the row's frame along and about its axis, the parameters that then lead
+/// to the next axis, and the residual motion to the next frame, as theta and d.
 struct RowStep {
   OnAxis first;
   CraigNumbers numbers;
@@ -35,7 +35,7 @@ void settle(double& number) {
   if (std::abs(number) < kNothing) number = 0;
 }
 
-/// Sets the angles that turn z to a direction: about x, then about y.
+/// Sets the angles that rotate z to a direction: first about x, then about y.
 void tiltTo(const Vector3d& z, CraigNumbers& numbers) {
   numbers.alpha = std::atan2(-z.y(), z.z());
   numbers.beta = std::atan2(z.x(), z.tail<2>().norm());
@@ -43,8 +43,8 @@ void tiltTo(const Vector3d& z, CraigNumbers& numbers) {
   settle(numbers.beta);
 }
 
-/// Returns the step for nearly parallel axes, straight across from the present frame, and the distance [m] of its end
-/// from the next row's origin.
+/// Returns the step between nearly parallel axes, perpendicular to the present axis, and the distance [m] of the step's
+/// end from the next row's origin.
 std::pair<RowStep, double> stepAcross(const Vector3d& o, const Vector3d& z) {
   const double along = -o.z() / z.z();
   const Vector3d p = o + along * z;
@@ -52,7 +52,7 @@ std::pair<RowStep, double> stepAcross(const Vector3d& o, const Vector3d& z) {
   step.numbers.a = p.head<2>().norm();
   settle(step.numbers.a);
   if (step.numbers.a > 0) step.first.turn = std::atan2(p.y(), p.x());
-  // Backwards rather than by half a turn.
+  // A negative a replaces a rotation by more than a quarter turn.
   if (std::abs(step.first.turn) > std::numbers::pi / 2) {
     step.numbers.a *= -1;
     step.first.turn = std::remainder(step.first.turn + std::numbers::pi, kFullTurn);
@@ -62,7 +62,7 @@ std::pair<RowStep, double> stepAcross(const Vector3d& o, const Vector3d& z) {
   return {step, along};
 }
 
-/// Returns the step along the common normal, and the distance of its end from the next row's origin [m].
+/// Returns the step along the common normal, and the distance of the step's end from the next row's origin [m].
 std::pair<RowStep, double> stepAlongNormal(const Vector3d& o, const Vector3d& z) {
   const double sine = z.head<2>().norm();
   const double along = (o.z() * z.z() - o.dot(z)) / (sine * sine);
@@ -79,8 +79,8 @@ std::pair<RowStep, double> stepAlongNormal(const Vector3d& o, const Vector3d& z)
   return {step, along};
 }
 
-/// Returns the step to the next row's frame with rotation R and origin o in the frame of the row before, with its joint
-/// at zero.
+/// Returns the step to the next row's frame, given its rotation R and origin o in the frame of the row before, with the
+/// joint at zero.
 RowStep stepTo(const Matrix3d& R, const Vector3d& o, double nearly_parallel) {
   const Vector3d z = R.col(2);
   const double least = std::max(std::sin(nearly_parallel), kNothing);
@@ -95,7 +95,7 @@ RowStep stepTo(const Matrix3d& R, const Vector3d& o, double nearly_parallel) {
   return step;
 }
 
-/// Returns what forbids turning a row's frame about z.
+/// Returns the reason why a row's frame must not be rotated about z; empty if it may be.
 std::string heldAgainstTurn(const Arm& arm, std::size_t k) {
   const Row<double>& row = arm.rows[k];
   if (row.beam) return "its beam's axes would turn";
@@ -125,7 +125,7 @@ std::string freeName(const Arm& arm, std::string name) {
   return name;
 }
 
-/// Adds a row without a joint before all others.
+/// Inserts a row without a joint before all others.
 void putFirst(const CraigNumbers& numbers, Arm& arm) {
   Row<double> row;
   row.name = freeName(arm, "foot");
@@ -143,10 +143,10 @@ void placeByOrigin(std::vector<Row<double>>& rows) {
     row.placement = Origin<double>{offsetInPreviousAxes<double>(row), fixedAnglesOf(rotationFromPrevious<double>(row))};
 }
 
-/// Converts to Craig's numbers; the last frame does not move.
+/// Converts to Craig's parameters; the frame of the last row does not move.
 ConvertedArm modifiedRows(const Arm& arm, const ConversionOptions& options) {
   ConvertedArm converted{true, "", "", arm};
-  std::vector<OnAxis> moves(arm.rows.size() + 1);  // with that of the base first
+  std::vector<OnAxis> moves(arm.rows.size() + 1);  // moves of the base and of each row
   for (std::size_t k = 0; k < arm.rows.size(); ++k) {
     const RowStep step = stepTo(rotationFromPrevious<double>(arm.rows[k]), offsetInPreviousAxes<double>(arm.rows[k]),
                                 options.nearly_parallel);
@@ -168,7 +168,7 @@ ConvertedArm modifiedRows(const Arm& arm, const ConversionOptions& options) {
 
 bool leadsAnywhere(const CraigNumbers& dh) { return dh.alpha != 0 || dh.a != 0 || dh.beta != 0 || dh.b != 0; }
 
-/// Renames Craig's rows as in a file of the standard convention.
+/// Gives the parameters of Craig's rows their names in a file of the standard convention.
 void nameAsStandard(Arm& arm) {
   if (leadsAnywhere(std::get<CraigNumbers>(arm.rows.front().placement))) putFirst({}, arm);
   arm.rows.front().placed_by = arm.rows.front().name + ".axis";

@@ -1,10 +1,10 @@
-// Conversion of an arm to rows of another convention: origins, Denavit-Hartenberg numbers as Craig modified them, or
-// the standard ones.
+// Conversion of an arm to rows of another convention: origins, Denavit-Hartenberg parameters as modified by Craig, or
+// standard Denavit-Hartenberg parameters.
 //
-// Denavit-Hartenberg frames stand where the common normal of an axis and the next one is. Where two axes are nearly
-// parallel that may be anywhere. There the next origin is put opposite the one before, in the plane at right angles to
-// the axis before, and a rotation beta about y completes the placement (Hayati and Mirmirani 1985, "Improving the
-// absolute positioning accuracy of robot manipulators", J. Robotic Systems 2).
+// The origin of a Denavit-Hartenberg frame lies on the common normal of its axis and the next axis. For two nearly
+// parallel axes, that normal may be anywhere. In that case the next origin is put opposite the present origin, in the
+// plane perpendicular to the present axis, and a rotation beta about y completes the placement (Hayati and Mirmirani
+// 1985, "Improving the absolute positioning accuracy of robot manipulators", J. Robotic Systems 2).
 #pragma once
 
 #include <numbers>
@@ -18,41 +18,42 @@
 namespace tubeplan::deflection {
 
 enum class RowConvention {
-  kModified,  ///< numbers of DenavitHartenberg: alpha and a lead to the row's own axis
+  kModified,  ///< parameters of DenavitHartenberg: alpha and a lead to the row's own axis
   kStandard,  ///< RotZ(theta) TransZ(d) TransX(a) RotX(alpha) RotY(beta): the last three lead to the next row's axis
-  kOrigin,    ///< numbers of Origin
+  kOrigin,    ///< parameters of Origin
 };
 
-/// Returns the conventions' names in files, in the order of RowConvention.
+/// Returns the names of the conventions in files, in the order of RowConvention.
 [[nodiscard]] std::span<const std::string_view> rowConventionNames();
 
 struct ConversionOptions {
-  /// angle within which axes count as parallel or opposite, and take a beta [rad]; at zero all use a common normal,
-  /// however far away
+  /// Angle between axes below which they count as parallel or antiparallel and get a beta [rad]. Zero: all axes use a
+  /// common normal, however far away it is.
   double nearly_parallel = 5 * std::numbers::pi / 180;
 };
 
 struct ConvertedArm {
   bool is_converted = false;
-  std::string row, reason;  ///< row that cannot be converted, and why
+  std::string row, reason;  ///< row that cannot be converted, and the reason
   Arm arm;                  ///< the arm with the same tip, axes and loads, without effects
 };
 
-/// Converts the rows of an arm. Frames are moved along their axes and turned about them as the convention requires; a
-/// row without a joint is put first if the base's own frame would have to move. A row whose stiffness, beam or weight
-/// would change in such a frame is refused.
+/// Converts the rows of an arm. Frames are moved along their axes and rotated about them as the convention requires. A
+/// row without a joint is inserted first if the base's own frame would have to move. The conversion is refused if it
+/// would change the stiffness, beam or weight of a row in its moved frame.
 [[nodiscard]] ConvertedArm convertRows(const Arm& arm, RowConvention convention, const ConversionOptions& options = {});
 
-/// Rows whose Denavit-Hartenberg numbers are the standard ones, each its own, become Craig's, which have alpha, a and
-/// beta of the row before; the names of parameters stay those of the file (Row::placed_by). Where the last row has any
-/// of the three, a row NAME-end without a joint has them. Rows by origin, if any, come first; a first row by these
-/// numbers has its axis at the base's z, and may be led elsewhere by its own alpha, a, beta and b as Craig's row.
+/// Converts rows with standard Denavit-Hartenberg parameters to Craig's convention, in which a row has alpha, a and
+/// beta of the row before. The names of the parameters stay those of the file (Row::placed_by). If the last row has a
+/// non-zero alpha, a or beta, a row NAME-end without a joint is added to hold them. Rows placed by origin, if any, come
+/// first. The axis of a first row with standard parameters is the base's z axis; the row's alpha, a, beta and b in
+/// Craig's convention can place it elsewhere.
 void readAsStandard(std::vector<Row<double>>& rows);
 
 /// Returns true if rows were converted by readAsStandard().
 [[nodiscard]] bool isStandard(const std::vector<Row<double>>& rows);
 
-/// Returns the numbers of the k-th of such rows in its file.
+/// Returns the standard parameters, as in the file, of the k-th row converted by readAsStandard().
 [[nodiscard]] DenavitHartenberg<double> standardNumbers(const std::vector<Row<double>>& rows, std::size_t k);
 
 }  // namespace tubeplan::deflection

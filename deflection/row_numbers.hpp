@@ -1,5 +1,5 @@
-// Every number of a row, described once: its name in files, messages and fits, its quantity and its bounds. Casts
-// between scalars, derivatives, parameters, the arm reader and the arm writer all use this list.
+// Every numeric value of a row, described once: its name in files, messages and fits, its quantity and its bounds.
+// Casts between scalar types, derivatives, parameters, the arm reader and the arm writer all use this list.
 #pragma once
 
 #include <array>
@@ -15,45 +15,46 @@
 
 namespace tubeplan::deflection {
 
-/// Part of a row that a number belongs to: its placement; its flexibility at the origin and along the member; the
-/// joint's offset, weights and forces.
+/// Part of a row that a value belongs to: the placement; the flexibility at the origin and along the member; the
+/// joint's offset, the weights and the forces.
 enum class RowPart { kPlacement, kFlexibility, kLoad };
 
 struct RowNumber {
-  /// Name within the row, "joint_stiffness.z"; null for numbers of effects, which files do not have.
+  /// Name within the row, such as "joint_stiffness.z"; null for values that effects add, which arm files do not
+  /// contain.
   const char* name = nullptr;
   Quantity quantity = Quantity::kNone;
   double lower = -std::numeric_limits<double>::infinity();  ///< physical bounds in internal units
   double upper = std::numeric_limits<double>::infinity();
   RowPart part = RowPart::kLoad;
-  int lump = -1;                                               ///< index of the lump that it belongs to
-  double left_out = std::numeric_limits<double>::quiet_NaN();  ///< value that files may leave out
-  /// True: can be identified, and is not determined by the joint's reading or offset already.
+  int lump = -1;                                               ///< index of the lump that has the value; -1: none
+  double left_out = std::numeric_limits<double>::quiet_NaN();  ///< value that files may omit
+  /// True: the value can be identified, and the joint's reading or offset does not determine it already.
   bool is_parameter = false;
 };
 
-/// Returns the number's key in a map of the row's file, "beam" or "dh"; empty if it is not in that map.
+/// Returns a value's key in a map of the row's file entry ("beam" or "dh"); empty if the value is not in that map.
 inline std::string_view keyIn(std::string_view map, const RowNumber& about) {
   const std::string_view name = about.name ? about.name : "";
   const bool is_there = about.lump < 0 && name.size() > map.size() && name.starts_with(map) && name[map.size()] == '.';
   return is_there ? name.substr(map.size() + 1) : std::string_view();
 }
 
-/// Name of the number that can be freed only in an arm's first row: in other rows it moves nothing of its own.
+/// Name of the parameter that can be identified only in an arm's first row; in other rows it is redundant.
 inline constexpr std::string_view kShiftOfFirstAxis = "dh.b";
 
-/// Returns true if the number of that name within the row determines the row's axis, before its joint moves.
+/// Returns true if the parameter with that name helps to place the row's axis, before its joint moves.
 inline bool leadsToAxis(std::string_view number) {
   return number == "dh.alpha" || number == "dh.a" || number == "dh.beta" || number == kShiftOfFirstAxis;
 }
 
-/// Returns true if the row's file has that number.
+/// Returns true if the arm file contains that value of the row.
 template <class S>
 bool isInFile(const Row<S>& row, std::string_view number) {
   return row.placed_by && leadsToAxis(number) ? !row.placed_by->empty() : row.is_written;
 }
 
-/// Returns the name of a row's number in its file and in fits, "forearm.dh.a"; empty if the file has none.
+/// Returns the name of a row's value in the arm file and in fits, such as "forearm.dh.a"; empty if the file has none.
 template <class S>
 std::string nameInFile(const Row<S>& row, std::string_view number) {
   if (!isInFile(row, number)) return "";
@@ -65,7 +66,7 @@ std::string nameInFile(const Row<S>& row, std::string_view number) {
 template <class R>
 using ScalarOf = std::remove_cvref_t<decltype(std::declval<R&>().joint.offset)>;
 
-/// Return the row's Denavit-Hartenberg numbers or its origin; null if it is placed by the other.
+/// Return a row's Denavit-Hartenberg parameters or its origin; null if the row is placed by the other notation.
 template <class R>
 auto* dhOf(R& row) {
   return std::get_if<DenavitHartenberg<ScalarOf<R>>>(&row.placement);
@@ -116,7 +117,7 @@ void visitPlacements(Visit&& visit, R& row, Rest&... rest) {
   visit(named(lean, "origin.beta"), originOf(row)->beta, originOf(rest)->beta...);
 }
 
-/// Visits the numbers that effects add to flexibilities. They are skipped unless all rows have them.
+/// Visits the values that effects add to flexibilities; skips them unless all rows have effect terms.
 template <class Visit, class... R>
 void visitEffectFlexibilities(Visit&& visit, R&... rows) {
   if (!(rows.effect_terms && ...)) return;

@@ -15,13 +15,13 @@ using simd::copy, simd::kMostLanes, simd::plainPose, simd::RevoluteChain;
 
 namespace {
 
-/// Default tolerance of shapes.
+/// Default options of the solver.
 constexpr FlexibleKinematicsOptions kUsual;
 constexpr double kBowMargin = 1.1;
 
 }  // namespace
 
-/// The arm as plain numbers.
+/// The arm in kernel form.
 struct RowPlacing::Plain {
   const RevoluteChain& chain;
   std::vector<simd::PlainRow> rows;
@@ -30,7 +30,7 @@ struct RowPlacing::Plain {
 
   [[nodiscard]] simd::PlainArm arm() const { return {rows.data(), pieces.data(), static_cast<int>(rows.size()), X_WB}; }
 
-  /// Returns the arm for kernels, or null if they cannot take it. `components` are the arm's elements in order.
+  /// Returns the arm in kernel form, or null if no kernel can place it. `components` are the arm's elements in order.
   static std::unique_ptr<const Plain> of(const Arm& given, const Isometry3d& X_WB, const PreparedArm& arm,
                                          const std::vector<ComponentState>& components) {
     const RevoluteChain* chain = arm.revoluteChain();

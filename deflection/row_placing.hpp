@@ -1,8 +1,8 @@
-// Placement of the rows of an arm bent by weight and load, each turned along its bent member's chord. Bodies are
-// fixed to these frames. Many postures at a time, as many side by side as the processor has lanes.
+// Placement of the rows of an arm bent by weight and load; each row's frame is turned along the chord of its bent
+// member. Bodies are fixed to these frames. As many postures are placed at once as the processor has SIMD lanes.
 //
-// A posture's frames are the same bits whatever its neighbours and whatever the processor, and whether or not a
-// kernel takes the arm.
+// The frames of a posture are bit-identical whatever postures fill the other lanes, on every processor, with or without
+// a kernel.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,12 +14,12 @@
 
 namespace tubeplan::deflection {
 
-/// Rows of postures side by side: `lanes` of them. The first `count` were asked for; the others repeat the last of
-/// these.
+/// Placed rows of `lanes` postures side by side. The first `count` postures were requested; the remaining lanes repeat
+/// the last requested posture.
 struct PlacedRows {
   int lanes = 0;
   int count = 0;
-  /// 12 numbers for each row, in lanes: its frame in the world, laid out as poses in TipBatch.
+  /// 12 values for each row, in lanes: the row's frame in the world, laid out as the poses of TipBatch.
   std::vector<double> frames;
   std::vector<double> bow;         ///< greatest distance of a bent member from its chord [m]
   std::vector<bool> is_converged;  ///< false: the deflected shape does not converge, and frames and bow are invalid
@@ -27,7 +27,7 @@ struct PlacedRows {
   [[nodiscard]] Eigen::Isometry3d X_WL(int row, int lane) const;
 };
 
-/// Places the rows of one arm under one load; each thread needs its own.
+/// Places the rows of one arm under one load; each thread needs its own object.
 class RowPlacing {
  public:
   /// `arm` must outlive this object, and must not change. `load` [N] hangs on the tip.
@@ -37,8 +37,8 @@ class RowPlacing {
   /// Returns the largest number of postures placed at once.
   [[nodiscard]] int lanes() const;
 
-  /// Places the postures `first`, `first` + 1, ... of those given (columns, joint values in rad or m), at most lanes()
-  /// of them. The result is valid until the next call.
+  /// Places the postures in columns `first`, `first` + 1, ... of `q` (joint values in rad or m), at most lanes() of
+  /// them. The result is valid until the next call.
   const PlacedRows& place(const Side& q, Eigen::Index first);
   const PlacedRows& place(const Eigen::VectorXd& q);
 
@@ -54,7 +54,7 @@ class RowPlacing {
   Eigen::Isometry3d X_WB_;
   Eigen::Vector3d gravity_B_;
   PreparedArm arm_;
-  std::unique_ptr<const Plain> plain_;  ///< the arm for the kernels; null if they do not take it
+  std::unique_ptr<const Plain> plain_;  ///< the arm in kernel form; null if no kernel can place it
   /// Inputs and outputs of the kernel, in lanes.
   std::vector<double> q_, loads_, tip_, turns_, element_states_, sweeps_;
   PlacedRows placed_;

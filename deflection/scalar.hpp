@@ -1,4 +1,4 @@
-// The number types of the physics: plain doubles, and dual numbers that carry exact derivatives through the same code.
+// The scalar types of the physics: doubles, and dual numbers that carry exact derivatives through the same code.
 #pragma once
 
 #include <Eigen/Dense>
@@ -7,7 +7,7 @@
 
 namespace tubeplan::deflection {
 
-/// Number of derivatives that one pass carries; more variables take more passes.
+/// Number of derivatives carried in one pass; more variables need more passes.
 inline constexpr int kDualSize = 8;
 using Dual = DualNumber<kDualSize>;
 
@@ -19,7 +19,7 @@ using Matrix3 = Eigen::Matrix<S, 3, 3>;
 inline double valueOf(double x) { return x; }
 inline double valueOf(const Dual& x) { return x.value(); }
 
-/// Returns true if a number is zero and has zero derivatives.
+/// Returns true if a number is zero and all its derivatives are zero.
 inline bool isConstantZero(double x) { return x == 0; }
 inline bool isConstantZero(const Dual& x) { return x.value() == 0 && x.derivatives() == Dual::Derivatives{}; }
 

@@ -10,12 +10,12 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kFarApart = 2;  ///< ratio to the shortest length
+constexpr double kFarApart = 2;  ///< ratio to the shortest length above which a chain is shortened
 constexpr int kShortenings = 10;
-/// Least length of a piece, as a share of the chain, for its weight: points may meet.
+/// Least length of a piece in its weight, as a fraction of the chain's length: points may coincide.
 constexpr double kShortestPiece = 1e-3;
 
-/// Computes the shifts that minimise the weighted sum of squared pieces, from a tridiagonal system.
+/// Computes the shifts that minimise the weighted sum of squared piece lengths, from a tridiagonal system.
 void slideOnce(std::vector<ChainLine>& chain, const std::vector<double>& weights, std::vector<double>& slid) {
   const std::size_t n = chain.size();
   std::vector<double> diagonal(n), right(n), coupling(n, 0.);
@@ -55,7 +55,7 @@ double chainLength(const std::vector<ChainLine>& chain) {
 
 std::vector<double> shortenChain(std::vector<ChainLine>& chain) {
   std::vector<double> slid(chain.size(), 0.), weights(chain.size(), 1.);
-  // Twice with equal weights, because far points lose digits at first.
+  // Solved twice with equal weights, because far points lose digits in the first solution.
   slideOnce(chain, weights, slid);
   slideOnce(chain, weights, slid);
   for (int step = 0; step < kShortenings; ++step) {

@@ -1,8 +1,8 @@
 // Parts attached to a row without leading to the tip: a second arm, a counterweight on a joint of its own.
 //
-// Law: a side chain is rigid and only adds its weight: W at its centre of gravity, in the axes of the row that
-// carries it, by the readings of its own joints.
-// Validity: the chain's own deflection shifts its centre of gravity by little.
+// Law: a side chain is rigid and only adds its weight W at its centre of gravity, in the axes of the row that carries
+//      it. The centre follows from the readings of the chain's own joints.
+// Validity: the deflection of the chain itself shifts its centre of gravity only slightly.
 // Source: statics.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace tubeplan::deflection {
 
-/// Returns the joints of all side chains with readings of their own, in file order: that of Posture::side_q.
+/// Returns the joints of all side chains that have readings of their own, in file order, as in Posture::side_q.
 template <class S>
 std::vector<const Joint<S>*> sideJoints(const ArmOf<S>& arm) {
   std::vector<const Joint<S>*> joints;
@@ -22,7 +22,7 @@ std::vector<const Joint<S>*> sideJoints(const ArmOf<S>& arm) {
   return joints;
 }
 
-/// Returns the readings of those joints if they are unknown: zero, or the limit nearest to it.
+/// Returns the readings assumed for unknown sideJoints(): zero, or the limit nearest to zero.
 template <class S>
 Eigen::VectorXd restOfSideChains(const ArmOf<S>& arm) {
   const auto joints = sideJoints(arm);
@@ -34,8 +34,9 @@ Eigen::VectorXd restOfSideChains(const ArmOf<S>& arm) {
   return q;
 }
 
-/// Returns the weight of a side chain [N] and its point of action, in the axes of the row that carries it. `q` are the
-/// readings of all side joints; `joint` is the index of this chain's first, and is advanced to the next chain's.
+/// Returns the weight of a side chain [N] and its point of action, in the axes of the row that carries the chain. `q`
+/// holds the readings of all side joints; `joint` is the index of this chain's first joint, and is advanced to the next
+/// chain's first.
 template <class S>
 Lump<S> weightOfSideChain(const SideChain<S>& chain, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q,
                           Eigen::Index& joint) {
@@ -67,7 +68,7 @@ Lump<S> weightOfSideChain(const SideChain<S>& chain, const Eigen::Matrix<S, Eige
   return {weight, moment / weight};
 }
 
-/// Adds the weights of an arm's side chains to the rows of a copy of it.
+/// Adds the weights of an arm's side chains to the rows of `to`, a copy of the arm.
 template <class S>
 void hangSideChains(const ArmOf<S>& arm, const PostureOf<S>& posture, ArmOf<S>& to) {
   if (arm.side_chains.empty()) return;

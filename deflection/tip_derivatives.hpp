@@ -1,5 +1,5 @@
-// Exact derivatives of the deflected tip pose: the direct change by a variable from dual numbers, and the arm's
-// response from the linearisation of the converged shape.
+// Exact derivatives of the deflected tip pose: dual numbers give the direct change with a variable, and the linearised
+// converged shape gives the arm's response.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace tubeplan::deflection {
 
-/// Variable of a derivative: a joint reading (index), the hung load, gravity rotated about a base axis (index: the
-/// rotation vector that turns gravity_B, and a wrench with it, because both are fixed in the world), or a number of the
-/// arm.
+/// Variable of a derivative: a joint reading (`index` of the joint), the hung load, a rotation of gravity about a base
+/// axis (`index` of the axis), or a parameter of the arm. The rotation turns gravity_B together with a wrench, because
+/// both are fixed in the world.
 struct Variable {
   enum class Type { kJoint, kLoad, kGravityTurn, kParameter };
   Type type = Type::kJoint;
@@ -27,19 +27,20 @@ struct Variable {
 std::vector<Variable> jointVariables(const Arm& arm);
 
 struct TipDerivatives {
-  FlexibleKinematics kinematics;  ///< the shape itself
-  Eigen::Matrix3Xd position_B;    ///< d p_BD / d variable [m per unit], one column per variable
-  /// Rotation vector of the tool frame per unit of the variable [rad per unit], base axes.
+  FlexibleKinematics kinematics;  ///< the deflected shape
+  Eigen::Matrix3Xd position_B;    ///< derivatives of the tip position p_BD [m per unit], one column per variable
+  /// Derivatives of the tool frame's rotation, as rotation vectors in base axes [rad per unit], one column per
+  /// variable.
   Eigen::Matrix3Xd rotation_B;
 };
 
-/// Returns the tip pose and its derivatives by each of `variables`. If the shape does not converge, `kinematics.status`
-/// states it and the columns are NaN.
+/// Returns the tip pose and its derivatives with respect to each of `variables`. If the shape does not converge,
+/// `kinematics.status` states so and the columns are NaN.
 [[nodiscard]] TipDerivatives differentiateTip(const Arm& arm, const Posture& posture,
                                               const std::vector<Variable>& variables,
                                               const FlexibleKinematicsOptions& options = {});
 
-/// Returns the same derivatives for the deflected frame of a row instead of the tool frame.
+/// Returns the derivatives as differentiateTip(), but of the deflected frame of a row instead of the tool frame.
 [[nodiscard]] TipDerivatives differentiateRow(const Arm& arm, int row, const Posture& posture,
                                               const std::vector<Variable>& variables,
                                               const FlexibleKinematicsOptions& options = {});

@@ -10,14 +10,15 @@ namespace tubeplan::deflection {
 
 namespace {
 
-/// Returns the row whose links change with a variable of an arm without effects; for the tip, the last row.
+/// Returns the row whose links change with a variable of an arm without effects; `rows` if the variable acts at the
+/// tip.
 int rowOf(const Variable& variable, const std::vector<int>& active, int rows) {
   if (variable.type == Variable::Type::kJoint) return active[static_cast<std::size_t>(variable.index)];
   if (variable.type == Variable::Type::kParameter) return variable.parameter.row < 0 ? rows : variable.parameter.row;
   return rows;
 }
 
-/// Flags of the row's numbers that change.
+/// Flags for the parts of a row whose values change.
 struct RowChanges {
   bool placement = false, flexibility = false, others = false;
 };
@@ -41,7 +42,7 @@ void setValue(Dual& x, double value) {
   x.derivatives() = derivatives;
 }
 
-/// Sets the row to its effective values, and keeps derivatives.
+/// Sets the values of a row to the effective values, and keeps the row's derivatives.
 void setValues(Row<Dual>& row, const Row<double>& values) {
   if (values.effect_terms) {
     if (!row.effect_terms) row.effect_terms.emplace();
@@ -88,8 +89,9 @@ void TipDifferentiation::store(const Block& block, int count, const TipColumns& 
   for (int slot = 0; slot < count; ++slot) columns_.col(static_cast<Eigen::Index>(block[slot])) = tip.col(slot);
 }
 
-/// Adds the motion by changes of a row, of its reading `q` and, if it `leads_elsewhere`, of its vector to the next row;
-/// only changed parts are built. Returns true if the vector of the row before changes.
+/// Adds the motion of the tip caused by changes of a row, of its reading `q` and, if it `leads_elsewhere`, of its
+/// vector to the next row. Only changed parts are built. Returns true if the vector from the row before to this row
+/// changes.
 bool TipDifferentiation::differentiateRow(std::size_t index, ArmOf<Dual>& arm, const Dual& q, bool leads_elsewhere,
                                           TipColumns& tip) {
   Row<Dual>& row = arm.rows[index];
@@ -104,7 +106,7 @@ bool TipDifferentiation::differentiateRow(std::size_t index, ArmOf<Dual>& arm, c
   return changed.placement;
 }
 
-/// Adds the rotation of joints that follow others, in all rows but one.
+/// Adds the motion of the tip caused by joints that follow others, in all rows except `but`.
 void TipDifferentiation::differentiateFollowers(std::size_t but, TipColumns& tip) {
   for (std::size_t i = 0; i < dual_arm_.rows.size(); ++i) {
     if (i == but || dual_arm_.rows[i].joint.follows.empty()) continue;
@@ -142,7 +144,7 @@ void TipDifferentiation::differentiateWithoutEffects(const std::vector<Variable>
   }
 }
 
-/// Adds the changes that the seeded numbers cause through effects.
+/// Adds the changes of the tip that the seeded variables cause through effects.
 void TipDifferentiation::differentiateInContext(TipColumns& tip) {
   const Arm& values = arm_.effective();
   const Posture& posture = arm_.effectivePosture();
@@ -162,7 +164,7 @@ void TipDifferentiation::differentiateInContext(TipColumns& tip) {
   if (sensitivity_.isOfTool()) addToolTurn(arm.tool_turn_L, sensitivity_.frame().R, tip);
 }
 
-/// Turns directions that are fixed in the world by the rotation of the base relative to it.
+/// Rotates directions that are fixed in the world by the rotation of the base relative to the world.
 void TipDifferentiation::turnWorld() {
   dual_posture_.gravity_B += gravity_turn_.cross(dual_posture_.gravity_B);
   if (!dual_posture_.wrench) return;
@@ -193,7 +195,7 @@ void TipDifferentiation::differentiateWithEffects(const std::vector<Variable>& v
   }
 }
 
-/// Converts from the moved base to the nominal base; the variables may move it too.
+/// Converts the columns from axes of the moved base to axes of the nominal base; variables may also move the base.
 void TipDifferentiation::moveBase(TipColumns& tip) const {
   const PoseOf<double>& X_BM = *arm_.movedBase();
   const Eigen::Vector3d p_MF_B = X_BM.R * sensitivity_.frame().p;
@@ -224,7 +226,7 @@ void TipDifferentiation::castPosture(const Posture& posture) {
   dual_posture_.conditions = posture.conditions;
 }
 
-/// Sets the size of the columns after a solution; they are NaN if the shape does not converge.
+/// Resizes columns() after a solution, and fills it with NaN if the shape does not converge. Returns the status.
 KinematicsStatus TipDifferentiation::settle(std::size_t variables) {
   resizeOrEmpty(columns_, 6, static_cast<Eigen::Index>(variables));
   if (arm_.status() != KinematicsStatus::kConverged) columns_.setConstant(std::numeric_limits<double>::quiet_NaN());

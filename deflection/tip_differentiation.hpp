@@ -1,4 +1,4 @@
-// The deflected tip and its exact derivatives, for one posture after another of one arm.
+// The deflected tip of one arm and its exact derivatives, for one posture after another.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace tubeplan::deflection {
 
-/// Shapes of one arm with their derivatives, one after the other; each thread needs its own.
+/// Solver for shapes of one arm with their derivatives, one posture after another; each thread needs its own object.
 class TipDifferentiation {
  public:
   /// `arm` must outlive this object, and must not change.
@@ -21,22 +21,23 @@ class TipDifferentiation {
   TipDifferentiation(const TipDifferentiation&) = delete;
   TipDifferentiation& operator=(const TipDifferentiation&) = delete;
 
-  /// Solves the shape and, if it converges, its derivatives by `variables`; else their columns are NaN.
+  /// Solves the shape and, if it converges, its derivatives with respect to `variables`; otherwise columns() is NaN.
   KinematicsStatus solve(const Posture& posture, const std::vector<Variable>& variables,
                          const FlexibleKinematicsOptions& options = {});
 
-  /// Solves for the deflected frame of a row instead of the tool's: columns() are then those of its position and
-  /// rotation, and as exact. It never uses a kernel's derivatives, and so takes longer.
+  /// Solves for the deflected frame of a row instead of the tool frame: columns() then holds the derivatives of that
+  /// frame's position and rotation, which are also exact. It takes longer than solve(), because it never uses a
+  /// kernel's derivatives.
   KinematicsStatus solveRow(int row, const Posture& posture, const std::vector<Variable>& variables,
                             const FlexibleKinematicsOptions& options = {});
 
   [[nodiscard]] const PreparedArm& arm() const { return arm_; }
   /// Returns d p_BD / d variable [m per unit], then the rotation vector of the tool frame [rad per unit], in base axes,
-  /// one column for each variable. After solveRow() they belong to the row's frame.
+  /// one column for each variable. After solveRow() the columns describe the row's frame.
   [[nodiscard]] const Eigen::Matrix<double, 6, Eigen::Dynamic>& columns() const { return columns_; }
 
  private:
-  using Block = std::array<std::size_t, kDualSize>;  ///< the variables of a pass
+  using Block = std::array<std::size_t, kDualSize>;  ///< indices of the variables of a pass
 
   KinematicsStatus solveByKernel(const Posture& posture, const simd::RevoluteVariables& kernel,
                                  const FlexibleKinematicsOptions& options);
@@ -62,9 +63,9 @@ class TipDifferentiation {
   ArmOf<Dual> dual_arm_;  ///< the arm in dual numbers, empty until needed
   PostureOf<Dual> dual_posture_;
   Vector3<Dual> gravity_turn_;
-  std::optional<EffectContext<Dual>> context_;  ///< effects of the dual arm and posture; nothing if there are none
-  std::vector<int> joints_;                     ///< joint of each row, -1 if it is passive
-  std::vector<int> active_;                     ///< row of each joint
+  std::optional<EffectContext<Dual>> context_;  ///< effects of the dual arm and posture; empty if there are none
+  std::vector<int> joints_;                     ///< joint index of each row; -1 if the row is passive
+  std::vector<int> active_;                     ///< row index of each joint
   std::vector<std::pair<int, std::size_t>> order_;
   Eigen::Matrix<double, 6, Eigen::Dynamic> columns_;
 };

@@ -6,20 +6,20 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 
 namespace {
 
-/// Returns (a x r) x F as a matrix on a: the slope of a load's moment by the rotation of its place.
+/// Returns (a x r) x F as a matrix that multiplies a: the derivative of a moment when the point of action r rotates.
 Matrix3d momentByTurn(const Vector3d& r, const Vector3d& force) {
   return r * force.transpose() - r.dot(force) * Matrix3d::Identity();
 }
 
 Matrix3d cross(const Vector3d& a) { return crossMatrix<double>(a); }
 
-/// Returns the point where a link's weight acts, in the base.
+/// Returns the point of action of a link's weight, in the base frame.
 Vector3d placeOfWeight(const ChainLink<double>& link, const PoseOf<double>& near, const PoseOf<double>& far) {
   if (link.type == ChainLinkType::kLump) return near.p + near.R * link.lever;
   return (near.p + far.p) / 2;
 }
 
-/// Returns the link of a row's frame in the chain.
+/// Returns the index in the chain of the link that is a row's frame.
 std::size_t linkOfFrame(const Chain<double>& chain, int row) {
   for (std::size_t k = 0; k < chain.links.size(); ++k)
     if (chain.links[k].type == ChainLinkType::kFrame && chain.links[k].row == row) return k;
@@ -56,7 +56,7 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
   out.is_member = element.kind->place == ElementPlace::kMember;
   out.rotation_by_moment = slopes.rotation_by_moment;
   if (out.is_member) {
-    // The chord moves with the displacement, and the displacement with the chord.
+    // The chord depends on the displacement, and the displacement on the chord.
     out.displacement_itself = (Matrix3d::Identity() - slopes.displacement_by_chord).inverse();
     out.displacement_by_force = out.displacement_itself * slopes.displacement_by_force;
     out.displacement_by_moment = out.displacement_itself * slopes.displacement_by_moment;
@@ -66,7 +66,7 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
     out.rotation_by_moment += slopes.rotation_by_chord * out.displacement_by_moment;
     out.rotation_by_weight = slopes.rotation_by_weight + slopes.rotation_by_chord * out.displacement_by_weight;
   }
-  // Rotation of the loads beyond, in near axes, with the near end.
+  // Change of the moment of the loads beyond, in near axes, when the near end rotates.
   const OutboardLoad& outboard = outboard_[k];
   const Matrix3d by_turn = outboard.by_turn - momentByTurn(frames_[k + 1].p, outboard.force);
   const Matrix3d moment_by_turn = out.R.transpose() * by_turn;
@@ -83,7 +83,7 @@ void TipSensitivity::answerOf(const PreparedArm& arm, std::size_t k, std::size_t
     if (!element.has_gap[axis]) continue;
     elements_[e].rests[axis] = shape.restOf(e, axis, load.moment[axis]);
     if (elements_[e].rests[axis].by_angle == 0) continue;
-    // It hangs freely: instead of its law, the moment about the axis is zero.
+    // The axis hangs freely in its gap: instead of the element's law, its moment is zero.
     out.is_compliant[axis] = 0;
     out.rotation_by_moment.row(axis) = Eigen::RowVector3d::Unit(axis);
     right.row(axis) = seen.row(axis);
@@ -141,8 +141,8 @@ void TipSensitivity::sweepInwards(const PreparedArm& arm) {
   }
 }
 
-/// Passes from the near to the far end of an element: the difference between the tip's responses to a load beyond it
-/// and before it.
+/// Passes from the near to the far end of an element: adds the difference between the tip's responses to a load beyond
+/// the element and to a load before it.
 void TipSensitivity::passElement(const PreparedArm& arm, std::size_t k, std::size_t e, LoadAnswer& load) {
   const Answer& a = answers_[e];
   const OutboardLoad& outboard = outboard_[k];

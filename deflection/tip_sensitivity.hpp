@@ -1,11 +1,12 @@
-// Response of the deflected tip to any change along the arm: a rotation, a shift, a force, a moment, a more compliant
-// element.
+// Response of the deflected tip to any change along the arm: a rotation, a shift, a force, a moment, or an increase in
+// an element's compliance.
 //
-// All loads are dead, so the loads beyond a cut change only because their places move with it. About the base's origin:
-// dM = A w + v x F for a motion (w, v) of the cut, w a rotation and v the motion of the point at the origin. One sweep
-// inwards finds A at every cut, the elements' response included (as articulated bodies are solved in dynamics), without
-// iteration. The tip's sensitivities are the transpose of that solution: a sweep inwards for the effect of
-// motions on the tip, a sweep outwards for that of loads. The response to a variable is then one product.
+// All loads are dead, so the loads beyond a cut change only because their points of action move with the cut. About the
+// base's origin, dM = A w + v x F for a motion (w, v) of the cut: w is a rotation and v the motion of the point at the
+// origin. One sweep inwards finds A at every cut without iteration, with the elements' response included, as
+// articulated bodies are solved in dynamics. The tip's sensitivities are the transpose of that solution: a sweep
+// inwards gives the effect of motions on the tip, a sweep outwards the effect of loads. The response to a variable is
+// then one product.
 #pragma once
 
 #include <vector>
@@ -14,44 +15,47 @@
 
 namespace tubeplan::deflection {
 
-/// Value of `row` for the tool frame, at the tip.
+/// Value of an argument `row` that selects the tool frame, at the tip.
 inline constexpr int kTool = -1;
 
 /// Motion of the tip (position [m], then rotation vector [rad], base axes) per unit of a vector.
 using TipRows = Eigen::Matrix<double, 6, 3>;
 
-/// Responses to a larger deflection of an element under the same load, in its near axes, and to a weight along it, in
-/// base axes.
+/// Responses of the tip to a larger deflection of an element under the same load, in the element's near axes, and to a
+/// weight along the element, in base axes.
 struct ElementSensitivity {
   TipRows displacement, rotation, weight;
-  std::array<clearance::Rest, 3> rests;  ///< positions in its gaps
+  std::array<clearance::Rest, 3> rests;  ///< position about each axis within its gap
 };
 
-/// The sensitivities of one arm, shape after shape.
+/// Sensitivities of one arm, computed for one shape after another.
 class TipSensitivity {
  public:
-  /// Linearises about the shape that `arm` has solved last, seen from its base as moved by effects. With a `row`,
-  /// responses are those of its deflected frame instead of the tip; changes beyond it act on it by loads alone.
+  /// Linearises about the shape last solved by `arm`, in axes of the base as moved by effects. With a `row`, the
+  /// responses are those of the row's deflected frame instead of the tip; changes beyond that frame act on it only
+  /// through loads.
   void linearize(const PreparedArm& arm, int row = kTool);
 
-  /// Near frames of the links, then the tip's.
+  /// Returns the near frames of the links, then the tip's frame.
   [[nodiscard]] const std::vector<PoseOf<double>>& frames() const { return frames_; }
-  /// Returns the frame whose responses these are.
+  /// Returns the frame whose responses are computed.
   [[nodiscard]] const PoseOf<double>& frame() const { return frames_[answering_]; }
   [[nodiscard]] bool isOfTool() const { return answering_ + 1 == frames_.size(); }
   [[nodiscard]] const ElementSensitivity& element(std::size_t e) const { return elements_[e]; }
-  /// Returns the response to a change of gravity's direction.
+  /// Returns the response to a change of the direction of gravity.
   [[nodiscard]] const TipRows& gravity() const { return gravity_; }
 
-  /// Return the responses to changes in a link, in base axes: to a rotation of everything beyond about a point, to a
-  /// shift of everything beyond, to a dead force at a point fixed to the link, and to a dead moment on the link.
+  /// Return the responses to changes at a link, in base axes: to a rotation of everything beyond the link about a
+  /// point, to a shift of everything beyond the link, to a dead force at a point fixed to the link, and to a dead
+  /// moment on the link.
   [[nodiscard]] TipRows turnAt(std::size_t link, const Eigen::Vector3d& p) const;
   [[nodiscard]] TipRows shiftAt(std::size_t link) const;
   [[nodiscard]] TipRows forceAt(std::size_t link, const Eigen::Vector3d& p) const;
   [[nodiscard]] const TipRows& momentAt(std::size_t link) const { return loads_[link].by_moment; }
 
  private:
-  /// Loads beyond a cut: the force, and the slope of its moment about the base's origin by a rotation.
+  /// Loads beyond a cut: their force, and the derivative of their moment about the base's origin with respect to a
+  /// rotation.
   struct OutboardLoad {
     Eigen::Vector3d force;
     Eigen::Matrix3d by_turn;
@@ -60,21 +64,21 @@ class TipSensitivity {
   struct LoadAnswer {
     TipRows by_force, by_moment;
   };
-  /// Linearised response of an element, in near axes except where base axes are named.
+  /// Linearised response of an element, in near axes unless base axes are stated.
   struct Answer {
-    bool is_member;             ///< false: it only turns, and only by moments
-    Eigen::Matrix3d R, turn_B;  ///< near axes; rotation vector in base axes per change of the rotation
+    bool is_member;             ///< false: the element only rotates, and only under moments
+    Eigen::Matrix3d R, turn_B;  ///< near axes; rotation vector in base axes per change of the element's rotation
     Eigen::Matrix3d displacement_by_force, displacement_by_moment, displacement_by_weight;
     Eigen::Matrix3d rotation_by_force, rotation_by_moment, rotation_by_weight, rotation_by_displacement;
-    Eigen::Matrix3d displacement_itself;          ///< response to its own deflection under the same load
-    Eigen::Matrix3d moment_by_rotation, inverse;  ///< slope of the loads beyond; inverse of the rotation's own equation
+    Eigen::Matrix3d displacement_itself;          ///< response of the displacement to its own change
+    Eigen::Matrix3d moment_by_rotation, inverse;  ///< derivative of loads beyond; inverse for the rotation's equation
     Eigen::Vector3d is_compliant;                 ///< 0 for an axis that hangs freely in its gap, else 1
     Eigen::Matrix3d turn_by_turn, shift_by_turn;  ///< response of the element to a rotation of its near end, base axes
   };
 
-  /// Returns true if a motion of everything beyond a link moves the responding frame.
+  /// Returns true if a motion of everything beyond a link moves the frame whose responses are computed.
   [[nodiscard]] bool carries(std::size_t link) const { return link < answering_; }
-  /// Returns the response to a shift of everything beyond a link, under the same loads.
+  /// Returns the response to a shift of everything beyond a link, under constant loads.
   [[nodiscard]] const TipRows& carriedShift(std::size_t link) const;
   void answerOf(const PreparedArm& arm, std::size_t k, std::size_t e);
   void sweepInwards(const PreparedArm& arm);
@@ -83,12 +87,12 @@ class TipSensitivity {
   void addGravity(const PreparedArm& arm);
 
   std::vector<PoseOf<double>> frames_;
-  std::size_t answering_ = 0;           ///< index of the frame whose responses these are
+  std::size_t answering_ = 0;           ///< index of the frame whose responses are computed
   std::vector<OutboardLoad> outboard_;  ///< loads beyond each link's far end
-  /// Response to a rotation about the base's origin under the same inboard loads, at far ends.
+  /// Response to a rotation of each link's far end about the base's origin, under constant inboard loads.
   std::vector<TipRows> motion_;
   std::vector<Answer> answers_;
-  std::vector<LoadAnswer> loads_;  ///< responses to loads on each link
+  std::vector<LoadAnswer> loads_;  ///< responses to a force and a moment on each link
   std::vector<ElementSensitivity> elements_;
   TipRows gravity_;
 };

@@ -1,4 +1,4 @@
-// The open table of notations of a rotation as three numbers. A new one is a row of it.
+// The open table of notations of a rotation as three numbers. A new notation is a row of the table.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@ namespace tubeplan::deflection {
 
 struct TurnForm {
   const char* name;
-  const char* words;  ///< description, and who uses it
-  /// Rotation by angles [rad] in the order in which they are written.
+  const char* words;  ///< description, with the manufacturers that use the notation
+  /// Returns the rotation for three numbers [rad] in the order in which they are written.
   Eigen::Matrix3d (*turn)(const Eigen::Vector3d& numbers);
 };
 
@@ -30,7 +30,7 @@ inline constexpr TurnForm kEulerZyz{
 inline constexpr TurnForm kRotationVector{"rotation-vector", "the axis times the angle: rx, ry, rz of Universal Robots",
                                           [](const Eigen::Vector3d& n) { return rotationFromVector<double>(n); }};
 
-/// All notations; the first is that of roll, pitch, yaw.
+/// All notations; the first is roll, pitch, yaw.
 inline constexpr std::array kTurnForms{kFixedAngles, kEulerZyx, kEulerXyz, kEulerZyz, kRotationVector};
 
 }  // namespace tubeplan::deflection

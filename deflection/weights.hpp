@@ -1,4 +1,4 @@
-// Weights of rows and arms: end weight, distributed weight over the undeflected member, and lumps, combined.
+// Combined weights of rows and arms: end weights, weights distributed over the undeflected members, and lumps.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@ namespace tubeplan::deflection {
 
 struct RowWeight {
   double weight = 0;                                   ///< [N]
-  Eigen::Vector3d moment_R = Eigen::Vector3d::Zero();  ///< weight times its centre in the row's frame [N m]
+  Eigen::Vector3d moment_R = Eigen::Vector3d::Zero();  ///< weight times centre position, in the row's frame [N m]
 };
 
 [[nodiscard]] RowWeight rowWeightOf(const Arm& arm, std::size_t row);
