@@ -47,8 +47,8 @@ struct Origin {
 
 enum class JointType { kPassive, kRevolute, kPrismatic };
 
-/// A joint that drives another joint, with the ratio of the driven joint's angle to the driving joint's, offset
-/// included.
+/// A joint that drives another joint. `ratio` is the angle of the driven joint per angle of the driving joint, which
+/// includes the driving joint's offset.
 struct FollowedJoint {
   int row = -1;
   double ratio = 0;
@@ -65,7 +65,7 @@ struct Joint {
   double upper = std::numeric_limits<double>::infinity();
   double max_speed = std::numeric_limits<double>::infinity();
   double max_acceleration = std::numeric_limits<double>::infinity();
-  double encoder_sigma = 0;  ///< standard deviation of an encoder reading
+  double encoder_sigma = 0;  ///< standard deviation of an encoder reading [rad, m]
   double gear_ratio = 0;     ///< gear ratio: input turns of the drive per turn of the joint; 0: not stated
   /// Joints that drive this joint, for example through a parallel linkage or a belt. A driven joint has no reading of
   /// its own: its passive row rotates about z by the sum of the driven angles and its offset. The drivers are revolute
@@ -125,7 +125,7 @@ struct EffectTerms {
   Vector3<S> bending_compliance = Vector3<S>::Zero();
   S torsion_compliance{0};               ///< torsion compliance of the member [1/(N m^2)]
   Vector3<S> pull = Vector3<S>::Zero();  ///< force at the member's end, in base axes [N]
-  std::vector<Lump<S>> hung;             ///< weights hung from the row's origin, also on flexible members
+  std::vector<Lump<S>> hung;             ///< weights that hang from the row's origin, also on flexible members
 };
 
 template <class S>
@@ -184,11 +184,11 @@ struct ArmOf {
   /// Conditions for which the nominal parameters hold, and defaults for conditions not stated.
   ConditionValues reference = usualConditions();
   std::vector<EffectOf<S>> effects;       ///< effects in addition to the model above
-  std::vector<SideChain<S>> side_chains;  ///< rows that only add weight
+  std::vector<SideChain<S>> side_chains;  ///< rigid rows that only add weight
   std::vector<RigidMounting> mountings;   ///< one entry for each set-up with rigid rows
   std::optional<TipLoad<S>> tip_load;
 
-  /// Returns the joints with readings of their own, revolute and prismatic, in the order of every joint vector.
+  /// Returns the joints with readings of their own, revolute and prismatic; joint vectors have the same order.
   [[nodiscard]] auto joints() const {
     return rows | std::views::filter([](const Row<S>& row) { return row.joint.type != JointType::kPassive; }) |
            std::views::transform(&Row<S>::joint);
@@ -212,10 +212,11 @@ Eigen::Matrix3d toolFrame(const Arm& arm);
 /// Returns the row index of each joint of joints().
 std::vector<int> activeRows(const Arm& arm);
 
-/// Returns the rows that an active row's joint rotates, with their ratios: the row itself and the rows that follow it.
+/// Returns the rows that rotate with an active row's joint, and their ratios: the row itself and the rows that follow
+/// it.
 std::vector<FollowedJoint> turnedWith(const Arm& arm, int active_row);
 
-/// Returns true if a row's axis is parallel or antiparallel to the axis of the row before, within 30 degrees.
+/// Returns true if a row's axis is within 30 degrees of parallel or antiparallel to the previous row's axis.
 bool isNearlyParallel(const Row<double>& row);
 
 /// Return the names of joints and rows in order, and the index of a named row (nothing if there is no such row).
@@ -260,7 +261,7 @@ struct ArmProblem {
 };
 
 /// Returns every problem of an arm, in file order: no rows, repeated names, a negative or zero stiffness, a flexible
-/// beam of no length, reversed limits, numbers that are not finite, effects at impossible places. Empty: the arm is
+/// beam of zero length, reversed limits, numbers that are not finite, effects at impossible places. Empty: the arm is
 /// usable.
 std::vector<ArmProblem> findProblems(const Arm& arm);
 

@@ -22,15 +22,15 @@ enum class ChainLinkType {
   kEndWeight,  ///< the weight at the member's end
 };
 
-/// One link of the flattened chain. Its near frame is the far frame of the link before.
+/// One link of the flattened chain. The near frame of the link is the far frame of the link before.
 template <class S>
 struct ChainLink {
   ChainLinkType type;
   int row;
-  int component = -1;                     ///< index of the link's deflection; -1 if the link is rigid
-  Vector3<S> p = Vector3<S>::Zero();      ///< translation to the far end, in near axes
+  int component = -1;                     ///< index of the link's element in Chain::components; -1: rigid
+  Vector3<S> p = Vector3<S>::Zero();      ///< translation to the far end, in near axes [m]
   Matrix3<S> R = Matrix3<S>::Identity();  ///< rotation of a kTurn link
-  S weight{0};                            ///< total weight of the piece, or of the lump
+  S weight{0};                            ///< total weight of the piece, or of the lump [N]
   Vector3<S> lever = Vector3<S>::Zero();  ///< vector from the link's near frame to the lump, in near axes
 };
 
@@ -69,7 +69,7 @@ Matrix3<S> rotationFromPrevious(const Row<S>& row) {
   return leaned<S>(rotationFromFixedAngles<S>(origin.rpy), origin.beta);
 }
 
-/// Returns the index in joint vectors of an active row's joint.
+/// Returns the index of an active row's joint in joint vectors.
 template <class S>
 int jointIndexOf(const ArmOf<S>& arm, int row) {
   int index = 0;
@@ -77,7 +77,7 @@ int jointIndexOf(const ArmOf<S>& arm, int row) {
   return index;
 }
 
-/// Returns the angle by which the driving joints rotate a row, without the row's own offset.
+/// Returns the angle by which the driving joints rotate a row [rad], without the row's own offset.
 template <class S>
 S followedAngle(const ArmOf<S>& arm, const Joint<S>& joint, const Eigen::Matrix<S, Eigen::Dynamic, 1>& q) {
   S angle(0);
@@ -88,8 +88,8 @@ S followedAngle(const ArmOf<S>& arm, const Joint<S>& joint, const Eigen::Matrix<
 
 namespace chain_assembly {
 
-/// Adds `pieces` elements of a row at its origin or along its member; adds none if the row is rigid there. One law
-/// applies at each of the two places.
+/// Adds the components of a row at its origin or along its member, `pieces` of them; adds none if the row is rigid
+/// there. Only one law applies at the origin, and one along the member.
 template <class S>
 void addElements(Chain<S>& chain, const Row<double>& values, int row, ElementPlace place, int pieces) {
   const auto kinds = elementKinds();

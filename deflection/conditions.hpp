@@ -27,7 +27,7 @@ struct ConditionSweep {
   double otherwise = 0;  ///< value of the condition while another variable is swept
 };
 
-/// Slow variation of a simulated condition about its usual value. Zeros: the condition is not simulated.
+/// Slow variation of a simulated condition about its usual value. Two zeros: the condition is not simulated.
 struct ConditionSwing {
   double amplitude = 0;
   double flutter = 0;  ///< standard deviation of the random part, drawn anew for each reading

@@ -9,8 +9,7 @@ namespace tubeplan::deflection {
 
 struct Discretisation {
   double tip_error = 0;  ///< estimated error of the deflected tip [m]; NaN if the arm has no equilibrium
-  /// Factor on each beam's number of segments that keeps the error below the allowed error; 0: no factor that was tried
-  /// does.
+  /// Multiplier of each beam's number of segments that keeps the error below the allowed error; 0: none was found.
   int factor = 1;
 };
 

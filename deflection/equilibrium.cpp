@@ -58,7 +58,7 @@ clearance::Rest Equilibrium::restOf(std::size_t e, int axis, double moment) cons
     if (loads[d].is_couple) continue;
     const OutboardLoad& load = outboard(e, d);
     const Vector3d lever = elements[e].turn * load.moment;
-    // The moment about n of a force F at r beyond changes by n . ((n x r) x F) per angle of rotation about n.
+    // The moment about n of a force F at r changes by n . ((n x r) x F) per angle of rotation about n.
     moment_per_angle += load.direction[axis] * lever[axis] - load.direction.dot(lever);
     forces += std::abs(load.size) * load.direction.norm();
   }

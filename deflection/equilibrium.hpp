@@ -46,8 +46,8 @@ struct DeadLoad {
   bool is_couple = false;
   Eigen::Vector3d direction_B = Eigen::Vector3d::Zero();
   double at_tip = 0;                                     ///< load at the tip, as a multiple of direction_B
-  Eigen::Vector3d tip_moment = Eigen::Vector3d::Zero();  ///< first moment of that load, in the tip's axes
-  int body = -1;                                         ///< body that carries a load of magnitude one; -1: none
+  Eigen::Vector3d tip_moment = Eigen::Vector3d::Zero();  ///< first moment of the load at the tip, in the tip's axes
+  int body = -1;                                         ///< index of the body that carries a unit load; -1: none
   Eigen::Vector3d place = Eigen::Vector3d::Zero();       ///< point of action on the body, in near axes
 };
 
@@ -76,7 +76,7 @@ class Equilibrium {
   /// Returns the loads on an element from everything beyond it, as last computed.
   [[nodiscard]] Loading<double> loadingOf(std::size_t element) const;
 
-  /// Returns the position of an element within its gap about an axis, under a moment about that axis.
+  /// Returns the position of an element in its gap about an axis, under a moment about that axis.
   [[nodiscard]] clearance::Rest restOf(std::size_t element, int axis, double moment) const;
 
  private:

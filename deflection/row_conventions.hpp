@@ -27,8 +27,8 @@ enum class RowConvention {
 [[nodiscard]] std::span<const std::string_view> rowConventionNames();
 
 struct ConversionOptions {
-  /// Angle between axes below which they count as parallel or antiparallel and get a beta [rad]. Zero: all axes use a
-  /// common normal, however far away it is.
+  /// Axes at a smaller angle than this count as parallel or antiparallel, and the row gets a beta [rad]. Zero: all axes
+  /// use a common normal, however far away it is.
   double nearly_parallel = 5 * std::numbers::pi / 180;
 };
 

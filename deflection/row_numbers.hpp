@@ -28,7 +28,7 @@ struct RowNumber {
   double upper = std::numeric_limits<double>::infinity();
   RowPart part = RowPart::kLoad;
   int lump = -1;                                               ///< index of the lump that has the value; -1: none
-  double left_out = std::numeric_limits<double>::quiet_NaN();  ///< value that files may omit
+  double left_out = std::numeric_limits<double>::quiet_NaN();  ///< value that files may omit; NaN: none
   /// True: the value can be identified, and the joint's reading or offset does not determine it already.
   bool is_parameter = false;
 };
@@ -43,12 +43,12 @@ inline std::string_view keyIn(std::string_view map, const RowNumber& about) {
 /// Name of the parameter that can be identified only in an arm's first row; in other rows it is redundant.
 inline constexpr std::string_view kShiftOfFirstAxis = "dh.b";
 
-/// Returns true if the parameter with that name helps to place the row's axis, before its joint moves.
+/// Returns true if the parameter named `number` helps to place the row's axis, before the row's joint moves.
 inline bool leadsToAxis(std::string_view number) {
   return number == "dh.alpha" || number == "dh.a" || number == "dh.beta" || number == kShiftOfFirstAxis;
 }
 
-/// Returns true if the arm file contains that value of the row.
+/// Returns true if the arm file contains the row's value named `number`.
 template <class S>
 bool isInFile(const Row<S>& row, std::string_view number) {
   return row.placed_by && leadsToAxis(number) ? !row.placed_by->empty() : row.is_written;

@@ -7,10 +7,10 @@
 
 namespace tubeplan::deflection {
 
-/// A point on a line [m] and the line's unit direction. The two ends of a chain are points without a line.
+/// A point on a line [m] and the line's unit direction. The two ends of a chain are fixed points.
 struct ChainLine {
   Eigen::Vector3d point, direction = Eigen::Vector3d::UnitZ();
-  bool may_slide = true;  ///< true: any other point on the line serves as well
+  bool may_slide = true;  ///< true: the point may be replaced by any other point on the line
 };
 
 /// Moves points along their lines so that the chain from the first to the last point is nearly as short as possible,

@@ -22,7 +22,7 @@ std::vector<const Joint<S>*> sideJoints(const ArmOf<S>& arm) {
   return joints;
 }
 
-/// Returns the readings assumed for unknown sideJoints(): zero, or the limit nearest to zero.
+/// Returns the readings that replace unknown readings of sideJoints(): zero, or the joint limit nearest to zero.
 template <class S>
 Eigen::VectorXd restOfSideChains(const ArmOf<S>& arm) {
   const auto joints = sideJoints(arm);

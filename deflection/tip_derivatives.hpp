@@ -40,7 +40,7 @@ struct TipDerivatives {
                                               const std::vector<Variable>& variables,
                                               const FlexibleKinematicsOptions& options = {});
 
-/// Returns the derivatives as differentiateTip(), but of the deflected frame of a row instead of the tool frame.
+/// Returns the pose and derivatives of a row's deflected frame instead of the tool frame; see differentiateTip().
 [[nodiscard]] TipDerivatives differentiateRow(const Arm& arm, int row, const Posture& posture,
                                               const std::vector<Variable>& variables,
                                               const FlexibleKinematicsOptions& options = {});

@@ -25,7 +25,7 @@ using TipRows = Eigen::Matrix<double, 6, 3>;
 /// weight along the element, in base axes.
 struct ElementSensitivity {
   TipRows displacement, rotation, weight;
-  std::array<clearance::Rest, 3> rests;  ///< position about each axis within its gap
+  std::array<clearance::Rest, 3> rests;  ///< position in the gap about each axis
 };
 
 /// Sensitivities of one arm, computed for one shape after another.
@@ -38,7 +38,7 @@ class TipSensitivity {
 
   /// Returns the near frames of the links, then the tip's frame.
   [[nodiscard]] const std::vector<PoseOf<double>>& frames() const { return frames_; }
-  /// Returns the frame whose responses are computed.
+  /// Returns the frame, of the tool or of a row, whose responses are computed.
   [[nodiscard]] const PoseOf<double>& frame() const { return frames_[answering_]; }
   [[nodiscard]] bool isOfTool() const { return answering_ + 1 == frames_.size(); }
   [[nodiscard]] const ElementSensitivity& element(std::size_t e) const { return elements_[e]; }
@@ -60,7 +60,7 @@ class TipSensitivity {
     Eigen::Vector3d force;
     Eigen::Matrix3d by_turn;
   };
-  /// Response of the tip to a dead force at the base's origin and to a dead moment, on a link.
+  /// Response of the tip to a dead force at the base's origin and to a dead moment, both acting on a link.
   struct LoadAnswer {
     TipRows by_force, by_moment;
   };
@@ -70,8 +70,9 @@ class TipSensitivity {
     Eigen::Matrix3d R, turn_B;  ///< near axes; rotation vector in base axes per change of the element's rotation
     Eigen::Matrix3d displacement_by_force, displacement_by_moment, displacement_by_weight;
     Eigen::Matrix3d rotation_by_force, rotation_by_moment, rotation_by_weight, rotation_by_displacement;
-    Eigen::Matrix3d displacement_itself;          ///< response of the displacement to its own change
-    Eigen::Matrix3d moment_by_rotation, inverse;  ///< derivative of loads beyond; inverse for the rotation's equation
+    Eigen::Matrix3d displacement_itself;  ///< response of the displacement to its own change
+    /// Derivative of the moment of the loads beyond; inverse of the matrix in the equation of the rotation.
+    Eigen::Matrix3d moment_by_rotation, inverse;
     Eigen::Vector3d is_compliant;                 ///< 0 for an axis that hangs freely in its gap, else 1
     Eigen::Matrix3d turn_by_turn, shift_by_turn;  ///< response of the element to a rotation of its near end, base axes
   };

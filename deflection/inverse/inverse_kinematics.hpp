@@ -53,7 +53,7 @@ struct InverseKinematics {
                                                        const Eigen::Vector3d& gravity_B,
                                                        const InverseKinematicsOptions& options = {});
 
-/// Returns the branch reached from a start near it, for example the posture at a neighbouring via point.
+/// Returns the branch reached from a nearby start posture, for example that of a neighbouring via point.
 [[nodiscard]] Branch refineBranch(const Arm& arm, const ToolGoal& goal, double load, const Eigen::Vector3d& gravity_B,
                                   const Eigen::VectorXd& start, const InverseKinematicsOptions& options = {});
 

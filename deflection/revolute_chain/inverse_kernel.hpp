@@ -1,5 +1,5 @@
 // Newton's method on position and pitch of the deflected tip, for several goals side by side. inverse_kinematics.cpp
-// states the goals; it repeats the same steps with damping for goals that this kernel does not meet at once.
+// states the goals, and takes the same steps with damping for goals that are not met at once.
 #pragma once
 
 #include "deflection/revolute_chain/jacobian_kernel.hpp"

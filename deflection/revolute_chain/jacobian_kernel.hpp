@@ -16,15 +16,15 @@ namespace {
 struct Unknown {
   int turn;
   bool is_rho;  ///< true: rho of a beam; false: the deflection of the turn
-  Vec shifts;   ///< displacement of everything beyond, per unit of the unknown (beams)
+  Vec shifts;   ///< for beams: displacement of everything beyond, per unit of the unknown
   Vec a;        ///< change of the moments nearer to the base due to the shift and the rotation
   Vec turns;    ///< change of a beam's rho due to turns nearer to the base
 };
 
-/// Changes with a compliance of a turn, of its springs or its beam, under constant moment.
+/// Changes with the compliance of a turn's springs or of its beam, under constant moment.
 struct Softening {
   Real given;  ///< change of the turn's deflection
-  Vec shift;   ///< displacement of everything beyond, without that due to `given` (beams)
+  Vec shift;   ///< for beams: displacement of everything beyond, except the part due to `given`
   Vec a;       ///< change of the moments nearer to the base due to the shift
 };
 
@@ -70,7 +70,7 @@ struct BeamSlopes {
 
 inline BeamSlopes slopesOf(const Turn& turn, const TurnState& t) {
   const Real m = turn.beam_compliance * t.moment;
-  const double share = turn.beam_compliance / turn.compliance;  // fraction of the turn's deflection that is m
+  const double share = turn.beam_compliance / turn.compliance;  // derivative of m with respect to the turn's deflection
   const Real by_m = m * (1. / 3) + t.rho * t.kappa_by_m, by_rho = m * t.kappa_by_m + 2. * (t.rho * t.kappa_by_rho);
   const Real m_by_rho = -share * t.by_rho;
   return {constant(0.5 * share), share * by_m, t.lambda_by_rho + 0.5 * m_by_rho, by_rho + m_by_rho * by_m};
@@ -228,8 +228,8 @@ struct Motion {
   Vec p, w;
 };
 
-/// Computes the motion of the tip with each joint, then with the other requested variables: rotations of gravity, then
-/// the compliance of each unknown (the springs of a turn, or a beam for its rho).
+/// Computes the derivatives of the tip pose with respect to each joint, then to the other requested variables:
+/// rotations of gravity, then the compliance of each unknown (the springs of a turn, or a beam for its rho).
 inline void derive(const RevoluteArm& arm, const TurnState* t, const Frame* frames, const Frame& tip, Vec gravity,
                    Real at_tip, Asked asked, Linearization& lin, Motion* columns) {
   outboardMoments(arm, t, frames, tip, at_tip, lin.S);
@@ -262,7 +262,7 @@ inline void derive(const RevoluteArm& arm, const TurnState* t, const Frame* fram
   }
 }
 
-/// Computes the motion of the tip with each joint.
+/// Computes the derivatives of the tip pose with respect to each joint.
 inline void deriveByJoints(const RevoluteArm& arm, const TurnState* t, const Frame* frames, const Frame& tip,
                            Vec gravity, Real at_tip, Motion* columns) {
   Linearization lin;

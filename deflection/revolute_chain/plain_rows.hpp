@@ -58,7 +58,7 @@ struct RowFrames {
   long stride;
 };
 
-/// Places the rows of as many bent arms as the kernel has lanes.
+/// Places the rows of as many bent arms at once as the kernel has lanes.
 using PlaceRows = void (*)(const PlainArm&, const BentShapes&, const RowFrames&);
 
 }  // namespace tubeplan::deflection::simd

@@ -87,12 +87,12 @@ struct Goals {
   bool damped;  ///< true: steps are halved until they reduce the residual
 };
 
-/// Results of the iteration.
+/// Results of Newton's method, side by side.
 struct Reached {
   double q[4][8];
-  double done[8];  ///< 1: the goal is met; 2: damped steps ended before; 0: abandoned
+  double done[8];  ///< 1: the goal is met; 2: damped steps ended before the goal was met; 0: abandoned
   double steps[8];
-  double position_error[8];  ///< [m]
+  double position_error[8];  ///< distance of the tip from the goal [m]
   double tilt_sine[8], tilt_cosine[8];
   double smallest_singular_value[8];  ///< smallest singular value of the Jacobian scaled by the reach
 };

@@ -9,7 +9,7 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kSameFrame = 1e-15;  ///< rounding of composed frames: of unit vectors, and as a fraction of the reach
+constexpr double kSameFrame = 1e-15;  ///< rounding of composed frames: in unit vectors, and as a fraction of the reach
 
 /// A compliance about a single axis.
 struct OneAxis {
@@ -301,7 +301,7 @@ void RevoluteChain::copyDeflections(const double* element_states, long stride,
     double angle = hinge.compliance * moment;
     Vector3d displacement = Vector3d::Zero();
     if (hinge.is_beam) {
-      // Part of the angle that the other springs of the axis do not contribute.
+      // The angle of this element is the total angle less the angle of the axis's other springs.
       angle = angle_of_all - (turns_[static_cast<std::size_t>(hinge.turn)].compliance - hinge.compliance) * moment;
       displacement = lambda * hinge.axis.cross(hinge.member) - kappa * hinge.member;
     }

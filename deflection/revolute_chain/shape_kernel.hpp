@@ -24,7 +24,7 @@ using namespace tubeplan::deflection::simd;
 struct TurnState {
   Real rest_c, rest_s, c, s;  ///< cosine and sine of the angle without and with deflection
   Vec g;                      ///< direction of gravity, in the turn's frame
-  Real sx, sy;                ///< first moment of the loads beyond, x and y before the turn
+  Real sx, sy;                ///< first moment of the loads beyond: x and y components before the turn
   Real size;                  ///< sum of the loads beyond [N]
   Real given, moment;         ///< deflection of the turn [rad], moment about its axis [N m]
   Real lambda, kappa, rho;    ///< dimensionless parameters of a beam, as defined above
@@ -34,7 +34,7 @@ struct TurnState {
 /// Active lanes, and the motion of the tip in each lane during a sweep.
 struct Progress {
   Bits active;
-  Real turned, change;  ///< rotation [rad]; change of displacements of beams [m]
+  Real turned, change;  ///< sum of rotations [rad]; sum of displacement changes of beams [m]
 };
 
 inline Vec directionBefore(const TurnState* t, int i, Vec gravity) { return i == 0 ? gravity : t[i - 1].g; }
