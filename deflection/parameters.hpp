@@ -50,7 +50,7 @@ struct Parameter {
 /// Returns all finite values of the arm, in file order, then those of its effects. Rigid axes have no parameter.
 std::vector<Parameter> parametersOf(const Arm& arm);
 
-/// Returns the parameter with a dotted name; nothing if there is none.
+/// Returns the parameter named `name`; nothing if there is none.
 std::optional<Parameter> findParameter(const Arm& arm, std::string_view name);
 
 /// Returns the value of a parameter, by reference. `path` must come from parametersOf() for an arm of the same

@@ -293,7 +293,7 @@ void PreparedArm::recordLoads(const std::vector<PoseOf<double>>& frames, std::ve
 
 namespace {
 
-/// Converts a shape from the axes of the moved base M to those of the nominal base.
+/// Converts a shape from axes of the moved base M to axes of the nominal base.
 void moveBase(const PoseOf<double>& X_BM, FlexibleKinematics& shape) {
   shape.X_BT = X_BM * shape.X_BT;
   for (auto& row : shape.rows) {

@@ -4,7 +4,7 @@
 namespace tubeplan::deflection {
 
 enum class Quantity {
-  kNone,  ///< a plain number
+  kNone,  ///< no quantity: a plain number
   kLength,
   kAngle,
   kForce,
@@ -18,7 +18,7 @@ enum class Quantity {
   kPerTemperature,       ///< 1/K
   kSpeed,                ///< m/s
   kTime,
-  kTemperature,  ///< absolute
+  kTemperature,  ///< absolute temperature
 };
 
 /// Unit of a value: that of a quantity, which every file chooses, or a fixed unit of the value's own.

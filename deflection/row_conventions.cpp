@@ -168,7 +168,7 @@ ConvertedArm modifiedRows(const Arm& arm, const ConversionOptions& options) {
 
 bool leadsAnywhere(const CraigNumbers& dh) { return dh.alpha != 0 || dh.a != 0 || dh.beta != 0 || dh.b != 0; }
 
-/// Gives the parameters of Craig's rows their names in a file of the standard convention.
+/// Names the parameters of Craig's rows as in a file of the standard convention.
 void nameAsStandard(Arm& arm) {
   if (leadsAnywhere(std::get<CraigNumbers>(arm.rows.front().placement))) putFirst({}, arm);
   arm.rows.front().placed_by = arm.rows.front().name + ".axis";

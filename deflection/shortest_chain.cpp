@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kFarApart = 2;  ///< ratio to the shortest length above which a chain is shortened
 constexpr int kShortenings = 10;
-/// Least length of a piece in its weight, as a fraction of the chain's length: points may coincide.
+/// Lower bound on a piece's length when its weight is computed, as a fraction of the chain's length: points may
+/// coincide.
 constexpr double kShortestPiece = 1e-3;
 
 /// Computes the shifts that minimise the weighted sum of squared piece lengths, from a tridiagonal system.

@@ -18,7 +18,7 @@ int rowOf(const Variable& variable, const std::vector<int>& active, int rows) {
   return rows;
 }
 
-/// Flags for the parts of a row whose values change.
+/// Flags for the parts of a row that change with the seeded variables.
 struct RowChanges {
   bool placement = false, flexibility = false, others = false;
 };

@@ -80,7 +80,7 @@ struct EffectKind {
   std::vector<EffectVariable> varies_with;  ///< simplest variable first; empty: may vary with anything
   EffectNeeds needs;
   std::vector<EffectParameter> parameters;
-  std::vector<Place> (*places)(const Arm&);  ///< returns every place of an arm where the effect can be
+  std::vector<Place> (*places)(const Arm&);  ///< returns every place of an arm where the effect can act
   void (*apply)(const EffectOf<double>&, EffectContext<double>&);
   void (*applyDual)(const EffectOf<Dual>&, EffectContext<Dual>&);
 };
@@ -93,13 +93,13 @@ const std::vector<EffectKind>& effectKinds();
 /// Returns the kind of an effect.
 [[nodiscard]] const EffectKind& kindOf(const Effect& effect);
 
-/// Returns the index of the kind with a name, or nothing if there is none.
+/// Returns the index of the kind named `name`; nothing if there is none.
 [[nodiscard]] std::optional<int> findEffectKind(std::string_view name);
 
 /// Returns a place as written in files and reports.
 [[nodiscard]] std::string textOf(const Arm& arm, const EffectKind& kind, const Place& place);
 
-/// Returns every place of an arm where the effect can be, as text.
+/// Returns every place of an arm where effects of a kind can act, as text.
 [[nodiscard]] std::vector<std::string> placeTexts(const Arm& arm, const EffectKind& kind);
 
 /// Returns a clause such as "this arm has no place for it, which needs a slide", for a kind without places in an arm.

@@ -18,7 +18,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kOfCondition = 5;
 constexpr double kOfOwnJoint = 3;  // weight of a change with the effect's own joint
 constexpr double kOfReach = 1e-9;  // shift that may be rounding alone, as a fraction of the reach
-constexpr double kOfRange = 0.05;  // distance from a joint's limits, as a fraction of its range
+constexpr double kOfRange = 0.05;  // least distance from a joint's limits, as a fraction of the joint's range
 
 /// Returns the effect at half of its plausible magnitude; an event occurs halfway through the sweep of time.
 Effect ofUsualSize(const Arm& arm, Effect effect) {

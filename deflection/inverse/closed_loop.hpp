@@ -69,7 +69,7 @@ class ClosedLoop {
   std::array<double, kJoints> zero_;
   std::array<bool, kJoints> slides_;
   std::array<JointClosure<Size>, kOuter> outer_;
-  Inner inner_;  ///< terms of the tool's side, grouped by powers of x: 1, x, x^2
+  Inner inner_;  ///< terms of the tool's side, grouped by powers of the unknown x: 1, x, x^2
   Eigen::Matrix<double, 1, 3 * kInnerTerms> inner_weight_;
 };
 

@@ -14,8 +14,8 @@
 
 namespace tubeplan::deflection {
 
-inline constexpr int kLineSize = 15;  ///< l, p, p x l, (p.p) l - 2 (p.l) p, p.p, p.l, 1
-inline constexpr int kPlaceSize = 5;  ///< p, p.p, 1
+inline constexpr int kLineSize = 15;  ///< number of quantities: l, p, p x l, (p.p) l - 2 (p.l) p, p.p, p.l, 1
+inline constexpr int kPlaceSize = 5;  ///< number of quantities: p, p.p, 1
 
 template <int Size>
 using Closure = Eigen::Matrix<double, Size, 1>;

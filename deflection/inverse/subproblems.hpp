@@ -10,7 +10,7 @@
 
 namespace tubeplan::deflection {
 
-/// Returns both solutions x of a cos x + b sin x = c [rad]; none if |c| exceeds the amplitude by more than the fraction
+/// Returns both solutions x [rad] of a cos x + b sin x = c; none if |c| exceeds the amplitude by more than the fraction
 /// `slack`.
 inline std::vector<double> solveCosineSine(double a, double b, double c, double slack = 1e-12) {
   const double r = std::hypot(a, b);

@@ -28,7 +28,7 @@ constexpr double kAtItsPlace = 1e-7;   ///< largest position error of a converge
 constexpr double kLongestStep = 0.5;   ///< longest step of a joint [rad, reaches]
 constexpr int kMostSteps = 6;
 
-/// Returns the point with the smallest squared distances from the last three axes.
+/// Returns the point with the smallest sum of squared distances from the last three axes.
 Vector3d wristCentre(const AxesAtZero& axes) {
   Matrix3d sum = Matrix3d::Zero();
   Vector3d side = Vector3d::Zero();
