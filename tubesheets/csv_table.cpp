@@ -125,7 +125,7 @@ CsvTable parseCsv(std::string_view text) {
     if (table.problem) break;
   }
   if (!table.problem && table.columns.empty())
-    table.problem = Problem{"text", "there is no header line", "", "write one with the columns' names", 0};
+    table.problem = Problem{"text", "there is no header line", "", "add a line with the names of the columns", 0};
   return table;
 }
 

@@ -101,7 +101,7 @@ TermChoice thinSpread(const Sheet& sheet, const std::vector<int>& candidates, st
   if (!count) return refuseTerm(std::string(kExpectedCount));
   if (*count > static_cast<int>(candidates.size()))
     return refuseTerm(
-        fmt::format("it asks for {} tubes, but the rest of the list selects {}", *count, candidates.size()));
+        fmt::format("the item asks for {} tubes, but the rest of the list selects {}", *count, candidates.size()));
   return {chooseSpread(sheet, candidates, *count), ""};
 }
 

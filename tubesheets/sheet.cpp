@@ -75,7 +75,7 @@ std::vector<Problem> findDescriptionProblems(const SheetDescription& description
   if (!is_full && description.layout.first_row <= diameter / 2)
     problems.push_back({"first_row", fmt::format("{:.6g} m", description.layout.first_row),
                         fmt::format("more than half a hole, {:.6g} m", diameter / 2),
-                        "row 1 would cut the divider plate"});
+                        "otherwise the holes of row 1 would cut the divider plate"});
   return problems;
 }
 

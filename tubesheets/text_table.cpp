@@ -182,7 +182,8 @@ class TableParser {
   }
 
   void refuseHeadless() {
-    if (lines_.empty()) return refuse({"text", "there is no header line", "", "write one with the columns' names", 0});
+    if (lines_.empty())
+      return refuse({"text", "there is no header line", "", "add a line with the names of the columns", 0});
     const auto fields = splitCsvLine(lines_.front().text, ',');
     if (!fields)
       return refuse(

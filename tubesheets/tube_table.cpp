@@ -105,7 +105,7 @@ class ColumnFinder {
     if (table_.unit_x && table_.unit_y && table_.unit_x->suffix != table_.unit_y->suffix)
       refuse("header",
              fmt::format("x and y have different units, {} and {}", table_.unit_x->suffix, table_.unit_y->suffix), "",
-             "write both in one unit");
+             "write both in the same unit");
   }
 
   TubeTable table_;
@@ -197,7 +197,7 @@ NamedTube tubeOf(const TubeTable& table, const CsvRow& row) {
             Problem{table.nameOf(TubeColumn::kTube), "\"" + tube + "\"",
                     fmt::format("row {}, column {}, as beside it", of_row.value_or(found.row),
                                 of_column.value_or(found.column)),
-                    "correct the one or the other", row.line}};
+                    "correct one of them", row.line}};
   return {found, std::nullopt};
 }
 
@@ -224,7 +224,7 @@ ReadCodes codesOf(const TubeTable& table, const CsvRow& row) {
     else if (code->use == CodeUse::kState && read.state && *read.state != code->state)
       read.problem =
           Problem{table.text.columns[place], "\"" + field + "\"",
-                  fmt::format("{}, as beside it", tubeStateName(*read.state)), "keep the one that is true", row.line};
+                  fmt::format("{}, as beside it", tubeStateName(*read.state)), "keep the one that is right", row.line};
     else if (code->use == CodeUse::kState)
       read.state = code->state;
     else if (code->use == CodeUse::kDone)

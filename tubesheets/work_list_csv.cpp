@@ -32,8 +32,7 @@ std::optional<Problem> findOddLine(const WorkListItem& first, const WorkListItem
 std::optional<Problem> findContradiction(const WorkListItem& first, const WorkListItem& item) {
   const std::string tube = tubeName(item.row, item.column);
   const auto problem = [&](const std::string& found, const std::string& before) {
-    return Problem{tube, found, fmt::format("{}, as on line {}", before, first.line), "correct the one or the other",
-                   item.line};
+    return Problem{tube, found, fmt::format("{}, as on line {}", before, first.line), "correct one of them", item.line};
   };
   if (first.state && item.state && *first.state != *item.state)
     return problem(std::string(tubeStateName(*item.state)), std::string(tubeStateName(*first.state)));

@@ -107,15 +107,17 @@ bool isYaml(const std::string& file) { return file.ends_with(".yaml") || file.en
 
 int importCalibration(const ArmOptions& options) {
   if (options.nominal.empty())
-    throw InputError::saying(
-        "--nominal", "the option is missing",
-        isYaml(options.file)
-            ? "name the arm file whose joint origins " + options.file + " replaces, as `arm import robot.urdf` makes it"
-            : "name the arm file with the model's standard table, to which " + options.file +
-                  " adds; write it with `convention: standard`, and limits and speeds as the maker states them");
+    throw InputError::saying("--nominal", "the option is missing",
+                             isYaml(options.file)
+                                 ? "give the arm file whose joint origins " + options.file +
+                                       " replaces; `arm import robot.urdf` makes such a file"
+                                 : "give the arm file with the model's standard Denavit-Hartenberg table, to which " +
+                                       options.file +
+                                       " adds its corrections; write that arm file with `convention: standard` and the "
+                                       "maker's limits and speeds");
   for (const auto& [name, value] : {std::pair("--cell", options.cell), std::pair("--tip", options.tip)})
     if (!value.empty())
-      throw InputError::saying(name, "this option is for URDF files, and not for a controller's calibration",
+      throw InputError::saying(name, "this option is for URDF files, not for the calibration of a controller",
                                "leave it out");
   const CalibratedText text = options.file.ends_with(".conf") ? controllersArm(options) : robotsArm(options);
   const ArmSource calibrated = readArm(parseYaml(text.arm, options.out));
@@ -149,9 +151,9 @@ int exportRows(const ArmOptions& options) {
   const auto converted = deflection::convertRows(given.arm, convention);
   if (!converted.is_converted)
     throw InputError::saying(options.file,
-                             fmt::format("the frame of row {} cannot stand as `--convention {}` has it: {}",
+                             fmt::format("the frame of row {} cannot be placed as `--convention {}` requires: {}",
                                          inQuotes(converted.row), options.convention, converted.reason),
-                             "take --convention origin, which leaves frames where they are");
+                             "use --convention origin, which leaves frames where they are");
   std::vector<std::string> left_out;
   if (!given.arm.effects.empty()) left_out.emplace_back("the cell's effects: they are no numbers of rows");
   writeFileAtomically(options.out, armYaml(converted.arm, given.units, given.tool_axis), "--out");
@@ -197,10 +199,10 @@ int show(const ArmOptions& options) {
 int exportArm(const ArmOptions& options) {
   if (!options.into.empty() && !options.convention.empty())
     throw InputError::saying("--into", "this option cannot be combined with --convention",
-                             "take --into for a URDF file, --convention for an arm file");
+                             "use --into for a URDF file, or --convention for an arm file");
   if (options.is_kinematics && !(options.into.empty() && options.convention.empty()))
     throw InputError::saying("--kinematics", "this option cannot be combined with --into or --convention",
-                             "take --kinematics only for the YAML file of ROS");
+                             "use --kinematics only to write the YAML file of ROS");
   if (options.is_kinematics) return exportKinematics(options);
   if (!options.into.empty()) return exportIntoUrdf(options);
   return options.convention.empty() ? exportUrdf(options) : exportRows(options);

@@ -58,8 +58,8 @@ class CampaignDesk {
       keeper_.emplace(folder_->path(), options.resume);
       if (const auto kept = keeper_->begin(campaign.question, runs_)) {
         if (!campaign.experiment->add(kept->total))
-          throw InputError(keeper_->path().string(), "a tally of another format", "that of this campaign",
-                           "remove it to start again");
+          throw InputError(keeper_->path().string(), "a tally of another format", "the format of this campaign",
+                           "remove that file to start again");
         done = kept->done;
       }
     }
@@ -120,7 +120,7 @@ void checkOptions(const CampaignOptions& options) {
   if (options.runs < 1 || options.runs > kMostRuns)
     throw InputError("--runs", std::to_string(options.runs), fmt::format("1 to {}", kMostRuns));
   if (options.jobs < 0 || options.jobs > 1024)
-    throw InputError("--jobs", std::to_string(options.jobs), "0 to 1024", "0 takes one for each core");
+    throw InputError("--jobs", std::to_string(options.jobs), "0 to 1024", "0 means one job for each core");
 }
 
 int workersOf(const CampaignOptions& options) {
@@ -154,8 +154,9 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
     // mpirun stops all ranks at the first nonzero exit code, which must come from the rank that reports the error.
     if (ranks.rank() > 0) return kDone;
     if (wrong) throw *wrong;
-    throw InputError::saying("campaign", "one of the machines has other options or files, or could not read them",
-                             "copy the same program and the same files to every machine");
+    throw InputError::saying("campaign",
+                             "one of the machines has different options or files, or could not read its files",
+                             "copy the same program and files to every machine, and give the same options");
   }
   if (desk) return desk->run(workersOf(options), &ranks);
   noteStopSignals();  // only the first rank decides when to stop
@@ -166,8 +167,9 @@ int runRanked(const CampaignOptions& options, Ranks& ranks) {
 int run(const CampaignOptions& options) {
   if (!areRanksLaunched()) return runAlone(options);
   if (!isBuiltForRanks())
-    throw InputError::saying("campaign", "several processes were started together, but this program has no MPI",
-                             "run it once, with --jobs, or build it where CMake finds MPI");
+    throw InputError::saying("campaign",
+                             "several processes were started together, but this program was built without MPI",
+                             "start one process with --jobs, or build the program where CMake finds MPI");
   Ranks ranks;
   return runRanked(options, ranks);
 }

@@ -158,7 +158,7 @@ std::optional<InputError> optionWithout(CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     for (const CLI::Option* needed : option->get_needs())
       if (option->count() > 0 && needed->count() == 0)
-        return InputError::saying(option->get_name(), "the option needs " + needed->get_name() + " beside it",
+        return InputError::saying(option->get_name(), "the option also needs " + needed->get_name(),
                                   fmt::format("add {}, or leave {} out", needed->get_name(), option->get_name()));
   return std::nullopt;
 }
@@ -175,7 +175,7 @@ std::optional<InputError> optionsTogether(CLI::App& command) {
 std::optional<InputError> superfluousWords(CLI::App& command) {
   for (const std::string& word : wordsLeft(command))
     if (word != "--")
-      return InputError::saying(command.get_name(), "there are too many words, from " + inQuotes(word) + " on",
+      return InputError::saying(command.get_name(), "too many arguments, starting at " + inQuotes(word),
                                 usageOf(command));
   return std::nullopt;
 }

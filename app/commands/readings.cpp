@@ -38,7 +38,7 @@ std::map<UnitKind, const Unit*> unitsOf(const std::vector<std::string>& words) {
     if (!units.emplace(unit->kind, unit).second)
       throw InputError::saying(
           "--units", fmt::format("{} and {} are units of the same quantity", units[unit->kind]->name, unit->name),
-          "name one unit of each kind");
+          "give one unit for each quantity");
   }
   return units;
 }

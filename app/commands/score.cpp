@@ -174,9 +174,11 @@ int run(const ScoreOptions& options) {
   const Cell true_cell = readCell(options.truth);
   const auto model = workcellOf(cell, "score positioning"), truth = workcellOf(true_cell, "score against it");
   if (model.sheet.fingerprint() != truth.sheet.fingerprint())
-    throw InputError(options.truth, "a tube sheet of fingerprint " + truth.sheet.fingerprint(),
-                     "the cell's, of fingerprint " + model.sheet.fingerprint(),
-                     "name a true cell under the same tube sheet");
+    throw InputError::saying(
+        options.truth,
+        fmt::format("this tube sheet (fingerprint {}) differs from that of the cell (fingerprint {})",
+                    truth.sheet.fingerprint(), model.sheet.fingerprint()),
+        "give a --truth cell with the same tube sheet");
   checkFigures(options.figures);
   const std::size_t spread = options.runs > 0 ? kTubesOfRuns : kTubes;
   requireWorkList(options.columns, {options.tubes});

@@ -37,12 +37,12 @@ void requireToken(const DoorRules& door) {
   if (door.token.empty() && isLoopback(door.host)) return;
   if (door.token.empty())
     throw InputError::saying("--host", "others on the network could reach " + inQuotes(door.host) + " without a token",
-                             "add --token TEXT, which they must then show");
+                             "add --token TEXT, which is then required for access");
   const bool is_plain = std::all_of(door.token.begin(), door.token.end(),
                                     [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
   if (!is_plain || door.token.size() < kShortestToken)
-    throw InputError::saying("--token", "the token is too short or has other signs than letters, digits, - and _",
-                             fmt::format("give at least {} of these", kShortestToken));
+    throw InputError::saying("--token", "the token is too short or contains an invalid character",
+                             fmt::format("use at least {} characters from letters, digits, - and _", kShortestToken));
 }
 
 int run(const ServeOptions& options) {

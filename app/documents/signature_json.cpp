@@ -46,7 +46,7 @@ json signatureJson(const Cell& cell, const std::string& effect, const std::strin
     const std::string places = made.known.empty() ? "" : fmt::format("its places are {}", fmt::join(made.known, ", "));
     throw InputError::saying(
         "at",
-        made.known.empty() ? fmt::format("the effect {}: {}", inQuotes(effect), made.reason)
+        made.known.empty() ? fmt::format("the effect {} cannot be placed here: {}", inQuotes(effect), made.reason)
                            : fmt::format("this arm has no place {} for the effect {}", inQuotes(at), inQuotes(effect)),
         near.empty() ? places : near);
   }

@@ -70,7 +70,8 @@ void removeOrRefuse(Cell& cell, const std::string& cause) {
         std::erase_if(cell.arm.effects, [&](const Effect& own) { return deflection::textOf(cell.arm, own) == cause; });
   const std::size_t names = std::erase_if(cell.identify, is_gone);
   if (effects + (is_name ? names : 0) == 0)
-    throw InputError::saying(kWhere, "the model has no " + inQuotes(cause), "name an effect or a free number of it");
+    throw InputError::saying(kWhere, "the model has no " + inQuotes(cause),
+                             "name an effect or a free number of the model");
 }
 
 }  // namespace
@@ -78,7 +79,7 @@ void removeOrRefuse(Cell& cell, const std::string& cause) {
 Addition addToCell(const Cell& cell, const AdditionRequest& request) {
   if (request.causes.empty() && request.formula.empty())
     throw InputError::saying(kWhere, "no effect to add is named",
-                             "name one, as backlash@tool.z, or give --formula 'theta3 += c*sin(3*theta1)'");
+                             "name one, such as backlash@tool.z, or give --formula 'theta3 += c*sin(3*theta1)'");
   Addition addition{{}, cell};
   std::string target;
   for (const auto& cause : request.causes) {

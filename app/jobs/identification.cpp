@@ -47,8 +47,8 @@ IdentificationOptions identificationOptions(const IdentificationRequest& request
   for (const auto& method : calibration::leastSquaresMethods())
     if (method.name == request.method) result.solver.method = method.method;
   if (result.free.names.empty() && request.stages.empty() && cell.base_known)
-    throw InputError::saying(cell.path, "no parameter is free, by a list `identify` or --free NAME",
-                             "`tubeplan identify --help` says what may be freed");
+    throw InputError::saying(cell.path, "no parameter is free; list parameters under `identify`, or add --free NAME",
+                             "`tubeplan identify --help` lists what can be freed");
   return result;
 }
 
@@ -58,7 +58,7 @@ void requireAccepted(const Identification& result, const IdentificationRequest& 
   const Cell& cell = input.cell;
   if (result.reading_problem) throw refusalOf(result.reading_problem, result.reason, input);
   if (result.problems.empty())
-    throw InputError::saying(cell.path, result.reason, "`tubeplan identify --help` says what may be freed");
+    throw InputError::saying(cell.path, result.reason, "`tubeplan identify --help` lists what can be freed");
   refuseName(request.free.empty() ? cell.path + " (identify)" : "--free", result.problems.front(), cell.arm);
 }
 

@@ -1,5 +1,7 @@
 #include "app/jobs/ladder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "app/documents/ladder_json.hpp"
@@ -31,9 +33,11 @@ std::optional<Cell> sheetCell(const LadderRequest& request, const std::vector<La
 
 void requireOneSheet(const Cell& cell, const tubesheets::Sheet& sheet) {
   if (cell.sheet && cell.sheet->fingerprint() != sheet.fingerprint())
-    throw InputError(cell.path, "a tube sheet of fingerprint " + cell.sheet->fingerprint(),
-                     "that of the step table, of fingerprint " + sheet.fingerprint(),
-                     "name cells under one tube sheet");
+    throw InputError::saying(
+        cell.path,
+        fmt::format("this tube sheet (fingerprint {}) differs from that of the step table (fingerprint {})",
+                    cell.sheet->fingerprint(), sheet.fingerprint()),
+        "give cells with the same tube sheet");
 }
 
 /// Returns the real arm for the step tables: the arm of the truth, or of the best model if no truth is named. The sheet

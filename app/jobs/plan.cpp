@@ -39,15 +39,17 @@ planner::TravelKind travelOf(const PlanRequest& request) {
 
 void requireSameSheet(const planner::Workcell& cell, const planner::Workcell& truth, const std::string& file) {
   if (cell.sheet.fingerprint() != truth.sheet.fingerprint())
-    throw InputError(file, "a tube sheet of fingerprint " + truth.sheet.fingerprint(),
-                     "the cell's, of fingerprint " + cell.sheet.fingerprint(),
-                     "name a true cell under the same tube sheet");
+    throw InputError::saying(
+        file,
+        fmt::format("this tube sheet (fingerprint {}) differs from that of the cell (fingerprint {})",
+                    truth.sheet.fingerprint(), cell.sheet.fingerprint()),
+        "give a --truth cell with the same tube sheet");
 }
 
 std::vector<calibration::Measurement> touchesFor(const PlanRequest& request, const PlanOutcome& outcome) {
   if (request.touches == "auto" && !outcome.truth)
     throw InputError::saying("--touches auto", "there is no true arm to touch with",
-                             "name its cell by --truth CELL, or give a file of touches");
+                             "give its cell with --truth CELL, or give a file of touches");
   if (request.touches == "auto") return touchesByTrueArm(outcome.nominal, outcome.cell, *outcome.truth, request.seed);
   const auto readings = readMeasurements(request.touches, outcome.cell.arm, &outcome.nominal.sheet);
   requireDefinedFormulas(readings, outcome.cell, request.touches);
@@ -102,7 +104,7 @@ void checkPadding(const PlanRequest& request, const PlanOutcome& outcome) {
   if (!(request.padding >= 0 && request.padding <= kMostSigmas))
     throw InputError("--padding", fmt::format("{}", request.padding), "0 to 10 standard deviations of the base");
   if (request.padding > 0 && outcome.model.base_covariance.isZero(0))
-    throw InputError::saying("--padding", "the base pose has no covariance, as it was not calibrated",
+    throw InputError::saying("--padding", "the base pose has no covariance, because it was not calibrated",
                              "give --touches, or a cell that `calibrate` wrote");
 }
 
@@ -134,8 +136,8 @@ void requireZonesOfTheList(const ConditionsRequest& asked, const planner::VisitC
   for (std::size_t k = 0; k < conditions.zones.size(); ++k) {
     const auto isAsked = [&](int tube) { return std::binary_search(tubes.begin(), tubes.end(), tube); };
     if (std::none_of(conditions.zones[k].begin(), conditions.zones[k].end(), isAsked))
-      throw InputError::saying("--first", inQuotes(asked.first[k]) + " names no tube that is to be visited",
-                               "name tubes of the list");
+      throw InputError::saying("--first", inQuotes(asked.first[k]) + " is not among the tubes to be visited",
+                               "choose tubes that are to be visited");
   }
 }
 

@@ -106,8 +106,8 @@ TouchRequest completed(TouchRequest request, const Cell& cell) {
   if (request.kind.empty()) request.kind = cell.sheet ? "touch" : "position";
   if (request.goal.empty()) request.goal = !cell.sheet ? "parameters" : frees ? "both" : "base";
   if (request.goal != "base" && !frees && cell.base_known)
-    throw InputError::saying(cell.path, "no parameter is free, by a list `identify` or --free NAME",
-                             "`tubeplan touches --help` says what may be freed");
+    throw InputError::saying(cell.path, "no parameter is free; list parameters under `identify`, or add --free NAME",
+                             "`tubeplan touches --help` lists what can be freed");
   if (request.goal != "parameters") (void)requireSheet(cell, "choose holes to touch for the base");
   if (!request.tubes.empty()) (void)requireSheet(cell, "choose --tubes");
   requireWorkList(request.columns, {request.tubes});
@@ -119,9 +119,10 @@ void requireEnough(const TouchRequest& request, const TouchOutcome& outcome) {
     throw InputError("--count", std::to_string(request.count), "three or more touches to place a base");
   const bool needs_loads = wants(request, "parameters") && request.kind == "touch" && !outcome.cell.sheet;
   if (needs_loads && outcome.loads.size() < 2)
-    throw InputError("--loads", fmt::format("{} load", outcome.loads.size()),
-                     "two or more, as a point of unknown position is informative only when touched under several",
-                     "give --loads=0,20 or --kind position");
+    throw InputError(
+        "--loads", fmt::format("{} load", outcome.loads.size()),
+        "two or more, because a point of unknown position is informative only when touched under several loads",
+        "give --loads=0,20 or --kind position");
 }
 
 /// Copies the options of the request to the task and, for a cell with a sheet, sets the workcell and the tubes of the

@@ -70,11 +70,11 @@ void refuseFolder(const fs::path& path, const std::string& option) {
   std::error_code error;
   if (path.filename().empty() || fs::is_directory(path, error))
     throw InputError(option, fmt::format("the folder '{}'", path.string()), "the name of a file", "add a file name");
-  if (path == "-") throw InputError(option, "'-'", "the name of a file", "only --json writes to standard output by -");
+  if (path == "-") throw InputError(option, "'-'", "the name of a file", "only --json accepts - for standard output");
 }
 
 fs::path absoluteFolder(const fs::path& path, const std::string& option) {
-  if (path.empty()) throw InputError(option, "''", "the name of a folder", "name one, which may be new");
+  if (path.empty()) throw InputError(option, "''", "the name of a folder", "give a folder, which may be new");
   return fs::absolute(path).lexically_normal();
 }
 
@@ -129,12 +129,12 @@ OutputFolder::OutputFolder(const fs::path& path, const std::string& option)
   std::error_code error;
   if (fs::exists(path_, error) && !fs::is_directory(path_))
     throw InputError::saying(option, fmt::format("'{}' is a file, not a folder", path_.string()),
-                             "name a folder, which may be new");
+                             "give a folder, which may be new");
   made_.make(path_, option);
   if (lock_.tryTake(path_, O_RDONLY | O_DIRECTORY) == FileLock::Outcome::kHeldByAnother)
-    throw InputError::saying(option,
-                             fmt::format("another run of tubeplan{} writes to '{}'", holderOf(path_), path_.string()),
-                             "wait until it has finished, or choose another folder");
+    throw InputError::saying(
+        option, fmt::format("another run of tubeplan{} is writing to '{}'", holderOf(path_), path_.string()),
+        "wait until it has finished, or choose another folder");
   removeLeftovers(path_, kScratch);
   scratch_ = path_ / fmt::format(".{}.{}.part", kScratch, ::getpid());
   fs::create_directory(scratch_, error);
@@ -155,9 +155,10 @@ void OutputFolder::requireOwn(const std::vector<std::string>& marks, const std::
   };
   if (std::ranges::any_of(marks, isThere)) return;
   if (const auto other = std::ranges::find_if(names, isThere); other != names.end())
-    throw InputError::saying(
-        option_, inQuotes((path_ / *other).string()) + " comes from no earlier run of this command and would be lost",
-        "choose an empty folder, or that of an earlier run");
+    throw InputError::saying(option_,
+                             inQuotes((path_ / *other).string()) +
+                                 " was not written by an earlier run of this command and would be overwritten",
+                             "choose an empty folder, or the folder of an earlier run");
 }
 
 void OutputFolder::write(const std::string& name, const std::string& content) {

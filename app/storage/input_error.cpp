@@ -40,7 +40,7 @@ InputError InputError::saying(std::string where, std::string what, std::string a
 
 InputError inputErrorOf(const std::filesystem::filesystem_error& error) {
   return InputError::saying(error.path1().string(), error.code().message(),
-                            "check its name, its folder and its permissions");
+                            "check the name, the folder and the permissions");
 }
 
 std::string inQuotes(std::string_view text) { return "'" + nameInLine(text) + "'"; }

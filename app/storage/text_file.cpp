@@ -35,10 +35,10 @@ std::string bytesOfText(const std::string& path) {
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found)
     throw InputError::saying(path, "no such file", "check the name and the folder");
-  if (std::filesystem::is_directory(status)) throw InputError(path, "a folder", "a file", "name a file in it");
+  if (std::filesystem::is_directory(status)) throw InputError(path, "a folder", "a file", "name a file in this folder");
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
-    throw InputError::saying(path, fmt::format("cannot be read ({})", std::strerror(errno)),
+    throw InputError::saying(path, fmt::format("the file cannot be read ({})", std::strerror(errno)),
                              "check the file's permissions");
   std::string text = readAtMost(stream, kLargestFile);
   if (text.size() > kLargestFile)

@@ -91,7 +91,7 @@ Answer addTouch(Workbench& workbench, const Request& request) {
   if (now.touches.size() >= kMostTouches)
     return refusal(409,
                    InputError::saying("touches", fmt::format("the list is full, with {} touches", now.touches.size()),
-                                      "take one out of the list first"));
+                                      "remove a touch from the list first"));
   TouchMade made;
   made.tube = requiredHoleOf(body, cell);
   made.is_simulated = booleanOf(body, "simulate", !body.contains("joints"));
@@ -146,7 +146,8 @@ std::vector<calibration::Measurement> touchesToUse(const Session& session, const
     return touchesOf(readingsInUse(*session.readings), cell, session.readings->name);
   std::vector<calibration::Measurement> made;
   for (const auto& touch : session.touches) made.push_back(touch.touch);
-  if (made.empty()) throw InputError::saying("touches", "no hole is touched yet", "touch three or more holes first");
+  if (made.empty())
+    throw InputError::saying("touches", "no hole has been touched yet", "touch at least three holes first");
   return touchesOf(parseReadings(touchesCsv(made, cell), "touches.csv", cell), cell, "touches.csv");
 }
 

@@ -58,7 +58,7 @@ std::string exportedArm(const Session& s) {
   const auto files = exportedFiles(s);
   if (files.size() < 2)
     throw InputError::saying("export", "the cell has no arm file of its own",
-                             "export cell.yaml, which has the arm in it");
+                             "export cell.yaml, which contains the arm");
   return files.back().text;
 }
 std::string exportedReadings(const Session& s) {
@@ -160,8 +160,8 @@ Answer saveCell(Workbench& workbench, const Request& request) {
   for (const auto& file : files) {
     const auto checked = workbench.folder().fileToWrite(file.path.filename().string());
     if (std::filesystem::exists(checked) && !booleanOf(body, "overwrite", false))
-      return refusal(409, InputError::saying(checked.filename().string(), "this file is there already",
-                                             "choose another name, or replace the file"));
+      return refusal(409, InputError::saying(checked.filename().string(), "this file already exists",
+                                             "choose another name, or confirm that it is to be replaced"));
     written.push_back(checked.filename().string());
   }
   writeFilesTogether(files, "file");

@@ -36,7 +36,8 @@ Answer openInstead(Workbench& workbench, const nlohmann::json& body, const std::
   Session opened = openCell(path.string(), "");
   opened.saved_revision = opened.revision;
   if (!workbench.replace(std::move(opened)))
-    return refusal(409, InputError::saying("cell", "a job is not done yet", "wait for it, or stop it"));
+    return refusal(409, InputError::saying("cell", "another cell cannot be opened while a job is running",
+                                           "wait until the job finishes, or stop it"));
   return answerOf(stateJson(workbench));
 }
 
@@ -64,8 +65,8 @@ Answer saveProject(Workbench& workbench, const Request& request) {
   if (!name.ends_with(kProjectExtension)) name += kProjectExtension;
   const auto place = workbench.folder().fileToWrite(name);
   if (std::filesystem::exists(place) && !booleanOf(body, "overwrite", false))
-    return refusal(409,
-                   InputError::saying(name, "this file is there already", "choose another name, or replace the file"));
+    return refusal(409, InputError::saying(name, "this file already exists",
+                                           "choose another name, or confirm that it is to be replaced"));
   const Session saved = workbench.session();
   writeFileAtomically(place, projectText(saved), "file");
   workbench.change([&](Session& session) {

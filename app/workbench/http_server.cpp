@@ -45,11 +45,12 @@ void put(const Answer& answer, httplib::Response& response) {
 Answer refused(int status, const httplib::Request& request) {
   switch (status) {
     case 401:
-      return refusal(401, InputError::saying("Authorization", "the token is missing or is not the server's",
+      return refusal(401, InputError::saying("Authorization", "the token is missing or wrong",
                                              "open the address that the program printed"));
     case 403:
-      return refusal(403, InputError::saying("Host, Origin", "the request comes from another site, or names one",
-                                             "open the address that the program printed"));
+      return refusal(403,
+                     InputError::saying("Host, Origin", "the request comes from another site, or names another host",
+                                        "open the address that the program printed"));
     case 413:
       return refusal(413, InputError("request body", "more than 8 MiB", "at most 8 MiB"));
     case 414:
@@ -62,9 +63,9 @@ Answer refused(int status, const httplib::Request& request) {
       return refusal(404, InputError::saying(inQuotes(request.path), "there is no such page",
                                              "open the address that the program printed"));
     default:
-      return refusal(status,
-                     InputError::saying("request", fmt::format("it cannot be answered (HTTP status {})", status),
-                                        "send a complete HTTP/1.1 request; docs/workbench_api.md lists the addresses"));
+      return refusal(
+          status, InputError::saying("request", fmt::format("the request cannot be answered (HTTP status {})", status),
+                                     "send a complete HTTP/1.1 request; docs/workbench_api.md lists the addresses"));
   }
 }
 
@@ -151,7 +152,7 @@ class HttpServer::Implementation : public httplib::Server {
     const bool is_bound = door_.port == 0 ? (door_.port = bind_to_any_port(host)) > 0 : bind_to_port(host, door_.port);
     if (!is_bound)
       throw InputError::saying("--port",
-                               fmt::format("the server cannot listen at port {} of {}", door_.port, door_.host),
+                               fmt::format("the server cannot listen on port {} of {}", door_.port, door_.host),
                                "give a free port of this machine; --port 0 takes any free one");
     ::listen(svr_sock_,
              SOMAXCONN);  // the library's backlog is five, and refused clients retry only after a second or more

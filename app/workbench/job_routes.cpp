@@ -8,7 +8,7 @@ namespace tubeplan::app {
 Answer beginJob(Workbench& workbench, const std::string& kind, const std::string& label, JobWork work) {
   const auto begun = workbench.jobs().begin(kind, label, std::move(work));
   if (!begun.refused.empty())
-    return refusal(409, InputError::saying("jobs", begun.refused, "wait until a job is done, or stop one"));
+    return refusal(409, InputError::saying("jobs", begun.refused, "wait until a job finishes, or stop one"));
   workbench.events().stateChanged();
   return answerOf(begun.job, 202);
 }
@@ -61,7 +61,8 @@ void finishJob(Workbench& workbench, const Session& began, JobInput input, const
     return true;
   });
   if (has_other_readings) throw JobStopped{};
-  if (!is_same) throw InputError::saying("models", "the models have changed since the job started", "start it again");
+  if (!is_same)
+    throw InputError::saying("models", "the models have changed since the job started", "start the job again");
 }
 
 Cell rereadCell(const Cell& cell, const std::string& text) {

@@ -77,9 +77,9 @@ Jobs::~Jobs() {
 Jobs::Begun Jobs::begin(const std::string& kind, const std::string& label, JobWork work) {
   const std::lock_guard lock(mutex_);
   const auto is_same = [&](const auto& job) { return job->kind == kind && job->status == "running"; };
-  if (std::any_of(jobs_.begin(), jobs_.end(), is_same)) return {"the job '" + kind + "' is not done yet", {}};
+  if (std::any_of(jobs_.begin(), jobs_.end(), is_same)) return {"the job '" + kind + "' is still running", {}};
   if (waiting_.size() >= kMostWaiting)
-    return {fmt::format("{} jobs are waiting already, the greatest number", waiting_.size()), {}};
+    return {fmt::format("{} jobs are waiting already, and no more can wait", waiting_.size()), {}};
   auto job = std::make_shared<Job>();
   job->id = next_id_++;
   job->kind = kind;

@@ -110,7 +110,7 @@ class LineServer::Implementation {
       acceptor_.listen();
     } catch (const boost::system::system_error& failure) {
       throw InputError::saying("--lines",
-                               fmt::format("the server cannot listen at port {}: {}", port, failure.code().message()),
+                               fmt::format("the server cannot listen on port {}: {}", port, failure.code().message()),
                                "give a free port");
     }
     accept();

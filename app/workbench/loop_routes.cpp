@@ -99,7 +99,7 @@ Answer compare(Workbench& workbench, const Request& request) {
 
 void requireFitted(const IdentificationOutcome& outcome, const CellReadings& input) {
   if (outcome.fit.status == calibration::IdentificationStatus::kNotRun)
-    throw InputError::saying(input.file, outcome.fit.reason, "mend the readings, or confirm that they are right");
+    throw InputError::saying(input.file, outcome.fit.reason, "correct the readings, or confirm that they are right");
   if (outcome.fit.status != calibration::IdentificationStatus::kDone)
     throw InputError::saying(input.file, "the fit did not converge: " + outcome.fit.reason,
                              "fit fewer numbers, or add readings that determine them");
@@ -197,7 +197,7 @@ Answer improve(Workbench& workbench, const Request& request) {
                           "the readings allow no verdict: " +
                               (outcome.steps.empty() ? outcome.models.front().fit.reason
                                                      : reasonText(outcome.steps.back(), input.cell.units)),
-                          "mend the readings, or add more");
+                          "correct the readings, or add more");
                     std::vector<NamedCell> improved;  // one model for each step, so that each step can be undone
                     for (const auto& model : outcome.models)
                       improved.push_back(

@@ -119,8 +119,9 @@ void requirePlanned(const PlanOutcome& outcome) {
 /// Throws InputError for the name of a file, because a request may select tubes only by their names.
 void requireNoFile(const std::string& tubes) {
   if (tubes.ends_with(".csv"))
-    throw InputError::saying("request (first)", inQuotes(tubes) + " is the name of a file, which a request cannot give",
-                             "name the tubes in words, as R10C20 or outer:2");
+    throw InputError::saying("request (first)",
+                             inQuotes(tubes) + " is the name of a file, but a request cannot name files",
+                             "select the tubes by name, such as R10C20 or outer:2");
 }
 
 Answer plan(Workbench& workbench, const Request& request) {

@@ -72,7 +72,8 @@ std::vector<double> residuals(const Session& session, const tubesheets::Sheet& s
   if (session.readings) readings = session.readings->readings;
   for (const auto& made : session.touches) readings.push_back(made.touch);
   if (readings.empty())
-    throw InputError::saying("measurements", "no readings are loaded and no hole is touched", "touch some holes first");
+    throw InputError::saying("measurements", "no readings are loaded and no hole has been touched",
+                             "touch some holes first");
   for (const auto& reading : readings) {
     const auto name = tubesheets::parseTubeName(reading.point);
     const auto hole = name ? sheet.indexOf(name->row, name->column) : std::nullopt;

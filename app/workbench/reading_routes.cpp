@@ -28,7 +28,8 @@ constexpr std::size_t kMostLoaded =
 Answer noReadings() { return refusal(404, withoutReadings()); }
 
 Answer jobRuns() {
-  return refusal(409, InputError::saying("readings", "a job is not done yet", "wait for it, or stop it"));
+  return refusal(409, InputError::saying("readings", "they cannot be changed while a job is running",
+                                         "wait until it finishes, or stop it"));
 }
 
 Answer readings(Workbench& workbench, const Request&) {
@@ -85,7 +86,8 @@ Answer assume(Workbench& workbench, const Request& request) {
   const Session session = workbench.session();
   if (!session.readings) return noReadings();
   if (!session.readings->source)
-    return refusal(409, InputError::saying("readings", "their file is not at hand any more", "open it again"));
+    return refusal(
+        409, InputError::saying("readings", "the file of the readings is no longer available", "open the file again"));
   ReadingSource source = *session.readings->source;
   if (names.empty()) source.assumed.clear();
   source.assumed.insert(source.assumed.end(), names.begin(), names.end());
@@ -223,8 +225,7 @@ Answer part(Workbench& workbench, const Request&) {
   const Session session = workbench.session();
   if (!session.readings) return noReadings();
   if (joinedCount(*session.readings) == 0)
-    return refusal(
-        409, InputError::saying("readings", "no readings have joined the others", "join some before taking them out"));
+    return refusal(409, InputError::saying("readings", "there are no added readings to remove", "add readings first"));
   take(workbench, partedSet(*session.readings, currentModel(session).cell));
   return answerOf(stateJson(workbench));
 }

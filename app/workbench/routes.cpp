@@ -57,7 +57,7 @@ Answer answer(Workbench& workbench, const Request& request) {
       return refusal(405, InputError::saying(pathOf(request), "this address does not take " + request.method,
                                              "docs/workbench_api.md lists the methods of every address"));
     return refusal(404, InputError::saying(pathOf(request), "the workbench has no such address",
-                                           "docs/workbench_api.md lists them"));
+                                           "docs/workbench_api.md lists the valid addresses"));
   } catch (const NotJson& error) {
     return refusal(400, error);
   } catch (const InputError& error) {

@@ -59,8 +59,8 @@ SessionKeeper::SessionKeeper(fs::path folder) : folder_(std::move(folder)) {
   const fs::path made = fs::canonical(folder_, error);
   if (error)
     throw InputError::saying(
-        "--state", fmt::format("the folder {} cannot be made: {}", inQuotes(folder_.string()), error.message()),
-        "name a folder that can be written");
+        "--state", fmt::format("the folder {} cannot be created: {}", inQuotes(folder_.string()), error.message()),
+        "choose a folder with write permission");
   folder_ = made;
 }
 

@@ -101,7 +101,8 @@ std::string textOf(const Arm& arm, const Effect& effect) {
 
 std::string lackOfPlace(const EffectKind& kind) {
   const std::string needs = kind.place_needs;
-  return needs.empty() ? "this arm has no place for it" : "this arm has no place for it, which needs " + needs;
+  return needs.empty() ? "this arm has no place for this effect"
+                       : "this arm has no place for this effect, which needs " + needs;
 }
 
 MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at) {
@@ -118,8 +119,8 @@ MadeEffect makeEffect(const Arm& arm, std::string_view name, std::string_view at
   if (!place) {
     made.status = EffectStatus::kUnknownPlace;
     made.known = placeTexts(arm, kind);
-    made.reason = made.known.empty() ? lackOfPlace(kind) : "it has no such place on this arm";
-    if (name == user_formula::kName) made.reason = "it is made from a text, as 'theta3 += c*sin(3*theta1)'";
+    made.reason = made.known.empty() ? lackOfPlace(kind) : "this effect has no such place on this arm";
+    if (name == user_formula::kName) made.reason = "a formula is given as a text, such as 'theta3 += c*sin(3*theta1)'";
     return made;
   }
   made.status = EffectStatus::kMade;

@@ -47,7 +47,7 @@ template <class T>
 void refuseTwice(const std::string& option, std::vector<T> values) {
   std::sort(values.begin(), values.end());
   if (const auto twice = std::adjacent_find(values.begin(), values.end()); twice != values.end())
-    throw InputError::saying(option, fmt::format("{} is named twice", *twice), "name each value once");
+    throw InputError::saying(option, fmt::format("{} is given twice", *twice), "give each value once");
 }
 
 TouchRule ruleOf(const std::string& name) {
@@ -116,8 +116,8 @@ void findHoles(const CampaignRequest& request, CentringTask& task) {
   task.holes.visited = touchCandidates(task.model, selection.tube_indices);
   if (static_cast<int>(task.holes.visited.size()) < request.holes)
     throw InputError(
-        "--tubes " + tubes, fmt::format("{} holes in reach of {} tubes", task.holes.visited.size(), task.tubes),
-        fmt::format("at least the {} that a run visits", request.holes), "name more tubes, or fewer --holes");
+        "--tubes " + tubes, fmt::format("{} reachable holes among {} tubes", task.holes.visited.size(), task.tubes),
+        fmt::format("at least the {} that a run visits", request.holes), "select more tubes, or reduce --holes");
   for (const auto& setting : task.options.settings)
     if (setting.rule == TouchRule::kBest && task.holes.touchable.empty())
       task.holes.touchable = touchCandidates(task.model, kTouchableHoles);
@@ -133,7 +133,7 @@ void requireTouchable(const CentringTask& task) {
       throw InputError(
           "--touches", std::to_string(setting.touches),
           fmt::format("at most the {} holes that {}", most, is_tested ? "are visited in a run" : "can be touched"),
-          is_tested ? "touch fewer, or visit more by --holes" : "touch fewer");
+          is_tested ? "touch fewer holes, or visit more with --holes" : "touch fewer holes");
   }
 }
 
@@ -147,9 +147,11 @@ CentringTask centringTask(const CampaignRequest& request) {
   const std::string truth = request.truth.empty() ? request.cell : request.truth;
   task.truth = workcellOf(readCell(truth), "score against it");
   if (task.model.sheet.fingerprint() != task.truth.sheet.fingerprint())
-    throw InputError(truth, "a tube sheet of fingerprint " + task.truth.sheet.fingerprint(),
-                     "the cell's, of fingerprint " + task.model.sheet.fingerprint(),
-                     "name a true cell under the same tube sheet");
+    throw InputError::saying(
+        truth,
+        fmt::format("this tube sheet (fingerprint {}) differs from that of the cell (fingerprint {})",
+                    task.truth.sheet.fingerprint(), task.model.sheet.fingerprint()),
+        "give a true cell with the same tube sheet");
   if (request.holes < 1 || request.holes > 1000)
     throw InputError("--holes", std::to_string(request.holes), "1 to 1000 holes in each run");
   if (request.encoder_sigma)

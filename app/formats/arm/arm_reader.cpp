@@ -118,7 +118,7 @@ void checkBeamKeys(const YamlNode& node) {
     node.failSaying(twists ? "the beam has J but no G" : "the beam has G but no J", "a beam that twists needs both");
   if (!bends && !twists)
     node.failSaying("the beam neither bends nor twists",
-                    "write E with Ix, Iy or Iz, or G with J, or leave `beam` out where it is rigid");
+                    "write E with Ix, Iy or Iz, or G with J, or leave out `beam` if the link is rigid");
 }
 
 void readBeam(const YamlNode& node, const Units& units, ArmRow& row) {
@@ -146,7 +146,7 @@ ArmRow readRow(const YamlNode& node, const Units& units) {
   ArmRow row;
   row.name = node.at("name").text();
   if (row.name.find_first_of(".[] ") != std::string::npos)
-    node.at("name").fail("a name without blanks, dots and brackets");
+    node.at("name").fail("a name without blanks, dots or brackets");
   if (const YamlNode* joint = node.find("joint")) row.joint = readJoint(*joint, units);
   readPlacement(node, units, row);
   if (const YamlNode* stiffness = node.find("joint_stiffness")) {
@@ -161,7 +161,7 @@ ArmRow readRow(const YamlNode& node, const Units& units) {
 /// Reads the joints that a coupled joint follows, from a map of joint names to ratios.
 std::vector<deflection::FollowedJoint> readFollowed(const YamlNode& follows, const Arm& arm) {
   if (follows.kind != YamlNode::Kind::kMap || follows.keys.empty())
-    follows.fail("one JOINT: RATIO or more, as {theta1: -1}");
+    follows.fail("one or more entries JOINT: RATIO, such as {theta1: -1}");
   std::vector<deflection::FollowedJoint> followed;
   for (std::size_t k = 0; k < follows.keys.size(); ++k) {
     const auto row = std::find_if(arm.rows.begin(), arm.rows.end(), [&](const ArmRow& candidate) {
@@ -169,8 +169,8 @@ std::vector<deflection::FollowedJoint> readFollowed(const YamlNode& follows, con
     });
     if (row == arm.rows.end())
       follows.items[k].failSaying(
-          inQuotes(follows.keys[k]) + " is no revolute joint with an encoder reading of its own",
-          "write JOINT: RATIO, as {theta1: -1}");
+          inQuotes(follows.keys[k]) + " is not a revolute joint with an encoder reading of its own",
+          "write JOINT: RATIO, such as {theta1: -1}");
     followed.push_back({static_cast<int>(row - arm.rows.begin()), follows.items[k].number()});
   }
   return followed;
@@ -188,7 +188,7 @@ deflection::SideChain<double> readSideChain(const YamlNode& node, const Units& u
     if (const YamlNode* joint = row.find("joint"); joint && joint->find("follows"))
       joint->at("follows").failSaying("a joint of a side chain cannot follow others", "give it a reading of its own");
   }
-  if (chain.rows.empty()) node.at("links").fail("one link or more");
+  if (chain.rows.empty()) node.at("links").fail("one or more links");
   return chain;
 }
 
@@ -197,7 +197,7 @@ RowConvention readConvention(const YamlNode& node) {
   if (!convention || convention->text() == "modified") return RowConvention::kModified;
   if (convention->text() != "standard")
     convention->fail(inQuotes(convention->text()), "standard or modified",
-                     "it says what `dh` of the links means: modified is Craig's, and the default");
+                     "the convention defines the meaning of `dh` in the links; the default is modified (Craig's)");
   return RowConvention::kStandard;
 }
 
@@ -207,8 +207,9 @@ void requireOriginsFirst(const YamlNode& links) {
   bool is_after_dh = false;
   for (const YamlNode& row : links.list()) {
     if (is_after_dh && row.find("origin"))
-      row.at("origin").failSaying("a row by origin follows one by dh, which `convention: standard` does not allow",
-                                  "write it by dh, or take `tubeplan arm export --convention` to have all rows alike");
+      row.at("origin").failSaying(
+          "a row with `origin` follows a row with `dh`, which `convention: standard` does not allow",
+          "write this row with `dh`, or convert all rows with `tubeplan arm export --convention`");
     is_after_dh = is_after_dh || row.find("dh");
   }
 }
@@ -235,8 +236,8 @@ void takeRows(const YamlNode& links, RowConvention convention, const Units& unit
     if (!axis) continue;
     auto* dh = is_standard && k == 0 ? deflection::dhOf(rows[k]) : nullptr;
     if (!dh)
-      axis->failSaying("`axis` is only for a first link by dh under `convention: standard`",
-                       "remove it: other links have their axis by their other numbers");
+      axis->failSaying("`axis` is only for a first link with `dh` under `convention: standard`",
+                       "remove it: the axis of any other link follows from its other numbers");
     readAxis(*axis, units, *dh);
   }
 }

@@ -71,7 +71,7 @@ std::vector<double> numbersIn(const Entry& entry, const std::string& where) {
   const std::string& text = entry.value;
   const auto refuse = [&](const std::string& found) {
     throw InputError(where, inQuotes(found), "a list of numbers, [ ... ], one for each joint",
-                     "take the file from the controller again");
+                     "copy the file from the controller again");
   };
   if (!text.starts_with('[') || !text.ends_with(']')) refuse(text);
   std::vector<double> numbers;
@@ -105,12 +105,12 @@ ControllerCalibration parseControllerCalibration(std::string_view text, const st
           path,
           fmt::format("there is no {} in [mounting], where delta_theta, delta_a, delta_d and delta_alpha are expected",
                       list.key),
-          "take calibration.conf from the controller's folder .urcontrol");
+          "use calibration.conf from the folder .urcontrol of the controller");
     const std::string where = fmt::format("{}:{}: {}", path, entry->second.line, list.key);
     const auto numbers = numbersIn(entry->second, where);
     if (!calibration.theta.empty() && numbers.size() != calibration.theta.size())
       throw InputError(where, fmt::format("{} numbers", numbers.size()),
-                       fmt::format("{}, as many as in delta_theta", calibration.theta.size()));
+                       fmt::format("{}, the same number as in delta_theta", calibration.theta.size()));
     calibration.*list.values = numbers;
   }
   addStatus(entries, calibration);
@@ -121,21 +121,22 @@ std::string withControllerCalibration(const YamlFile& nominal, const ControllerC
   const ArmSource source = readArm(nominal.root);
   const auto& rows = source.arm.rows;
   if (!deflection::isStandard(rows))
-    throw InputError::saying(nominal.path,
-                             "the rows are not by the standard convention, to which the controller's numbers are added",
-                             "write the maker's standard Denavit-Hartenberg table: `convention: standard` with dh of "
-                             "each link");
+    throw InputError::saying(
+        nominal.path, "the rows do not follow the standard convention, which the numbers of the controller correct",
+        "write the maker's standard Denavit-Hartenberg table: `convention: standard`, with `dh` for each link");
   const auto active = deflection::activeRows(source.arm);
   if (active.size() != calibration.theta.size())
-    throw InputError(nominal.path, fmt::format("{} joints", active.size()),
-                     fmt::format("{}, as many as the controller's file has numbers", calibration.theta.size()));
+    throw InputError(
+        nominal.path, fmt::format("{} joints", active.size()),
+        fmt::format("{}, one for each number of a list in the controller's file", calibration.theta.size()));
   std::string text = nominal.text;
   for (std::size_t joint = 0; joint < active.size(); ++joint) {
     const auto row = static_cast<std::size_t>(active[joint]);
     if (rows[row].joint.type != deflection::JointType::kRevolute || !rows[row].placed_by)
-      throw InputError::saying(nominal.path,
-                               fmt::format("the row {} is not by dh with a revolute joint", inQuotes(rows[row].name)),
-                               "write all rows so");
+      throw InputError::saying(
+          nominal.path,
+          fmt::format("the row {} does not have both `dh` and a revolute joint", inQuotes(rows[row].name)),
+          "write every row with both");
     const CalibrationRow numbers = deflection::standardNumbers(rows, row);
     for (const DeltaList& list : deltaLists()) {
       const double value = numbers.*list.of_row + (calibration.*list.values)[joint];

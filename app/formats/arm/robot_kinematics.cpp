@@ -48,8 +48,8 @@ const LinkOrigin& originIn(const std::string& file, const deflection::Row<double
   const auto* origin = std::get_if<LinkOrigin>(&row.placement);
   if (!origin)
     throw InputError::saying(
-        file, fmt::format("the row {} is by dh, not by origin as in the robot's URDF", inQuotes(row.name)),
-        "take the arm that `arm import robot.urdf` makes, or `arm export --convention origin`");
+        file, fmt::format("the row {} has `dh`, not `origin` as in the robot's URDF", inQuotes(row.name)),
+        "use the arm that `arm import robot.urdf` makes, or convert this one with `arm export --convention origin`");
   return *origin;
 }
 
@@ -61,7 +61,7 @@ const LinkOrigin& nominalOrigin(const YamlFile& nominal, const deflection::Row<d
     throw InputError::saying(
         nominal.path,
         fmt::format("the joint of the row {} is not revolute, or has an offset or beta", inQuotes(row.name)),
-        "take an arm of revolute joints without them: the origins hold all that was calibrated");
+        "use an arm of revolute joints without offset and beta: the origins contain the whole calibration");
   return origin;
 }
 
@@ -96,7 +96,7 @@ void refuseOtherModel(const YamlFile& nominal, const std::string& row, const Lin
           "the row {} would move by {:.1f} mm and {:.2f} deg, more than 50 mm or 10 deg: this is not the nominal "
           "arm of the same model, with joints turning about z",
           inQuotes(row), moved * 1000, turned * 180 / std::numbers::pi),
-      "import the URDF of ur_description of this model and name that arm with --nominal");
+      "import the URDF of this model from ur_description, and give that arm with --nominal");
 }
 
 }  // namespace
@@ -163,7 +163,7 @@ RobotKinematics robotKinematicsOf(const deflection::Arm& arm, const std::string&
       kinematics.origins[joints++] = origin;
     else
       throw InputError::saying(file, fmt::format("the joint {} slides or follows others", inQuotes(row.joint.name)),
-                               "only an arm whose joints turn, each by itself, can be written so");
+                               "only an arm of independent revolute joints can be written in this format");
   }
   LinkOrigin& base = kinematics.origins.front();
   if (angleBetween(base, LinkOrigin{}) > std::numbers::pi / 2) {

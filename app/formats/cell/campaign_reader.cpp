@@ -53,7 +53,7 @@ std::vector<double> readLoads(const YamlNode& node, const Units& units) {
     loads.push_back(readQuantity(item, units, dimension::kForce));
     if (loads.back() < 0) item.fail("a weight of zero or more");
   }
-  if (loads.empty()) node.fail("one load or more", "write loads: [0] for none");
+  if (loads.empty()) node.fail("one or more loads", "write loads: [0] for none");
   return loads;
 }
 
@@ -78,7 +78,7 @@ std::vector<int> readRowList(const YamlNode& node, const deflection::Arm& arm) {
     if (std::count(rows.begin(), rows.end(), rows.back()) > 1)
       item.failSaying("the row " + item.text() + " is listed twice", "list every row once");
   }
-  if (rows.empty()) node.fail("one row of the arm or more", "omit the key for the tool");
+  if (rows.empty()) node.fail("one or more rows of the arm", "leave out the key for readings of the tool");
   return rows;
 }
 
@@ -107,7 +107,7 @@ void checkBelongs(const YamlNode& root, const CampaignDesign& design) {
   check("anchor", &calibration::MeasurementKindRow::has_anchor, "an anchor");
   check("direction", &calibration::MeasurementKindRow::has_direction, "a direction");
   if (const YamlNode* node = root.find("turn_sigma"); node && kind.turn_rows == 0)
-    node->failSaying(fmt::format("`turn_sigma` is for readings of angles, and kind {} measures none", kind.name),
+    node->failSaying(fmt::format("`turn_sigma` is for readings of angles, but kind {} measures none", kind.name),
                      "remove it");
 }
 
@@ -137,19 +137,19 @@ void readNoiseOfAxes(const YamlNode& node, const Units& units, CampaignDesign& d
     node.failSaying("a sigma of x, y or z is not above zero", "write three lengths above zero");
   if (!kindOf(design.kind).has_coordinates)
     node.failSaying(
-        fmt::format("`sigmas` is for readings of x, y, z, and kind {} measures none", kindOf(design.kind).name),
+        fmt::format("`sigmas` is for readings of x, y, z, but kind {} measures none", kindOf(design.kind).name),
         "write one `sigma` instead");
   design.sigma = calibration::meanSigma(*design.sigma_W);
 }
 
 void readCorrelationList(const YamlNode& node, CampaignDesign& design) {
-  if (!design.sigma_W) node.failSaying("`correlations` need `sigmas`, those of x, y and z", "add sigmas: [x, y, z]");
-  if (node.list().size() != 3) node.fail("three numbers: of x and y, x and z, y and z");
+  if (!design.sigma_W) node.failSaying("`correlations` need the `sigmas` of x, y and z", "add sigmas: [x, y, z]");
+  if (node.list().size() != 3) node.fail("three correlations: of x and y, of x and z, of y and z");
   Eigen::Vector3d numbers;
   for (std::size_t k = 0; k < 3; ++k) numbers[static_cast<Eigen::Index>(k)] = node.list()[k].number();
   if (!calibration::isPossibleCorrelation(numbers))
-    node.failSaying("the correlations are not those of a positive definite matrix, each between -1 and 1",
-                    "check their order and signs");
+    node.failSaying("the correlations do not form a positive definite matrix",
+                    "check their order and signs, and that each is between -1 and 1");
   design.correlation_W = numbers;
 }
 

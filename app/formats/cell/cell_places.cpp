@@ -55,21 +55,21 @@ void allowInPlace(const Cell& cell, const fs::path& out, const std::string& file
   if (record && fs::equivalent(out, cell.path, error)) record->allowReplacing(file);
 }
 
-constexpr const char* kAdvice = "choose another name: that file would be lost";
+constexpr const char* kAdvice = "choose another name, because that file would be overwritten";
 
 void requireCellOrNothing(const fs::path& cell, const std::string& option) {
   if (isFilled(cell) && !isCellFile(cell))
-    throw InputError::saying(option, fmt::format("'{}' is there already and is no cell", cell.string()), kAdvice);
+    throw InputError::saying(option, fmt::format("'{}' already exists and is not a cell", cell.string()), kAdvice);
 }
 
 void requireOwnArmOrNothing(const fs::path& cell, const std::string& option) {
   const fs::path arm = armBeside(cell);
   if (isFilled(arm) && beginningOf(cell).find(arm.filename().string()) == std::string::npos)
-    throw InputError::saying(option,
-                             fmt::format("the arm would be written as '{}', which is there already and is not the arm "
-                                         "of '{}'",
-                                         arm.string(), cell.string()),
-                             kAdvice);
+    throw InputError::saying(
+        option,
+        fmt::format("the arm would be written as '{}', which already exists and is not the arm of '{}'", arm.string(),
+                    cell.string()),
+        kAdvice);
 }
 
 }  // namespace

@@ -34,9 +34,10 @@ Matrix6d readCovariance(const YamlNode& node, const Units& units) {
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseMax(1e-300).cwiseSqrt();
   const Matrix6d correlation = sigma.cwiseInverse().asDiagonal() * covariance * sigma.cwiseInverse().asDiagonal();
   if (!correlation.isApprox(correlation.transpose(), 1e-6))
-    node.failSaying("the covariance is not symmetric", "write it symmetric, six lists of six numbers");
+    node.failSaying("the covariance is not symmetric", "write a symmetric matrix, as six lists of six numbers");
   if (correlation.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() < -1e-6)
-    node.failSaying("the matrix has a negative variance, so it is no covariance", "check its numbers and their order");
+    node.failSaying("the matrix has a negative variance, so it is not a covariance matrix",
+                    "check its values and their order");
   return covariance;
 }
 
@@ -126,7 +127,7 @@ void readIdentify(const YamlNode& node, Cell& cell) {
   for (const YamlNode& item : node.list()) {
     const std::string name = item.text();
     if (std::find(known.begin(), known.end(), name) == known.end())
-      item.fail("the unknown parameter '" + name + "'", "a number of the arm file by its path, or geometry",
+      item.fail("the unknown parameter '" + name + "'", "the path of a number in the arm file, or geometry",
                 suggestion(name, known));
     if (std::find(cell.identify.begin(), cell.identify.end(), name) != cell.identify.end())
       item.failSaying(inQuotes(name) + " is listed twice", "list every name once");
@@ -157,7 +158,7 @@ ArmSource readCellArm(const YamlNode& node, const std::optional<std::string>& te
   }
   if (std::error_code error; !std::filesystem::exists(cell.arm_path, error))
     node.failSaying("there is no file '" + cell.arm_path + "'",
-                    "check the name of the arm file: it is relative to this cell's folder");
+                    "check the name of the arm file, which is relative to this cell's folder");
   cell.arm_source = readYamlFile(cell.arm_path);
   return readArm(cell.arm_source.root);
 }
@@ -231,14 +232,14 @@ Cell parseCell(const std::string& text, const std::string& path, const std::opti
 const tubesheets::Sheet& requireSheet(const Cell& cell, const std::string& purpose) {
   if (!cell.sheet)
     throw InputError::saying(cell.path, "there is no key 'tubesheet', which is needed to " + purpose,
-                             "add it, as in app/cells/mockup.yaml");
+                             "add the key, as in app/cells/mockup.yaml");
   return *cell.sheet;
 }
 
 const tubesheets::SteppedTool& requireTool(const Cell& cell, const std::string& purpose) {
   if (!cell.tool)
     throw InputError::saying(cell.path, "there is no key 'calibration_tool', which is needed to " + purpose,
-                             "add it, as in app/cells/mockup.yaml");
+                             "add the key, as in app/cells/mockup.yaml");
   return *cell.tool;
 }
 
@@ -246,7 +247,7 @@ void requireToolAxis(const Cell& cell, const std::string& purpose) {
   if (!cell.tool_axis_stated)
     throw InputError::saying(
         cell.path, "the insertion direction of the tool, which is needed to " + purpose + ", is not stated",
-        "add tool: {axis: [x, y, z]} to the arm file, or a scene whose sheet allows a capsule of the tool");
+        "add tool: {axis: [x, y, z]} to the arm file, or add a scene whose sheet allows a capsule of the tool");
 }
 
 }  // namespace tubeplan::app

@@ -196,7 +196,8 @@ void requireReproduced(const CellFiles& files, const calibration::Identification
     return fmt::format("{:.6g} {}", metres / units.factor(dimension::kLength), units.length().name);
   };
   throw InputError(files.cell.path.string(), "an error of " + length(rms) + " by the cell as it would be written",
-                   "the reported error of " + length(result.after.rms), "nothing was written; please report this");
+                   "the reported error of " + length(result.after.rms),
+                   "nothing was written; please report this fault");
 }
 
 }  // namespace

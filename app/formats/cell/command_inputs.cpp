@@ -61,7 +61,7 @@ ChosenTubeColumn quantityOf(const std::string& name) {
       if (name == fmt::format("{}_{}", quantity.name, unit))
         return {quantity.column, 0, tubesheets::findLengthUnit(unit)};
   }
-  throw InputError("--column", inQuotes(name), "a column of a work list, lengths with their unit (x_mm)",
+  throw InputError("--column", inQuotes(name), "a column of a work list, with the unit in the name of a length (x_mm)",
                    suggestion(name, known));
 }
 
@@ -158,7 +158,7 @@ tubesheets::Selection readTubes(const std::string& request, const tubesheets::Sh
 void requireWorkList(const std::vector<std::string>& columns, const std::vector<std::string>& requests) {
   if (!columns.empty() && std::ranges::none_of(requests, namesCsvFile))
     throw InputError::saying("--column", inQuotes(columns.front()) + " is given without a work list",
-                             "name the list by --tubes LIST.csv, or leave --column out");
+                             "give the list with --tubes LIST.csv, or leave out --column");
 }
 
 std::vector<std::string> listNotes(const tubesheets::Selection& selection) {

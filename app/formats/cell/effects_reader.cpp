@@ -174,7 +174,7 @@ std::vector<Effect> readEffects(const YamlNode& node, const deflection::Arm& arm
       return deflection::textOf(arm, other) == deflection::textOf(arm, effect);
     });
     if (is_twice)
-      item.failSaying(deflection::textOf(arm, effect) + " is listed twice", "list every effect once at a place");
+      item.failSaying(deflection::textOf(arm, effect) + " is listed twice", "list each effect only once at a place");
     effects.push_back(std::move(effect));
   }
   return effects;
@@ -235,7 +235,8 @@ ParsedEffect parseEffect(const std::string& text, const deflection::Arm& arm, co
   if (text.find("+=") != std::string::npos) return {parseFormula(text, arm, units, where), true};
   const std::size_t at = text.find('@');
   if (at == std::string::npos)
-    throw InputError(where, inQuotes(text), "EFFECT@AT, as backlash@tool.z", "`tubeplan effects CELL` lists them");
+    throw InputError(where, inQuotes(text), "an effect and its place, EFFECT@AT, such as backlash@tool.z",
+                     "`tubeplan effects CELL` lists the choices");
   const std::size_t colon = text.find(':', at);
   const std::string name = text.substr(0, at), place = text.substr(at + 1, colon - at - 1);
   const auto made = deflection::makeEffect(arm, name, place);

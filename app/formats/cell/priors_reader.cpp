@@ -52,7 +52,7 @@ bool takePrior(const std::string& name, double sigma, Cell& cell) {
   return true;
 }
 
-const char* const kExpectedName = "length, angle, tip or a number of the arm file by its path";
+const char* const kExpectedName = "length, angle, tip or the path of a number in the arm file";
 const char* const kExpectedSigma = "a standard deviation above zero";
 
 }  // namespace
@@ -80,7 +80,7 @@ void takePriors(const std::vector<std::string>& texts, Cell& cell) {
     const auto sigma =
         equals == std::string::npos ? std::nullopt : tubesheets::parseNumber(std::string_view(text).substr(equals + 1));
     if (!sigma || !(*sigma > 0))
-      throw InputError("--prior", inQuotes(text), "NAME=SIGMA, the sigma above zero, or none");
+      throw InputError("--prior", inQuotes(text), "none, or NAME=SIGMA with a sigma above zero");
     const std::string name = text.substr(0, equals);
     if (!takePrior(name, *sigma, cell))
       throw InputError("--prior", inQuotes(name), kExpectedName, suggestion(name, namesFor(cell)));

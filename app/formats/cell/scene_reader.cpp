@@ -106,9 +106,9 @@ void checkSize(const YamlNode& node, const planner::TriangleMesh& mesh, const Sc
     return fmt::format("{:.4g} {}", reading.units.toFile(length, dimension::kLength), reading.units.length().name);
   };
   node.failSaying(
-      fmt::format("the mesh would be {} across, beside an arm that reaches {}: it may be in another unit of length",
+      fmt::format("the mesh would be {} across, while the arm reaches {}: the mesh may be in another unit of length",
                   text(size), text(reading.reach)),
-      fmt::format("state its unit (unit: mm), or unit: {} if that is its size", reading.units.length().name));
+      fmt::format("state its unit (unit: mm), or write unit: {} if the size is right", reading.units.length().name));
 }
 
 /// Returns the mesh [m] of a shape that names a mesh file, and records the file; nothing for other shapes.
@@ -119,7 +119,7 @@ std::optional<planner::TriangleMesh> readMesh(const NamedShape& shape, SceneRead
   const std::string path = (reading.folder / node.text()).lexically_normal().string();
   if (std::error_code error; !std::filesystem::exists(path, error))
     node.failSaying("there is no file '" + path + "'",
-                    "check the name of the mesh (.stl, .obj, .ply): it is relative to this cell's folder");
+                    "check the name of the mesh (.stl, .obj, .ply), which is relative to this cell's folder");
   MeshFile file = readMeshFile(path);
   const Unit* unit = nullptr;
   for (const auto& other : shape.row->fields)
@@ -168,7 +168,7 @@ planner::Obstacle readObstacle(const YamlNode& node, SceneReading& reading) {
 planner::Body readBody(const YamlNode& node, SceneReading& reading) {
   const NamedShape shape = findShape(node, "", {"name", "allow"});
   if (!shape.row->may_be_body)
-    shape.fields->failSaying("a link cannot have this shape, because its body is convex",
+    shape.fields->failSaying("a link cannot have this shape, because the body of a link must be convex",
                              "write a box, sphere, capsule or cylinder");
   planner::Body body;
   body.shape = makeShape(shape, reading);

@@ -75,7 +75,8 @@ int countReadings(const SimulationRequest& request, const CampaignFile& file) {
                             ? *request.readings
                             : *file.postures * static_cast<std::int64_t>(calibration::readingsPerPosture(file.design));
   if (readings < 1 || readings > kMostReadings)
-    throw InputError(request.readings ? "--readings" : request.design, fmt::format("{} readings", readings), expected);
+    throw InputError(request.readings ? "--readings" : request.design, fmt::format("{} readings", readings),
+                     fmt::format("1 to {} readings", kMostReadings));
   return static_cast<int>(readings);
 }
 
@@ -100,13 +101,15 @@ BaseError baseErrorOf(const SimulationRequest& request, const Cell& cell, const 
                              "write base: {..., known: false} in " + cell.path);
   if (cell.base_known && design.setups > 1)
     throw InputError::saying(
-        cell.path, fmt::format("the base is known, but each of the {} set-ups has a base of its own", design.setups),
+        cell.path,
+        fmt::format("the base is known, but each of the {} set-ups has a base pose of its own", design.setups),
         "write base: {..., known: false}");
   if (cell.base_known) return {};
   if (request.base_error.empty()) return {kBaseShift, kBaseTurn};
   if (request.base_error.size() != 2)
     throw InputError("--base-error", fmt::format("{} numbers", request.base_error.size()), "two: LENGTH,ANGLE");
-  for (const double error : request.base_error) checkNotNegative("--base-error", error, "LENGTH,ANGLE, zero or more");
+  for (const double error : request.base_error)
+    checkNotNegative("--base-error", error, "LENGTH,ANGLE, each zero or more");
   return {cell.units.toInternal(request.base_error[0], dimension::kLength),
           cell.units.toInternal(request.base_error[1], dimension::kAngle)};
 }
@@ -129,7 +132,7 @@ calibration::CampaignTruth makeTruth(const SimulationRequest& request, const Cel
   truth.parameters = identifiedParameters(cell);
   if (request.spread > 0 && truth.parameters.empty())
     throw InputError::saying(cell.path, "there are no parameters under `identify`, which --spread needs",
-                             "list them there");
+                             "list the parameters there");
   truth.spread = request.spread;
   truth.base_shift_sigma = base.shift;
   truth.base_turn_sigma = base.turn;

@@ -57,7 +57,8 @@ MatrixXd readCorrelation(const YamlNode& node, std::size_t numbers) {
   }
   if (correlation.cwiseAbs().maxCoeff() > 1 + kRounding ||
       correlation.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() < -kRounding * static_cast<double>(count))
-    node.failSaying("no errors can have these correlations", "write those of a covariance");
+    node.failSaying("these correlations cannot all be true of the same errors",
+                    "write the correlations of a covariance matrix");
   return correlation;
 }
 
@@ -71,7 +72,7 @@ void readDetermined(const YamlNode& node, const Cell& cell, ArmUncertainty& unce
     const std::string name = names[k].text();
     const auto dimension = dimensionOfNumber(name, cell.arm);
     if (!dimension)
-      names[k].fail("the unknown number '" + name + "'", "a number of the arm file by its path",
+      names[k].fail("the unknown number '" + name + "'", "the path of a number in the arm file",
                     suggestion(name, calibration::freeableNames(cell.arm)));
     uncertainty.determined.push_back(name);
     sigma[static_cast<Index>(k)] = readSigma(sigmas[k], cell.units, *dimension);

@@ -18,7 +18,7 @@ void refuseWhatIsNotPlannedFor(const Cell& cell, const std::string& purpose) {
           cell.path,
           fmt::format("the joint {} follows others, but to {} each joint needs an encoder reading of its own",
                       row.joint.name, purpose),
-          "give it one: motions of coupled joints are not planned");
+          "give that joint one: motions of coupled joints are not planned");
     if (!std::isfinite(deflection::slideLength(row.joint)))
       throw InputError::saying(
           cell.path, fmt::format("the slide {} has no limits, which are needed to {}", row.joint.name, purpose),
@@ -54,7 +54,7 @@ void requireSpeeds(const Cell& cell) {
                                fmt::format("joint {} has neither max_speed nor max_acceleration, from which a plan's "
                                            "times follow",
                                            inQuotes(joint.name)),
-                               "state one of them in the arm file; a URDF's velocity=\"0\" is none");
+                               "state one of them in the arm file; velocity=\"0\" in a URDF states no speed");
 }
 
 }  // namespace tubeplan::app

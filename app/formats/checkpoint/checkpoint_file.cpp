@@ -19,7 +19,7 @@ std::string questionChecksum(const PlanKey& question) { return fingerprintOf(jso
 }  // namespace
 
 void refuseDamaged(const CheckpointFormat& format, const std::filesystem::path& path, const std::string& what) {
-  throw InputError::saying(path.string(), fmt::format("{}, so it is damaged or not {}", what, format.file),
+  throw InputError::saying(path.string(), fmt::format("{}, so the file is damaged or is not {}", what, format.file),
                            format.remedy);
 }
 
@@ -71,8 +71,9 @@ void putAside(const std::filesystem::path& path, const std::vector<std::string>&
   while (std::filesystem::exists(aside, error));
   std::filesystem::rename(path, aside, error);
   if (error)
-    throw InputError::saying("--out", fmt::format("{} cannot be renamed ({})", path.string(), error.message()),
-                             "use another folder, which can be written");
+    throw InputError::saying(
+        "--out", fmt::format("{} cannot be set aside: renaming the file failed ({})", path.string(), error.message()),
+        "choose a folder with write permission");
   say(fmt::format("started again: {} is of {}; it is kept as {}", path.string(), fmt::join(differences, ", "),
                   aside.filename().string()));
 }

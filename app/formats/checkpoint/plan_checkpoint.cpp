@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 
 constexpr CheckpointFormat kPlanFormat{"tubeplan plan memory 1", "a file written by tubeplan plan",
-                                       "remove it and plan again"};
+                                       "remove that file and plan again"};
 
 planner::PlanCache cacheOf(const CheckpointFile& file, const fs::path& path) {
   planner::PlanCache cache;
@@ -54,7 +54,7 @@ void PlanCheckpoint::begin(const PlanKey& question) {
   if (must_resume_ && !takeDone(question))
     throw InputError::saying(
         "--resume", fmt::format("there is no stopped plan ({}) in {}", kProgressFile, inQuotes(folder_.string())),
-        "name its folder, or omit --resume to start again");
+        "give the folder of the stopped plan, or omit --resume to start again");
   if (!must_resume_ && !from_.empty()) takeFrom(question);
 }
 
@@ -69,7 +69,9 @@ bool PlanCheckpoint::takeStopped(const PlanKey& question) {
     return true;
   }
   if (must_resume_)
-    throw InputError::saying("--resume", fmt::format("{} stopped with {}", path.string(), fmt::join(differences, ", ")),
+    throw InputError::saying("--resume",
+                             fmt::format("the stopped plan in {} differs from this run: it had {}", path.string(),
+                                         fmt::join(differences, ", ")),
                              "repeat the options of the stopped run, or omit --resume to start again");
   putAside(path, differences);
   return false;
@@ -87,9 +89,11 @@ bool PlanCheckpoint::takeDone(const PlanKey& question) {
 
 void PlanCheckpoint::takeFrom(const PlanKey& question) {
   if (partOf(from_question_, "sheet") != partOf(question, "sheet"))
-    throw InputError("--from", fmt::format("a plan for the sheet of fingerprint {}", partOf(from_question_, "sheet")),
-                     fmt::format("one for the cell's sheet, {}", partOf(question, "sheet")),
-                     "check leg and map, or plan without --from");
+    throw InputError::saying(
+        "--from",
+        fmt::format("the tube sheet of that plan (fingerprint {}) differs from that of the cell (fingerprint {})",
+                    partOf(from_question_, "sheet"), partOf(question, "sheet")),
+        "check `leg` and `map` of the cell, or plan without --from");
   const auto differences = findModelDifferences(from_question_, question);
   cache_.visiting_order = from_cache_.visiting_order;
   if (!differences.empty()) {

@@ -60,7 +60,7 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
     if (must_resume_)
       throw InputError::saying("--resume",
                                fmt::format("there is no campaign ({}) in {}", kTallyFile, inQuotes(folder_.string())),
-                               "name its folder, or omit --resume to start again");
+                               "give the folder of the campaign, or omit --resume to start again");
     return std::nullopt;
   }
   const CheckpointFile file = readCheckpoint(kTallyFormat, path());
@@ -75,8 +75,10 @@ std::optional<TallySoFar> TallyCheckpoint::begin(const PlanKey& question, std::u
   }
   if (must_resume_)
     throw InputError::saying(
-        "--resume", fmt::format("{} is of {}", path().string(), fmt::join(differences, ", ")),
-        "repeat the options of that campaign, with as many runs or more, or omit --resume to start again");
+        "--resume",
+        fmt::format("the campaign in {} differs from this one: it has {}", path().string(),
+                    fmt::join(differences, ", ")),
+        "repeat the options of that campaign, with at least as many runs, or omit --resume to start again");
   putAside(path(), differences);
   return std::nullopt;
 }

@@ -15,7 +15,7 @@ namespace tubeplan::app {
 
 inline constexpr const char* kTallyFile = "tally.json";
 inline constexpr CheckpointFormat kTallyFormat{"tubeplan campaign tally 2", "a file written by tubeplan campaign",
-                                               "remove it to start again"};
+                                               "remove that file to start again"};
 
 /// Runs finished so far, and the sum of their results.
 struct TallySoFar {

@@ -70,7 +70,7 @@ void requireOneForm(const ForeignTable& table, std::size_t column, bool is_state
       throw InputError::saying(fmt::format("{}:{} (column {})", table.file, row.line, inQuotes(heading)),
                                fmt::format("the angle {} is written in another form than {} in line {}",
                                            inQuotes(row.fields[column]), inQuotes(text), first->line),
-                               "write all angles of the column alike");
+                               "write all angles of the column in the same form");
   if (!form || !isBare(*form) || is_stated) return;
   const double value = parseSexagesimal(text)->value;
   throw InputError::saying(

@@ -85,7 +85,7 @@ ChosenColumn parseChosenColumn(const std::string& chosen, const std::vector<Fore
   const auto [table, column, factor] = columnOf(chosen.substr(equals + 1), tables);
   if (factor != 1 && (!targets[target].is_number || targets[target].form))
     throw InputError::saying("--column", fmt::format("the column of {} cannot have a factor", inQuotes(chosen)),
-                             "only joints, coordinates and other single numbers can");
+                             "write the column alone; only joints, coordinates and other single numbers can have one");
   return {target, table, column, unit, factor};
 }
 

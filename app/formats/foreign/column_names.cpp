@@ -221,7 +221,7 @@ const Unit* unitOf(const ForeignTable& table, const ForeignHeading& heading, Uni
     throw InputError::saying(table.file,
                              fmt::format("the line {} states the unit {}, but --units says {}",
                                          inQuotes(above->second.line), above->second.unit->name, asked->second->name),
-                             "leave that unit out of --units, or remove the line if it is not true");
+                             "leave that unit out of --units, or remove the line if it is wrong");
   return above->second.unit;
 }
 

@@ -76,8 +76,8 @@ class ColumnTaker {
         });
         if (found == parts_.end() || found->table != columns.table)
           throw InputError::saying("--column",
-                                   fmt::format("{} lacks its {} in the same table: it has {} numbers", form.name,
-                                               form.numbers[part].name, form.numbers.size()),
+                                   fmt::format("{} needs {} numbers from one table, but its {} is missing", form.name,
+                                               form.numbers.size(), form.numbers[part].name),
                                    fmt::format("add --column {}.{}=COLUMN", form.name, form.numbers[part].name));
         columns.columns.push_back(found->column);
         columns.units.push_back(found->unit);
@@ -122,8 +122,8 @@ class ColumnTaker {
     std::vector<std::string> numbers;
     for (const auto& number : form.numbers) numbers.push_back(fmt::format("--column {}.{}=COLUMN", name, number.name));
     throw InputError::saying(fmt::format("{} {}", columnsOf(form.stated).option, name),
-                             fmt::format("no columns have its headings ({})", form.words),
-                             fmt::format("say which: {}", fmt::join(numbers, " ")));
+                             fmt::format("no columns have the headings of this form ({})", form.words),
+                             fmt::format("say which columns they are: {}", fmt::join(numbers, " ")));
   }
 
   void addForm(FormColumns columns, bool are_chosen = false) {
@@ -201,10 +201,11 @@ class ColumnTaker {
       return unit;
     const std::string& theirs = tables_[table].columns[column];
     if (heading.is_count)
-      throw InputError::saying("the column " + nameOf(table, column),
-                               "its numbers are pulses, whose size as an angle or length is not stated",
-                               fmt::format("write --column '{}_{}={}*0.0001', with the size of a pulse and its sign",
-                                           quantity, exampleOf(kind), theirs));
+      throw InputError::saying(
+          "the column " + nameOf(table, column),
+          "its numbers are pulses, whose size as an angle or length is not stated",
+          fmt::format("write --column '{}_{}={}*0.0001', with the size and sign of a pulse as the factor", quantity,
+                      exampleOf(kind), theirs));
     throw InputError::saying(
         "the column " + nameOf(table, column),
         fmt::format("the unit of {} is not stated: {}", quantity, alternatives(unitNames(kind))),
@@ -226,7 +227,7 @@ class ColumnTaker {
     throw InputError::saying(
         "the column " + nameOf(table, column),
         fmt::format("its whole numbers would be up to {:.0f} turns as angles, so they may be pulses", most),
-        fmt::format("write --column '{0}_{1}={2}*0.0001' with the size of a pulse and its sign, or "
+        fmt::format("write --column '{0}_{1}={2}*0.0001' with the size and sign of a pulse as the factor, or "
                     "--column {0}_{1}={2} if they are angles",
                     joint.quantity, unit.name, theirs));
   }

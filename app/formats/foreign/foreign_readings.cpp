@@ -152,8 +152,8 @@ class ForeignReader {
     if (std::ranges::any_of(turn.columns, [&](const char* name) { return isTaken(name); })) return;
     throw InputError::saying(
         "the columns",
-        fmt::format("none states the orientation of readings of kind {}, by {}, or by the numbers of {}", request_.kind,
-                    fmt::join(turn.columns, ", "), alternatives(formNames(Stated::kTurn))),
+        fmt::format("none states the orientation of readings of kind {}, either as {} or as the numbers of {}",
+                    request_.kind, fmt::join(turn.columns, ", "), alternatives(formNames(Stated::kTurn))),
         "say which columns they are: --column euler-zyx.z_deg=COLUMN and so on");
   }
 
@@ -192,14 +192,14 @@ class ForeignReader {
     if (!isTaken("point"))
       throw InputError::saying(
           "the columns", "none is recognised as coordinates x, y, z or as the points that were touched",
-          "say which columns they are (--column x_mm=COLUMN), or of what kind the readings are (--kind)");
+          "say which columns they are (--column x_mm=COLUMN), or which kind the readings are (--kind)");
     if (!unknown_numbers_.empty() && !areHoles())
       throw InputError::saying(
           "the columns",
           fmt::format("none is recognised as coordinates x, y, z, and the numbers in {} have no known meaning",
                       fmt::join(unknown_numbers_, ", ")),
-          "say which columns they are (--column x_mm=COLUMN), or of polar coordinates all three "
-          "(--column polar.horizontal_gon=COLUMN); or say that the readings are touches (--kind touch)");
+          "say which columns they are (--column x_mm=COLUMN), or give all three columns of polar "
+          "coordinates (--column polar.horizontal_gon=COLUMN); or say that the readings are touches (--kind touch)");
     return "touch";
   }
 
@@ -264,7 +264,7 @@ class ForeignReader {
     const auto clock = clocks_.find(column.target);
     if (clock == clocks_.end()) refuseField(column, column.column, k, expectedOf(column.unit, field));
     if (const auto seconds = clock->second[joined_.rows[column.table][k]]) return formatNumber(*seconds);
-    refuseField(column, column.column, k, "a time as the other rows have it");
+    refuseField(column, column.column, k, "a time in the same form as in the other rows");
   }
 
   /// Returns a description of valid fields in a unit, for messages.
@@ -341,7 +341,8 @@ class ForeignReader {
     throw InputError::saying(
         fmt::format("the column {} of {}", inQuotes(table(column.table).columns[column.column]),
                     table(column.table).file),
-        fmt::format("the day may be the first number or the second, as in {}: no day is beyond 12", inQuotes(*first)),
+        fmt::format("the day may be the first number or the second, as in {}: neither is greater than 12 in any row",
+                    inQuotes(*first)),
         "say which: --dates day-first or --dates month-first");
   }
 

@@ -48,7 +48,7 @@ std::map<UnitKind, StatedUnit> statedUnits(const std::vector<std::string>& lines
         throw InputError::saying(
             file,
             fmt::format("the lines {} and {} state different units", inQuotes(known->second.line), inQuotes(line)),
-            "remove the line that is not true");
+            "remove the line that is wrong");
     }
   return stated;
 }

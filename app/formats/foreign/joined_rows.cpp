@@ -38,7 +38,7 @@ class RowJoiner {
     }
     const std::size_t kept = out_.rows[out_.lead].size();
     if (kept == 0)
-      throw InputError::saying(lead().file, "no row has a name that the other tables have too",
+      throw InputError::saying(lead().file, "no row has a name that also occurs in the other tables",
                                "give the points the same names in all tables");
     if (const std::size_t lost = lead().rows.size() - kept; lost > 0)
       out_.left_out.push_back(fmt::format("{} rows of {} whose names another table does not have", lost, lead().file));
@@ -69,8 +69,8 @@ class RowJoiner {
     };
     if (areNames(lead(), ours) && areNames(table(t), theirs))
       throw InputError::saying(
-          table(t).file, fmt::format("{} has none of its names", lead().file),
-          "give the points the same names in both, or remove the names to match rows by their order");
+          table(t).file, fmt::format("none of the names in this table occurs in {}", lead().file),
+          "give the points the same names in both tables, or remove the names to match rows by their order");
   }
 
   Partners partnersByName(std::size_t t, std::size_t ours, std::size_t theirs) {
@@ -102,8 +102,9 @@ class RowJoiner {
     const std::size_t ours = lead().rows.size(), theirs = table(t).rows.size();
     if (ours != theirs)
       throw InputError::saying(
-          table(t).file, fmt::format("its {} rows have no names of {}, which has {} rows", theirs, lead().file, ours),
-          "give the points the same names in both, or both tables as many rows");
+          table(t).file,
+          fmt::format("none of the {} rows has a name that occurs in {}, which has {} rows", theirs, lead().file, ours),
+          "give the points the same names in both tables, or give both tables the same number of rows");
     out_.how = "row by row";
     Partners partners;
     for (std::size_t k = 0; k < ours; ++k) partners.emplace_back(k);

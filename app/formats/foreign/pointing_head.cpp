@@ -39,14 +39,14 @@ void takeOptions(const std::string& file, const PointingLine& line, PointingHead
       const bool is_altaz = word == "ALTAZ";
       if (head.is_altaz.value_or(is_altaz) != is_altaz)
         throw InputError::saying(lineOf(file, line), "both ALTAZ and EQUAT are stated",
-                                 "keep the kind of mount that the readings are of");
+                                 "keep only the one that is the mount of the readings");
       head.is_altaz = is_altaz;
     } else if (word == "NODA") {
       head.is_without_diurnal = true;
     } else if (std::ranges::find(kHarmless, word) == kHarmless.end()) {
       throw InputError(lineOf(file, line), "the option " + inQuotes(field),
                        fmt::format("EQUAT, ALTAZ, NODA, {}", fmt::join(kHarmless, ", ")),
-                       "give apparent places of date and the mount's own readings, and take the option out");
+                       "give apparent places of date and the mount's own readings, and remove the option");
     }
   }
 }
@@ -59,17 +59,17 @@ void takePlace(const std::string& file, const std::vector<PointingLine>& lines, 
       lines[k].fields.size() > kMost)
     throw InputError(k < lines.size() ? lineOf(file, lines[k]) : file,
                      k < lines.size() ? inQuotes(lines[k].text) : "nothing below the options",
-                     "the latitude as degrees, minutes and seconds, then year, month, day, temperature, pressure");
+                     "the latitude in degrees, minutes and seconds, then year, month, day, temperature, pressure");
   const PointingLine& line = lines[k];
   head.latitude = sixtiethsIn(file, line, 0, 3, 90);
   if (line.fields.size() > kTemperatureAt) head.temperature = signedNumber(line.fields[kTemperatureAt]);
   if (line.fields.size() > kPressureAt) head.pressure = signedNumber(line.fields[kPressureAt]);
   if (head.temperature && (*head.temperature < -90 || *head.temperature > 60))
     throw InputError(lineOf(file, line), fmt::format("a temperature of {}", line.fields[kTemperatureAt]),
-                     "one in degC, from -90 to 60");
+                     "a temperature in degC from -90 to 60");
   if (head.pressure && (*head.pressure < 0 || *head.pressure > 1100))
     throw InputError(lineOf(file, line), fmt::format("a pressure of {}", line.fields[kPressureAt]),
-                     "one in hPa, from 0 to 1100; it is 0 where places are with refraction");
+                     "a pressure in hPa from 0 to 1100", "write 0 if the places already include refraction");
 }
 
 }  // namespace

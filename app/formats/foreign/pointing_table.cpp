@@ -44,12 +44,12 @@ class PointingParser {
     const auto isOf = [&](std::size_t numbers) { return width_ >= numbers && width_ <= numbers + kMostAuxiliary; };
     if (width_ >= kMeanNumbers && signedNumber(line.fields[kEquinoxAt]).value_or(0) > 1000)
       throw InputError(lineOf(file_, line), fmt::format("a mean place of the equinox {}", line.fields[kEquinoxAt]),
-                       "rows with the apparent place of date (14 numbers), or with azimuths and elevations (4)",
-                       "convert the places: precession, nutation and aberration are not made here");
+                       "the apparent place of date (14 numbers), or azimuth and elevation (4 numbers)",
+                       "convert the mean places first; precession, nutation and aberration are not applied here");
     if (!isOf(kAltazNumbers) && !isOf(kStarNumbers))
       throw InputError(lineOf(file_, line), fmt::format("{} numbers", width_),
                        "4 (azimuth, elevation, both as read) or 14 (right ascension, declination, both as read, "
-                       "sidereal time), and up to 3 of auxiliary readings");
+                       "sidereal time), followed by up to 3 auxiliary readings");
     is_stars_ = isOf(kStarNumbers);
     if (!is_stars_ && !head_.is_altaz.value_or(false))
       throw InputError::saying(lineOf(file_, line), "the observation has 4 angles, but no option says ALTAZ",
@@ -64,8 +64,9 @@ class PointingParser {
     for (std::size_t row = head_.rows_from; row < lines_.size(); ++row)
       if (const auto& fields = lines_[row].fields; fields.size() > kSiderealMinutesAt)
         if (fields[kSiderealMinutesAt].find('.') != std::string::npos) return;
-    throw InputError(lineOf(file_, line), "a sidereal time of whole minutes, with further numbers",
-                     "hours and minutes with decimals, as 16 23.130", "write the seconds as decimals of the minutes");
+    throw InputError(lineOf(file_, line), "a sidereal time in whole minutes followed by more numbers",
+                     "hours and decimal minutes, such as 16 23.130",
+                     "write the seconds as a decimal fraction of the minutes");
   }
 
   /// Returns a right ascension or sidereal time, stated in hours, as an angle [deg].

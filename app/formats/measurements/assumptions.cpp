@@ -40,7 +40,7 @@ void take(const std::string& assumption, bool is_sigma_settled, MeasurementTable
   if (is_sigma_settled && !kind->settles_sigma) mend->change_sigma = nullptr;
   mend->apply(table.readings);
   if (table.readings.empty())
-    throw InputError::saying("--assume", inQuotes(assumption) + " leaves no reading", "leave fewer out");
+    throw InputError::saying("--assume", inQuotes(assumption) + " leaves no readings", "leave out fewer readings");
   if (mend->frees_base) cell.base_known = false;
 }
 

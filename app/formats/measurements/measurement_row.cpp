@@ -55,8 +55,9 @@ std::optional<Eigen::Vector3d> readSigmas(const RowReader& row, const Measuremen
   if (!(sigmas->minCoeff() > 0))
     row.failRow("a sigma of x, y or z is not above zero", "write one standard deviation of the coordinate");
   if (!kind.has_coordinates)
-    row.failRow(fmt::format("a reading of kind {} has no sigma_x, sigma_y, sigma_z: it measures no x, y, z", kind.name),
-                "write its one `sigma`");
+    row.failRow(fmt::format("a reading of kind {} has no sigma_x, sigma_y, sigma_z: this kind does not measure x, y, z",
+                            kind.name),
+                "write a single `sigma` instead");
   return sigmas;
 }
 
@@ -72,18 +73,17 @@ std::optional<Eigen::Vector3d> readCorrelations(const RowReader& row, const Meas
   for (std::size_t k = 0; k < 3; ++k)
     if (!(std::abs((*correlations)[static_cast<Eigen::Index>(k)]) < 1))
       row.fail(columns.correlations[k]->index, row.field(columns.correlations[k]->index),
-               "a correlation between -1 and 1, without either",
-               "a covariance becomes one divided by the two standard deviations");
+               "a correlation above -1 and below 1", "to convert a covariance, divide it by both standard deviations");
   if (!calibration::isPossibleCorrelation(*correlations))
-    row.failRow("the correlations rho_xy, rho_xz, rho_yz are not those of a positive definite covariance",
-                "check their order and signs, or write more of their digits");
+    row.failRow("the correlations rho_xy, rho_xz, rho_yz do not form a positive definite matrix",
+                "check their order and signs, or write them with more digits");
   return correlations;
 }
 
 std::optional<Eigen::Vector3d> directionOfRow(const RowReader& row, const MeasurementColumns& columns) {
   const auto direction = readTriple(row, columns.direction, "direction's dx, dy, dz");
   if (!direction) return std::nullopt;
-  if (!(direction->norm() > 0)) row.failRow("the direction dx, dy, dz is zero", "write one that is not");
+  if (!(direction->norm() > 0)) row.failRow("the direction dx, dy, dz is zero", "write a direction that is not zero");
   return direction->normalized();
 }
 
@@ -181,8 +181,8 @@ void checkKind(const RowReader& row, const MeasurementKindRow& kind, const Measu
   checkOwn(row, kind, m);
   if (m.p_TQ && calibration::isDisplacement(m))
     row.failRow(
-        fmt::format("a reading of kind {} is of the tip itself, so it has no tool_x, tool_y, tool_z", kind.name),
-        "leave these empty");
+        fmt::format("a reading of kind {} is of the tip itself, so tool_x, tool_y, tool_z do not apply", kind.name),
+        "leave these columns empty");
   if (m.p_TQ && m.row)
     row.failRow("the reading has both a row of the arm and a point of the tool (tool_x, tool_y, tool_z)",
                 "leave one of them empty");
@@ -263,8 +263,8 @@ std::shared_ptr<const Measurement> readReference(const RowReader& row, const Mea
                                                  const Measurement& m) {
   const std::string id = row.textOr(columns.from);
   if (id.empty())
-    row.failRow("the reading of kind relative does not name the one that it is taken from",
-                "write another reading's id in the column 'from'");
+    row.failRow("the reading of kind relative does not name the reading that it is relative to",
+                "write the id of that reading in the column 'from'");
   const auto found = known.find(id);
   if (found == known.end() || id == m.id)
     row.fail(*columns.from, id == m.id ? "the reading's own id" : "the unknown id " + inQuotes(id),

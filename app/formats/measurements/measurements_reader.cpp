@@ -131,9 +131,9 @@ void shareGivenNumbers(std::vector<Measurement>& readings, const std::string& fi
     const auto [first, is_new] = stated.emplace(placeOf(reading), &reading);
     if (!is_new && reading.own[0] != first->second->own[0])
       throw InputError::saying(fmt::format("{}:{}", file, reading.line),
-                               fmt::format("the {} of the {} is another than in line {}",
+                               fmt::format("the {} of the {} differs from that in line {}",
                                            kindOf(reading).columns.front().name, placeOf(reading), first->second->line),
-                               "correct it, or give another ball a name of its own");
+                               "correct the value, or give a different ball a name of its own");
   }
   for (auto& reading : readings)
     if (const auto found = stated.find(placeOf(reading)); found != stated.end()) reading.own = found->second->own;
@@ -208,7 +208,7 @@ MeasurementTable parseMeasurementTable(const std::string& text, const std::strin
     const auto [first, is_new] = index.emplace(out.back().id, out.size() - 1);
     if (!is_new)
       reader.failSaying(columns.id,
-                        fmt::format("line {} has the id {} too", out[first->second].line, inQuotes(out.back().id)),
+                        fmt::format("line {} already has the id {}", out[first->second].line, inQuotes(out.back().id)),
                         "give each reading an id of its own");
   }
   shareGivenNumbers(out, file);

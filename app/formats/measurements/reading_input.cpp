@@ -81,7 +81,7 @@ void stateTurnSigma(Measurement& reading, const std::string& file, const Cell& c
   if (!std::isfinite(reading.turn_sigma))
     throw InputError::saying(
         fmt::format("{}:{}", file, reading.line),
-        fmt::format("the reading of kind {} has no turn_sigma, the noise of its angles", kind.name),
+        fmt::format("the reading of kind {} has no turn_sigma, which states the noise of its angles", kind.name),
         fmt::format("add a column turn_sigma_{}", cell.units.angle().name));
   if (kind.rows <= kind.turn_rows) reading.sigma = calibration::kTurnLever * reading.turn_sigma;
 }
@@ -101,8 +101,9 @@ void stateSigma(std::vector<Measurement>& readings, const Cell& cell, const std:
     else if (isTouch(reading) && cell.tool)
       reading.sigma = touchSigmaOf(*cell.tool);
     else
-      throw InputError::saying(fmt::format("{}:{}", file, reading.line), "the reading has no sigma, its noise",
-                               fmt::format("add a column sigma_{} or --sigma", cell.units.length().name));
+      throw InputError::saying(fmt::format("{}:{}", file, reading.line),
+                               "the reading has no sigma, which states its noise",
+                               fmt::format("add a column sigma_{}, or give --sigma", cell.units.length().name));
   }
 }
 
@@ -113,7 +114,7 @@ void requireDefinedFormulas(const std::vector<Measurement>& readings, const Cell
     if (!undefined.empty())
       throw InputError::saying(fmt::format("{}:{} (reading {})", file, reading.line, reading.id),
                                "the formula " + undefined,
-                               "change it in " + cell.path + ", so that it is finite at every reading");
+                               "change the formula in " + cell.path + ", so that its value is finite at every reading");
   }
 }
 
@@ -200,8 +201,8 @@ MeasurementTable tableOfAll(const ReadingFiles& files, const Cell& cell, const M
     for (const auto& reading : table.readings)
       if (!ids.insert(reading.id).second)
         throw InputError::saying(fmt::format("{}:{} (id)", file, reading.line),
-                                 "a reading before has the id " + inQuotes(reading.id) + " too",
-                                 "give each an id of its own in all files");
+                                 "an earlier reading already has the id " + inQuotes(reading.id),
+                                 "give each reading an id of its own across all files");
     if (!all.readings.empty()) table.readings.insert(table.readings.begin(), all.readings.begin(), all.readings.end());
     all = std::move(table);
   }
@@ -234,7 +235,7 @@ ReadingsWithChecks parseAndCheck(const std::string& text, const std::string& fil
 std::string nameOf(const ReadingFiles& files) { return fmt::format("{}", fmt::join(files, " + ")); }
 
 ReadingsWithChecks readAndCheck(const ReadingFiles& files, Cell& cell, const MeasurementOptions& options) {
-  if (files.empty()) throw InputError("measurements", "no file", "one file of measurements or more");
+  if (files.empty()) throw InputError("measurements", "no file", "one or more files of measurements");
   return checkTable(tableOfAll(files, cell, options), nameOf(files), cell, options);
 }
 
@@ -272,7 +273,7 @@ InputError refusalOf(const std::optional<calibration::ReadingProblem>& problem, 
   if (problem) return inputErrorOf(*problem, input.readings, input.file);
   if (input.cell.base_known && freeNumbersOf(input.cell).names.empty())
     return InputError::saying(input.cell.path, "there is no free parameter",
-                              "write base: {known: false} for a base to be found, or a list `identify`");
+                              "write base: {known: false} to find the base, or add a list `identify`");
   return InputError::saying(input.file, reason, "check that the readings determine the free parameters");
 }
 

@@ -49,9 +49,9 @@ std::string bytesOf(const std::string& path) {
   if (status.type() == fs::file_type::not_found)
     throw InputError::saying(path, "no such file", "check the name: it is relative to the cell's folder");
   if (!fs::is_regular_file(status))
-    throw InputError::saying(path, "this is no regular file", "name the file of a mesh");
+    throw InputError::saying(path, "this is not a regular file", "give the file of a mesh");
   if (fs::file_size(path, error) > kLargestMesh)
-    throw InputError(path, "more than 256 MB", "a mesh of at most 256 MB", "export it coarser");
+    throw InputError(path, "more than 256 MB", "a mesh of at most 256 MB", "export a coarser mesh");
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
     throw InputError::saying(path, fmt::format("the file cannot be read ({})", std::strerror(errno)),
@@ -96,7 +96,7 @@ planner::TriangleMesh trianglesOf(PolygonMesh&& polygons, const std::string& pat
     begin = polygons.end[face];
     if (std::ranges::any_of(corners, [&](int k) { return k >= std::ssize(mesh.vertices); }))
       throw InputError::saying(
-          path, fmt::format("a corner of face {} is beyond the {} vertices", face + 1, mesh.vertices.size()),
+          path, fmt::format("a corner of face {} is not one of the {} vertices", face + 1, mesh.vertices.size()),
           "export the part again");
     const auto triangles = trianglesOf(mesh.vertices, corners);
     if (triangles.empty())

@@ -18,7 +18,7 @@ void readCorner(const TextWords& words, std::string_view word, PolygonMesh& mesh
 void readFace(TextWords& words, PolygonMesh& mesh) {
   std::string_view word;
   while (!(word = words.nextInLine()).empty() && !word.starts_with('#')) readCorner(words, word, mesh);
-  if (!mesh.endFace()) words.fail(word, "three vertices or more for the face");
+  if (!mesh.endFace()) words.fail(word, "three or more vertices for the face");
 }
 
 }  // namespace

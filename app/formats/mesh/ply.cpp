@@ -65,7 +65,7 @@ const NumberType* readType(TextWords& words) {
   const std::string_view name = words.nextInLine();
   const auto* type = std::ranges::find_if(
       kNumberTypes, [&](const NumberType& type) { return type.name == name || type.sized_name == name; });
-  if (type == kNumberTypes.end()) words.fail(name, "a type of numbers: char to double, or int8 to float64");
+  if (type == kNumberTypes.end()) words.fail(name, "a number type: char to double, or int8 to float64");
   return type;
 }
 
@@ -132,7 +132,8 @@ class PlyNumbers {
     const double number = next(type);
     if (number < 0 || number > std::numeric_limits<int>::max() || number != std::floor(number))
       throw InputError(name_, fmt::format("the number {}", number),
-                       "the number of corners or of a vertex, whole and 0 or more", "export the part again");
+                       "a whole number of 0 or more: a count of corners, or the index of a vertex",
+                       "export the part again");
     return static_cast<int>(number);
   }
 

@@ -63,7 +63,7 @@ void readVertex(TextWords& words, PolygonMesh& mesh) {
 
 void endTriangle(const TextWords& words, PolygonMesh& mesh) {
   const bool is_whole = mesh.endFace() && mesh.corners.size() == 3 * mesh.end.size();
-  if (!is_whole) words.failSaying("this endfacet does not end three vertices");
+  if (!is_whole) words.failSaying("this endfacet does not follow three vertices");
 }
 
 /// Parses a text file. Solids may have any names up to the ends of their lines. Each solid must have an `endsolid`,
@@ -82,13 +82,13 @@ PolygonMesh parseText(const std::string& bytes, const std::string& name) {
       endTriangle(words, mesh);
     } else if (word == "facet") {
       if (lowerCase(words.nextInLine()) != "normal")
-        words.failSaying("'normal' and three numbers do not follow this facet");
+        words.failSaying("this facet is not followed by 'normal' and three numbers");
       for (int k = 0; k < 3; ++k) (void)words.nextInLine();
     } else if (word != "outer" && word != "loop" && word != "endloop") {
       words.fail(word, "facet, outer loop, vertex, endloop, endfacet or endsolid");
     }
   }
-  if (is_open || mesh.corners.size() != 3 * mesh.end.size()) words.fail("", "endsolid before it");
+  if (is_open || mesh.corners.size() != 3 * mesh.end.size()) words.failSaying("the file ends before endsolid");
   return mesh;
 }
 

@@ -149,7 +149,7 @@ PlanFiles readPlanFiles(const std::filesystem::path& folder, const Cell& cell) {
   const JsonValue document(text, path, kAdvice);
   if (document.at("units").json() != unitsJson(cell.units))
     throw InputError(path + " units", text["units"].dump(), unitsJson(cell.units).dump(),
-                     "verify it with the cell it was planned for");
+                     "verify the plan with the cell for which it was made");
   PlanFiles files;
   readTubesOf(document, cell, files);
   readConditionsOf(document, cell, files);

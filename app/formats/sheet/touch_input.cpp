@@ -23,7 +23,8 @@ using calibration::Measurement;
 double sigmaOf(const Measurement& reading, const Cell& cell, const std::string& file) {
   if (std::isfinite(reading.sigma)) return reading.sigma;
   if (cell.tool) return touchSigmaOf(*cell.tool);
-  throw InputError::saying(fmt::format("{}:{}", file, reading.line), "the touch has no sigma, its centring noise",
+  throw InputError::saying(fmt::format("{}:{}", file, reading.line),
+                           "the touch has no sigma, which states its centring noise",
                            "add a column sigma_" + std::string(cell.units.length().name));
 }
 
@@ -61,9 +62,10 @@ void settleSteps(std::vector<Measurement>& readings, const tubesheets::SteppedTo
     if (!kindOf(reading).counts_steps) continue;
     const double steps = reading.own[0];
     if (steps < 1 || steps > most || steps != std::round(steps))
-      throw InputError(fmt::format("{}:{}", file, reading.line), fmt::format("{} steps", steps),
-                       fmt::format("1 to {} steps, as the tool has", tool.steps.size()),
-                       steps == 0 ? "omit the visit: with no step inserted the centring error is not bounded" : "");
+      throw InputError(
+          fmt::format("{}:{}", file, reading.line), fmt::format("{} steps", steps),
+          fmt::format("1 to {}, the number of steps of the tool", tool.steps.size()),
+          steps == 0 ? "leave out the visit: a visit with no step inserted sets no bound on the centring error" : "");
     const auto last = static_cast<std::size_t>(steps);
     reading.own[1] = last < tool.steps.size() ? tool.steps[last].tolerance : 0;
     reading.own[2] = tool.steps[last - 1].tolerance;

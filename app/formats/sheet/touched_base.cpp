@@ -38,7 +38,8 @@ void readTouched(const YamlNode& node, Cell& cell) {
   for (const auto& touch : cell.placed_by->touches)
     if (!touchesKnownPoint(touch))
       node.at("readings")
-          .failSaying("a reading is no touch of a known place", "list only the touches that placed the base");
+          .failSaying("one of the readings is not a touch of a known place",
+                      "list only the touches that placed the base");
   const YamlNode *names = node.find("numbers"), *values = node.find("values");
   if (!names && !values) return;
   const auto& list = node.at("numbers").list();
@@ -46,7 +47,7 @@ void readTouched(const YamlNode& node, Cell& cell) {
   for (std::size_t k = 0; k < list.size(); ++k) {
     const auto parameter = deflection::findParameter(cell.arm, list[k].text());
     if (!parameter)
-      list[k].fail("the unknown number '" + list[k].text() + "'", "a number of the arm file by its path",
+      list[k].fail("the unknown number '" + list[k].text() + "'", "the path of a number in the arm file",
                    suggestion(list[k].text(), calibration::freeableNames(cell.arm)));
     deflection::locate(cell.arm, parameter->path) =
         cell.units.toInternal(numbers[k].number(), dimensionOf(parameter->quantity));

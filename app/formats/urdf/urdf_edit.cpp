@@ -79,7 +79,7 @@ bool isSameRow(const deflection::Row<double>& a, const deflection::Row<double>& 
 
 /// Throws InputError unless `arm` has the same rows as `in_file`, the arm that was read from the URDF file.
 void requireSameRows(const Arm& in_file, const Arm& arm, const std::string& file) {
-  const char* advice = "--into takes the URDF file that the arm was imported from, with the same --tip";
+  const char* advice = "give --into the URDF file from which the arm was imported, with the same --tip";
   for (std::size_t k = 0; k < std::min(in_file.rows.size(), arm.rows.size()); ++k) {
     if (isSameRow(in_file.rows[k], arm.rows[k])) continue;
     const std::string where = fmt::format("{} (row {})", file, k + 1), found = inWords(in_file.rows[k]);
@@ -90,7 +90,7 @@ void requireSameRows(const Arm& in_file, const Arm& arm, const std::string& file
   }
   if (in_file.rows.size() != arm.rows.size())
     throw InputError(file, fmt::format("{} joints and links that carry the tool", in_file.rows.size()),
-                     fmt::format("{}, as the arm has", arm.rows.size()), advice);
+                     fmt::format("{}, as in the arm", arm.rows.size()), advice);
 }
 
 class UrdfEditor {

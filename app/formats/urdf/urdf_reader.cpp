@@ -62,7 +62,7 @@ const Link& findTip(const UrdfTree& tree, const std::string& name, const std::st
     if (const auto link = tree.links.find(name); link != tree.links.end()) return link->second;
     const std::string near = suggestion(name, names);
     throw InputError::saying(file, "the robot has no link " + inQuotes(name),
-                             near.empty() ? "name another link by --tip" : near);
+                             near.empty() ? "select another link with --tip" : near);
   }
   Chain deepest;
   for (const auto& [link_name, link] : tree.links) {
@@ -75,7 +75,7 @@ const Link& findTip(const UrdfTree& tree, const std::string& name, const std::st
   std::vector<std::string> tips;
   for (const auto& link : deepest) tips.push_back(link->name);
   throw InputError::saying(file, fmt::format("{} links are each at the end of an equally long chain", tips.size()),
-                           "name one by --tip: " + alternatives(tips));
+                           "select one with --tip: " + alternatives(tips));
 }
 
 /// Converter of a chain of links to rows of an arm; `X_LK` is the pose of a link's frame K relative to its row's frame
@@ -88,7 +88,7 @@ class ChainReader {
     while (last_moving_ > 0 && !isMoving(*links_[last_moving_ - 1]->joint)) --last_moving_;
     if (last_moving_ == 0)
       throw InputError::saying(file_, "there is no moving joint between the root and " + inQuotes(tip.name),
-                               "name another link by --tip");
+                               "select another link with --tip");
   }
 
   UrdfArm read() {
@@ -173,8 +173,8 @@ class ChainReader {
     }
     if (!(lower < upper))
       throw InputError(at(from), fmt::format("limits from {} to {}", formatNumber(lower), formatNumber(upper)),
-                       "a lower one below the upper",
-                       "one that is not written is 0; a joint that stands still is of type fixed");
+                       "a lower limit below the upper limit",
+                       "a limit that is not written is 0; a joint that does not move is of type fixed");
     joint.lower = lower;
     joint.upper = upper;
   }
@@ -195,10 +195,10 @@ class ChainReader {
       found = {static_cast<std::size_t>(leader - links_.begin()), found.ratio * mimic.multiplier,
                found.offset + found.ratio * mimic.offset};
       if (found.leader >= last_moving_ || steps > links_.size())
-        throw InputError::saying(at(from),
-                                 fmt::format("the joint mimics {}, which {}", inQuotes(mimic.joint),
-                                             leader == links_.end() ? "is not on the way to the tip"
-                                                                    : "is no moving joint with a reading of its own"));
+        throw InputError::saying(
+            at(from), fmt::format("the joint mimics {}, which {}", inQuotes(mimic.joint),
+                                  leader == links_.end() ? "is not on the way to the tip"
+                                                         : "is not a moving joint with a reading of its own"));
       at_joint = &*links_[found.leader]->joint;
     }
     return found;

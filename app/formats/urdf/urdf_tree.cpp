@@ -235,7 +235,7 @@ class TreeReader {
     if (document_.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS)
       throw InputError::saying(fmt::format("{}:{}", file_, std::max(1, document_.ErrorLineNum())),
                                text.find("<robot") == std::string::npos
-                                   ? "the file is not XML, as a URDF robot is"
+                                   ? "the file is not XML, the format of a URDF robot"
                                    : "the XML of the robot breaks off here, or its tags do not match",
                                "check the file up to this line");
     robot_ = document_.FirstChildElement("robot");
@@ -309,7 +309,7 @@ class TreeReader {
       if (const auto [first, is_new] = carrier.emplace(child, name); !is_new)
         throw InputError::saying(
             placeOf(*joint, file_),
-            fmt::format("the link {} is the child of the joint {} too", inQuotes(child), inQuotes(first->second)),
+            fmt::format("the link {} is also the child of the joint {}", inQuotes(child), inQuotes(first->second)),
             "make each link the child of one joint: closed chains are not supported");
     }
     std::vector<std::string> roots;
@@ -320,8 +320,8 @@ class TreeReader {
                                "make them a tree with one root");
     if (roots.size() > 1)
       throw InputError::saying(
-          file_, fmt::format("{} links are the child of no joint: {}", roots.size(), fmt::join(roots, ", ")),
-          "only the root may be the child of none");
+          file_, fmt::format("{} links are not the child of any joint: {}", roots.size(), fmt::join(roots, ", ")),
+          "only the root may be without a parent joint");
   }
 
   void readLink(const XMLElement& element) {

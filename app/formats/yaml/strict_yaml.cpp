@@ -165,7 +165,7 @@ void refuseTabs(const std::string& text, const std::string& file) {
   for (const char c : text) {
     if (c == '#') in_comment = true;
     if (c == '\t' && !in_comment)
-      throw InputError(fmt::format("{}:{}:{}", file, line, column), "a tab", "spaces", "replace the tab by spaces");
+      throw InputError(fmt::format("{}:{}:{}", file, line, column), "a tab", "spaces", "replace the tab with spaces");
     ++column;
     if (c != '\n') continue;
     in_comment = false;

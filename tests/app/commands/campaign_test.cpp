@@ -209,7 +209,7 @@ TEST_F(CampaignCommand, RefusesDamagedTallies) {
   altered[altered.find("\"total\":[") + 9] ^= 1;
   for (const std::string& damaged : {altered, tally.substr(0, tally.size() / 2), std::string("{}\n{}\n")}) {
     (void)write("made/tally.json", damaged);
-    expectRefused(question, "remove it to start again");
+    expectRefused(question, "remove that file to start again");
   }
   (void)write("made/tally.json", changed(tally, R"(["seed","1"])", R"(["seed","2"])"));
   expectRefused(question + " --seed 2 --resume", "first line does not match its checksum");

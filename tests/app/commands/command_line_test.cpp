@@ -67,9 +67,9 @@ TEST(CommandLine, EveryKindOfMistakeIsASentence) {
       {{"map", "a.yaml", "--frobnicate"}, "--frobnicate: there is no such option; see `tubeplan map --help`"},
       {{"map", "a.yaml", "-q"}, "-q: there is no such option; see `tubeplan map --help`"},
       {{"--frobnicate", "map"},
-       "--frobnicate: the command is missing before this option; begin with a command, see `tubeplan help`"},
+       "--frobnicate: the command is missing before this option; begin with a command; `tubeplan help` lists them"},
       {{"--frobnicate", "--help"},
-       "--frobnicate: the command is missing before this option; begin with a command, see `tubeplan help`"},
+       "--frobnicate: the command is missing before this option; begin with a command; `tubeplan help` lists them"},
   };
   for (const auto& [words, message] : mistakes) EXPECT_EQ(refusal(words), message);
 }

@@ -101,7 +101,7 @@ TEST_F(LadderSteps, aTruthUnderAnotherSheetIsRefused) {
   const Outcome outcome = run("ladder set/measurements.csv mockup.yaml --truth narrow.yaml --json -");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
-  expectSays(outcome.err, "found a tube sheet of fingerprint ");
+  expectSays(outcome.err, "this tube sheet (fingerprint ");
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ TEST_F(PlanIdentity, ThePlanOfOneLegIsRefusedOnTheOther) {
   expectSays(verified.out, "the plan is for the hot leg, the cell's sheet is the cold leg's");
   const Outcome from = run("plan cold.yaml --tubes R20C40 --from made --out cold");
   EXPECT_EQ(from.exit_code, 2);
-  expectSays(from.err, "a plan for the sheet of fingerprint ");
+  expectSays(from.err, "the tube sheet of that plan (fingerprint ");
   const Outcome above = run("verify above.yaml made");
   EXPECT_EQ(above.exit_code, 1);
   expectSays(above.out, "viewed from below, the cell's from above");

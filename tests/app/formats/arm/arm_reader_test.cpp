@@ -54,8 +54,8 @@ TEST(ArmReader, readsJointsThatFollowOthers) {
   const auto with = [&](const std::string& from, const std::string& to) {
     return refusal(own, changed(linked, from, to));
   };
-  expectSays(with("theta1: 0.5", "theta9: 0.5"), "'theta9' is no revolute joint with an encoder reading of its own");
-  expectSays(with("theta1: 0.5", "theta3: 0.5"), "'theta3' is no revolute joint with an encoder reading of its own");
+  expectSays(with("theta1: 0.5", "theta9: 0.5"), "'theta9' is not a revolute joint with an encoder reading of its own");
+  expectSays(with("theta1: 0.5", "theta3: 0.5"), "'theta3' is not a revolute joint with an encoder reading of its own");
   expectSays(with("theta1: 0.5", "theta1: half"), "number");
   expectSays(with("{theta1: 0.5, theta2: -1}", "{}"), "JOINT: RATIO");
   expectSays(with("offset: 90", "limits: [-1, 1]"), "limits");

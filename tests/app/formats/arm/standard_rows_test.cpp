@@ -133,7 +133,7 @@ TEST(StandardRows, anAxisOfOtherLinksIsRefused) {
   const std::string second = changed(rows, "joint: {name: q2", axis + "q2");
   const std::string foot = "- {name: foot, origin: {position: [0, 0, 1], rpy: [0, 0, 90]}}\n";
   for (const std::string& text : {fileOf(first), standardFile(second), fileOf(second), standardFile(foot + first)})
-    expectSays(refusal(text), "`axis` is only for a first link by dh under `convention: standard`");
+    expectSays(refusal(text), "`axis` is only for a first link with `dh` under `convention: standard`");
   expectSays(refusal(standardFile(changed(first, "axis: {a: 0.1}", "axis: {d: 0.1}"))), "the unknown key 'd'");
 }
 

@@ -71,7 +71,7 @@ TEST_F(CampaignReader, ReadsTheRowsThatAreReadAndTheNoiseOfEachCoordinate) {
   EXPECT_TRUE(tracked.correlation_W->isApprox(Eigen::Vector3d(0.9, 0, -0.1)));
   EXPECT_NEAR(tracked.sigma, std::sqrt(17e-6) * kInch, 1e-15);
   expectRefused("kind: tilt\nrows: [forarm]\n", {"design.yaml:2", "'forarm'", "latch-link", "did you mean 'forearm'?"});
-  expectRefused("kind: tilt\nrows: []\n", {"one row of the arm or more"});
+  expectRefused("kind: tilt\nrows: []\n", {"one or more rows of the arm"});
   expectRefused("kind: tilt\nrows: [forearm, forearm]\n", {"forearm", "listed twice"});
   expectRefused("kind: position\nrows: [forearm]\n", {"`rows`", "kind tilt"});
   expectRefused("kind: position\nsigmas: [0.001, 0, 0.005]\n", {"sigmas", "above zero"});
@@ -92,7 +92,7 @@ TEST_F(CampaignReader, RefusesWhatItDoesNotKnow) {
 
 TEST_F(CampaignReader, RefusesNumbersThatCannotBe) {
   expectRefused("kind: position\nloads: [0, -5]\n", {"design.yaml:2:12", "-5", "zero or more"});
-  expectRefused("kind: position\nloads: []\n", {"loads", "one load or more"});
+  expectRefused("kind: position\nloads: []\n", {"loads", "one or more loads"});
   expectRefused("kind: position\npostures: 0\n", {"postures", "from 1 to"});
   expectRefused("kind: position\nsplit: 1\n", {"split", "0 to below 1"});
   expectRefused("kind: position\nsigma: -1\n", {"sigma", "zero or more"});

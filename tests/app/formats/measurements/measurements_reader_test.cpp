@@ -177,7 +177,8 @@ TEST_F(MeasurementsReader, readsTheNoiseOfEachCoordinate) {
   EXPECT_NEAR(rows[2], 0.002 * 0.0254, 1e-15);
   expectSays(refusal(header + changed(good, "0.001,", ",")), "some of the coordinates' sigma_x");
   expectSays(refusal(header + changed(good, "0.001,", "-0.001,")), "not above zero");
-  expectSays(refusal(header + "a,distance,,10,90,-20,5,1,2,3,4,0.001,0.002,0.002\n"), "it measures no x, y, z");
+  expectSays(refusal(header + "a,distance,,10,90,-20,5,1,2,3,4,0.001,0.002,0.002\n"),
+             "this kind does not measure x, y, z");
 }
 
 TEST_F(MeasurementsReader, readsForcesAndMomentsOnTheTip) {
